@@ -1,0 +1,17 @@
+# swarmanoid_compile_options(TARGET): warnings, and the floating-point rules that "the same bits" needs.
+#
+# -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, so the compiler's choice to fuse
+# would change results between builds.
+option(SWARMANOID_WARNINGS_AS_ERRORS "treat warnings as errors" OFF)
+set(SWARMANOID_SANITIZE "" CACHE STRING "sanitizers to build with, such as address,undefined")
+
+function(swarmanoid_compile_options target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -ffp-contract=off)
+  if(SWARMANOID_WARNINGS_AS_ERRORS)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(SWARMANOID_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=${SWARMANOID_SANITIZE} -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=${SWARMANOID_SANITIZE})
+  endif()
+endfunction()

@@ -1,0 +1,126 @@
+/// Named values from an experiment file (or any other source), each with the place it came from.
+///
+/// A Configuration is one element: its text, and its named children; an XML attribute and a child element of the same
+/// name are the same thing. Readers ask for values by name and type. What nobody asked for can be refused, so that a
+/// misspelt name is an error and never a silent default.
+///
+/// Angles are degrees in files and radians everywhere else: `angle` converts.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "swarmanoid_interface/color.hpp"
+
+namespace swarmanoid {
+
+/// Where a value stands. Line 0 means the whole file; an empty file name means no file (built in code).
+struct SourceLocation {
+  std::string file;
+  int line = 0;
+
+  /// "file:line", "file", or "(no file)".
+  std::string toString() const;
+};
+
+/// The user's mistake, found while loading: "file:line: what was found, what is allowed".
+class ConfigError : public std::runtime_error {
+ public:
+  ConfigError(const SourceLocation& location, const std::string& message)
+      : std::runtime_error(location.toString() + ": " + message), location_(location) {}
+  const SourceLocation& location() const { return location_; }
+
+ private:
+  SourceLocation location_;
+};
+
+/// The bounds that a number must keep, both included.
+struct Range {
+  double minimum = -std::numeric_limits<double>::infinity();
+  double maximum = std::numeric_limits<double>::infinity();
+
+  bool contains(double value) const { return value >= minimum && value <= maximum; }
+  /// "from 0 to 1", "at least 0", "at most 1" or "any number".
+  std::string toString() const;
+};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+class Configuration {
+ public:
+  Configuration() = default;
+  Configuration(std::string name, std::string text, SourceLocation location)
+      : name_(std::move(name)), text_(std::move(text)), location_(std::move(location)) {}
+
+  const std::string& name() const { return name_; }
+  /// The element's own text, without surrounding white space.
+  const std::string& text() const { return text_; }
+  const SourceLocation& location() const { return location_; }
+  const std::vector<Configuration>& children() const { return children_; }
+  Configuration& add(Configuration child);
+  Configuration& set(const std::string& name, const std::string& text);
+
+  bool has(std::string_view key) const { return find(key) != nullptr; }
+  /// The first child of that name, marked as read; null if there is none.
+  const Configuration* find(std::string_view key) const;
+
+  /// Values by name. Without a fallback a missing key is an error.
+  /// @throws ConfigError naming the key, what was found and what is allowed
+  double number(std::string_view key, Range range = {}) const;
+  double number(std::string_view key, double fallback, Range range = {}) const;
+  std::int64_t integer(std::string_view key, Range range = {}) const;
+  std::int64_t integer(std::string_view key, std::int64_t fallback, Range range = {}) const;
+  bool boolean(std::string_view key) const;
+  bool boolean(std::string_view key, bool fallback) const;
+  std::string text(std::string_view key) const;
+  std::string text(std::string_view key, const std::string& fallback) const;
+  Color color(std::string_view key) const;
+  Color color(std::string_view key, Color fallback) const;
+  /// "x, y, z"
+  Eigen::Vector3d vector3(std::string_view key) const;
+  Eigen::Vector3d vector3(std::string_view key, const Eigen::Vector3d& fallback) const;
+  /// Degrees in the file. @return radians
+  double angle(std::string_view key, double fallback_rad, Range range_deg = {}) const;
+
+  /// @throws ConfigError for the first child that nobody asked for, with the nearest name among `known`
+  void refuseUnread(const std::vector<std::string>& known = {}) const;
+
+ private:
+  const Configuration& require(std::string_view key) const;
+
+  std::string name_;
+  std::string text_;
+  SourceLocation location_;
+  std::vector<Configuration> children_;
+  mutable bool read_ = false;
+};
+
+/// Strict readers of a whole text: surrounding white space is allowed, anything else after the value is not.
+/// @throws ConfigError with what was found and what is allowed; `what` names the value in the message
+double parseNumber(const std::string& text, const std::string& what, const SourceLocation& location, Range range = {});
+std::int64_t parseInteger(const std::string& text, const std::string& what, const SourceLocation& location,
+                          Range range = {});
+bool parseBoolean(const std::string& text, const std::string& what, const SourceLocation& location);
+Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location);
+/// `count` numbers separated by commas.
+std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
+                                 const SourceLocation& location);
+
+/// The candidate with the smallest edit distance to `word`; nothing if none is near (distance above a third of its
+/// length, at least 2).
+std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& candidates);
+
+/// "; did you mean 'x'?" or "".
+std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates);
+
+/// "a, b, c" for messages that say what is allowed.
+std::string joinNames(const std::vector<std::string>& names);
+
+}  // namespace swarmanoid

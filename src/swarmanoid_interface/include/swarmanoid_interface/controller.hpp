@@ -1,0 +1,46 @@
+/// The base class of every controller (thesis 3.3, "Controller Common Interface").
+///
+/// One object controls one robot. The framework makes it, calls init once, step at every control period, reset when the
+/// experiment is put back to its start, and destroy before it goes. Nothing here knows whether the robot is simulated.
+#pragma once
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/robot.hpp"
+#include "swarmanoid_interface/time.hpp"
+
+namespace swarmanoid {
+
+class Controller {
+ public:
+  virtual ~Controller() = default;
+
+  /// Asks the robot for its devices and reads the <parameters> of the experiment file.
+  /// @throws ConfigError, DeviceError: the controller does not start, and the message says why
+  virtual void init(Robot& robot, const Configuration& parameters) = 0;
+
+  /// Reads sensors, writes actuators. Runs at the same time as other robots' steps: touch only this object and its
+  /// robot. An exception stops this robot, and only this one.
+  /// @param time of this tick; @param dt since the last one
+  virtual void step(Time time, Duration dt) = 0;
+
+  /// Back to the state after init.
+  virtual void reset() {}
+
+  virtual void destroy() {}
+};
+
+}  // namespace swarmanoid
+
+/// At the end of a controller's source: makes `Class` available under `label`, the tag in <controllers>
+/// (thesis 4.1.2). Together with the CMake function swarmanoid_add_controller it becomes a nodelet too.
+#define REGISTER_CONTROLLER(Class, label)                                                         \
+  namespace {                                                                                     \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Controller, Class> SWARMANOID_CONCATENATE( \
+      registration_, __LINE__)(::swarmanoid::PluginKind::kController, [] {                        \
+    ::swarmanoid::PluginDescription description;                                                  \
+    description.label = (label);                                                                  \
+    description.free_parameters = true;                                                           \
+    return description;                                                                           \
+  }());                                                                                           \
+  }

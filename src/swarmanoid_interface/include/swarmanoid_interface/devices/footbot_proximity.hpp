@@ -1,0 +1,24 @@
+/// Sensor: the ring of infrared proximity sensors around a footbot (thesis figure 1.1b).
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace swarmanoid {
+
+/// Readings of the 24 sensors: 0 with nothing in range, rising to 1 at contact.
+/// Sensor 0 looks straight ahead (the robot's x axis), the others follow counter-clockwise every 15 degrees.
+struct FootbotProximity {
+  static constexpr const char* kType = "footbot_proximity";
+  static constexpr std::size_t kCount = 24;
+
+  std::array<float, kCount> value{};
+
+  /// Direction of sensor `i` in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi].
+  static constexpr double angle(std::size_t i) {
+    constexpr double kStep = 6.283185307179586 / kCount;
+    return i <= kCount / 2 ? static_cast<double>(i) * kStep : (static_cast<double>(i) - kCount) * kStep;
+  }
+};
+
+}  // namespace swarmanoid

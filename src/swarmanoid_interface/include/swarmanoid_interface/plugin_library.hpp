@@ -1,0 +1,25 @@
+/// Finds and loads the shared libraries that plugins live in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+
+/// Loads lib<name>.so (or the file itself, if `library` has a slash or ends in .so), once; loading it again does
+/// nothing. Looked for in `folders`, then in lib/ of every prefix of CMAKE_PREFIX_PATH, then beside this library, then
+/// where the system's loader looks.
+/// @throws ConfigError at `location`, with every place that was searched or the loader's own words
+void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
+                       const SourceLocation& location);
+
+/// Folders that hold `share/` data of this installation, most important first: of the prefix that this library is in,
+/// then of every prefix of CMAKE_PREFIX_PATH. A devel space and an install space have the same layout.
+std::vector<std::string> shareFolders();
+
+/// The first existing `share/<package>/<path>`; "" if there is none.
+std::string findShared(const std::string& package, const std::string& path);
+
+}  // namespace swarmanoid

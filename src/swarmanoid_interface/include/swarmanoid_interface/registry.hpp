@@ -1,0 +1,113 @@
+/// The one list of everything that can be named in an experiment file: controllers, sensors, actuators, engines,
+/// visualisations and entity types. A plugin enters itself when its library is loaded; libraries are never unloaded.
+///
+/// Keys are strings, never C++ types, so plugins that were built apart meet here safely. Registration happens while a
+/// library loads (one thread); afterwards the registry is only read.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+
+enum class PluginKind { kController, kSensor, kActuator, kEngine, kVisualisation, kEntity };
+
+/// "controller", "sensor", ...
+const char* toString(PluginKind kind);
+
+/// One value that a plugin reads from the experiment file. The parser, the XSD, `swarmanoid list` and the reference
+/// pages all come from these, so they cannot differ.
+struct Parameter {
+  enum class Type {
+    kNumber,
+    kInteger,
+    kBoolean,  ///< true, false
+    kText,
+    kChoice,   ///< one of `choices`
+    kVector3,  ///< "x, y, z"
+    kAngle,    ///< degrees
+    kAngles3,  ///< "alpha, beta, gamma" in degrees
+    kColor     ///< a colour name or "r,g,b"
+  };
+
+  std::string name;
+  Type type = Type::kText;
+  std::string description;           ///< one sentence
+  std::string unit;                  ///< of numbers: "m", "rad/s", "" for none
+  std::optional<std::string> value;  ///< the default, as it would stand in the file; none: must be given
+  Range range;
+  std::vector<std::string> choices;
+};
+
+/// What a plugin says of itself.
+struct PluginDescription {
+  std::string label;           ///< the tag in the experiment file: a controller's, an engine's, ... or a device's type
+  std::string implementation;  ///< sensors and actuators: the value of <implementation>; "" for the other kinds
+  std::string summary;         ///< one sentence
+  std::vector<Parameter> parameters;
+  std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
+  std::vector<std::string> implementation_aliases;  ///< likewise
+  std::vector<std::string> robots;                  ///< devices: the robot types that carry it; empty: any
+  bool free_parameters = false;                     ///< reads whatever parameters it likes (controllers)
+};
+
+class Registry {
+ public:
+  /// Makes a plugin; the pointer is to the kind's base class (Controller, Sensor, ...).
+  using Factory = std::function<std::shared_ptr<void>()>;
+
+  struct Entry {
+    PluginKind kind;
+    PluginDescription description;
+    Factory make;
+  };
+
+  static Registry& instance();
+
+  /// The second plugin of the same kind, label and implementation is refused: the first stays, and the conflict is
+  /// kept for `conflicts`.
+  void add(PluginKind kind, PluginDescription description, Factory make);
+
+  /// By label or alias. For devices an empty implementation means the device's first one.
+  /// @return null if there is none
+  const Entry* find(PluginKind kind, const std::string& label, const std::string& implementation = "") const;
+
+  /// All entries of a kind, sorted by label and implementation.
+  std::vector<const Entry*> all(PluginKind kind) const;
+
+  /// All labels of a kind, sorted, once each, aliases left out.
+  std::vector<std::string> labels(PluginKind kind) const;
+
+  /// "sensor footbot_proximity polynomial is registered twice", ...
+  const std::vector<std::string>& conflicts() const { return conflicts_; }
+
+ private:
+  std::vector<std::unique_ptr<Entry>> entries_;
+  std::vector<std::string> conflicts_;
+};
+
+/// Enters class `Plugin` (of base `Base`) while its library loads; use it through the REGISTER_ macros.
+template <class Base, class Plugin>
+struct PluginRegistration {
+  PluginRegistration(PluginKind kind, PluginDescription description) {
+    Registry::instance().add(kind, std::move(description), [] {
+      return std::static_pointer_cast<void>(std::static_pointer_cast<Base>(std::make_shared<Plugin>()));
+    });
+  }
+};
+
+/// Makes a plugin found in the registry. `Base` must be the base class of the entry's kind.
+template <class Base>
+std::shared_ptr<Base> makePlugin(const Registry::Entry& entry) {
+  return std::static_pointer_cast<Base>(entry.make());
+}
+
+}  // namespace swarmanoid
+
+/// Names of generated variables.
+#define SWARMANOID_CONCATENATE_(a, b) a##b
+#define SWARMANOID_CONCATENATE(a, b) SWARMANOID_CONCATENATE_(a, b)

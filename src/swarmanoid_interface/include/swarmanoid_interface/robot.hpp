@@ -1,0 +1,94 @@
+/// What a controller sees of its robot: the devices that its configuration lists, a log, a random stream
+/// (thesis 3.3, "Robot Common Interface").
+///
+/// The same class in the simulator and on a robot. Whoever provides the devices (the simulator's banks, or a binding to
+/// topics) fills in the references; they stay valid as long as the robot.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "swarmanoid_interface/random.hpp"
+#include "swarmanoid_interface/time.hpp"
+
+namespace swarmanoid {
+
+/// A controller asked for a device that its configuration does not list.
+class DeviceError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+enum class LogLevel { kInfo, kWarning, kError };
+
+class Robot {
+ public:
+  using LogSink = std::function<void(LogLevel, const std::string& robot, const std::string& text)>;
+  using DebugValue = std::pair<std::string, std::string>;
+
+  /// @param name unique, such as "fb_1"
+  /// @param type "footbot", "eyebot" or "handbot"
+  Robot(std::string name, std::string type, std::uint64_t seed);
+  Robot(const Robot&) = delete;
+  Robot& operator=(const Robot&) = delete;
+
+  const std::string& name() const { return name_; }
+  const std::string& type() const { return type_; }
+
+  /// The readings of a sensor, refreshed before each step. Ask once, in init, and keep the reference.
+  /// @throws DeviceError if the configuration does not list it
+  template <class Device>
+  const Device& sensor() const {
+    return *static_cast<const Device*>(find(sensors_, Device::kType, "sensor"));
+  }
+
+  /// The command of an actuator; what was written stays until it is changed. Ask once, in init.
+  /// @throws DeviceError if the configuration does not list it
+  template <class Device>
+  Device& actuator() {
+    return *static_cast<Device*>(find(actuators_, Device::kType, "actuator"));
+  }
+
+  bool hasSensor(const std::string& type) const;
+  bool hasActuator(const std::string& type) const;
+
+  /// The controller's own random numbers: the same for one seed, robot and tick, whatever else runs.
+  RandomStream& random() { return random_; }
+
+  /// Prefixed with the robot's name; beyond 10 texts a second of robot time the rest is dropped and counted.
+  void log(LogLevel level, const std::string& text);
+  void log(const std::string& text) { log(LogLevel::kInfo, text); }
+
+  /// A named value for people: in the text table's companion file, on a topic, as text in rviz. Never read by anything
+  /// that moves a robot.
+  void debug(const std::string& key, const std::string& value);
+  const std::vector<DebugValue>& debugValues() const { return debug_values_; }
+
+  // For providers only.
+  void provideSensor(const std::string& type, const void* readings);
+  void provideActuator(const std::string& type, void* command);
+  void setLogSink(LogSink sink) { log_sink_ = std::move(sink); }
+  /// Called before each step.
+  void startTick(std::uint64_t tick, Time time);
+
+ private:
+  using Devices = std::vector<std::pair<std::string, void*>>;
+  void* find(const Devices& devices, const char* type, const char* kind) const;
+
+  std::string name_;
+  std::string type_;
+  Devices sensors_;
+  Devices actuators_;
+  RandomStream random_;
+  LogSink log_sink_;
+  std::vector<DebugValue> debug_values_;
+  Time time_ = kEpoch;
+  Time log_window_start_ = kEpoch;
+  int logged_in_window_ = 0;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,164 @@
+// The strict readers of single values, and the words their messages are made of.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <numeric>
+#include <sstream>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+namespace {
+
+std::string trimmed(const std::string& text) {
+  const auto first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos) {
+    return "";
+  }
+  return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
+}
+
+[[noreturn]] void refuse(const std::string& what, const std::string& found, const std::string& allowed,
+                         const SourceLocation& location) {
+  throw ConfigError(location, what + ": found '" + found + "', allowed: " + allowed);
+}
+
+template <class Value>
+std::optional<Value> readWhole(const std::string& text) {
+  Value value{};
+  const char* begin = text.data();
+  const char* end = begin + text.size();
+  if (begin != end && *begin == '+') {
+    ++begin;  // std::from_chars takes no plus sign; people write one
+  }
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc() || stop != end || begin == end) {
+    return std::nullopt;
+  }
+  return value;
+}
+
+std::string shortNumber(double value) {
+  std::ostringstream out;
+  out << value;
+  return out.str();
+}
+
+int editDistance(std::string_view a, std::string_view b) {
+  std::vector<int> row(b.size() + 1);
+  std::iota(row.begin(), row.end(), 0);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    int diagonal = row[0];
+    row[0] = static_cast<int>(i);
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const int substitution = diagonal + (a[i - 1] == b[j - 1] ? 0 : 1);
+      diagonal = row[j];
+      row[j] = std::min({row[j] + 1, row[j - 1] + 1, substitution});
+    }
+  }
+  return row.back();
+}
+
+}  // namespace
+
+std::string SourceLocation::toString() const {
+  if (file.empty()) {
+    return "(no file)";
+  }
+  return line > 0 ? file + ":" + std::to_string(line) : file;
+}
+
+std::string Range::toString() const {
+  const bool has_minimum = std::isfinite(minimum);
+  const bool has_maximum = std::isfinite(maximum);
+  if (has_minimum && has_maximum) {
+    return "from " + shortNumber(minimum) + " to " + shortNumber(maximum);
+  }
+  if (has_minimum) {
+    return "at least " + shortNumber(minimum);
+  }
+  return has_maximum ? "at most " + shortNumber(maximum) : "any number";
+}
+
+double parseNumber(const std::string& text, const std::string& what, const SourceLocation& location, Range range) {
+  const std::string found = trimmed(text);
+  const auto value = readWhole<double>(found);
+  if (!value || !std::isfinite(*value) || !range.contains(*value)) {
+    refuse(what, found, "a number" + (range.toString() == "any number" ? "" : " " + range.toString()), location);
+  }
+  return *value;
+}
+
+std::int64_t parseInteger(const std::string& text, const std::string& what, const SourceLocation& location,
+                          Range range) {
+  const std::string found = trimmed(text);
+  const auto value = readWhole<std::int64_t>(found);
+  if (!value || !range.contains(static_cast<double>(*value))) {
+    refuse(what, found, "a whole number" + (range.toString() == "any number" ? "" : " " + range.toString()), location);
+  }
+  return *value;
+}
+
+bool parseBoolean(const std::string& text, const std::string& what, const SourceLocation& location) {
+  const std::string found = trimmed(text);
+  if (found != "true" && found != "false") {
+    refuse(what, found, "true, false", location);
+  }
+  return found == "true";
+}
+
+Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location) {
+  const auto color = parseColor(text);
+  if (!color) {
+    throw ConfigError(location, what + ": found '" + trimmed(text) + "', allowed: " + joinNames(colorNames()) +
+                                    ", or three numbers from 0 to 255" + didYouMean(trimmed(text), colorNames()));
+  }
+  return *color;
+}
+
+std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
+                                 const SourceLocation& location) {
+  std::vector<double> values;
+  std::istringstream parts(text);
+  std::string part;
+  while (std::getline(parts, part, ',')) {
+    const auto value = readWhole<double>(trimmed(part));
+    if (!value || !std::isfinite(*value)) {
+      break;
+    }
+    values.push_back(*value);
+  }
+  const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
+  if (values.size() != count || commas + 1 != count) {
+    refuse(what, trimmed(text), std::to_string(count) + " numbers separated by commas", location);
+  }
+  return values;
+}
+
+std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& candidates) {
+  std::optional<std::string> best;
+  int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
+  for (const std::string& candidate : candidates) {
+    const int distance = editDistance(word, candidate);
+    if (distance < best_distance) {
+      best_distance = distance;
+      best = candidate;
+    }
+  }
+  return best;
+}
+
+std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto name = nearestName(word, candidates);
+  return name ? "; did you mean '" + *name + "'?" : "";
+}
+
+std::string joinNames(const std::vector<std::string>& names) {
+  std::string result;
+  for (const std::string& name : names) {
+    result += (result.empty() ? "" : ", ") + name;
+  }
+  return result;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,92 @@
+#include "swarmanoid_interface/plugin_library.hpp"
+
+#include <dlfcn.h>
+
+#include <cstdlib>
+#include <filesystem>
+
+namespace swarmanoid {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<std::string> prefixes() {
+  std::vector<std::string> result;
+  Dl_info info;
+  if (dladdr(reinterpret_cast<void*>(&loadPluginLibrary), &info) != 0 && info.dli_fname != nullptr) {
+    // this library is <prefix>/lib/libswarmanoid_interface.so
+    std::error_code ignored;
+    result.push_back(fs::absolute(info.dli_fname, ignored).parent_path().parent_path().string());
+  }
+  if (const char* path = std::getenv("CMAKE_PREFIX_PATH")) {
+    std::string rest = path;
+    while (!rest.empty()) {
+      const auto colon = rest.find(':');
+      if (colon != 0) {
+        result.push_back(rest.substr(0, colon));
+      }
+      rest = colon == std::string::npos ? "" : rest.substr(colon + 1);
+    }
+  }
+  return result;
+}
+
+void open(const std::string& file, const std::string& library, const SourceLocation& location) {
+  // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
+  if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
+    throw ConfigError(location, "library '" + library + "' cannot be loaded: " + dlerror());
+  }
+}
+
+}  // namespace
+
+void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
+                       const SourceLocation& location) {
+  const bool is_file = library.find('/') != std::string::npos || fs::path(library).extension() == ".so";
+  std::error_code ignored;
+  if (is_file && fs::exists(library, ignored)) {
+    open(fs::absolute(library, ignored).string(), library, location);
+    return;
+  }
+  const std::string name = is_file ? fs::path(library).filename().string() : "lib" + library + ".so";
+  std::vector<std::string> places = folders;
+  for (const std::string& prefix : prefixes()) {
+    places.push_back(prefix + "/lib");
+  }
+  std::string searched;
+  for (const std::string& place : places) {
+    const fs::path file = fs::path(place) / name;
+    if (fs::exists(file, ignored)) {
+      open(file.string(), library, location);
+      return;
+    }
+    searched += (searched.empty() ? "" : ", ") + place;
+  }
+  if (dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL) != nullptr) {
+    return;
+  }
+  const std::string reason = dlerror();
+  throw ConfigError(location, "library '" + library + "': found no " + name + " in " + searched +
+                                  ", nor where the system's loader looks (" + reason + ")");
+}
+
+std::vector<std::string> shareFolders() {
+  std::vector<std::string> result;
+  for (const std::string& prefix : prefixes()) {
+    result.push_back(prefix + "/share");
+  }
+  return result;
+}
+
+std::string findShared(const std::string& package, const std::string& path) {
+  std::error_code ignored;
+  for (const std::string& folder : shareFolders()) {
+    const fs::path file = fs::path(folder) / package / path;
+    if (fs::exists(file, ignored)) {
+      return file.string();
+    }
+  }
+  return "";
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,90 @@
+#include "swarmanoid_interface/registry.hpp"
+
+#include <algorithm>
+#include <tuple>
+
+namespace swarmanoid {
+namespace {
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+const char* toString(PluginKind kind) {
+  switch (kind) {
+    case PluginKind::kController:
+      return "controller";
+    case PluginKind::kSensor:
+      return "sensor";
+    case PluginKind::kActuator:
+      return "actuator";
+    case PluginKind::kEngine:
+      return "engine";
+    case PluginKind::kVisualisation:
+      return "visualisation";
+    case PluginKind::kEntity:
+      return "entity";
+  }
+  return "plugin";
+}
+
+Registry& Registry::instance() {
+  static Registry registry;
+  return registry;
+}
+
+void Registry::add(PluginKind kind, PluginDescription description, Factory make) {
+  for (const auto& entry : entries_) {
+    if (entry->kind == kind && entry->description.label == description.label &&
+        entry->description.implementation == description.implementation) {
+      conflicts_.push_back(std::string(toString(kind)) + " '" + description.label +
+                           (description.implementation.empty() ? "" : " " + description.implementation) +
+                           "' is registered twice; the first is used");
+      return;
+    }
+  }
+  entries_.push_back(std::make_unique<Entry>(Entry{kind, std::move(description), std::move(make)}));
+}
+
+const Registry::Entry* Registry::find(PluginKind kind, const std::string& label,
+                                      const std::string& implementation) const {
+  for (const auto& entry : entries_) {
+    const PluginDescription& known = entry->description;
+    if (entry->kind != kind || (known.label != label && !contains(known.label_aliases, label))) {
+      continue;
+    }
+    if (implementation.empty() || known.implementation == implementation ||
+        contains(known.implementation_aliases, implementation)) {
+      return entry.get();
+    }
+  }
+  return nullptr;
+}
+
+std::vector<const Registry::Entry*> Registry::all(PluginKind kind) const {
+  std::vector<const Entry*> result;
+  for (const auto& entry : entries_) {
+    if (entry->kind == kind) {
+      result.push_back(entry.get());
+    }
+  }
+  std::sort(result.begin(), result.end(), [](const Entry* a, const Entry* b) {
+    return std::tie(a->description.label, a->description.implementation) <
+           std::tie(b->description.label, b->description.implementation);
+  });
+  return result;
+}
+
+std::vector<std::string> Registry::labels(PluginKind kind) const {
+  std::vector<std::string> result;
+  for (const Entry* entry : all(kind)) {
+    if (!contains(result, entry->description.label)) {
+      result.push_back(entry->description.label);
+    }
+  }
+  return result;
+}
+
+}  // namespace swarmanoid

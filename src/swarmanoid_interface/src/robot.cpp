@@ -1,0 +1,69 @@
+#include "swarmanoid_interface/robot.hpp"
+
+#include <algorithm>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+namespace {
+constexpr int kLogsPerSecond = 10;
+}
+
+Robot::Robot(std::string name, std::string type, std::uint64_t seed)
+    : name_(std::move(name)), type_(std::move(type)), random_(seed, name_, "controller") {}
+
+void* Robot::find(const Devices& devices, const char* type, const char* kind) const {
+  std::vector<std::string> known;
+  for (const auto& [name, device] : devices) {
+    if (name == type) {
+      return device;
+    }
+    known.push_back(name);
+  }
+  throw DeviceError("robot '" + name_ + "' (" + type_ + ") has no " + kind + " '" + type +
+                    "' in its controller's configuration; listed: " + (known.empty() ? "none" : joinNames(known)));
+}
+
+bool Robot::hasSensor(const std::string& type) const {
+  return std::any_of(sensors_.begin(), sensors_.end(), [&](const auto& entry) { return entry.first == type; });
+}
+
+bool Robot::hasActuator(const std::string& type) const {
+  return std::any_of(actuators_.begin(), actuators_.end(), [&](const auto& entry) { return entry.first == type; });
+}
+
+void Robot::log(LogLevel level, const std::string& text) {
+  if (time_ - log_window_start_ >= std::chrono::seconds(1)) {
+    log_window_start_ = time_;
+    logged_in_window_ = 0;
+  }
+  ++logged_in_window_;
+  if (!log_sink_ || logged_in_window_ > kLogsPerSecond + 1) {
+    return;
+  }
+  log_sink_(level, name_, logged_in_window_ > kLogsPerSecond ? "(more in this second is left out)" : text);
+}
+
+void Robot::debug(const std::string& key, const std::string& value) {
+  for (auto& [known, old_value] : debug_values_) {
+    if (known == key) {
+      old_value = value;
+      return;
+    }
+  }
+  debug_values_.emplace_back(key, value);
+}
+
+void Robot::provideSensor(const std::string& type, const void* readings) {
+  // kept without const beside the actuators; sensor() gives it back as const
+  sensors_.emplace_back(type, const_cast<void*>(readings));
+}
+
+void Robot::provideActuator(const std::string& type, void* command) { actuators_.emplace_back(type, command); }
+
+void Robot::startTick(std::uint64_t tick, Time time) {
+  time_ = time;
+  random_.startTick(tick);
+}
+
+}  // namespace swarmanoid
