@@ -1,0 +1,97 @@
+/// What an entity of one type is made of: shapes, height, wheels, gripper, mounts. Shared by all entities of that type.
+///
+/// Robots' models come from their URDF (swarmanoid_description), those of blocks and preys from the experiment file.
+/// Frames: everything is in the body frame B: x ahead, y left, z up, origin where the entity's pose is (REP-103). A robot's
+/// origin is on the ground under its centre, a prey's at the centre of its lower face, a block's at its centre.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/color.hpp"
+
+namespace swarmanoid {
+
+/// A convex solid, in the body frame.
+struct CollisionShape {
+  enum class Kind { kCylinder, kBox, kSphere };
+
+  Kind kind = Kind::kCylinder;
+  Eigen::Vector3d half_extent = Eigen::Vector3d::Zero();  ///< cylinder: radius, radius, half height; sphere: radius [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< of the shape's centre [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+/// A place on the body where a device sits.
+struct Mount {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+struct EntityModel {
+  std::string type;   ///< the tag in <arena>: "footbot", "block", ...
+  std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...
+
+  std::vector<CollisionShape> shapes;
+  double lowest = 0.0;           ///< of the shapes, along body z [m]
+  double highest = 0.0;          ///< of the shapes, along body z [m]
+  double bounding_radius = 0.0;  ///< of a sphere around the body's origin that holds all shapes [m]
+  double mass = 0.0;             ///< [kg]; 0: not known
+
+  bool is_robot = false;
+  bool is_movable = false;                ///< may be moved by an engine
+  std::optional<double> gripping_radius;  ///< there is a gripping strip, at this distance around body z [m]
+
+  /// Differential drive: wheels on the body's y axis.
+  struct Wheels {
+    double radius = 0.0;      ///< [m]
+    double separation = 0.0;  ///< between the wheels' middles [m]
+    double max_speed = 0.0;   ///< angular velocity [rad/s]
+  };
+  std::optional<Wheels> wheels;
+
+  /// The gripper's tip, on the body's x axis.
+  struct Gripper {
+    double tip = 0.0;     ///< distance of the tip from body z [m]
+    double height = 0.0;  ///< above the body's origin [m]
+  };
+  std::optional<Gripper> gripper;
+
+  std::map<std::string, Mount> mounts;    ///< URDF frames by link name, relative to the body
+  std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points at which cameras see their colour [m]
+  std::string urdf;                       ///< the whole URDF text; empty if there is none
+
+  /// Fills `lowest`, `highest` and `bounding_radius` from `shapes`.
+  void measureShapes();
+
+  /// @throws std::out_of_range naming the mount and the type
+  const Mount& mount(const std::string& name) const;
+};
+
+/// Reads a robot's URDF. Links' collision elements become shapes, all links become mounts. By name: `left_wheel` and
+/// `right_wheel` joints (continuous, axis y) make a differential drive; a link `gripper_tip` makes a gripper; links
+/// `led_0`, `led_1`, ... make LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is not a
+/// shape).
+/// @throws ConfigError naming the file and what is wrong
+std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
+
+/// The model of a robot type of this installation (swarmanoid_description/urdf/<type>.urdf); loaded once a process.
+/// @throws ConfigError if there is no such robot
+std::shared_ptr<const EntityModel> robotModel(const std::string& type);
+
+/// An upright box with the origin at its centre. @param size lengths along x, y, z [m]
+std::shared_ptr<const EntityModel> blockModel(const Eigen::Vector3d& size);
+
+/// An upright cylinder with the origin at the centre of its lower face and a gripping strip around it.
+/// Its one LED position, at the middle, is where cameras see its colour. @param radius, height [m]
+std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height);
+
+/// A lamp: no shape, one LED position at its origin.
+std::shared_ptr<const EntityModel> lightModel();
+
+}  // namespace swarmanoid

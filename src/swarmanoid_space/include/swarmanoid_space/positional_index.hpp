@@ -1,0 +1,64 @@
+/// Finds entities by place (thesis 3.4, "positional information").
+///
+/// A grid of cells over the arena instead of the thesis's oct-tree: a query costs what is near, whatever the number of
+/// entities, and the whole index is rebuilt each tick in time linear in that number. optimization="2D" keeps columns (one
+/// cell in z), "3D" keeps cubes. What has left the arena is kept in the border cells, so nothing is ever lost.
+///
+/// Phase   rebuilt in `index`; queries are const and safe from many threads.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "swarmanoid_space/entities.hpp"
+
+namespace swarmanoid {
+
+class PositionalIndex {
+ public:
+  enum class Optimization { k2D, k3D };
+
+  /// @param size of the arena, which spans from 0 to size in each axis [m]; @param expected_entities picks the cell size
+  void configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities);
+
+  /// Reads every living entity's pose and bounding radius. No allocation once the number of entities is steady.
+  void rebuild(const Entities& entities);
+
+  /// Entities whose bounding sphere meets the sphere around `centre`; appended to `found` in no stated order.
+  void collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const;
+
+  /// Whether `collect` would find anything but `ignored`. Cheaper than asking for the list.
+  bool anyWithin(const Eigen::Vector3d& centre, double radius, Row ignored) const;
+
+  /// Entities whose origin is within `radius` of `centre`, by entity number.
+  std::vector<Row> within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const;
+  /// The same around an entity, without itself.
+  std::vector<Row> within(const Entities& entities, Row around, double radius) const;
+
+ private:
+  struct Item {
+    Eigen::Vector3d position;
+    double radius;
+    Row row;
+  };
+  using Cell = std::array<int, 3>;
+
+  Cell cellOf(const Eigen::Vector3d& position) const;
+  std::size_t flat(const Cell& cell) const;
+  template <class Visit>  // bool visit(const Item&): false stops
+  void visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const;
+
+  Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
+  Optimization optimization_ = Optimization::k2D;
+  double cell_size_ = 1.0;
+  Cell cells_{1, 1, 1};
+  double largest_small_radius_ = 0.0;      // among the items of the cells
+  std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells
+  std::vector<Item> items_;                // sorted by cell
+  std::vector<std::uint32_t> cell_of_entity_;
+  std::vector<Item> large_items_;  // wider than a cell, such as walls: kept apart, looked at one by one
+};
+
+}  // namespace swarmanoid
