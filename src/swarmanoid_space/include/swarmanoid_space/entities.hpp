@@ -19,8 +19,8 @@
 
 namespace swarmanoid {
 
-using Row = std::int32_t;              ///< where an entity stands in the arrays; valid within a tick
-using EntityNumber = std::uint64_t;    ///< an entity for ever; the first is 1, 0 is nobody
+using Row = std::int32_t;            ///< where an entity stands in the arrays; valid within a tick
+using EntityNumber = std::uint64_t;  ///< an entity for ever; the first is 1, 0 is nobody
 
 constexpr Row kNoRow = -1;
 constexpr EntityNumber kNobody = 0;

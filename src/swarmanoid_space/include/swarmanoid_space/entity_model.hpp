@@ -1,8 +1,8 @@
 /// What an entity of one type is made of: shapes, height, wheels, gripper, mounts. Shared by all entities of that type.
 ///
 /// Robots' models come from their URDF (swarmanoid_description), those of blocks and preys from the experiment file.
-/// Frames: everything is in the body frame B: x ahead, y left, z up, origin where the entity's pose is (REP-103). A robot's
-/// origin is on the ground under its centre, a prey's at the centre of its lower face, a block's at its centre.
+/// Frames: everything is in the body frame B: x ahead, y left, z up, origin where the entity's pose is (REP-103). A
+/// robot's origin is on the ground under its centre, a prey's at the centre of its lower face, a block's at its centre.
 #pragma once
 
 #include <Eigen/Core>
@@ -62,9 +62,9 @@ struct EntityModel {
   };
   std::optional<Gripper> gripper;
 
-  std::map<std::string, Mount> mounts;    ///< URDF frames by link name, relative to the body
+  std::map<std::string, Mount> mounts;         ///< URDF frames by link name, relative to the body
   std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points at which cameras see their colour [m]
-  std::string urdf;                       ///< the whole URDF text; empty if there is none
+  std::string urdf;                            ///< the whole URDF text; empty if there is none
 
   /// Fills `lowest`, `highest` and `bounding_radius` from `shapes`.
   void measureShapes();
@@ -75,8 +75,8 @@ struct EntityModel {
 
 /// Reads a robot's URDF. Links' collision elements become shapes, all links become mounts. By name: `left_wheel` and
 /// `right_wheel` joints (continuous, axis y) make a differential drive; a link `gripper_tip` makes a gripper; links
-/// `led_0`, `led_1`, ... make LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is not a
-/// shape).
+/// `led_0`, `led_1`, ... make LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is not
+/// a shape).
 /// @throws ConfigError naming the file and what is wrong
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 

@@ -29,10 +29,10 @@ struct FrameworkDescription {
 
 /// One device in a controller's <actuators> or <sensors>.
 struct DeviceDescription {
-  std::string type;             ///< never an alias
-  std::string implementation;   ///< never an alias, never empty
-  std::string library;          ///< "" if it is already known
-  Configuration parameters;     ///< defaults filled in
+  std::string type;            ///< never an alias
+  std::string implementation;  ///< never an alias, never empty
+  std::string library;         ///< "" if it is already known
+  Configuration parameters;    ///< defaults filled in
   SourceLocation location;
 };
 
@@ -60,12 +60,12 @@ struct Distribution {
 
 struct EntityDescription {
   std::string type;
-  std::string id;                       ///< with a distribution, the entities are id_1, id_2, ...
+  std::string id;  ///< with a distribution, the entities are id_1, id_2, ...
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();  ///< Euler angles [rad]
-  std::string controller;               ///< id of a controller; "" for none
-  Color color;                          ///< of the surface (preys, lights); black: not seen by cameras
-  Configuration parameters;             ///< the type's own values, defaults filled in
+  std::string controller;                            ///< id of a controller; "" for none
+  Color color;                                       ///< of the surface (preys, lights); black: not seen by cameras
+  Configuration parameters;                          ///< the type's own values, defaults filled in
   std::optional<Distribution> distribution;
   SourceLocation location;
 };

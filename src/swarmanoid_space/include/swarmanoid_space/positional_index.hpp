@@ -1,8 +1,8 @@
 /// Finds entities by place (thesis 3.4, "positional information").
 ///
 /// A grid of cells over the arena instead of the thesis's oct-tree: a query costs what is near, whatever the number of
-/// entities, and the whole index is rebuilt each tick in time linear in that number. optimization="2D" keeps columns (one
-/// cell in z), "3D" keeps cubes. What has left the arena is kept in the border cells, so nothing is ever lost.
+/// entities, and the whole index is rebuilt each tick in time linear in that number. optimization="2D" keeps columns
+/// (one cell in z), "3D" keeps cubes. What has left the arena is kept in the border cells, so nothing is ever lost.
 ///
 /// Phase   rebuilt in `index`; queries are const and safe from many threads.
 #pragma once
@@ -20,7 +20,8 @@ class PositionalIndex {
  public:
   enum class Optimization { k2D, k3D };
 
-  /// @param size of the arena, which spans from 0 to size in each axis [m]; @param expected_entities picks the cell size
+  /// @param size of the arena, which spans from 0 to size in each axis [m]; @param expected_entities picks the cell
+  /// size
   void configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities);
 
   /// Reads every living entity's pose and bounding radius. No allocation once the number of entities is steady.

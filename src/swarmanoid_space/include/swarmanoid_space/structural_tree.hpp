@@ -1,7 +1,7 @@
 /// Who grips whom (thesis 3.4, "structural information").
 ///
-/// The gripped entity is the parent of those that grip it; an entity grips at most one other, so every structure is a tree
-/// whose root is what grips nothing. A grip that would close a loop is refused.
+/// The gripped entity is the parent of those that grip it; an entity grips at most one other, so every structure is a
+/// tree whose root is what grips nothing. A grip that would close a loop is refused.
 ///
 /// Phase   written by engines in `connect`; read by anyone else.
 #pragma once

@@ -1,0 +1,76 @@
+/// The base class of physics engines (thesis 3.5): moves the entities it is given, casts rays against them, gives them
+/// back.
+///
+/// Engines are closed worlds: entities of different engines do not collide. An engine keeps its own frame and
+/// dimension; what it reads from the space and writes to it is in W. It may read anything in the space, and writes only
+/// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
+///
+/// Phases   configure, add, remove, place, clear: between ticks. move, connect: the phases of these names.
+///          castRays: any time but during `move`.
+/// Threads  engines move at the same time as each other; castRays is called from many threads at once.
+/// Repeats  the same calls give the same bits.
+///
+/// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/time.hpp"
+#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/ray.hpp"
+
+namespace swarmanoid {
+
+class Space;
+
+class Engine {
+ public:
+  virtual ~Engine() = default;
+
+  /// @throws ConfigError
+  virtual void configure(const std::string& id, const Configuration& parameters) = 0;
+
+  /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
+  /// the device or the property. @param devices types of the controller's devices
+  virtual std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const = 0;
+
+  /// Why an entity cannot stand there, such as "is not in the plane z = 0"; "" if it can. Overlap is not looked at.
+  virtual std::string misplacement(const EntityModel& model, const Pose& pose) const = 0;
+
+  /// An entity of this engine that a new one at that pose would overlap; kNoRow if there is none.
+  virtual Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const = 0;
+
+  /// Takes charge of an entity at the pose it has in the space. @pre no misplacement, no overlap
+  virtual void add(Space& space, Row row, Role role) = 0;
+  /// Gives an entity back; its pose and twist in the space are already what they should be.
+  virtual void remove(Space& space, Row row) = 0;
+  /// The entity's pose in the space was set from outside. @pre no misplacement, no overlap
+  virtual void place(Space& space, Row row) = 0;
+  /// Gives everything back.
+  virtual void clear() = 0;
+
+  /// One tick of `dt`, in as many steps as the engine's subclock says.
+  virtual void move(Space& space, Duration dt) = 0;
+  /// Makes and breaks grips from the actuation of this tick.
+  virtual void connect(Space& space) = 0;
+
+  /// For each segment: if it meets an entity of this engine nearer than `hits` says so far, that hit replaces it.
+  virtual void castRays(const RayBundle& rays, Span<RayHit> hits) const = 0;
+
+  const std::string& id() const { return id_; }
+
+ protected:
+  std::string id_;
+};
+
+}  // namespace swarmanoid
+
+/// At the end of an engine's source. `Class` has a static function `PluginDescription describe()`.
+#define REGISTER_ENGINE(Class)                                                                                         \
+  namespace {                                                                                                          \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Engine, Class> SWARMANOID_CONCATENATE(registration_, __LINE__)( \
+      ::swarmanoid::PluginKind::kEngine, Class::describe());                                                           \
+  }

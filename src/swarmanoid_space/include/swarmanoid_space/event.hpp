@@ -1,0 +1,34 @@
+/// What happened in a tick, in words that a recording can tell the story with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "swarmanoid_space/entities.hpp"
+
+namespace swarmanoid {
+
+struct Event {
+  enum class Kind {
+    kAttached,          ///< `entity` grips `other`
+    kReleased,          ///< `entity` let go of `other`
+    kControllerFailed,  ///< the controller of `entity` threw or commanded a number that is none; the robot stops
+    kLeftArena,         ///< `entity` is outside the arena's size since this tick
+    kOverflow,          ///< a sensor of `entity` saw more than it can report
+    kSpawned,
+    kDeleted,
+    kMoved,         ///< put elsewhere from outside
+    kIntervention,  ///< anything else that came from outside
+    kFinished
+  };
+
+  Kind kind;
+  std::string entity;
+  std::string other;
+  std::string text;
+};
+
+/// "attached", "released", ...
+const char* toString(Event::Kind kind);
+
+}  // namespace swarmanoid

@@ -1,0 +1,96 @@
+/// The base classes of simulated sensors. One object serves all robots of one controller configuration: it reads the
+/// space and fills their readings, the structs of swarmanoid_interface/devices.
+///
+/// Phases   configure, add, remove: between ticks. sense: the phase of this name; sees the space const.
+/// Threads  sense is called at once on disjoint ranges of seats. No allocation, lock, log or throw in it.
+/// Noise    drawn from the seat's own stream, so it does not depend on who else senses.
+///
+/// To add a sensor: write its struct in an interface header, derive from SensorOf<Struct>, end with REGISTER_SENSOR.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/random.hpp"
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+class Sensor {
+ public:
+  virtual ~Sensor() = default;
+
+  /// @throws ConfigError
+  virtual void configure(const Configuration& parameters) = 0;
+
+  /// Gives a robot its seat. @return where its readings will be, for as long as the robot lives
+  virtual const void* add(Space& space, Row row) = 0;
+  virtual void remove(Space& space, Row row) = 0;
+
+  virtual std::size_t seatCount() const = 0;
+  /// Refreshes the readings of seats first .. last - 1, which are in the order of entity numbers.
+  virtual void sense(const Space& space, std::size_t first, std::size_t last) = 0;
+  /// After all ranges are sensed, on one thread: events such as an overflow.
+  virtual void report(Space&) {}
+
+  const char* type() const { return type_; }
+
+ protected:
+  explicit Sensor(const char* type) : type_(type) {}
+
+ private:
+  const char* type_;
+};
+
+/// A sensor whose readings are a `Device`. `Seat` may be replaced by a struct that derives from BasicSeat and has more.
+template <class Device>
+struct BasicSensorSeat {
+  Row row = kNoRow;
+  EntityNumber number = kNobody;
+  Device* readings = nullptr;
+  RandomStream random;
+};
+
+template <class Device, class Seat = BasicSensorSeat<Device>>
+class SensorOf : public Sensor {
+ public:
+  const void* add(Space& space, Row row) override {
+    Seat seat;
+    seat.row = row;
+    seat.number = space.entities.number[static_cast<std::size_t>(row)];
+    seat.readings = &space.readings.template bank<Device>().add(row);
+    seat.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
+    takeSeat(space, seat);
+    const Device* readings = seat.readings;
+    // entity numbers only grow, so the order is kept
+    seats_.push_back(std::move(seat));
+    return readings;
+  }
+
+  void remove(Space& space, Row row) override {
+    space.readings.template bank<Device>().remove(row);
+    seats_.erase(std::remove_if(seats_.begin(), seats_.end(), [&](const Seat& seat) { return seat.row == row; }),
+                 seats_.end());
+  }
+
+  std::size_t seatCount() const override { return seats_.size(); }
+
+ protected:
+  SensorOf() : Sensor(Device::kType) {}
+
+  /// Last chance to prepare a new seat, such as from the entity's model.
+  virtual void takeSeat(const Space&, Seat&) {}
+
+  std::vector<Seat> seats_;
+};
+
+}  // namespace swarmanoid
+
+/// At the end of a sensor's source. `Class` has a static function `PluginDescription describe()`.
+#define REGISTER_SENSOR(Class)                                                                                         \
+  namespace {                                                                                                          \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Sensor, Class> SWARMANOID_CONCATENATE(registration_, __LINE__)( \
+      ::swarmanoid::PluginKind::kSensor, Class::describe());                                                           \
+  }

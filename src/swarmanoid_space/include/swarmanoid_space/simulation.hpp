@@ -1,0 +1,106 @@
+/// A running experiment: the space, and everybody who acts on it.
+///
+/// Threads  all functions from one thread (the space's), unless they say otherwise. ROS is not known here: the space
+/// nodelet
+///          and the command-line program both hold one of these.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/space.hpp"
+#include "swarmanoid_space/visualisation.hpp"
+
+namespace swarmanoid {
+
+/// Wall time spent in each phase of the last tick [s]; the names are those of the files in src/tick/.
+struct PhaseTimes {
+  double sense = 0.0;
+  double control = 0.0;
+  double actuate = 0.0;
+  double move = 0.0;
+  double connect = 0.0;
+  double index = 0.0;
+  double show = 0.0;
+};
+
+/// A robot whose controller threw, or commanded a number that is none.
+struct ControllerFailure {
+  std::string robot;
+  std::uint64_t tick = 0;
+  std::string reason;
+};
+
+/// What may be supplied from outside instead of being made from the registry, by id: the nodelets do so.
+struct SuppliedParts {
+  std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
+  std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
+};
+
+class Simulation {
+ public:
+  /// Builds the experiment up to its state before tick 0.
+  /// @throws ConfigError
+  explicit Simulation(Experiment experiment, RunContext context = {}, SuppliedParts supplied = {});
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  /// Shows the state before the first tick. Call once, before tick().
+  void start();
+  /// One tick (thesis 3.1), phases in the order of PhaseTimes. Does nothing once finished.
+  void tick();
+  /// maxclock is reached, or a visualisation asked to finish.
+  bool isFinished() const;
+  /// Completes what visualisations write. Called by the destructor if it was not.
+  void finish();
+
+  const Experiment& experiment() const { return experiment_; }
+  const Space& space() const { return space_; }
+  const PhaseTimes& phaseTimes() const { return phase_times_; }
+  const std::vector<ControllerFailure>& failures() const { return failures_; }
+  std::uint64_t stateHash() const { return swarmanoid::stateHash(space_); }
+  Metrics metrics() const;
+  /// What the visualisations that judge it agree on; nothing if none judges.
+  std::optional<bool> success() const;
+
+  /// One more who looks at the run. Before start(), or between ticks.
+  void addVisualisation(std::shared_ptr<Visualisation> visualisation);
+
+  /// Where robots' logs go; by default nowhere.
+  void setLogSink(Robot::LogSink sink);
+
+  // Interventions: between ticks; they take effect at once and are events of the next tick.
+
+  /// Adds an entity to the engines named (the first moves it).
+  /// @throws ConfigError (bad place, overlap, unknown name); then nothing has changed
+  void spawn(const EntityDescription& entity, const std::vector<std::string>& engines);
+  /// @throws ConfigError if there is no such entity
+  void remove(const std::string& name);
+  /// @throws ConfigError (unknown name, bad place, overlap); then nothing has changed
+  void move(const std::string& name, const Pose& pose);
+  /// Back to the state before tick 0, spawned and deleted entities included. `seed` replaces the experiment's if given.
+  void reset(std::optional<std::uint64_t> seed = std::nullopt);
+
+ private:
+  struct Cast;  // engines, devices, controllers, visualisations: who acts (src/cast.hpp)
+
+  Experiment experiment_;
+  RunContext context_;
+  SuppliedParts supplied_;
+  Space space_;
+  std::unique_ptr<Cast> cast_;
+  PhaseTimes phase_times_;
+  std::vector<ControllerFailure> failures_;
+  std::vector<Event> pending_events_;
+  Robot::LogSink log_sink_;
+  bool finish_asked_ = false;
+  bool finished_ = false;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,95 @@
+/// The Swarmanoid Space (thesis 3.4): the state of one world, in parts. Engines, devices, controllers and
+/// visualisations meet only here.
+///
+/// Frames: W, the space's own, z up; the arena spans from the origin to `size`. SI units.
+/// Which phase writes a part stands beside it; everybody may read it in the other phases.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/robot.hpp"
+#include "swarmanoid_interface/time.hpp"
+#include "swarmanoid_space/bank.hpp"
+#include "swarmanoid_space/engine.hpp"
+#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/event.hpp"
+#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/positional_index.hpp"
+#include "swarmanoid_space/ray.hpp"
+#include "swarmanoid_space/structural_tree.hpp"
+
+namespace swarmanoid {
+
+/// A bright spot that a laser pointer makes where its beam meets a surface or the floor.
+struct LaserSpot {
+  EntityNumber owner = kNobody;
+  Eigen::Vector3d source = Eigen::Vector3d::Zero();    ///< where the beam leaves the pointer [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< where it ends [m]
+  Color color;
+};
+
+class Space {
+ public:
+  Space() = default;
+  Space(const Space&) = delete;
+  Space& operator=(const Space&) = delete;
+
+  // The clock. `tick` counts finished ticks; `time` is that of the tick under way, epoch + tick * clocktick.
+  std::uint64_t tick = 0;
+  std::uint64_t run = 0;  ///< counts resets
+  Duration clocktick{};
+  Time time = kEpoch;
+  std::uint64_t seed = 1;
+
+  // The arena, fixed while it runs.
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();
+  std::vector<FloorPatch> floor_patches;
+
+  // The world.
+  Entities entities;         ///< pose, twist: move
+  StructuralTree structure;  ///< connect
+  PositionalIndex index;     ///< index; as of the end of the last tick
+  std::vector<Color> leds;   ///< actuate; rows of kMaxLeds, by entity row: the colours of model->led_positions
+  std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
+  std::vector<Event> events;           ///< of this tick, in order of happening
+
+  // Devices, by type (bank.hpp).
+  Banks readings;   ///< sense
+  Banks commands;   ///< control
+  Banks actuation;  ///< actuate
+
+  // Who is in charge, by entity row.
+  std::vector<Engine*> mover;                  ///< null: nobody moves the entity
+  std::vector<std::unique_ptr<Robot>> robots;  ///< null: the entity has no controller
+
+  std::vector<Engine*> engines;  ///< all, in the order of the experiment file
+
+  static constexpr std::size_t kMaxLeds = 16;
+  /// The colours of an entity's LEDs, kMaxLeds of them.
+  Color* ledsOf(Row row) { return &leds[static_cast<std::size_t>(row) * kMaxLeds]; }
+  const Color* ledsOf(Row row) const { return &leds[static_cast<std::size_t>(row) * kMaxLeds]; }
+
+  /// Casts rays against everything: all engines, and entities in no engine. For each segment the nearest hit.
+  /// Thread-safe outside `move`.
+  void castRays(const RayBundle& rays, Span<RayHit> hits) const;
+  /// One ray, through up to two entities.
+  RayHit castRay(const Segment& segment, Row ignored = kNoRow, Row also_ignored = kNoRow) const;
+  /// Whether something other than the two stands between the points (thesis 3.4, "physical occlusions").
+  bool isOccluded(const Segment& segment, Row from, Row to) const;
+
+  /// Grows all columns to the entities' rows; after entities were added.
+  void fitRows();
+
+  /// What an entity in no engine is for rays. Kept by add and remove of entities.
+  std::vector<Row> entities_without_engine;
+};
+
+/// A hash of all named state, in the order of entity numbers (XXH3): clock, poses, twists, LEDs, grips, laser spots.
+/// Equal hashes each tick mean equal runs; -0 counts as 0.
+std::uint64_t stateHash(const Space& space);
+
+}  // namespace swarmanoid

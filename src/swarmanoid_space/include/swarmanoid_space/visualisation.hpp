@@ -1,0 +1,65 @@
+/// The base class of visualisations (thesis 3.6): whoever looks at a run, whether it draws, writes, records or
+/// measures.
+///
+/// Phase   draw: `show`, once before the first tick and after each tick, on the simulation's thread.
+/// A visualisation sees the space const and changes nothing in it, so a run with it and one without are the same.
+///
+/// To add one: derive, end with REGISTER_VISUALISATION.
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+/// Named results of a run.
+using Metrics = std::map<std::string, std::variant<bool, double, std::string>>;
+
+/// What a visualisation may want to know of the run it looks at.
+struct RunContext {
+  std::string out_folder;  ///< where relative file names go; "" is the current folder
+  bool headless = true;
+  const Experiment* experiment = nullptr;
+};
+
+class Visualisation {
+ public:
+  virtual ~Visualisation() = default;
+
+  /// @throws ConfigError
+  virtual void configure(const std::string& id, const Configuration& parameters, const RunContext& context) = 0;
+
+  /// Displays the state of the space. @throws std::exception: the run stops, results kept
+  virtual void draw(const Space& space) = 0;
+
+  /// Whether the run should end before maxclock (thesis 3.6, Terminate). Asked after each draw.
+  virtual bool terminate() const { return false; }
+
+  /// Whether the run was a success; only some visualisations judge that.
+  virtual std::optional<bool> success() const { return std::nullopt; }
+  virtual void addMetrics(Metrics&) const {}
+
+  /// The run is put back to its start; the next draw shows tick 0.
+  virtual void reset() {}
+  /// The run is over; files are completed.
+  virtual void finish() {}
+
+  const std::string& id() const { return id_; }
+
+ protected:
+  std::string id_;
+};
+
+}  // namespace swarmanoid
+
+/// At the end of a visualisation's source. `Class` has a static function `PluginDescription describe()`.
+#define REGISTER_VISUALISATION(Class)                                                                \
+  namespace {                                                                                        \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Visualisation, Class> SWARMANOID_CONCATENATE( \
+      registration_, __LINE__)(::swarmanoid::PluginKind::kVisualisation, Class::describe());         \
+  }
