@@ -54,6 +54,7 @@ class PositionalIndex {
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
   Optimization optimization_ = Optimization::k2D;
   double cell_size_ = 1.0;
+  double inverse_cell_size_ = 1.0;
   Cell cells_{1, 1, 1};
   double largest_small_radius_ = 0.0;      // among the items of the cells
   std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells

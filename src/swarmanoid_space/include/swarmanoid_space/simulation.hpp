@@ -90,6 +90,22 @@ class Simulation {
  private:
   struct Cast;  // engines, devices, controllers, visualisations: who acts (src/cast.hpp)
 
+  void build();
+  void buildEngines();
+  void buildControllerGroups();
+  void buildEntities();
+  void buildBoundary();
+  void distribute(const EntityDescription& group);
+  void stopFailedRobots();
+  void unbuild();
+  struct Seat;  // one engine that holds an entity, and its role there
+  std::vector<Seat> seatsOf(const std::string& entity) const;
+  void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                      const std::vector<Seat>& seats) const;
+  Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
+  void giveController(Row row, const EntityDescription& entity);
+  void removeEntity(Row row);
+
   Experiment experiment_;
   RunContext context_;
   SuppliedParts supplied_;

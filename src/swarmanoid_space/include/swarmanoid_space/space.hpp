@@ -43,6 +43,7 @@ class Space {
   std::uint64_t run = 0;  ///< counts resets
   Duration clocktick{};
   Time time = kEpoch;
+  Duration time_before_reset{};  ///< added to `time` by whoever needs a clock that never goes back (ROS)
   std::uint64_t seed = 1;
 
   // The arena, fixed while it runs.
@@ -65,6 +66,7 @@ class Space {
   // Who is in charge, by entity row.
   std::vector<Engine*> mover;                  ///< null: nobody moves the entity
   std::vector<std::unique_ptr<Robot>> robots;  ///< null: the entity has no controller
+  std::vector<char> outside;                   ///< index; 1: the entity's origin is outside the arena
 
   std::vector<Engine*> engines;  ///< all, in the order of the experiment file
 

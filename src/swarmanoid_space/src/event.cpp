@@ -1,0 +1,31 @@
+#include "swarmanoid_space/event.hpp"
+
+namespace swarmanoid {
+
+const char* toString(Event::Kind kind) {
+  switch (kind) {
+    case Event::Kind::kAttached:
+      return "attached";
+    case Event::Kind::kReleased:
+      return "released";
+    case Event::Kind::kControllerFailed:
+      return "controller_failed";
+    case Event::Kind::kLeftArena:
+      return "left_arena";
+    case Event::Kind::kOverflow:
+      return "overflow";
+    case Event::Kind::kSpawned:
+      return "spawned";
+    case Event::Kind::kDeleted:
+      return "deleted";
+    case Event::Kind::kMoved:
+      return "moved";
+    case Event::Kind::kIntervention:
+      return "intervention";
+    case Event::Kind::kFinished:
+      return "finished";
+  }
+  return "event";
+}
+
+}  // namespace swarmanoid

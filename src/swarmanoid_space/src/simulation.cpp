@@ -1,0 +1,159 @@
+// The tick, on one screen, and the life of a run around it.
+#include "swarmanoid_space/simulation.hpp"
+
+#include <chrono>
+
+#include "cast.hpp"
+#include "tick/tick.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// Measures phase after phase.
+class Stopwatch {
+ public:
+  void lap(double& seconds) {
+    const auto now = std::chrono::steady_clock::now();
+    seconds = std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace
+
+void Simulation::tick() {
+  if (isFinished()) {
+    return;
+  }
+  Stopwatch stopwatch;
+  space_.events.clear();
+  space_.events.swap(pending_events_);
+
+  phases::sense(space_, cast_->groups, cast_->workers);
+  stopwatch.lap(phase_times_.sense);
+  phases::control(space_, cast_->drivers, cast_->workers);
+  stopwatch.lap(phase_times_.control);
+  phases::actuate(space_, cast_->groups, cast_->faulty);
+  stopFailedRobots();
+  stopwatch.lap(phase_times_.actuate);
+  phases::move(space_, cast_->engines, cast_->workers);
+  stopwatch.lap(phase_times_.move);
+  phases::connect(space_, cast_->engines, cast_->groups);
+  stopwatch.lap(phase_times_.connect);
+  phases::index(space_);
+  stopwatch.lap(phase_times_.index);
+
+  ++space_.tick;
+  space_.time += space_.clocktick;
+  if (space_.tick >= experiment_.framework.max_clock) {
+    space_.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
+  }
+  finish_asked_ = phases::show(space_, cast_->visualisations);
+  stopwatch.lap(phase_times_.show);
+}
+
+void Simulation::stopFailedRobots() {
+  for (const Row row : cast_->faulty) {
+    Driver* driver = cast_->findDriver(row);
+    if (!driver->has_failed) {
+      driver->has_failed = true;
+      driver->failure = "commanded a number that is not finite";
+    }
+  }
+  for (Driver& driver : cast_->drivers) {
+    if (!driver.has_failed || driver.failure.empty()) {
+      continue;
+    }
+    for (const auto& actuator : driver.group->actuators) {
+      actuator->stop(space_, driver.row);
+    }
+    failures_.push_back({driver.robot->name(), space_.tick, driver.failure});
+    space_.events.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", driver.failure});
+    if (log_sink_) {
+      log_sink_(LogLevel::kError, driver.robot->name(),
+                "controller failed in tick " + std::to_string(space_.tick) + ", the robot stops: " + driver.failure);
+    }
+    driver.failure.clear();
+  }
+}
+
+void Simulation::start() {
+  phases::index(space_);
+  space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
+  pending_events_.clear();
+  finish_asked_ = phases::show(space_, cast_->visualisations);
+}
+
+bool Simulation::isFinished() const {
+  return finish_asked_ || finished_ || space_.tick >= experiment_.framework.max_clock;
+}
+
+void Simulation::finish() {
+  if (!finished_) {
+    finished_ = true;
+    for (const auto& visualisation : cast_->visualisations) {
+      visualisation->finish();
+    }
+  }
+}
+
+Metrics Simulation::metrics() const {
+  Metrics metrics;
+  for (const auto& visualisation : cast_->visualisations) {
+    visualisation->addMetrics(metrics);
+  }
+  return metrics;
+}
+
+std::optional<bool> Simulation::success() const {
+  std::optional<bool> result;
+  for (const auto& visualisation : cast_->visualisations) {
+    if (const auto judged = visualisation->success()) {
+      result = result.value_or(true) && *judged;
+    }
+  }
+  return result;
+}
+
+void Simulation::addVisualisation(std::shared_ptr<Visualisation> visualisation) {
+  cast_->visualisations.push_back(std::move(visualisation));
+}
+
+void Simulation::setLogSink(Robot::LogSink sink) {
+  log_sink_ = std::move(sink);
+  for (Driver& driver : cast_->drivers) {
+    driver.robot->setLogSink(log_sink_);
+  }
+}
+
+Engine* Simulation::Cast::findEngine(const std::string& id) const {
+  for (const auto& engine : engines) {
+    if (engine->id() == id) {
+      return engine.get();
+    }
+  }
+  return nullptr;
+}
+
+ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {
+  for (const auto& group : groups) {
+    if (group->description->id == id) {
+      return group.get();
+    }
+  }
+  return nullptr;
+}
+
+Driver* Simulation::Cast::findDriver(Row row) {
+  for (Driver& driver : drivers) {
+    if (driver.row == row) {
+      return &driver;
+    }
+  }
+  return nullptr;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,201 @@
+// From an experiment's description to its state before tick 0.
+#include <algorithm>
+#include <cmath>
+
+#include "cast.hpp"
+#include "swarmanoid_space/entity_type.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+namespace {
+
+std::size_t entityCount(const Experiment& experiment) {
+  std::size_t count = 0;
+  for (const EntityDescription& entity : experiment.arena.entities) {
+    count += entity.distribution ? entity.distribution->quantity : 1;
+  }
+  return count;
+}
+
+}  // namespace
+
+Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts supplied)
+    : experiment_(std::move(experiment)), context_(std::move(context)), supplied_(std::move(supplied)) {
+  context_.experiment = &experiment_;
+  cast_ = std::make_unique<Cast>(experiment_.framework.threads);
+  space_.seed = experiment_.framework.seed;
+  buildEngines();
+  build();
+  for (const VisualisationDescription& description : experiment_.visualisations) {
+    const auto* entry = Registry::instance().find(PluginKind::kVisualisation, description.label);
+    auto visualisation = makePlugin<Visualisation>(*entry);
+    visualisation->configure(description.id, description.parameters, context_);
+    cast_->visualisations.push_back(std::move(visualisation));
+  }
+}
+
+Simulation::~Simulation() {
+  try {
+    finish();
+  } catch (...) {
+    // a recorder that cannot complete its file must not end the program; finish() called by hand reports it
+  }
+  unbuild();
+}
+
+void Simulation::buildEngines() {
+  for (const EngineDescription& description : experiment_.engines) {
+    const auto supplied = supplied_.engines.find(description.id);
+    if (supplied != supplied_.engines.end()) {
+      cast_->engines.push_back(supplied->second);
+    } else {
+      auto engine = makePlugin<Engine>(*Registry::instance().find(PluginKind::kEngine, description.label));
+      engine->configure(description.id, description.parameters);
+      cast_->engines.push_back(std::move(engine));
+    }
+    space_.engines.push_back(cast_->engines.back().get());
+  }
+}
+
+void Simulation::build() {
+  space_.clocktick = experiment_.framework.clocktick;
+  space_.tick = 0;
+  space_.time = kEpoch;
+  space_.size = experiment_.arena.size;
+  space_.floor_patches = experiment_.arena.floor_patches;
+  space_.index.configure(space_.size, experiment_.arena.optimization, entityCount(experiment_));
+  buildControllerGroups();
+  buildBoundary();
+  buildEntities();
+}
+
+void Simulation::buildControllerGroups() {
+  for (const ControllerDescription& description : experiment_.controllers) {
+    auto group = std::make_unique<ControllerGroup>();
+    group->description = &description;
+    for (const DeviceDescription& device : description.sensors) {
+      const auto* entry = Registry::instance().find(PluginKind::kSensor, device.type, device.implementation);
+      group->sensors.push_back(makePlugin<Sensor>(*entry));
+      group->sensors.back()->configure(device.parameters);
+    }
+    for (const DeviceDescription& device : description.actuators) {
+      const auto* entry = Registry::instance().find(PluginKind::kActuator, device.type, device.implementation);
+      group->actuators.push_back(makePlugin<Actuator>(*entry));
+      group->actuators.back()->configure(device.parameters);
+    }
+    const auto supplied = supplied_.controllers.find(description.id);
+    if (supplied != supplied_.controllers.end()) {
+      group->make = supplied->second;
+    } else {
+      const auto* entry = Registry::instance().find(PluginKind::kController, description.label);
+      group->make = [entry] { return makePlugin<Controller>(*entry); };
+    }
+    cast_->groups.push_back(std::move(group));
+  }
+}
+
+void Simulation::buildBoundary() {
+  if (!experiment_.arena.bounded) {
+    return;
+  }
+  constexpr double kThickness = 0.1;
+  const Eigen::Vector3d& size = experiment_.arena.size;
+  std::vector<Seat> everywhere;
+  for (const auto& engine : cast_->engines) {
+    everywhere.push_back({engine.get(), Role::kMove});
+  }
+  const auto addWall = [&](const std::string& side, const Eigen::Vector3d& centre, const Eigen::Vector3d& extent) {
+    EntityDescription wall;
+    wall.type = "block";
+    wall.id = "boundary_" + side;
+    wall.position = centre;
+    wall.location = experiment_.arena.location;
+    wall.parameters = Configuration("block", "", wall.location);
+    wall.parameters.set(
+        "size", std::to_string(extent.x()) + "," + std::to_string(extent.y()) + "," + std::to_string(extent.z()));
+    addEntity(wall, everywhere);
+  };
+  const double half = 0.5 * kThickness;
+  const Eigen::Vector3d middle = 0.5 * size;
+  const Eigen::Vector3d along_x(size.x() + 2.0 * kThickness, kThickness, size.z());
+  const Eigen::Vector3d along_y(kThickness, size.y(), size.z());
+  addWall("south", {middle.x(), -half, middle.z()}, along_x);
+  addWall("north", {middle.x(), size.y() + half, middle.z()}, along_x);
+  addWall("west", {-half, middle.y(), middle.z()}, along_y);
+  addWall("east", {size.x() + half, middle.y(), middle.z()}, along_y);
+}
+
+void Simulation::buildEntities() {
+  for (const EntityDescription& entity : experiment_.arena.entities) {
+    if (entity.distribution) {
+      distribute(entity);
+    } else {
+      addEntity(entity, seatsOf(entity.id));
+    }
+  }
+}
+
+std::vector<Simulation::Seat> Simulation::seatsOf(const std::string& entity) const {
+  std::vector<Seat> seats;
+  bool has_mover = false;
+  for (const MappingDescription& mapping : experiment_.mappings) {
+    for (const auto& member : mapping.members) {
+      has_mover = has_mover || (member.entity == entity && member.role == Role::kMove);
+    }
+  }
+  for (const MappingDescription& mapping : experiment_.mappings) {
+    for (const auto& member : mapping.members) {
+      if (member.entity == entity) {
+        // without a stated mover the first engine that lists the entity moves it
+        const Role role = member.role.value_or(has_mover ? Role::kMirror : Role::kMove);
+        has_mover = has_mover || role == Role::kMove;
+        seats.push_back({cast_->findEngine(mapping.engine), role});
+      }
+    }
+  }
+  return seats;
+}
+
+void Simulation::distribute(const EntityDescription& group) {
+  const Distribution& distribution = *group.distribution;
+  const std::vector<Seat> seats = seatsOf(group.id);
+  const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, group.type));
+  const auto model = type->makeModel(group.parameters);
+  RandomStream random(space_.seed, "distribute", group.id);
+  const Eigen::Vector3d extent = distribution.maximum - distribution.minimum;
+  const auto columns = static_cast<std::size_t>(std::max(
+      1.0, std::ceil(std::sqrt(static_cast<double>(distribution.quantity) * extent.x() / std::max(extent.y(), 1e-9)))));
+  const std::size_t rows = (distribution.quantity + columns - 1) / columns;
+
+  EntityDescription entity = group;
+  entity.distribution.reset();
+  for (std::size_t k = 0; k < distribution.quantity; ++k) {
+    entity.id = group.id + "_" + std::to_string(k + 1);
+    random.startTick(k);
+    int trials = 0;
+    for (bool placed = false; !placed; ++trials) {
+      if (trials == distribution.max_trials) {
+        throw ConfigError(group.location, "no free place found for '" + entity.id + "' of " +
+                                              std::to_string(distribution.quantity) + " in " + std::to_string(trials) +
+                                              " trials; allow more area or fewer entities");
+      }
+      const bool is_grid = distribution.layout == Distribution::Layout::kGrid;
+      const double u =
+          is_grid ? (static_cast<double>(k % columns) + 0.5) / static_cast<double>(columns) : random.uniform();
+      const double v =
+          is_grid ? (static_cast<double>(k / columns) + 0.5) / static_cast<double>(rows) : random.uniform();
+      const double w = is_grid ? 0.0 : random.uniform();
+      entity.position = distribution.minimum + extent.cwiseProduct(Eigen::Vector3d(u, v, w));
+      if (distribution.random_heading) {
+        entity.angles.z() = random.uniform(-M_PI, M_PI);
+      }
+      const Pose pose{entity.position, orientationFromAngles(entity.angles)};
+      placed = is_grid || std::none_of(seats.begin(), seats.end(), [&](const Seat& seat) {
+                 return seat.engine->overlap(*model, pose, kNoRow) != kNoRow;
+               });
+    }
+    addEntity(entity, seats);
+  }
+}
+
+}  // namespace swarmanoid

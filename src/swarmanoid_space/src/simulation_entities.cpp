@@ -1,0 +1,154 @@
+// Adding entities to a simulation and taking them out of it: decide first, then commit.
+#include <algorithm>
+
+#include "cast.hpp"
+#include "swarmanoid_space/entity_type.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+
+void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                                const std::vector<Seat>& seats) const {
+  std::vector<std::string> devices;
+  if (const ControllerGroup* group = cast_->findGroup(entity.controller)) {
+    for (const auto& sensor : group->sensors) {
+      devices.emplace_back(sensor->type());
+    }
+    for (const auto& actuator : group->actuators) {
+      devices.emplace_back(actuator->type());
+    }
+  }
+  for (const Seat& seat : seats) {
+    const std::string in_engine = "' in engine '" + seat.engine->id() + "': ";
+    std::string problem = seat.engine->misplacement(model, pose);
+    if (problem.empty() && seat.role == Role::kMove) {
+      problem = seat.engine->refusal(model, devices);
+    }
+    if (!problem.empty()) {
+      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);
+    }
+    const Row other = seat.engine->overlap(model, pose, space_.entities.find(entity.id));
+    if (other != kNoRow) {
+      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + "overlaps '" +
+                                             space_.entities.name[static_cast<std::size_t>(other)] + "'");
+    }
+  }
+}
+
+Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Seat>& seats) {
+  if (space_.entities.find(entity.id) != kNoRow) {
+    throw ConfigError(entity.location, "an entity '" + entity.id + "' exists already");
+  }
+  const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, entity.type));
+  const auto model = type->makeModel(entity.parameters);
+  const Pose pose{entity.position, orientationFromAngles(entity.angles)};
+  refuseBadPlace(entity, *model, pose, seats);
+
+  const Row row = space_.entities.add(entity.id, model, pose, entity.color);
+  const auto i = static_cast<std::size_t>(row);
+  space_.fitRows();
+  std::fill_n(space_.ledsOf(row), Space::kMaxLeds, colors::kBlack);
+  space_.outside[i] = 0;
+  space_.mover[i] = nullptr;
+  cast_->seats.resize(space_.entities.rowCount());
+  cast_->seats[i].clear();
+  try {
+    if (!entity.controller.empty()) {
+      giveController(row, entity);
+    }
+  } catch (...) {
+    removeEntity(row);
+    throw;
+  }
+  for (const Seat& seat : seats) {
+    seat.engine->add(space_, row, seat.role);
+    cast_->seats[i].push_back(seat);
+    if (seat.role == Role::kMove) {
+      space_.mover[i] = seat.engine;
+    }
+  }
+  if (seats.empty()) {
+    space_.entities_without_engine.push_back(row);
+  }
+  return row;
+}
+
+void Simulation::giveController(Row row, const EntityDescription& entity) {
+  const auto i = static_cast<std::size_t>(row);
+  ControllerGroup* group = cast_->findGroup(entity.controller);
+  auto robot = std::make_unique<Robot>(entity.id, entity.type, space_.seed);
+  robot->setLogSink(log_sink_);
+  for (const auto& sensor : group->sensors) {
+    robot->provideSensor(sensor->type(), sensor->add(space_, row));
+  }
+  for (const auto& actuator : group->actuators) {
+    robot->provideActuator(actuator->type(), actuator->add(space_, row));
+  }
+  Driver driver;
+  driver.row = row;
+  driver.robot = robot.get();
+  driver.group = group;
+  driver.controller = group->make();
+  space_.robots[i] = std::move(robot);
+  cast_->drivers.push_back(driver);  // entity numbers only grow
+  try {
+    driver.controller->init(*driver.robot, group->description->parameters);
+  } catch (const ConfigError&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw ConfigError(group->description->location, "controller '" + group->description->id + "' of '" + entity.id +
+                                                        "' does not start: " + error.what());
+  }
+}
+
+void Simulation::removeEntity(Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  const auto driver = std::find_if(cast_->drivers.begin(), cast_->drivers.end(),
+                                   [&](const Driver& candidate) { return candidate.row == row; });
+  if (driver != cast_->drivers.end()) {
+    driver->controller->destroy();
+    for (const auto& sensor : driver->group->sensors) {
+      sensor->remove(space_, row);
+    }
+    for (const auto& actuator : driver->group->actuators) {
+      actuator->remove(space_, row);
+    }
+    cast_->drivers.erase(driver);
+  }
+  space_.robots[i].reset();
+  space_.structure.isolate(row);
+  for (const Seat& seat : cast_->seats[i]) {
+    seat.engine->remove(space_, row);
+  }
+  cast_->seats[i].clear();
+  space_.mover[i] = nullptr;
+  auto& lone = space_.entities_without_engine;
+  lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+  space_.entities.remove(row);
+}
+
+void Simulation::unbuild() {
+  for (Driver& driver : cast_->drivers) {
+    driver.controller->destroy();
+  }
+  cast_->drivers.clear();
+  for (const auto& engine : cast_->engines) {
+    engine->clear();
+  }
+  cast_->groups.clear();
+  cast_->seats.clear();
+  space_.entities.clear();
+  space_.structure.clear();
+  space_.leds.clear();
+  space_.laser_spots.clear();
+  space_.events.clear();
+  space_.readings.clear();
+  space_.commands.clear();
+  space_.actuation.clear();
+  space_.mover.clear();
+  space_.robots.clear();
+  space_.outside.clear();
+  space_.entities_without_engine.clear();
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,91 @@
+// What comes from outside, between ticks.
+#include <algorithm>
+
+#include "cast.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+
+void Simulation::spawn(const EntityDescription& entity, const std::vector<std::string>& engines) {
+  std::vector<Seat> seats;
+  for (const std::string& id : engines) {
+    Engine* engine = cast_->findEngine(id);
+    if (engine == nullptr) {
+      std::vector<std::string> known;
+      for (const auto& candidate : cast_->engines) {
+        known.push_back(candidate->id());
+      }
+      throw ConfigError(entity.location,
+                        "engine '" + id + "' does not exist; there are: " + joinNames(known) + didYouMean(id, known));
+    }
+    seats.push_back({engine, seats.empty() ? Role::kMove : Role::kMirror});
+  }
+  if (!entity.controller.empty() && cast_->findGroup(entity.controller) == nullptr) {
+    std::vector<std::string> known;
+    for (const auto& group : cast_->groups) {
+      known.push_back(group->description->id);
+    }
+    throw ConfigError(entity.location, "controller '" + entity.controller + "' does not exist; there are: " +
+                                           joinNames(known) + didYouMean(entity.controller, known));
+  }
+  addEntity(entity, seats);
+  space_.index.rebuild(space_.entities);
+  pending_events_.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});
+}
+
+void Simulation::remove(const std::string& name) {
+  const Row row = space_.entities.find(name);
+  if (row == kNoRow) {
+    throw ConfigError({}, "there is no entity '" + name + "'");
+  }
+  removeEntity(row);
+  space_.index.rebuild(space_.entities);
+  pending_events_.push_back({Event::Kind::kDeleted, name, "", ""});
+}
+
+void Simulation::move(const std::string& name, const Pose& pose) {
+  const Row row = space_.entities.find(name);
+  if (row == kNoRow) {
+    throw ConfigError({}, "there is no entity '" + name + "'");
+  }
+  const auto i = static_cast<std::size_t>(row);
+  if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
+    throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
+  }
+  Pose target = pose;
+  target.orientation.normalize();
+  EntityDescription entity;
+  entity.id = name;
+  entity.type = space_.entities.model[i]->type;
+  refuseBadPlace(entity, *space_.entities.model[i], target, cast_->seats[i]);
+  // what is connected would be torn apart
+  space_.structure.isolate(row);
+  space_.entities.pose[i] = target;
+  space_.entities.twist[i] = Twist{};
+  for (const Seat& seat : cast_->seats[i]) {
+    seat.engine->place(space_, row);
+  }
+  space_.index.rebuild(space_.entities);
+  pending_events_.push_back({Event::Kind::kMoved, name, "", ""});
+}
+
+void Simulation::reset(std::optional<std::uint64_t> seed) {
+  unbuild();
+  pending_events_.clear();
+  failures_.clear();
+  finish_asked_ = false;
+  finished_ = false;
+  ++space_.run;
+  space_.time_before_reset += space_.time - kEpoch + space_.clocktick;  // one more: no stamp is used twice
+  if (seed) {
+    space_.seed = *seed;
+    experiment_.framework.seed = *seed;
+  }
+  build();
+  for (const auto& visualisation : cast_->visualisations) {
+    visualisation->reset();
+  }
+  start();
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,92 @@
+#include "solid_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swarmanoid {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// The part of a segment that is inside something: from `enter` to `leave`, as fractions.
+struct Inside {
+  double enter = -kNever;
+  double leave = kNever;
+
+  void clip(double from, double to) {
+    enter = std::max(enter, from);
+    leave = std::min(leave, to);
+  }
+};
+
+void clipToSlab(Inside& inside, double start, double step, double half_width) {
+  if (step == 0.0) {
+    if (std::abs(start) > half_width) {
+      inside.clip(kNever, -kNever);
+    }
+    return;
+  }
+  const double a = (-half_width - start) / step;
+  const double b = (half_width - start) / step;
+  inside.clip(std::min(a, b), std::max(a, b));
+}
+
+/// Clips to |p + t s|^2 <= radius^2, in as many dimensions as the vectors have.
+template <class Vector>
+void clipToRound(Inside& inside, const Vector& start, const Vector& step, double radius) {
+  const double a = step.squaredNorm();
+  const double b = start.dot(step);
+  const double c = start.squaredNorm() - radius * radius;
+  if (a == 0.0) {
+    if (c > 0.0) {
+      inside.clip(kNever, -kNever);
+    }
+    return;
+  }
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0.0) {
+    inside.clip(kNever, -kNever);
+    return;
+  }
+  const double root = std::sqrt(discriminant);
+  inside.clip((-b - root) / a, (-b + root) / a);
+}
+
+Inside insideOf(const CollisionShape& shape, const Eigen::Vector3d& start, const Eigen::Vector3d& step) {
+  Inside inside;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kBox:
+      for (int axis = 0; axis < 3; ++axis) {
+        clipToSlab(inside, start[axis], step[axis], shape.half_extent[axis]);
+      }
+      break;
+    case CollisionShape::Kind::kCylinder:
+      clipToSlab(inside, start.z(), step.z(), shape.half_extent.z());
+      clipToRound(inside, Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(step.head<2>()), shape.half_extent.x());
+      break;
+    case CollisionShape::Kind::kSphere:
+      clipToRound(inside, start, step, shape.half_extent.x());
+      break;
+  }
+  return inside;
+}
+
+}  // namespace
+
+double firstMeeting(const Segment& segment, const EntityModel& model, const Pose& pose) {
+  const Eigen::Quaterniond to_body = pose.orientation.conjugate();
+  const Eigen::Vector3d start = to_body * (segment.from - pose.position);
+  const Eigen::Vector3d step = to_body * (segment.to - segment.from);
+  double first = kNever;
+  for (const CollisionShape& shape : model.shapes) {
+    const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
+    const Inside inside = insideOf(shape, to_shape * (start - shape.position), to_shape * step);
+    if (inside.enter <= inside.leave && inside.leave >= 0.0 && inside.enter <= 1.0) {
+      first = std::min(first, std::max(inside.enter, 0.0));
+    }
+  }
+  return first;
+}
+
+}  // namespace swarmanoid

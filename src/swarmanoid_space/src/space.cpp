@@ -1,0 +1,55 @@
+#include "swarmanoid_space/space.hpp"
+
+#include "solid_ray.hpp"
+
+namespace swarmanoid {
+
+void Space::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+  for (RayHit& hit : hits) {
+    hit = RayHit{};
+  }
+  for (const Engine* engine : engines) {
+    engine->castRays(rays, hits);
+  }
+  for (const Row row : entities_without_engine) {
+    const auto i = static_cast<std::size_t>(row);
+    const double reach = rays.radius + entities.model[i]->bounding_radius;
+    if (row == rays.ignored || row == rays.also_ignored ||
+        (entities.pose[i].position - rays.centre).squaredNorm() > reach * reach) {
+      continue;
+    }
+    for (std::size_t k = 0; k < rays.segments.size(); ++k) {
+      const double fraction = firstMeeting(rays.segments[k], *entities.model[i], entities.pose[i]);
+      if (fraction < hits[k].fraction) {
+        hits[k] = {fraction, row};
+      }
+    }
+  }
+}
+
+RayHit Space::castRay(const Segment& segment, Row ignored, Row also_ignored) const {
+  RayBundle bundle;
+  bundle.segments = Span<const Segment>(&segment, 1);
+  bundle.centre = 0.5 * (segment.from + segment.to);
+  bundle.radius = 0.5 * (segment.to - segment.from).norm();
+  bundle.ignored = ignored;
+  bundle.also_ignored = also_ignored;
+  RayHit hit;
+  castRays(bundle, Span<RayHit>(&hit, 1));
+  return hit;
+}
+
+bool Space::isOccluded(const Segment& segment, Row from, Row to) const {
+  return castRay(segment, from, to).row != kNoRow;
+}
+
+void Space::fitRows() {
+  const std::size_t rows = entities.rowCount();
+  structure.resize(rows);
+  leds.resize(rows * kMaxLeds);
+  mover.resize(rows, nullptr);
+  robots.resize(rows);
+  outside.resize(rows, 0);
+}
+
+}  // namespace swarmanoid

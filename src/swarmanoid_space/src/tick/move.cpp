@@ -1,0 +1,14 @@
+// Phase 4: every engine moves what it is in charge of, engines beside each other.
+#include "tick.hpp"
+
+namespace swarmanoid::phases {
+
+void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers) {
+  workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      engines[i]->move(space, space.clocktick);
+    }
+  });
+}
+
+}  // namespace swarmanoid::phases

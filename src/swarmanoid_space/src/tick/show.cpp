@@ -1,0 +1,15 @@
+// Phase 7: visualisations, recorders and metrics look at the space; is the run finished?
+#include "tick.hpp"
+
+namespace swarmanoid::phases {
+
+bool show(const Space& space, const std::vector<std::shared_ptr<Visualisation>>& visualisations) {
+  bool finish_asked = false;
+  for (const auto& visualisation : visualisations) {
+    visualisation->draw(space);
+    finish_asked = visualisation->terminate() || finish_asked;
+  }
+  return finish_asked;
+}
+
+}  // namespace swarmanoid::phases

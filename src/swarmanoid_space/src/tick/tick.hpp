@@ -1,0 +1,33 @@
+/// The phases of a tick, one file each, in this order. What a phase reads and writes is in its signature.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "../cast.hpp"
+
+namespace swarmanoid::phases {
+
+/// Banks of sensors read the space.
+void sense(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
+
+/// Every controller turns readings into commands. An exception marks its driver as failed.
+void control(const Space& space, std::vector<Driver>& drivers, const Workers& workers);
+
+/// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
+void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
+
+/// Every engine moves what it is in charge of.
+void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers);
+
+/// Grips are made and broken; what depends on the new poses follows.
+void connect(Space& space, const std::vector<std::shared_ptr<Engine>>& engines,
+             const std::vector<std::unique_ptr<ControllerGroup>>& groups);
+
+/// The positional index learns the new poses; who has left the arena is noted.
+void index(Space& space);
+
+/// Everybody who looks at the run does so. @return whether one asks to finish
+bool show(const Space& space, const std::vector<std::shared_ptr<Visualisation>>& visualisations);
+
+}  // namespace swarmanoid::phases
