@@ -1,0 +1,71 @@
+// The laser pointer: its beam ends on the first surface it meets, or on the floor, and makes a red spot there.
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "parameters.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+constexpr double kMaxTilt = 0.8;  // rad, as the interface header promises
+
+class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = EyebotLaser::kType;
+    description.implementation = "default";
+    description.summary = "A laser pointer that makes a red spot on what is below.";
+    description.robots = {"eyebot"};
+    description.parameters = {angle("noise", "0", {0.0, 10.0}, "Standard deviation of the beam's tilt.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
+
+  void afterMove(Space& space) override {
+    for (const auto& seat : seats_) {
+      if (seat.actuation->on) {
+        space.laser_spots.push_back(spotOf(space, seat));
+      }
+    }
+  }
+
+ protected:
+  void limit(const Space& space, BasicActuatorSeat<EyebotLaser>& seat) override {
+    EyebotLaser& laser = *seat.actuation;
+    if (noise_ > 0.0) {
+      seat.random.startTick(space.tick);
+      laser.tilt += seat.random.gaussian(0.0, noise_);
+    }
+    laser.tilt = std::clamp(laser.tilt, -kMaxTilt, kMaxTilt);
+  }
+
+ private:
+  static LaserSpot spotOf(const Space& space, const BasicActuatorSeat<EyebotLaser>& seat) {
+    constexpr double kReach = 20.0;  // m
+    const auto i = static_cast<std::size_t>(seat.row);
+    const Pose& pose = space.entities.pose[i];
+    const double sine = std::sin(seat.actuation->tilt);
+    const Eigen::Vector3d direction(sine * std::cos(seat.actuation->pan), sine * std::sin(seat.actuation->pan),
+                                    -std::cos(seat.actuation->tilt));
+    Segment beam;
+    beam.from = pose.position + pose.orientation * space.entities.model[i]->mount("laser_pointer").position;
+    const Eigen::Vector3d beam_direction = pose.orientation * direction;
+    // down to the floor, z = 0, or as far as light goes
+    const double to_floor = beam_direction.z() < 0.0 ? -beam.from.z() / beam_direction.z() : kReach;
+    beam.to = beam.from + std::clamp(to_floor, 0.0, kReach) * beam_direction;
+    const RayHit hit = space.castRay(beam, seat.row);
+    return {seat.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
+  }
+
+  double noise_ = 0.0;  // rad
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::EyebotLaserActuator)

@@ -1,0 +1,58 @@
+// The eyebot's flight controller: velocities limited in length, disturbed by gusts if asked.
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+
+#include <algorithm>
+
+#include "parameters.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = EyebotVelocity::kType;
+    description.implementation = "default";
+    description.summary = "A desired velocity in the robot's own frame, and a yaw rate.";
+    description.robots = {"eyebot"};
+    description.parameters = {
+        number("max_speed", "m/s", "1", {0.0, 5.0}, "The longest velocity that is flown."),
+        number("max_yaw_rate", "rad/s", "2", {0.0, 10.0}, "The fastest turn."),
+        number("noise", "m/s", "0", {0.0, 1.0}, "Standard deviation added to each component of the velocity.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    max_speed_ = parameters.number("max_speed", 1.0);
+    max_yaw_rate_ = parameters.number("max_yaw_rate", 2.0);
+    noise_ = parameters.number("noise", 0.0);
+  }
+
+ protected:
+  void limit(const Space& space, BasicActuatorSeat<EyebotVelocity>& seat) override {
+    EyebotVelocity& velocity = *seat.actuation;
+    if (noise_ > 0.0) {
+      seat.random.startTick(space.tick);
+      for (int axis = 0; axis < 3; ++axis) {
+        velocity.linear[axis] += seat.random.gaussian(0.0, noise_);
+      }
+    }
+    const double speed = velocity.linear.norm();
+    if (speed > max_speed_) {
+      velocity.linear *= max_speed_ / speed;
+    }
+    velocity.yaw_rate = std::clamp(velocity.yaw_rate, -max_yaw_rate_, max_yaw_rate_);
+  }
+
+ private:
+  double max_speed_ = 1.0;
+  double max_yaw_rate_ = 2.0;
+  double noise_ = 0.0;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::EyebotVelocityActuator)

@@ -1,0 +1,33 @@
+/// A ring of LEDs: its colours go to the space, where cameras see them.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "swarmanoid_interface/devices/leds.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+
+template <class Leds>
+class LedRingActuator : public ActuatorOf<Leds> {
+ public:
+  void configure(const Configuration&) override {}
+
+ protected:
+  static PluginDescription describeRing(const std::string& robot) {
+    static_assert(Leds::kCount <= Space::kMaxLeds, "the space has room for all LEDs of the ring");
+    PluginDescription description;
+    description.label = Leds::kType;
+    description.implementation = "default";
+    description.summary = "The ring of coloured LEDs of the " + robot + ".";
+    description.robots = {robot};
+    return description;
+  }
+
+  void apply(Space& space, BasicActuatorSeat<Leds>& seat) override {
+    std::copy(seat.actuation->ring.begin(), seat.actuation->ring.end(), space.ledsOf(seat.row));
+  }
+};
+
+}  // namespace swarmanoid::devices

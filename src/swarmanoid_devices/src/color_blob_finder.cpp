@@ -1,0 +1,95 @@
+#include "color_blob_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid::devices {
+namespace {
+
+// A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
+constexpr double kOwnSurface = 1e-6;
+
+class Finder {
+ public:
+  Finder(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity)
+      : space_(space), view_(view), blobs_(blobs), capacity_(capacity) {}
+
+  void lookAtEntity(Row row) {
+    const auto i = static_cast<std::size_t>(row);
+    const Entities& entities = space_.entities;
+    const std::vector<Eigen::Vector3d>& points = entities.model[i]->led_positions;
+    const Color* leds = space_.ledsOf(row);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      // robots shine with their LEDs, other things have a colour of their own
+      const Color color = entities.model[i]->is_robot ? leds[k] : entities.color[i];
+      if (color.isLit()) {
+        look(entities.pose[i].position + entities.pose[i].orientation * points[k], color, row);
+      }
+    }
+  }
+
+  void look(const Eigen::Vector3d& point, Color color, Row owner) {
+    if (!view_.inView(point)) {
+      return;
+    }
+    const RayHit hit = space_.castRay({view_.position, point}, view_.self, owner);
+    if (hit.row != kNoRow && hit.fraction < 1.0 - kOwnSurface) {
+      return;
+    }
+    if (count_ < capacity_) {
+      const Eigen::Vector2d offset = (point - view_.position).head<2>();
+      blobs_[count_] = {
+          color, static_cast<float>(std::remainder(std::atan2(offset.y(), offset.x()) - view_.heading, 2.0 * M_PI)),
+          static_cast<float>(offset.norm())};
+    }
+    ++count_;
+  }
+
+  std::size_t count() const { return count_; }
+
+ private:
+  const Space& space_;
+  const BlobView& view_;
+  ColorBlob* blobs_;
+  std::size_t capacity_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+bool BlobView::inView(const Eigen::Vector3d& point) const {
+  const double horizontal = (point - position).head<2>().norm();
+  return horizontal <= range && (slope == 0.0 || horizontal <= slope * (position.z() - point.z()));
+}
+
+std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity) {
+  Finder finder(space, view, blobs, capacity);
+  // kept between calls so that a steady state allocates nothing
+  thread_local std::vector<Row> near;
+  near.clear();
+  // entities hang at any height within the arena, so the sphere must hold the whole cylinder of view
+  const double half_height = 0.5 * space.size.z();
+  const Eigen::Vector3d centre(view.position.x(), view.position.y(), half_height);
+  space.index.collect(centre, std::hypot(view.range, half_height), near);
+  const Entities& entities = space.entities;
+  std::sort(near.begin(), near.end(), [&](Row a, Row b) {
+    return entities.number[static_cast<std::size_t>(a)] < entities.number[static_cast<std::size_t>(b)];
+  });
+  for (const Row row : near) {
+    if (row != view.self) {
+      finder.lookAtEntity(row);
+    }
+  }
+  for (const LaserSpot& spot : space.laser_spots) {
+    finder.look(spot.position, spot.color, kNoRow);
+  }
+  if (view.sees_floor) {
+    for (const FloorPatch& patch : space.floor_patches) {
+      const bool centre_in_view = view.inView(patch.position);
+      finder.look(centre_in_view ? patch.position : patch.nearestPoint(view.position), patch.color, kNoRow);
+    }
+  }
+  return finder.count();
+}
+
+}  // namespace swarmanoid::devices

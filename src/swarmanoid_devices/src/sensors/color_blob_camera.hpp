@@ -1,0 +1,111 @@
+/// A simulated colour-blob camera; FootbotCamera and EyebotCamera differ in where it sits and what it has in view.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "color_blob_finder.hpp"
+#include "parameters.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+
+template <class Camera>
+struct CameraSeat : BasicSensorSeat<Camera> {
+  std::vector<ColorBlob> buffer;
+  Mount mount;
+  bool has_overflowed = false;  // as of the last tick, so that an overflow is one event, not one a tick
+};
+
+template <class Camera>
+class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
+ public:
+  using Seat = CameraSeat<Camera>;
+
+  void configure(const Configuration& parameters) override {
+    range_ = parameters.number("range", 1.0);
+    noise_distance_ = parameters.number("noise_distance", 0.0);
+    noise_bearing_ = parameters.angle("noise_bearing", 0.0);
+    max_blobs_ = static_cast<std::size_t>(parameters.integer("max_blobs", std::int64_t{64}));
+    sees_floor_ = parameters.boolean("sees_floor", false);
+    configureView(parameters);
+  }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, this->seats_[k]);
+    }
+  }
+
+  void report(Space& space) override {
+    for (Seat& seat : this->seats_) {
+      const bool overflowed = seat.readings->overflowed;
+      if (overflowed && !seat.has_overflowed) {
+        space.events.push_back({Event::Kind::kOverflow, space.entities.name[static_cast<std::size_t>(seat.row)], "",
+                                std::string(Camera::kType) + ": more than " + std::to_string(max_blobs_) + " blobs"});
+      }
+      seat.has_overflowed = overflowed;
+    }
+  }
+
+ protected:
+  static PluginDescription describeCamera(const std::string& range, const std::string& sees_floor) {
+    PluginDescription description;
+    description.label = Camera::kType;
+    description.implementation = "color_blobs";
+    description.parameters = {
+        number("range", "m", range, {0.0, 100.0}, "Horizontal distance beyond which nothing is seen."),
+        number("noise_distance", "", "0", {0.0, 1.0}, "Standard deviation of the factor on each distance."),
+        angle("noise_bearing", "0", {0.0, 90.0}, "Standard deviation added to each bearing."),
+        integer("max_blobs", "64", {1.0, 10000.0}, "Blobs reported at the most in one tick."),
+        boolean("sees_floor", sees_floor, "Whether floor patches are seen.")};
+    return description;
+  }
+
+  virtual void configureView(const Configuration&) {}
+  virtual double slope() const { return 0.0; }
+
+  void takeSeat(const Space& space, Seat& seat) override {
+    seat.buffer.resize(max_blobs_);
+    seat.mount = space.entities.model[static_cast<std::size_t>(seat.row)]->mount("camera");
+  }
+
+ private:
+  void senseOne(const Space& space, Seat& seat) const {
+    const Pose& pose = space.entities.pose[static_cast<std::size_t>(seat.row)];
+    BlobView view;
+    view.self = seat.row;
+    view.position = pose.position + pose.orientation * seat.mount.position;
+    const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
+    view.heading = std::atan2(ahead.y(), ahead.x());
+    view.range = range_;
+    view.slope = slope();
+    view.sees_floor = sees_floor_;
+    const std::size_t count = findBlobs(space, view, seat.buffer.data(), max_blobs_);
+    seat.readings->overflowed = count > max_blobs_;
+    seat.readings->blobs = Span<const ColorBlob>(seat.buffer.data(), std::min(count, max_blobs_));
+    if (noise_distance_ > 0.0 || noise_bearing_ > 0.0) {
+      disturb(space, seat);
+    }
+  }
+
+  void disturb(const Space& space, Seat& seat) const {
+    seat.random.startTick(space.tick);
+    for (std::size_t i = 0; i < seat.readings->blobs.size(); ++i) {
+      ColorBlob& blob = seat.buffer[i];
+      blob.distance = static_cast<float>(std::max(0.0, blob.distance * seat.random.gaussian(1.0, noise_distance_)));
+      blob.bearing =
+          static_cast<float>(std::remainder(blob.bearing + seat.random.gaussian(0.0, noise_bearing_), 2.0 * M_PI));
+    }
+  }
+
+  double range_ = 1.0;
+  double noise_distance_ = 0.0;
+  double noise_bearing_ = 0.0;
+  std::size_t max_blobs_ = 64;
+  bool sees_floor_ = false;
+};
+
+}  // namespace swarmanoid::devices

@@ -1,0 +1,31 @@
+// The eyebot's camera: looks down into a cone, so what it sees of the ground grows with its height.
+#include "color_blob_camera.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class EyebotCameraSensor final : public ColorBlobCameraSensor<EyebotCamera> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description = describeCamera("10", "true");
+    description.summary = "Camera looking down that reports blobs of colour.";
+    description.robots = {"eyebot"};
+    description.parameters.push_back(
+        angle("aperture", "45", {1.0, 85.0}, "Half the opening angle of the cone that it sees."));
+    return description;
+  }
+
+ protected:
+  void configureView(const Configuration& parameters) override {
+    slope_ = std::tan(parameters.angle("aperture", M_PI / 4.0));
+  }
+  double slope() const override { return slope_; }
+
+ private:
+  double slope_ = 1.0;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::EyebotCameraSensor)

@@ -1,0 +1,22 @@
+// The footbot's omnidirectional camera: looks all around, as far as the mirror shows.
+#include "color_blob_camera.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class FootbotCameraSensor final : public ColorBlobCameraSensor<FootbotCamera> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description = describeCamera("2", "false");
+    description.label_aliases = {"pie_camera"};
+    description.implementation_aliases = {"generic_pie_camera"};
+    description.summary = "Omnidirectional camera that reports blobs of colour.";
+    description.robots = {"footbot"};
+    return description;
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::FootbotCameraSensor)

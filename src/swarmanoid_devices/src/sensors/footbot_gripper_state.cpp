@@ -1,0 +1,31 @@
+// The gripper's contact switch: whether the robot grips something, as the structural tree says.
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class FootbotGripperStateSensor final : public SensorOf<FootbotGripperState> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = FootbotGripperState::kType;
+    description.implementation = "default";
+    description.summary = "Whether the gripper holds something.";
+    description.robots = {"footbot"};
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      seats_[k].readings->gripping = space.structure.grippedBy(seats_[k].row) != kNoRow;
+    }
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::FootbotGripperStateSensor)

@@ -1,0 +1,130 @@
+// Infrared proximity ring: one short ray a sensor; the response falls from 1 at contact to 0 at the range, as a cubic
+// polynomial of the distance.
+#include "swarmanoid_interface/devices/footbot_proximity.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "parameters.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+constexpr std::size_t kCount = FootbotProximity::kCount;
+
+/// Where the sensors sit on a model, in its body frame.
+struct RingGeometry {
+  std::array<Eigen::Vector3d, kCount> from;
+  std::array<Eigen::Vector3d, kCount> direction;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0;  // of the sensors around the centre, m
+};
+
+RingGeometry ringOf(const EntityModel& model) {
+  RingGeometry ring;
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Mount& mount = model.mount("proximity_" + std::to_string(i));
+    ring.from[i] = mount.position;
+    ring.direction[i] = mount.orientation * Eigen::Vector3d::UnitX();
+    ring.centre += mount.position / kCount;
+  }
+  for (const Eigen::Vector3d& from : ring.from) {
+    ring.radius = std::max(ring.radius, (from - ring.centre).norm());
+  }
+  return ring;
+}
+
+struct ProximitySeat : BasicSensorSeat<FootbotProximity> {
+  std::shared_ptr<const RingGeometry> ring;
+  bool is_clear = true;  // all readings are 0
+};
+
+class FootbotProximitySensor final : public SensorOf<FootbotProximity, ProximitySeat> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = FootbotProximity::kType;
+    description.implementation = "polynomial";
+    description.implementation_aliases = {"generic_footbot_polynomial_proximity"};
+    description.summary = "24 infrared sensors around the body; a cubic polynomial of the distance.";
+    description.robots = {"footbot"};
+    description.parameters = {
+        number("range", "m", "0.1", {0.001, 1.0}, "Distance at which the response has fallen to 0."),
+        number("noise", "", "0", {0.0, 1.0}, "Half width of the uniform noise added to each reading.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    range_ = parameters.number("range", 0.1);
+    noise_ = parameters.number("noise", 0.0);
+  }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, seats_[k]);
+      if (noise_ > 0.0) {
+        disturb(space, seats_[k]);
+      }
+    }
+  }
+
+ protected:
+  void takeSeat(const Space& space, ProximitySeat& seat) override {
+    const EntityModel* model = space.entities.model[static_cast<std::size_t>(seat.row)].get();
+    if (model != last_model_) {
+      last_model_ = model;
+      last_ring_ = std::make_shared<RingGeometry>(ringOf(*model));
+    }
+    seat.ring = last_ring_;
+  }
+
+ private:
+  void senseOne(const Space& space, ProximitySeat& seat) const {
+    const RingGeometry& ring = *seat.ring;
+    const Pose& pose = space.entities.pose[static_cast<std::size_t>(seat.row)];
+    RayBundle rays;
+    rays.centre = pose.position + pose.orientation * ring.centre;
+    rays.radius = ring.radius + range_;
+    if (!space.index.anyWithin(rays.centre, rays.radius, seat.row)) {
+      if (!seat.is_clear) {
+        seat.readings->value.fill(0.0F);
+        seat.is_clear = true;
+      }
+      return;
+    }
+    seat.is_clear = false;
+    const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
+    std::array<Segment, kCount> segments;
+    std::array<RayHit, kCount> hits;
+    for (std::size_t i = 0; i < kCount; ++i) {
+      segments[i].from.noalias() = pose.position + rotation * ring.from[i];
+      segments[i].to.noalias() = segments[i].from + range_ * (rotation * ring.direction[i]);
+    }
+    rays.segments = Span<const Segment>(segments.data(), kCount);
+    rays.ignored = seat.row;
+    space.castRays(rays, Span<RayHit>(hits.data(), kCount));
+    for (std::size_t i = 0; i < kCount; ++i) {
+      const double closeness = 1.0 - hits[i].fraction;
+      seat.readings->value[i] = static_cast<float>(closeness * closeness * closeness);
+    }
+  }
+
+  void disturb(const Space& space, ProximitySeat& seat) const {
+    seat.random.startTick(space.tick);
+    seat.is_clear = false;
+    for (float& value : seat.readings->value) {
+      value = static_cast<float>(std::clamp(value + seat.random.uniform(-noise_, noise_), 0.0, 1.0));
+    }
+  }
+
+  double range_ = 0.1;
+  double noise_ = 0.0;
+  const EntityModel* last_model_ = nullptr;
+  std::shared_ptr<const RingGeometry> last_ring_;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::FootbotProximitySensor)
