@@ -1,0 +1,127 @@
+// The text table of thesis 3.6.1 and figure 3.11: one line an entity and tick, columns separated by tabs.
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "swarmanoid_space/visualisation.hpp"
+
+namespace swarmanoid {
+namespace {
+
+constexpr double kDegPerRad = 180.0 / M_PI;
+
+class TextRender final : public Visualisation {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "text_render";
+    description.summary = "Writes position and orientation of every entity as a plain table.";
+    Parameter file;
+    file.name = "file";
+    file.value = "";
+    file.description = "Where the table goes; empty: the standard error stream.";
+    Parameter precision;
+    precision.name = "precision";
+    precision.type = Parameter::Type::kInteger;
+    precision.value = "6";
+    precision.range = {0.0, 17.0};
+    precision.description = "Most significant digits after the decimal point; trailing zeros are left out.";
+    Parameter every = precision;
+    every.name = "every";
+    every.value = "1";
+    every.range = {1.0, 1e9};
+    every.unit = "ticks";
+    every.description = "Ticks from one table to the next.";
+    description.parameters = {file, precision, every};
+    return description;
+  }
+
+  void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
+    id_ = id;
+    precision_ = static_cast<int>(parameters.integer("precision", std::int64_t{6}));
+    every_ = static_cast<std::uint64_t>(parameters.integer("every", std::int64_t{1}));
+    const std::string name = parameters.text("file", "");
+    if (!name.empty()) {
+      path_ = std::filesystem::path(context.out_folder) / name;
+      open(parameters.location());
+    }
+  }
+
+  void draw(const Space& space) override {
+    if (space.tick % every_ != 0) {
+      return;
+    }
+    std::ostream& out = path_.empty() ? std::cerr : file_;
+    if (!has_header_) {
+      has_header_ = true;
+      out << "#\tclock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n";
+    }
+    for (const Row row : space.entities.order) {
+      writeLine(out, space, static_cast<std::size_t>(row));
+    }
+  }
+
+  void reset() override {
+    if (!path_.empty()) {
+      file_.close();
+      open({});
+    }
+    has_header_ = false;
+  }
+
+  void finish() override {
+    file_.flush();
+    if (!path_.empty() && !file_) {
+      throw std::runtime_error("text_render '" + id_ + "': writing " + path_.string() + " failed");
+    }
+  }
+
+ private:
+  void open(const SourceLocation& location) {
+    file_.open(path_, std::ios::trunc);
+    if (!file_) {
+      throw ConfigError(location, "text_render '" + id_ + "': cannot write " + path_.string());
+    }
+  }
+
+  void writeLine(std::ostream& out, const Space& space, std::size_t i) {
+    const Entities& entities = space.entities;
+    const Eigen::Vector3d& p = entities.pose[i].position;
+    const Eigen::Vector3d angles = anglesFromOrientation(entities.pose[i].orientation) * kDegPerRad;
+    out << space.tick << "\t\t" << entities.model[i]->title << '\t' << entities.name[i];
+    for (const double value : {p.x(), p.y(), p.z(), angles.x(), angles.y(), angles.z()}) {
+      out << '\t' << shortened(value);
+    }
+    out << '\n';
+  }
+
+  /// As figure 3.11 has it: "9", "0.25", "45.5".
+  const char* shortened(double value) {
+    const int length = std::snprintf(buffer_, sizeof buffer_, "%.*f", precision_, value + 0.0);
+    int end = length;
+    if (precision_ > 0) {
+      while (buffer_[end - 1] == '0') {
+        --end;
+      }
+      if (buffer_[end - 1] == '.') {
+        --end;
+      }
+      buffer_[end] = '\0';
+    }
+    return buffer_[0] == '-' && buffer_[1] == '0' && end == 2 ? "0" : buffer_;
+  }
+
+  std::filesystem::path path_;
+  std::ofstream file_;
+  int precision_ = 6;
+  std::uint64_t every_ = 1;
+  bool has_header_ = false;
+  char buffer_[400] = {};
+};
+
+}  // namespace
+}  // namespace swarmanoid
+
+REGISTER_VISUALISATION(swarmanoid::TextRender)
