@@ -1,0 +1,131 @@
+/// The bodies of a kinematic engine: where they are, what they look like in the plane, what is near what.
+///
+/// A body's index stays as long as it is in the engine. Threads: const functions may run at once.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "planar/cell_grid.hpp"
+#include "planar/planar_model.hpp"
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+using planar::PlanarModel;
+using planar::PlanarPose;
+using planar::PlanarShape;
+
+using BodyIndex = std::int32_t;
+constexpr BodyIndex kNoBody = -1;
+
+/// A pose with the heading's cosine and sine at hand.
+struct PlacedPose {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double heading = 0.0;
+  double cosine = 1.0;
+  double sine = 0.0;
+
+  static PlacedPose at(const Eigen::Vector2d& position, double heading);
+  Eigen::Vector2d rotated(const Eigen::Vector2d& p) const {
+    return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};
+  }
+};
+
+struct Body {
+  Row row = kNoRow;
+  EntityNumber number = kNobody;
+  Role role = Role::kMove;
+  std::shared_ptr<const PlanarModel> model;
+  std::shared_ptr<const EntityModel> entity;
+  Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
+  PlacedPose pose;
+  PlacedPose pose_at_start;  ///< of the tick
+  double along = 0.0;        ///< of the origin, along the plane's normal [m]
+
+  // What drives it; null if nothing does.
+  const FootbotWheels* wheels = nullptr;
+  const EyebotVelocity* velocity = nullptr;
+  const FootbotGripper* gripper = nullptr;
+
+  // Gripping: a gripped body goes where its gripper goes.
+  BodyIndex gripped = kNoBody;
+  BodyIndex gripped_by = kNoBody;
+  PlanarPose place_in_gripper;  ///< of this body in its gripper's frame, from the moment of gripping
+
+  bool is_large = false;        ///< wider than what the grid is for, such as a wall
+  bool has_moved = false;       ///< since the start of the tick
+  bool shapes_are_old = false;  ///< `placed` is still of an earlier pose
+  Eigen::AlignedBox2d bounds;   ///< of large bodies
+};
+
+class Bodies {
+ public:
+  void configure(const planar::Plane& plane) { plane_ = plane; }
+
+  BodyIndex add(const Space& space, Row row, Role role);
+  void remove(BodyIndex index);
+  void clear();
+  /// Takes the pose that the entity has in the space.
+  void place(const Space& space, BodyIndex index);
+  void setPose(BodyIndex index, const PlacedPose& pose);
+
+  BodyIndex find(Row row) const {
+    const auto i = static_cast<std::size_t>(row);
+    return i < index_of_row_.size() ? index_of_row_[i] : kNoBody;
+  }
+  Body& operator[](BodyIndex index) { return bodies_[static_cast<std::size_t>(index)]; }
+  const Body& operator[](BodyIndex index) const { return bodies_[static_cast<std::size_t>(index)]; }
+  /// Living bodies, by entity number.
+  const std::vector<BodyIndex>& order() const { return order_; }
+  const planar::Plane& plane() const { return plane_; }
+
+  /// The body's shapes in the plane; brings them up to date.
+  const std::vector<PlanarShape>& currentShapes(BodyIndex index);
+  /// The same for readers; up to date outside of `move`.
+  const std::vector<PlanarShape>& shapes(BodyIndex index) const { return placed_[static_cast<std::size_t>(index)]; }
+
+  /// Calls visit(index) for all bodies whose surrounding circle may meet the given one, until it returns false.
+  template <class Visit>
+  void visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
+    for (const BodyIndex index : large_) {
+      if ((*this)[index].bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(index)) {
+        return;
+      }
+    }
+    grid_.visitNear(centre, radius + largest_radius_, [&](BodyIndex index) {
+      const Body& body = (*this)[index];
+      const double reach = radius + body.model->radius;
+      return (body.pose.position - centre).squaredNorm() > reach * reach || visit(index);
+    });
+  }
+
+  /// Projections are shared among equal models.
+  std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& model,
+                                             const Eigen::Quaterniond& base);
+
+ private:
+  struct Projection {
+    std::weak_ptr<const EntityModel> entity;
+    Eigen::Quaterniond base;
+    std::shared_ptr<const PlanarModel> model;
+  };
+
+  void refresh(BodyIndex index);
+
+  planar::Plane plane_;
+  std::vector<Body> bodies_;
+  std::vector<std::vector<PlanarShape>> placed_;  // by body
+  std::vector<BodyIndex> holes_;
+  std::vector<BodyIndex> order_;
+  std::vector<BodyIndex> index_of_row_;
+  std::vector<BodyIndex> large_;
+  std::vector<Projection> projections_;
+  planar::CellGrid grid_;
+  double largest_radius_ = 0.0;  // of bodies in the grid
+};
+
+}  // namespace swarmanoid::kinematics2d

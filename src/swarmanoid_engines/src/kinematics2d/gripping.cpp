@@ -1,0 +1,93 @@
+// Phase `connect`: footbots grip preys and let go of them.
+#include <cmath>
+
+#include "kinematics2d/kinematics2d.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+void Kinematics2d::connect(Space& space) {
+  for (const BodyIndex index : bodies_.order()) {
+    const Body& body = bodies_[index];
+    if (body.gripper == nullptr || body.role == Role::kMirror || !body.entity->gripper) {
+      continue;
+    }
+    if (!body.gripper->closed) {
+      if (body.gripped != kNoBody) {
+        release(space, index);
+      }
+    } else if (body.gripped == kNoBody) {
+      const BodyIndex prey = findPrey(index);
+      if (prey != kNoBody) {
+        grip(space, index, prey);
+      }
+    }
+  }
+}
+
+BodyIndex Kinematics2d::findPrey(BodyIndex gripper_index) const {
+  constexpr double kReach = 0.02;  // m from the gripper's tip to the gripping strip
+  const Body& gripper = bodies_[gripper_index];
+  const Eigen::Vector2d tip =
+      gripper.pose.position + gripper.pose.rotated(Eigen::Vector2d(gripper.entity->gripper->tip, 0.0));
+  const double height = gripper.along + gripper.entity->gripper->height;
+  BodyIndex nearest = kNoBody;
+  double nearest_distance = kReach;
+  bodies_.visitNear(tip, kReach, [&](BodyIndex index) {
+    const Body& prey = bodies_[index];
+    const bool is_free_prey = prey.entity->gripping_radius && !prey.entity->is_robot && prey.role == Role::kMove &&
+                              prey.gripped_by == kNoBody;
+    if (!is_free_prey || height < prey.along + prey.model->band.low || height > prey.along + prey.model->band.high) {
+      return true;
+    }
+    const double distance = std::abs((prey.pose.position - tip).norm() - *prey.entity->gripping_radius);
+    const bool is_nearer = distance < nearest_distance || (nearest != kNoBody && distance == nearest_distance &&
+                                                           prey.number < bodies_[nearest].number);
+    if (is_nearer) {
+      nearest = index;
+      nearest_distance = distance;
+    }
+    return true;
+  });
+  return nearest;
+}
+
+void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_index) {
+  Body& gripper = bodies_[gripper_index];
+  Body& prey = bodies_[prey_index];
+  if (!space.structure.connect(gripper.row, prey.row)) {
+    return;
+  }
+  gripper.gripped = prey_index;
+  prey.gripped_by = gripper_index;
+  const Eigen::Vector2d way = prey.pose.position - gripper.pose.position;
+  prey.place_in_gripper.position = {gripper.pose.cosine * way.x() + gripper.pose.sine * way.y(),
+                                    -gripper.pose.sine * way.x() + gripper.pose.cosine * way.y()};
+  prey.place_in_gripper.heading = prey.pose.heading - gripper.pose.heading;
+  const auto& names = space.entities.name;
+  space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(gripper.row)],
+                          names[static_cast<std::size_t>(prey.row)], ""});
+}
+
+void Kinematics2d::release(Space& space, BodyIndex gripper_index) {
+  Body& gripper = bodies_[gripper_index];
+  const auto& names = space.entities.name;
+  space.events.push_back({Event::Kind::kReleased, names[static_cast<std::size_t>(gripper.row)],
+                          names[static_cast<std::size_t>(bodies_[gripper.gripped].row)], ""});
+  space.structure.release(gripper.row);
+  bodies_[gripper.gripped].gripped_by = kNoBody;
+  gripper.gripped = kNoBody;
+}
+
+void Kinematics2d::forgetGrips(BodyIndex index) {
+  Body& body = bodies_[index];
+  if (body.gripped != kNoBody) {
+    bodies_[body.gripped].gripped_by = kNoBody;
+    body.gripped = kNoBody;
+  }
+  if (body.gripped_by != kNoBody) {
+    bodies_[body.gripped_by].gripped = kNoBody;
+    body.gripped_by = kNoBody;
+  }
+}
+
+}  // namespace swarmanoid::kinematics2d

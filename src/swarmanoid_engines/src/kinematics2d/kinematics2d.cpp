@@ -1,0 +1,103 @@
+// What the engine is told between ticks.
+#include "kinematics2d/kinematics2d.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "planar/planar_overlap.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+PluginDescription Kinematics2d::describe() {
+  PluginDescription description;
+  description.label = "kinematics2d";
+  description.label_aliases = {"dummy_engine"};
+  description.summary = "Two-dimensional kinematics: velocities, collisions, gripping of preys; no masses, no forces.";
+  Parameter subclock;
+  subclock.name = "subclock";
+  subclock.type = Parameter::Type::kInteger;
+  subclock.value = "1";
+  subclock.range = {1.0, 10000.0};
+  subclock.description = "Steps of the engine in each tick.";
+  Parameter axis;
+  axis.name = "perpendicular_axis";
+  axis.type = Parameter::Type::kChoice;
+  axis.value = "z";
+  axis.choices = {"x", "y", "z"};
+  axis.description = "The axis that the engine's plane is perpendicular to.";
+  Parameter distance;
+  distance.name = "distance";
+  distance.type = Parameter::Type::kNumber;
+  distance.unit = "m";
+  distance.value = "0";
+  distance.description = "Signed distance of the plane from the origin.";
+  description.parameters = {subclock, axis, distance};
+  return description;
+}
+
+void Kinematics2d::configure(const std::string& id, const Configuration& parameters) {
+  id_ = id;
+  subclock_ = static_cast<int>(parameters.integer("subclock", std::int64_t{1}));
+  bodies_.configure(planar::Plane(parameters.text("perpendicular_axis", "z")[0], parameters.number("distance", 0.0)));
+}
+
+std::string Kinematics2d::refusal(const EntityModel& model, const std::vector<std::string>&) const {
+  return model.shapes.empty() ? "has no shape, so this engine has nothing to hold" : "";
+}
+
+std::string Kinematics2d::misplacement(const EntityModel& model, const Pose& pose) const {
+  constexpr double kInPlane = 1e-6;  // m
+  const planar::Plane& plane = bodies_.plane();
+  const double along = plane.along(pose.position);
+  if (!model.is_movable || std::abs(along - plane.distance()) <= kInPlane) {
+    return "";
+  }
+  std::ostringstream text;
+  text << "found at " << plane.axisName() << " = " << along << ", allowed: in the engine's plane, " << plane.axisName()
+       << " = " << plane.distance();
+  return text.str();
+}
+
+Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignored) const {
+  const planar::Plane& plane = bodies_.plane();
+  const auto projected = planar::projectModel(model, plane, plane.baseOf(pose.orientation));
+  const PlacedPose placed = PlacedPose::at(plane.toLocal(pose.position), plane.headingOf(pose.orientation));
+  std::vector<PlanarShape> shapes;
+  planar::placeShapes(*projected, placed.position, placed.cosine, placed.sine, shapes);
+  const double along = plane.along(pose.position);
+  BodyIndex found = kNoBody;
+  bodies_.visitNear(placed.position, projected->radius, [&](BodyIndex index) {
+    const Body& body = bodies_[index];
+    if (body.row == ignored || (found != kNoBody && bodies_[found].number < body.number)) {
+      return true;
+    }
+    for (const PlanarShape& mine : shapes) {
+      for (const PlanarShape& other : bodies_.shapes(index)) {
+        if (mine.band.meets(other.band, along, body.along) && planar::overlap(mine, other)) {
+          found = index;
+        }
+      }
+    }
+    return true;
+  });
+  return found == kNoBody ? kNoRow : bodies_[found].row;
+}
+
+void Kinematics2d::add(Space& space, Row row, Role role) { bodies_.add(space, row, role); }
+
+void Kinematics2d::remove(Space&, Row row) {
+  const BodyIndex index = bodies_.find(row);
+  forgetGrips(index);
+  bodies_.remove(index);
+}
+
+void Kinematics2d::place(Space& space, Row row) {
+  const BodyIndex index = bodies_.find(row);
+  forgetGrips(index);
+  bodies_.place(space, index);
+}
+
+}  // namespace swarmanoid::kinematics2d
+
+REGISTER_ENGINE(swarmanoid::kinematics2d::Kinematics2d)

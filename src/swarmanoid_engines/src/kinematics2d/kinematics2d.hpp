@@ -1,0 +1,60 @@
+/// The two-dimensional kinematic engine (thesis 3.5.1): bodies in a plane go where their velocities take them.
+///
+/// There are no masses and no forces. Bodies move one after another, in the order of their entity numbers, so results
+/// do not depend on anything else; one that would overlap another tries its turn alone, and otherwise stays at its last
+/// free pose. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may come to overlap a body
+/// through no doing of this engine; such a pair hinders a body only from going deeper.
+///
+/// Wheels are integrated exactly along the arc; eyebots fly the part of their velocity that lies in the plane. A
+/// footbot can grip a prey, not another footbot, and a prey is gripped by one footbot at a time.
+#pragma once
+
+#include <vector>
+
+#include "kinematics2d/bodies.hpp"
+#include "swarmanoid_space/engine.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+class Kinematics2d final : public Engine {
+ public:
+  static PluginDescription describe();
+
+  void configure(const std::string& id, const Configuration& parameters) override;
+  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
+  Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const override;
+  void add(Space& space, Row row, Role role) override;
+  void remove(Space& space, Row row) override;
+  void place(Space& space, Row row) override;
+  void clear() override { bodies_.clear(); }
+  void move(Space& space, Duration dt) override;
+  void connect(Space& space) override;
+  void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+
+ private:
+  // motion.cpp
+  void startTick(const Space& space);
+  void moveBody(BodyIndex index, double dt);
+  bool tryPose(BodyIndex index, const PlacedPose& pose);
+  bool isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
+  bool shapesOverlap(BodyIndex index, const PlacedPose& pose, BodyIndex other);
+  void finishTick(Space& space, double dt);
+
+  // gripping.cpp
+  BodyIndex findPrey(BodyIndex gripper) const;
+  void grip(Space& space, BodyIndex gripper, BodyIndex prey);
+  void release(Space& space, BodyIndex gripper);
+  void forgetGrips(BodyIndex index);
+
+  Bodies bodies_;
+  int subclock_ = 1;
+  std::vector<PlanarShape> candidate_shapes_;   // scratch of shapesOverlap
+  const PlacedPose* candidate_pose_ = nullptr;  // what candidate_shapes_ is of
+};
+
+/// Where a velocity, constant in the body's frame while it turns, takes a body: exactly along the arc.
+/// @param velocity [m/s]; @param turn_rate [rad/s]; @param dt [s]
+PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt);
+
+}  // namespace swarmanoid::kinematics2d

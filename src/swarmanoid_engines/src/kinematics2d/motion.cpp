@@ -1,0 +1,163 @@
+// Phase `move`: velocities to poses, and no pose that overlaps.
+#include <cmath>
+
+#include "kinematics2d/kinematics2d.hpp"
+#include "planar/planar_overlap.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
+  const double turn = turn_rate * dt;
+  PlacedPose end = start;
+  if (turn == 0.0) {
+    end.position += dt * start.rotated(velocity);
+    return end;
+  }
+  // the chord of an arc: as long as the arc times sin(a)/a, turned by a, with a half the turn
+  const double half = 0.5 * turn;
+  const double shortening = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
+  const PlacedPose middle = PlacedPose::at(start.position, start.heading + half);
+  end = PlacedPose::at(start.position + dt * shortening * middle.rotated(velocity),
+                       std::remainder(start.heading + turn, 2.0 * M_PI));
+  return end;
+}
+
+void Kinematics2d::move(Space& space, Duration dt) {
+  startTick(space);
+  const double step = toSeconds(dt) / subclock_;
+  for (int i = 0; i < subclock_; ++i) {
+    for (const BodyIndex index : bodies_.order()) {
+      moveBody(index, step);
+    }
+  }
+  finishTick(space, toSeconds(dt));
+}
+
+void Kinematics2d::startTick(const Space& space) {
+  for (const BodyIndex index : bodies_.order()) {
+    Body& body = bodies_[index];
+    if (body.role == Role::kMirror && body.entity->is_movable) {
+      bodies_.place(space, index);
+    }
+    body.pose_at_start = body.pose;
+    body.has_moved = false;
+  }
+}
+
+void Kinematics2d::moveBody(BodyIndex index, double dt) {
+  const Body& body = bodies_[index];
+  if (body.role == Role::kMirror || (body.wheels == nullptr && body.velocity == nullptr)) {
+    return;
+  }
+  const planar::Plane& plane = bodies_.plane();
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  double turn_rate = 0.0;
+  if (body.wheels != nullptr) {
+    const EntityModel::Wheels& geometry = *body.entity->wheels;
+    velocity.x() = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius;
+    turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation;
+  } else {
+    velocity = body.velocity->linear;
+    turn_rate = body.velocity->yaw_rate;
+  }
+  if (turn_rate == 0.0 && velocity.isZero(0.0)) {
+    return;
+  }
+  const Eigen::Vector2d in_plane = plane.toLocal(body.base * velocity);
+  const PlacedPose target = integrate(body.pose, in_plane, turn_rate, dt);
+  if (tryPose(index, target) || turn_rate == 0.0) {
+    return;
+  }
+  // blocked: a robot that can still turn finds its way out
+  PlacedPose turned = target;
+  turned.position = body.pose.position;
+  tryPose(index, turned);
+}
+
+bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
+  const BodyIndex gripped = bodies_[index].gripped;
+  if (!isFree(index, pose, gripped)) {
+    return false;
+  }
+  if (gripped != kNoBody) {
+    const PlanarPose& place = bodies_[gripped].place_in_gripper;
+    const PlacedPose carried = PlacedPose::at(pose.position + pose.rotated(place.position),
+                                              std::remainder(pose.heading + place.heading, 2.0 * M_PI));
+    if (!isFree(gripped, carried, index)) {
+      return false;
+    }
+    bodies_.setPose(gripped, carried);
+  }
+  bodies_.setPose(index, pose);
+  return true;
+}
+
+bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner) {
+  const Body& body = bodies_[index];
+  candidate_pose_ = nullptr;
+  bool free = true;
+  bodies_.visitNear(pose.position, body.model->radius, [&](BodyIndex other_index) {
+    if (other_index == index || other_index == partner) {
+      return true;
+    }
+    const Body& other = bodies_[other_index];
+    if (!body.model->band.meets(other.model->band, body.along, other.along) ||
+        !shapesOverlap(index, pose, other_index)) {
+      return true;
+    }
+    // a mirror was put upon us: moving away from it must stay possible
+    const bool goes_away =
+        (pose.position - other.pose.position).squaredNorm() > (body.pose.position - other.pose.position).squaredNorm();
+    if (other.role == Role::kMirror && other.entity->is_movable && goes_away &&
+        shapesOverlap(index, body.pose, other_index)) {
+      return true;
+    }
+    free = false;
+    return false;
+  });
+  return free;
+}
+
+bool Kinematics2d::shapesOverlap(BodyIndex index, const PlacedPose& pose, BodyIndex other_index) {
+  const Body& body = bodies_[index];
+  if (candidate_pose_ != &pose) {
+    planar::placeShapes(*body.model, pose.position, pose.cosine, pose.sine, candidate_shapes_);
+    candidate_pose_ = &pose;
+  }
+  const double other_along = bodies_[other_index].along;
+  const std::vector<PlanarShape>& others = bodies_.currentShapes(other_index);
+  for (std::size_t i = 0; i < body.model->shapes.size(); ++i) {
+    const PlanarShape& mine = candidate_shapes_[i];
+    for (const PlanarShape& other : others) {
+      if (mine.band.meets(other.band, body.along, other_along) && planar::overlap(mine, other)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void Kinematics2d::finishTick(Space& space, double dt) {
+  const planar::Plane& plane = bodies_.plane();
+  for (const BodyIndex index : bodies_.order()) {
+    Body& body = bodies_[index];
+    if (body.role == Role::kMirror || !body.entity->is_movable) {
+      continue;
+    }
+    const auto i = static_cast<std::size_t>(body.row);
+    Twist& twist = space.entities.twist[i];
+    if (!body.has_moved) {
+      twist = Twist{};
+      continue;
+    }
+    bodies_.currentShapes(index);
+    space.entities.pose[i].position = plane.toGlobal(body.pose.position, body.along);
+    if (body.pose.heading != body.pose_at_start.heading) {
+      space.entities.pose[i].orientation = plane.orientation(body.pose.heading, body.base);
+    }
+    twist.linear = plane.toGlobal((body.pose.position - body.pose_at_start.position) / dt, 0.0);
+    twist.angular = plane.normal() * (std::remainder(body.pose.heading - body.pose_at_start.heading, 2.0 * M_PI) / dt);
+  }
+}
+
+}  // namespace swarmanoid::kinematics2d

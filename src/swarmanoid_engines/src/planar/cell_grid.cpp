@@ -1,0 +1,61 @@
+#include "planar/cell_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid::planar {
+
+void CellGrid::configure(const Eigen::Vector2d& size) {
+  constexpr double kSmallestCell = 0.3;  // m: a footbot and what surrounds it
+  constexpr double kMostPerAxis = 2048.0;
+  const double cell_size = std::max(kSmallestCell, size.maxCoeff() / kMostPerAxis);
+  inverse_cell_size_ = 1.0 / cell_size;
+  columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell_size)));
+  lines_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell_size)));
+  clear();
+}
+
+void CellGrid::clear() {
+  first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(lines_), kEnd);
+  next_.clear();
+  previous_.clear();
+  cell_.clear();
+}
+
+void CellGrid::add(std::int32_t body, const Eigen::Vector2d& position) {
+  const std::size_t needed = static_cast<std::size_t>(body) + 1;
+  if (next_.size() < needed) {
+    next_.resize(needed, kEnd);
+    previous_.resize(needed, kEnd);
+    cell_.resize(needed, kEnd);
+  }
+  link(body, cellOf(position));
+}
+
+void CellGrid::remove(std::int32_t body) { unlink(body); }
+
+void CellGrid::link(std::int32_t body, std::int32_t cell) {
+  const auto i = static_cast<std::size_t>(body);
+  std::int32_t& first = first_[static_cast<std::size_t>(cell)];
+  next_[i] = first;
+  previous_[i] = kEnd;
+  cell_[i] = cell;
+  if (first != kEnd) {
+    previous_[static_cast<std::size_t>(first)] = body;
+  }
+  first = body;
+}
+
+void CellGrid::unlink(std::int32_t body) {
+  const auto i = static_cast<std::size_t>(body);
+  if (previous_[i] != kEnd) {
+    next_[static_cast<std::size_t>(previous_[i])] = next_[i];
+  } else {
+    first_[static_cast<std::size_t>(cell_[i])] = next_[i];
+  }
+  if (next_[i] != kEnd) {
+    previous_[static_cast<std::size_t>(next_[i])] = previous_[i];
+  }
+}
+
+}  // namespace swarmanoid::planar

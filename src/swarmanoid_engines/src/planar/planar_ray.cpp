@@ -1,0 +1,92 @@
+#include "planar/planar_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid::planar {
+namespace {
+
+/// The part of the ray that is inside, as fractions; empty once enter > leave.
+struct Inside {
+  double enter = 0.0;
+  double leave = 1.0;
+
+  void clip(double from, double to) {
+    enter = std::max(enter, from);
+    leave = std::min(leave, to);
+  }
+  void empty() { enter = kNoMeeting; }
+  bool isEmpty() const { return enter > leave; }
+};
+
+void clipToBand(Inside& inside, const PlanarRay& ray, const Band& band, double offset) {
+  const double low = band.low + offset;
+  const double high = band.high + offset;
+  if (ray.climb == 0.0) {
+    if (ray.height < low || ray.height > high) {
+      inside.empty();
+    }
+    return;
+  }
+  const double a = (low - ray.height) / ray.climb;
+  const double b = (high - ray.height) / ray.climb;
+  inside.clip(std::min(a, b), std::max(a, b));
+}
+
+void clipToCircle(Inside& inside, const PlanarRay& ray, const PlanarShape& circle) {
+  const Eigen::Vector2d start = ray.from - circle.centre;
+  const double a = ray.step.squaredNorm();
+  const double b = start.dot(ray.step);
+  const double c = start.squaredNorm() - circle.radius * circle.radius;
+  if (a == 0.0) {
+    if (c > 0.0) {
+      inside.empty();
+    }
+    return;
+  }
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0.0) {
+    inside.empty();
+    return;
+  }
+  const double root = std::sqrt(discriminant);
+  inside.clip((-b - root) / a, (-b + root) / a);
+}
+
+void clipToPolygon(Inside& inside, const PlanarRay& ray, const PlanarShape& polygon) {
+  const std::size_t count = polygon.vertices.size();
+  for (std::size_t i = 0; i < count && !inside.isEmpty(); ++i) {
+    const Eigen::Vector2d& corner = polygon.vertices[i];
+    const Eigen::Vector2d edge = polygon.vertices[(i + 1) % count] - corner;
+    const Eigen::Vector2d outward(edge.y(), -edge.x());
+    const double distance = outward.dot(ray.from - corner);
+    const double approach = outward.dot(ray.step);
+    if (approach == 0.0) {
+      if (distance > 0.0) {
+        inside.empty();
+      }
+    } else if (approach < 0.0) {
+      inside.clip(-distance / approach, kNoMeeting);
+    } else {
+      inside.clip(-kNoMeeting, -distance / approach);
+    }
+  }
+}
+
+}  // namespace
+
+double meeting(const PlanarRay& ray, const PlanarShape& shape, double offset) {
+  Inside inside;
+  clipToBand(inside, ray, shape.band, offset);
+  if (inside.isEmpty()) {
+    return kNoMeeting;
+  }
+  if (shape.isCircle()) {
+    clipToCircle(inside, ray, shape);
+  } else {
+    clipToPolygon(inside, ray, shape);
+  }
+  return inside.isEmpty() ? kNoMeeting : inside.enter;
+}
+
+}  // namespace swarmanoid::planar

@@ -1,0 +1,33 @@
+/// Where a ray meets a planar shape, extruded to its band of heights.
+#pragma once
+
+#include <limits>
+
+#include "planar/planar_model.hpp"
+
+namespace swarmanoid::planar {
+
+/// A ray in the plane's frame: from `from` by `step`, and from height `height` by `climb`.
+struct PlanarRay {
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d step = Eigen::Vector2d::Zero();
+  double height = 0.0;
+  double climb = 0.0;
+};
+
+constexpr double kNoMeeting = std::numeric_limits<double>::infinity();
+
+/// Whether the ray comes within `radius` of `centre`, seen from above.
+inline bool passesNear(const PlanarRay& ray, const Eigen::Vector2d& centre, double radius) {
+  const Eigen::Vector2d way = centre - ray.from;
+  const double length_squared = ray.step.squaredNorm();
+  const double progress = way.dot(ray.step);
+  const double t = progress <= 0.0 ? 0.0 : progress >= length_squared ? 1.0 : progress / length_squared;
+  return (way - t * ray.step).squaredNorm() <= radius * radius;
+}
+
+/// The fraction of the ray at which it first meets the shape, 0 if it starts inside; kNoMeeting if it does not.
+/// @param offset is added to the shape's band
+double meeting(const PlanarRay& ray, const PlanarShape& shape, double offset);
+
+}  // namespace swarmanoid::planar

@@ -1,0 +1,26 @@
+#include "planar/plane.hpp"
+
+#include <cmath>
+
+namespace swarmanoid::planar {
+
+double Plane::headingOf(const Eigen::Quaterniond& orientation) const {
+  return std::remainder(2.0 * std::atan2(orientation.vec()[normal_], orientation.w()), 2.0 * M_PI);
+}
+
+Eigen::Quaterniond Plane::baseOf(const Eigen::Quaterniond& orientation) const {
+  const Eigen::AngleAxisd back(-headingOf(orientation), normal());
+  const Eigen::Quaterniond base = (back * orientation).normalized();
+  // rounding must not make two upright bodies differ
+  constexpr double kNothing = 1e-12;
+  return base.vec().norm() < kNothing ? Eigen::Quaterniond::Identity() : base;
+}
+
+Eigen::Quaterniond Plane::orientation(double heading, const Eigen::Quaterniond& base) const {
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  turn.w() = std::cos(0.5 * heading);
+  turn.vec()[normal_] = std::sin(0.5 * heading);
+  return base.vec().isZero(0.0) ? turn : turn * base;
+}
+
+}  // namespace swarmanoid::planar

@@ -1,0 +1,56 @@
+/// The plane that a two-dimensional engine works in (thesis 3.5.1, figure 3.8), and its local frame.
+///
+/// The plane is perpendicular to an axis of W, at a signed distance from the origin. Local coordinates (u, v) and the
+/// normal n are right-handed: z gives (x, y), x gives (y, z), y gives (z, x). A body's heading is its turn about the
+/// normal; what else its orientation has is its base, and stays as it is.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <string>
+
+#include "swarmanoid_space/entities.hpp"
+
+namespace swarmanoid::planar {
+
+/// Place and heading in the plane [m, rad].
+struct PlanarPose {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double heading = 0.0;
+};
+
+class Plane {
+ public:
+  Plane() = default;
+  /// @param axis 'x', 'y' or 'z'; @param distance from the origin [m]
+  Plane(char axis, double distance) : normal_(axis - 'x'), distance_(distance) {}
+
+  double distance() const { return distance_; }
+  std::string axisName() const { return std::string(1, static_cast<char>('x' + normal_)); }
+  Eigen::Vector3d normal() const { return Eigen::Vector3d::Unit(normal_); }
+
+  Eigen::Vector2d toLocal(const Eigen::Vector3d& p) const { return {p[u()], p[v()]}; }
+  double along(const Eigen::Vector3d& p) const { return p[normal_]; }
+  Eigen::Vector3d toGlobal(const Eigen::Vector2d& local, double along_normal) const {
+    Eigen::Vector3d p;
+    p[u()] = local.x();
+    p[v()] = local.y();
+    p[normal_] = along_normal;
+    return p;
+  }
+
+  /// The turn about the normal in an orientation, in (-pi, pi] [rad].
+  double headingOf(const Eigen::Quaterniond& orientation) const;
+  /// What remains of an orientation without its heading.
+  Eigen::Quaterniond baseOf(const Eigen::Quaterniond& orientation) const;
+  Eigen::Quaterniond orientation(double heading, const Eigen::Quaterniond& base) const;
+
+ private:
+  int u() const { return (normal_ + 1) % 3; }
+  int v() const { return (normal_ + 2) % 3; }
+
+  int normal_ = 2;
+  double distance_ = 0.0;
+};
+
+}  // namespace swarmanoid::planar

@@ -1,0 +1,207 @@
+// The eyebot of the object retrieval experiment (thesis 4.3, figure 4.3): picks a prey, finds it, points at it with the
+// laser until a footbot has gripped it, then finds the nest and leads the footbot there.
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "blob_search.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+
+namespace swarmanoid {
+
+class EyebotRetrieval final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration& parameters) override {
+    robot_ = &robot;
+    velocity_ = &robot.actuator<EyebotVelocity>();
+    laser_ = &robot.actuator<EyebotLaser>();
+    camera_ = &robot.sensor<EyebotCamera>();
+    speed_ = parameters.number("speed", 0.3, {0.01, 1.0});
+    lead_speed_ = parameters.number("lead_speed", 0.08, {0.01, 1.0});
+    search_radius_ = parameters.number("search_radius", 1.2, {0.0, 100.0});
+    altitude_ = parameters.number("altitude", 2.0, {0.1, 100.0});
+    for (const char* key : {"prey_color_1", "prey_color_2"}) {
+      prey_colors_.push_back(parameters.color(key));
+    }
+    nest_color_ = parameters.color("nest_color", colors::kGreen);
+    parameters.refuseUnread(
+        {"speed", "lead_speed", "search_radius", "altitude", "prey_color_1", "prey_color_2", "nest_color"});
+    reset();
+  }
+
+  void reset() override {
+    has_chosen_ = false;
+    flown_ = Sighting{};
+    waypoint_ = Sighting{};
+    enter(State::kSearchForPrey);
+  }
+
+  void step(Time, Duration dt) override {
+    dt_ = toSeconds(dt);
+    if (!has_chosen_) {
+      has_chosen_ = true;
+      prey_color_ = prey_colors_[robot_->random().below(prey_colors_.size())];
+      robot_->debug("prey", toString(prey_color_));
+    }
+    velocity_->linear.setZero();
+    switch (state_) {
+      case State::kSearchForPrey:
+        searchForPrey();
+        break;
+      case State::kGoToPrey:
+        goToPrey();
+        break;
+      case State::kWaitForFootbotGripping:
+        waitForFootbotGripping();
+        break;
+      case State::kSearchForNest:
+        searchForNest();
+        break;
+      case State::kGoToNest:
+        goToNest();
+        break;
+    }
+    // where it is from where it started, as far as it can tell from its own commands
+    flown_.x += velocity_->linear.x() * dt_;
+    flown_.y += velocity_->linear.y() * dt_;
+  }
+
+ private:
+  enum class State { kSearchForPrey, kGoToPrey, kWaitForFootbotGripping, kSearchForNest, kGoToNest };
+
+  static const char* nameOf(State state) {
+    switch (state) {
+      case State::kSearchForPrey:
+        return "Search for Prey";
+      case State::kGoToPrey:
+        return "Go to Prey";
+      case State::kWaitForFootbotGripping:
+        return "Wait for Footbot Gripping";
+      case State::kSearchForNest:
+        return "Search for Nest";
+      case State::kGoToNest:
+        return "Go to Nest";
+    }
+    return "";
+  }
+
+  void enter(State state) {
+    state_ = state;
+    laser_->on = state != State::kSearchForPrey;
+    laser_->tilt = 0.0;
+    robot_->debug("state", nameOf(state));
+  }
+
+  void searchForPrey() {
+    if (nearestBlob(*camera_, prey_color_)) {
+      return enter(State::kGoToPrey);
+    }
+    flyAround(speed_);
+  }
+
+  void goToPrey() {
+    constexpr double kAbove = 0.05;  // m
+    const auto prey = nearestBlob(*camera_, prey_color_);
+    if (!prey) {
+      return enter(State::kSearchForPrey);
+    }
+    pointAt(*prey);
+    flyTo(*prey, speed_);
+    if (prey->distance() < kAbove) {
+      enter(State::kWaitForFootbotGripping);
+    }
+  }
+
+  void waitForFootbotGripping() {
+    constexpr double kHoldsPrey = 0.5;  // m from the prey to the blue footbot
+    const auto prey = nearestBlob(*camera_, prey_color_);
+    if (!prey) {
+      return enter(State::kSearchForPrey);
+    }
+    pointAt(*prey);
+    flyTo(*prey, speed_);
+    const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
+    if (footbot && footbot->distanceTo(*prey) < kHoldsPrey) {
+      enter(State::kSearchForNest);
+    }
+  }
+
+  void searchForNest() {
+    if (nearestBlob(*camera_, nest_color_)) {
+      return enter(State::kGoToNest);
+    }
+    if (isFollowed()) {
+      flyAround(lead_speed_);
+    }
+  }
+
+  void goToNest() {
+    const auto nest = nearestBlob(*camera_, nest_color_);
+    if (!nest) {
+      return enter(State::kSearchForNest);
+    }
+    if (isFollowed()) {
+      flyTo(*nest, lead_speed_);
+    }
+  }
+
+  /// Whether the blue footbot is near enough to the spot, which lies straight below, to go on.
+  /// Without a footbot in sight the eyebot stays and waits for it (thesis 4.3).
+  bool isFollowed() const {
+    constexpr double kLead = 0.5;  // m from the footbot to the spot
+    const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
+    return footbot && footbot->distance() < kLead;
+  }
+
+  void pointAt(const Sighting& target) {
+    constexpr double kPreyHeight = 0.1;  // m
+    laser_->pan = target.bearing();
+    laser_->tilt = std::atan2(target.distance(), altitude_ - kPreyHeight);
+  }
+
+  void flyTo(const Sighting& target, double speed) {
+    constexpr double kGain = 1.0;  // 1/s
+    const double distance = target.distance();
+    if (distance > 0.0) {
+      const double wanted = std::min(speed, kGain * distance);
+      velocity_->linear.x() = wanted * target.x / distance;
+      velocity_->linear.y() = wanted * target.y / distance;
+    }
+  }
+
+  /// From one random place to the next, around the start.
+  void flyAround(double speed) {
+    constexpr double kReached = 0.1;  // m
+    Sighting way{waypoint_.x - flown_.x, waypoint_.y - flown_.y};
+    if (way.distance() < kReached) {
+      waypoint_ = {robot_->random().uniform(-search_radius_, search_radius_),
+                   robot_->random().uniform(-search_radius_, search_radius_)};
+      way = {waypoint_.x - flown_.x, waypoint_.y - flown_.y};
+    }
+    flyTo(way, speed);
+  }
+
+  Robot* robot_ = nullptr;
+  EyebotVelocity* velocity_ = nullptr;
+  EyebotLaser* laser_ = nullptr;
+  const EyebotCamera* camera_ = nullptr;
+  double speed_ = 0.0;          // m/s
+  double lead_speed_ = 0.0;     // m/s
+  double search_radius_ = 0.0;  // m
+  double altitude_ = 0.0;       // m
+  std::vector<Color> prey_colors_;
+  Color nest_color_;
+
+  State state_ = State::kSearchForPrey;
+  bool has_chosen_ = false;
+  Color prey_color_;
+  double dt_ = 0.0;    // s
+  Sighting flown_;     // from the start, in the frame of the start
+  Sighting waypoint_;  // likewise
+};
+
+}  // namespace swarmanoid
+
+REGISTER_CONTROLLER(swarmanoid::EyebotRetrieval, "eyebot_retrieval")

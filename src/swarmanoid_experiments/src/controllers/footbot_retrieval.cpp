@@ -1,0 +1,238 @@
+// The footbots of the object retrieval experiment (thesis 4.3, figure 4.2): wander until a laser spot is seen, go to
+// it, grip the prey beside it, turn blue and follow the spot. Whoever sees blue keeps out of the way.
+#include <string>
+
+#include "blob_search.hpp"
+#include "differential_drive.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/leds.hpp"
+
+namespace swarmanoid {
+
+class FootbotRetrieval final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration& parameters) override {
+    robot_ = &robot;
+    wheels_ = &robot.actuator<FootbotWheels>();
+    gripper_ = &robot.actuator<FootbotGripper>();
+    leds_ = &robot.actuator<FootbotLeds>();
+    proximity_ = &robot.sensor<FootbotProximity>();
+    camera_ = &robot.sensor<FootbotCamera>();
+    gripper_state_ = &robot.sensor<FootbotGripperState>();
+    speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
+    parameters.refuseUnread({"speed"});
+    enter(State::kSearchForLaser);
+  }
+
+  void reset() override { enter(State::kSearchForLaser); }
+
+  void step(Time, Duration dt) override {
+    dt_ = toSeconds(dt);
+    time_in_state_ += dt_;
+    spot_ = nearestBlob(*camera_, colors::kRed);
+    signaller_ = nearestBlob(*camera_, colors::kBlue);
+    switch (state_) {
+      case State::kSearchForLaser:
+        return searchForLaser();
+      case State::kGoToLaser:
+        return goToLaser();
+      case State::kGripPrey:
+        return gripPrey();
+      case State::kGoToNest:
+        return goToNest();
+      case State::kAvoidGrippingFootbot:
+        return avoidGrippingFootbot();
+    }
+  }
+
+ private:
+  enum class State { kSearchForLaser, kGoToLaser, kGripPrey, kGoToNest, kAvoidGrippingFootbot };
+
+  static const char* nameOf(State state) {
+    switch (state) {
+      case State::kSearchForLaser:
+        return "Search for Laser";
+      case State::kGoToLaser:
+        return "Go to Laser";
+      case State::kGripPrey:
+        return "Grip Prey";
+      case State::kGoToNest:
+        return "Go to Nest";
+      case State::kAvoidGrippingFootbot:
+        return "Avoid Gripping Footbot";
+    }
+    return "";
+  }
+
+  void enter(State state) {
+    state_ = state;
+    time_in_state_ = 0.0;
+    time_unseen_ = 0.0;
+    gripper_->closed = state == State::kGripPrey || state == State::kGoToNest;
+    leds_->setAll(state == State::kGoToNest ? colors::kBlue : colors::kBlack);
+    robot_->debug("state", nameOf(state));
+  }
+
+  void searchForLaser() {
+    if (signaller_) {
+      return enter(State::kAvoidGrippingFootbot);
+    }
+    if (spot_) {
+      return enter(State::kGoToLaser);
+    }
+    wander();
+  }
+
+  void goToLaser() {
+    constexpr double kNearSpot = 0.45;  // m: near enough to look for the prey at the spot
+    constexpr double kGiveUp = 3.0;     // s without seeing the spot
+    if (signaller_) {
+      return enter(State::kAvoidGrippingFootbot);
+    }
+    if (!spot_) {
+      time_unseen_ += dt_;
+      if (time_unseen_ > kGiveUp) {
+        return enter(State::kSearchForLaser);
+      }
+      return wander();
+    }
+    time_unseen_ = 0.0;
+    if (spot_->distance() < kNearSpot && preyAtSpot()) {
+      return enter(State::kGripPrey);
+    }
+    if (!avoidObstacle()) {
+      DifferentialDrive::steer(*wheels_, spot_->bearing(), speed_);
+    }
+  }
+
+  void gripPrey() {
+    constexpr double kGiveUp = 20.0;          // s
+    constexpr double kInGripperReach = 0.24;  // m, from the robot's axis to the prey's
+    constexpr double kAligned = 0.12;         // rad
+    if (gripper_state_->gripping) {
+      return enter(State::kGoToNest);
+    }
+    if (signaller_) {
+      return enter(State::kAvoidGrippingFootbot);
+    }
+    const std::optional<Sighting> prey = preyAtSpot();
+    if (!prey || time_in_state_ > kGiveUp) {
+      return enter(State::kSearchForLaser);
+    }
+    const double bearing = prey->bearing();
+    if (std::abs(bearing) > kAligned) {
+      // close to the prey the gripper would hit it in turning: back off first
+      DifferentialDrive::drive(*wheels_, prey->distance() < kInGripperReach ? -0.5 * speed_ : 0.0, 2.0 * bearing);
+    } else {
+      DifferentialDrive::drive(*wheels_, 0.3 * speed_, 2.0 * bearing);
+    }
+  }
+
+  void goToNest() {
+    constexpr double kArrived = 0.15;    // m: the spot lies on the prey
+    constexpr double kBehindPrey = 3.0;  // s: the prey hides a spot that is straight ahead
+    if (!gripper_state_->gripping) {
+      return enter(State::kSearchForLaser);
+    }
+    if (spot_) {
+      time_unseen_ = 0.0;
+      last_bearing_ = spot_->bearing();
+      if (spot_->distance() < kArrived) {
+        DifferentialDrive::drive(*wheels_, 0.0, 0.0);
+      } else {
+        DifferentialDrive::steer(*wheels_, last_bearing_, 0.6 * speed_);
+      }
+      return;
+    }
+    time_unseen_ += dt_;
+    if (time_unseen_ < kBehindPrey && std::abs(last_bearing_) < 0.5) {
+      DifferentialDrive::drive(*wheels_, 0.3 * speed_, 0.0);
+    } else {
+      DifferentialDrive::drive(*wheels_, 0.0, last_bearing_ < 0.0 ? -0.5 : 0.5);
+    }
+  }
+
+  void avoidGrippingFootbot() {
+    constexpr double kRoom = 1.0;  // m that the signaller needs
+    constexpr double kCalm = 2.0;  // s without blue
+    if (!signaller_) {
+      time_unseen_ += dt_;
+      if (time_unseen_ > kCalm) {
+        return enter(State::kSearchForLaser);
+      }
+      return wander();
+    }
+    time_unseen_ = 0.0;
+    if (avoidObstacle()) {
+      return;
+    }
+    if (signaller_->distance() < kRoom) {
+      DifferentialDrive::steer(*wheels_, std::remainder(signaller_->bearing() + M_PI, 2.0 * M_PI), speed_);
+    } else {
+      DifferentialDrive::drive(*wheels_, 0.0, 0.0);
+    }
+  }
+
+  /// The prey that the laser points at, whatever its colour.
+  std::optional<Sighting> preyAtSpot() const {
+    constexpr double kAtSpot = 0.15;  // m
+    std::optional<Sighting> nearest;
+    if (spot_) {
+      for (const ColorBlob& blob : camera_->blobs) {
+        const Sighting sighting = sightingOf(blob);
+        const double distance = sighting.distanceTo(*spot_);
+        const bool is_prey = blob.color != colors::kRed && blob.color != colors::kBlue;
+        if (is_prey && distance < kAtSpot && (!nearest || distance < nearest->distanceTo(*spot_))) {
+          nearest = sighting;
+        }
+      }
+    }
+    return nearest;
+  }
+
+  void wander() {
+    if (avoidObstacle()) {
+      return;
+    }
+    constexpr double kNewHeadingEvery = 3.0;  // s on average
+    if (robot_->random().uniform() < dt_ / kNewHeadingEvery) {
+      turn_rate_ = robot_->random().uniform(-0.8, 0.8);
+    }
+    DifferentialDrive::drive(*wheels_, speed_, turn_rate_);
+  }
+
+  /// Turns away from what the proximity sensors feel ahead. @return whether there was something
+  bool avoidObstacle() {
+    constexpr double kThreshold = 0.05;
+    constexpr double kTurnRate = 1.5;  // rad/s
+    const ObstacleVector obstacle(*proximity_);
+    if (obstacle.length() < kThreshold || obstacle.x < 0.0) {
+      return false;
+    }
+    DifferentialDrive::drive(*wheels_, 0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
+    return true;
+  }
+
+  Robot* robot_ = nullptr;
+  FootbotWheels* wheels_ = nullptr;
+  FootbotGripper* gripper_ = nullptr;
+  FootbotLeds* leds_ = nullptr;
+  const FootbotProximity* proximity_ = nullptr;
+  const FootbotCamera* camera_ = nullptr;
+  const FootbotGripperState* gripper_state_ = nullptr;
+  double speed_ = 0.0;  // m/s
+
+  State state_ = State::kSearchForLaser;
+  double time_in_state_ = 0.0;  // s
+  double time_unseen_ = 0.0;    // s without what the state looks for
+  double dt_ = 0.0;             // s
+  double turn_rate_ = 0.0;      // rad/s, while wandering
+  double last_bearing_ = 0.0;   // rad, of the spot
+  std::optional<Sighting> spot_;
+  std::optional<Sighting> signaller_;
+};
+
+}  // namespace swarmanoid
+
+REGISTER_CONTROLLER(swarmanoid::FootbotRetrieval, "footbot_retrieval")

@@ -1,0 +1,105 @@
+// Judges the object retrieval experiment: it is over when a prey lies in the nest, and a success if that is the prey
+// which the eyebot chose.
+#include <string>
+
+#include "swarmanoid_space/visualisation.hpp"
+
+namespace swarmanoid {
+
+class RetrievalMonitor final : public Visualisation {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "retrieval_monitor";
+    description.summary = "Ends the run when a prey lies in the nest, and says which.";
+    Parameter nest;
+    nest.name = "nest";
+    nest.value = "nest";
+    nest.description = "Id of the floor patch that is the nest.";
+    Parameter chooser = nest;
+    chooser.name = "chooser";
+    chooser.value = "eb";
+    chooser.description = "Id of the robot whose debug value 'prey' names the right colour.";
+    description.parameters = {nest, chooser};
+    return description;
+  }
+
+  void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
+    id_ = id;
+    nest_ = parameters.text("nest", "nest");
+    chooser_ = parameters.text("chooser", "eb");
+    std::vector<std::string> known;
+    for (const FloorPatch& patch : context.experiment->arena.floor_patches) {
+      known.push_back(patch.id);
+    }
+    if (std::find(known.begin(), known.end(), nest_) == known.end()) {
+      throw ConfigError(parameters.location(), "nest: found '" + nest_ + "', allowed: the id of a floor patch (" +
+                                                   joinNames(known) + ")" + didYouMean(nest_, known));
+    }
+  }
+
+  void draw(const Space& space) override {
+    if (delivered_.empty()) {
+      lookForPrey(space);
+      tick_ = space.tick;
+    }
+    if (chosen_.empty()) {
+      lookForChoice(space);
+    }
+  }
+
+  bool terminate() const override { return !delivered_.empty(); }
+  std::optional<bool> success() const override { return !delivered_.empty() && delivered_color_ == chosen_; }
+
+  void addMetrics(Metrics& metrics) const override {
+    metrics["prey_in_nest"] = delivered_;
+    metrics["prey_color"] = delivered_color_;
+    metrics["chosen_color"] = chosen_;
+    metrics["retrieval_ticks"] = static_cast<double>(tick_);
+  }
+
+  void reset() override {
+    delivered_.clear();
+    delivered_color_.clear();
+    chosen_.clear();
+    tick_ = 0;
+  }
+
+ private:
+  void lookForPrey(const Space& space) {
+    for (const FloorPatch& patch : space.floor_patches) {
+      for (std::size_t k = 0; patch.id == nest_ && k < space.entities.order.size(); ++k) {
+        const auto i = static_cast<std::size_t>(space.entities.order[k]);
+        const EntityModel& model = *space.entities.model[i];
+        if (!model.is_robot && model.gripping_radius && patch.contains(space.entities.pose[i].position)) {
+          delivered_ = space.entities.name[i];
+          delivered_color_ = toString(space.entities.color[i]);
+          return;
+        }
+      }
+    }
+  }
+
+  void lookForChoice(const Space& space) {
+    const Row row = space.entities.find(chooser_);
+    if (row == kNoRow || !space.robots[static_cast<std::size_t>(row)]) {
+      return;
+    }
+    for (const auto& [key, value] : space.robots[static_cast<std::size_t>(row)]->debugValues()) {
+      if (key == "prey") {
+        chosen_ = value;
+      }
+    }
+  }
+
+  std::string nest_;
+  std::string chooser_;
+  std::string delivered_;  // the prey's id; empty until there is one
+  std::string delivered_color_;
+  std::string chosen_;
+  std::uint64_t tick_ = 0;
+};
+
+}  // namespace swarmanoid
+
+REGISTER_VISUALISATION(swarmanoid::RetrievalMonitor)
