@@ -35,7 +35,7 @@ struct Mount {
 
 struct EntityModel {
   std::string type;   ///< the tag in <arena>: "footbot", "block", ...
-  std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...
+  std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...; one word
 
   std::vector<CollisionShape> shapes;
   double lowest = 0.0;           ///< of the shapes, along body z [m]
@@ -73,14 +73,16 @@ struct EntityModel {
   const Mount& mount(const std::string& name) const;
 };
 
-/// Reads a robot's URDF. Links' collision elements become shapes, all links become mounts. By name: `left_wheel` and
-/// `right_wheel` joints (continuous, axis y) make a differential drive; a link `gripper_tip` makes a gripper; links
-/// `led_0`, `led_1`, ... make LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is not
-/// a shape).
-/// @throws ConfigError naming the file and what is wrong
+/// Reads a robot's URDF, with all joints at zero. The root link is `base_link`, the body frame. Links' collision
+/// elements (boxes, cylinders, spheres) become shapes, all links become mounts. By name: `left_wheel` and `right_wheel`
+/// joints (continuous, axis y, with a limit of velocity; their child links' widest cylinder is the wheel) make a
+/// differential drive; a link `gripper_tip` makes a gripper; links `led_0`, `led_1`, ... (at most Space::kMaxLeds) make
+/// LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is not a shape).
+/// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 
 /// The model of a robot type of this installation (swarmanoid_description/urdf/<type>.urdf); loaded once a process.
+/// Thread-safe.
 /// @throws ConfigError if there is no such robot
 std::shared_ptr<const EntityModel> robotModel(const std::string& type);
 

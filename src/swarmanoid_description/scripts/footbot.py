@@ -1,0 +1,90 @@
+"""The footbot: a wheeled robot based on the marXbot (thesis 1, figures 1.1 and 3.9)."""
+import math
+
+from urdf_writer import Robot, box, cylinder, disc, sphere
+
+RADIUS = 0.085  # 17 cm across
+HEIGHT = 0.146  # of the body, up to the camera
+MASS = 1.8
+WHEEL_MASS = 0.1
+WHEEL_RADIUS = 0.029
+WHEEL_SEPARATION = 0.14
+RIM_SPEED = 0.3  # [m/s]
+GRIPPER_TIP = 0.11
+GRIPPER_HEIGHT = 0.05  # half the height of a prey
+PROXIMITY_COUNT = 24
+PROXIMITY_HEIGHT = 0.06
+LED_COUNT = 12
+LED_HEIGHT = 0.12
+CAMERA_HEIGHT = 0.28
+
+ROLLED = (math.pi / 2, 0, 0)  # turns a cylinder's axis from z to y
+MATERIALS = {
+    "black": (0.08, 0.08, 0.09, 1),
+    "dark_grey": (0.22, 0.23, 0.25, 1),
+    "light_grey": (0.75, 0.77, 0.8, 1),
+    "blue": (0.1, 0.33, 0.75, 1),
+    "orange": (0.95, 0.5, 0.1, 1),
+    "milky": (0.95, 0.95, 1, 0.75),
+    "glass": (0.7, 0.85, 0.95, 0.35),
+}
+
+
+def ring(count, radius, height):
+    """Places on a circle, the first ahead, then counter-clockwise; each with its angle in (-pi, pi]."""
+    for i in range(count):
+        angle = 2 * math.pi * (i if i <= count // 2 else i - count) / count
+        yield i, (radius * math.cos(angle), radius * math.sin(angle), height), (0, 0, angle)
+
+
+def treel(side):
+    """The track around a wheel: two rollers and what lies between them."""
+    y = side * 0.063
+    rollers = [cylinder(0.022, 0.02, (x, y, 0.024), "black", ROLLED) for x in (-0.028, 0.028)]
+    return rollers + [box((0.056, 0.02, 0.044), (0, y, 0.024), "black")]
+
+
+def body_visuals():
+    gripper = box((0.04, 0.04, 0.03), (GRIPPER_TIP - 0.02, 0, GRIPPER_HEIGHT), "orange")
+    return [
+        *treel(1), *treel(-1),
+        disc(0.05, 0.012, 0.045, "dark_grey"),
+        disc(0.083, 0.042, 0.054, "dark_grey"),  # the turret ring, which holds the gripper
+        gripper,
+        disc(0.082, 0.055, 0.068, "black"),  # infrared sensors
+        disc(0.078, 0.068, 0.112, "blue"),
+        disc(0.083, 0.113, 0.127, "milky"),  # LEDs
+        disc(0.078, 0.127, HEIGHT, "light_grey"),
+        disc(0.032, HEIGHT, 0.166, "black"),  # rotating long-range distance sensor
+        disc(0.022, 0.166, 0.27, "glass"),  # camera looking up into a mirror
+        disc(0.006, 0.166, 0.25, "dark_grey"),
+        sphere(0.014, (0, 0, 0.262), "light_grey"),
+        disc(0.025, 0.27, 0.29, "black"),
+    ]
+
+
+def body_collisions():
+    """Figure 3.9a: the body, two wheels, the gripper. The wheels stand upright, as planar engines want them."""
+    wheels = [disc(0.018, 0, 2 * WHEEL_RADIUS, xy=(0, side * WHEEL_SEPARATION / 2)) for side in (1, -1)]
+    gripper = box((0.04, 0.04, 0.03), (GRIPPER_TIP - 0.02, 0, GRIPPER_HEIGHT))
+    return [disc(RADIUS, 0.01, HEIGHT), *wheels, gripper]
+
+
+def make():
+    robot = Robot("footbot", "A footbot.", MATERIALS)
+    robot.link("body", visuals=body_visuals(), collisions=body_collisions(), mass=MASS - 2 * WHEEL_MASS,
+               inertia=disc(0.075, 0.02, 0.12))
+    wheel = cylinder(WHEEL_RADIUS, 0.02, material="dark_grey", rpy=ROLLED)
+    hub = cylinder(0.012, 0.024, material="orange", rpy=ROLLED)
+    for name, side in (("left_wheel", 1), ("right_wheel", -1)):
+        robot.link(name + "_link", xyz=(0, side * WHEEL_SEPARATION / 2, WHEEL_RADIUS), joint=name, kind="continuous",
+                   axis=(0, 1, 0), limit=f'effort="1" velocity="{RIM_SPEED / WHEEL_RADIUS!r}"',
+                   visuals=[wheel, hub], mass=WHEEL_MASS, inertia=wheel)
+    for i, xyz, rpy in ring(PROXIMITY_COUNT, RADIUS, PROXIMITY_HEIGHT):
+        robot.link(f"proximity_{i}", xyz=xyz, rpy=rpy, visuals=[box((0.004, 0.008, 0.006), (-0.002, 0, 0), "glass")])
+    for i, xyz, rpy in ring(LED_COUNT, RADIUS, LED_HEIGHT):
+        robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.005, (-0.003, 0, 0), "light_grey")])
+    robot.link("camera", xyz=(0, 0, CAMERA_HEIGHT))
+    robot.link("gripper_tip", xyz=(GRIPPER_TIP, 0, GRIPPER_HEIGHT))
+    robot.link("gripping_strip", xyz=(0, 0, GRIPPER_HEIGHT), collisions=[cylinder(RADIUS, 0.012)])
+    return robot

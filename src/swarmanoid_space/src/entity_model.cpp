@@ -1,0 +1,105 @@
+#include "swarmanoid_space/entity_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::Vector3d;
+
+/// How far a shape reaches from its centre along body z, up and down alike [m].
+double reachAlongZ(const CollisionShape& shape) {
+  const Vector3d z = shape.orientation.conjugate() * Vector3d::UnitZ();  // in the shape's frame
+  const Vector3d& half = shape.half_extent;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kCylinder:
+      return half.x() * std::hypot(z.x(), z.y()) + half.z() * std::abs(z.z());
+    case CollisionShape::Kind::kBox:
+      return half.dot(z.cwiseAbs());
+    case CollisionShape::Kind::kSphere:
+      break;
+  }
+  return half.x();
+}
+
+/// Distance of the shape's farthest point from the body's origin [m].
+double reachFromOrigin(const CollisionShape& shape) {
+  const Vector3d centre = (shape.orientation.conjugate() * shape.position).cwiseAbs();  // in the shape's frame
+  const Vector3d& half = shape.half_extent;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kCylinder:
+      return std::hypot(std::hypot(centre.x(), centre.y()) + half.x(), centre.z() + half.z());
+    case CollisionShape::Kind::kBox:
+      return (centre + half).norm();
+    case CollisionShape::Kind::kSphere:
+      break;
+  }
+  return centre.norm() + half.x();
+}
+
+}  // namespace
+
+void EntityModel::measureShapes() {
+  lowest = 0.0;
+  highest = 0.0;
+  bounding_radius = 0.0;
+  if (!shapes.empty()) {
+    lowest = std::numeric_limits<double>::infinity();
+    highest = -lowest;
+  }
+  for (const CollisionShape& shape : shapes) {
+    const double reach = reachAlongZ(shape);
+    lowest = std::min(lowest, shape.position.z() - reach);
+    highest = std::max(highest, shape.position.z() + reach);
+    bounding_radius = std::max(bounding_radius, reachFromOrigin(shape));
+  }
+}
+
+const Mount& EntityModel::mount(const std::string& name) const {
+  const auto found = mounts.find(name);
+  if (found == mounts.end()) {
+    throw std::out_of_range("entity type '" + type + "' has no mount '" + name + "'");
+  }
+  return found->second;
+}
+
+std::shared_ptr<const EntityModel> blockModel(const Vector3d& size) {
+  auto model = std::make_shared<EntityModel>();
+  model->type = "block";
+  model->title = "Block";
+  CollisionShape box;
+  box.kind = CollisionShape::Kind::kBox;
+  box.half_extent = size / 2.0;
+  model->shapes.push_back(box);
+  model->measureShapes();
+  return model;
+}
+
+std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height) {
+  auto model = std::make_shared<EntityModel>();
+  model->type = "cylindric_prey";
+  model->title = "CylindricPrey";  // one word: tools that read the text table split it at white space
+  const Vector3d middle(0.0, 0.0, height / 2.0);
+  CollisionShape cylinder;
+  cylinder.half_extent = {radius, radius, height / 2.0};
+  cylinder.position = middle;
+  model->shapes.push_back(cylinder);
+  model->is_movable = true;
+  model->gripping_radius = radius;
+  model->led_positions.push_back(middle);
+  model->measureShapes();
+  return model;
+}
+
+std::shared_ptr<const EntityModel> lightModel() {
+  auto model = std::make_shared<EntityModel>();
+  model->type = "light";
+  model->title = "Light";
+  model->led_positions.push_back(Vector3d::Zero());
+  return model;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,101 @@
+#include "read_urdf.hpp"
+
+#include <console_bridge/console.h>
+#include <tinyxml2.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <fstream>
+#include <mutex>
+#include <sstream>
+#include <thread>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// Keeps what urdfdom reports as errors: it prints many of them and then succeeds all the same, with the element in
+/// question left out. Messages of other threads go where they went before.
+class ErrorListener : public console_bridge::OutputHandler {
+ public:
+  ErrorListener() : thread_(std::this_thread::get_id()), others_(console_bridge::getOutputHandler()) {
+    console_bridge::useOutputHandler(this);
+  }
+  ~ErrorListener() override { console_bridge::useOutputHandler(others_); }
+  ErrorListener(const ErrorListener&) = delete;
+  ErrorListener& operator=(const ErrorListener&) = delete;
+
+  void log(const std::string& text, console_bridge::LogLevel level, const char* file, int line) override {
+    if (std::this_thread::get_id() != thread_) {
+      if (others_ != nullptr) {
+        others_->log(text, level, file, line);
+      }
+    } else if (level == console_bridge::CONSOLE_BRIDGE_LOG_ERROR) {
+      errors_ += (errors_.empty() ? "" : "; ") + text;
+    }
+  }
+
+  const std::string& errors() const { return errors_; }
+
+ private:
+  std::thread::id thread_;
+  console_bridge::OutputHandler* others_;
+  std::string errors_;
+};
+
+std::string readText(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (!(text << stream.rdbuf())) {
+    throw ConfigError({file}, "the file cannot be read, or is empty");
+  }
+  return text.str();
+}
+
+void refuseBadXml(const std::string& file, const std::string& text) {
+  // urdfdom's own parser says neither what is wrong nor where
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) {
+    throw ConfigError({file, document.ErrorLineNum()},
+                      std::string("found no well-formed XML (") + document.ErrorName() + "), expected a URDF");
+  }
+}
+
+}  // namespace
+
+void UrdfFile::fail(const std::string& message) const { throw ConfigError({file}, message); }
+
+UrdfFile readUrdf(const std::string& file) {
+  static std::mutex one_listener;
+  UrdfFile result;
+  result.file = file;
+  result.text = readText(file);
+  refuseBadXml(file, result.text);
+  const std::lock_guard<std::mutex> lock(one_listener);
+  const ErrorListener listener;
+  result.robot = urdf::parseURDF(result.text);
+  if (result.robot == nullptr || !listener.errors().empty()) {
+    result.fail("is not a valid URDF: " + listener.errors());
+  }
+  return result;
+}
+
+Mount toMount(const urdf::Pose& pose) {
+  const urdf::Rotation& q = pose.rotation;
+  Mount mount;
+  mount.position = {pose.position.x, pose.position.y, pose.position.z};
+  mount.orientation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  return mount;
+}
+
+Mount chain(const Mount& frame, const Mount& inner) {
+  return {frame.position + frame.orientation * inner.position, (frame.orientation * inner.orientation).normalized()};
+}
+
+std::string coordinates(const Eigen::Vector3d& v) {
+  std::ostringstream stream;
+  stream << v.x() << " " << v.y() << " " << v.z();
+  return stream.str();
+}
+
+}  // namespace swarmanoid

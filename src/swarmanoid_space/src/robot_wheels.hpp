@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "read_urdf.hpp"
+#include "swarmanoid_space/entity_model.hpp"
+
+namespace swarmanoid {
+
+/// The differential drive that the joints `left_wheel` and `right_wheel` make; nothing if there are none.
+/// @param model its mounts are read
+/// @throws ConfigError if they make none that can be simulated
+std::optional<EntityModel::Wheels> readWheels(const UrdfFile& urdf, const EntityModel& model);
+
+}  // namespace swarmanoid

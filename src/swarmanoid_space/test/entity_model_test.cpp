@@ -1,0 +1,132 @@
+#include "swarmanoid_space/entity_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Vector3d;
+
+EntityModel modelOf(const CollisionShape& shape) {
+  EntityModel model;
+  model.shapes.push_back(shape);
+  model.measureShapes();
+  return model;
+}
+
+TEST(EntityModelTest, BlockHasItsOriginAtItsCentre) {
+  const auto block = blockModel({0.5, 0.05, 0.4});
+  EXPECT_EQ(block->type, "block");
+  EXPECT_EQ(block->title, "Block");
+  ASSERT_EQ(block->shapes.size(), 1U);
+  EXPECT_EQ(block->shapes[0].kind, CollisionShape::Kind::kBox);
+  EXPECT_EQ(block->shapes[0].half_extent, Vector3d(0.25, 0.025, 0.2));
+  EXPECT_EQ(block->shapes[0].position, Vector3d::Zero());
+  EXPECT_DOUBLE_EQ(block->lowest, -0.2);
+  EXPECT_DOUBLE_EQ(block->highest, 0.2);
+  EXPECT_DOUBLE_EQ(block->bounding_radius, std::sqrt(0.25 * 0.25 + 0.025 * 0.025 + 0.2 * 0.2));
+  EXPECT_FALSE(block->is_robot);
+  EXPECT_FALSE(block->is_movable);
+  EXPECT_FALSE(block->gripping_radius.has_value());
+}
+
+TEST(EntityModelTest, PreyStandsOnItsOriginAndCanBeGripped) {
+  const auto prey = cylindricPreyModel(0.1, 0.16);
+  EXPECT_EQ(prey->type, "cylindric_prey");
+  ASSERT_EQ(prey->shapes.size(), 1U);
+  EXPECT_EQ(prey->shapes[0].kind, CollisionShape::Kind::kCylinder);
+  EXPECT_EQ(prey->shapes[0].half_extent, Vector3d(0.1, 0.1, 0.08));
+  EXPECT_DOUBLE_EQ(prey->lowest, 0.0);
+  EXPECT_DOUBLE_EQ(prey->highest, 0.16);
+  EXPECT_DOUBLE_EQ(prey->bounding_radius, std::hypot(0.1, 0.16));
+  EXPECT_TRUE(prey->is_movable);
+  EXPECT_FALSE(prey->is_robot);
+  EXPECT_EQ(prey->gripping_radius, 0.1);
+  ASSERT_EQ(prey->led_positions.size(), 1U);
+  EXPECT_EQ(prey->led_positions[0], Vector3d(0.0, 0.0, 0.08));
+}
+
+TEST(EntityModelTest, LightHasNoShapeAndOneLed) {
+  const auto light = lightModel();
+  EXPECT_EQ(light->type, "light");
+  EXPECT_TRUE(light->shapes.empty());
+  EXPECT_EQ(light->bounding_radius, 0.0);
+  ASSERT_EQ(light->led_positions.size(), 1U);
+  EXPECT_EQ(light->led_positions[0], Vector3d::Zero());
+}
+
+TEST(EntityModelTest, NoShapeMeasuresZero) {
+  EntityModel model;
+  model.lowest = model.highest = model.bounding_radius = 7.0;
+  model.measureShapes();
+  EXPECT_EQ(model.lowest, 0.0);
+  EXPECT_EQ(model.highest, 0.0);
+  EXPECT_FALSE(std::signbit(model.highest));
+  EXPECT_EQ(model.bounding_radius, 0.0);
+}
+
+TEST(EntityModelTest, RolledCylinderIsAsHighAsItIsWide) {
+  CollisionShape wheel;
+  wheel.half_extent = {0.029, 0.029, 0.01};
+  wheel.position = {0.0, 0.07, 0.029};
+  wheel.orientation = AngleAxisd(M_PI / 2, Vector3d::UnitX());
+  const EntityModel model = modelOf(wheel);
+  EXPECT_NEAR(model.lowest, 0.0, 1e-15);
+  EXPECT_NEAR(model.highest, 0.058, 1e-15);
+  EXPECT_NEAR(model.bounding_radius, std::hypot(0.08, 0.058), 1e-15);
+}
+
+TEST(EntityModelTest, BoxOnItsEdgeIsHigherThanOnItsFace) {
+  CollisionShape box;
+  box.kind = CollisionShape::Kind::kBox;
+  box.half_extent = {1.0, 1.0, 1.0};
+  box.position = {0.0, 0.0, 2.0};
+  box.orientation = AngleAxisd(M_PI / 4, Vector3d::UnitX());
+  const EntityModel model = modelOf(box);
+  EXPECT_NEAR(model.lowest, 2.0 - std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(model.highest, 2.0 + std::sqrt(2.0), 1e-15);
+  EXPECT_NEAR(model.bounding_radius, std::hypot(2.0 + std::sqrt(2.0), 1.0), 1e-15);
+}
+
+TEST(EntityModelTest, SphereReachesItsRadiusEverywhere) {
+  CollisionShape sphere;
+  sphere.kind = CollisionShape::Kind::kSphere;
+  sphere.half_extent.setConstant(0.5);
+  sphere.position = {3.0, 0.0, 4.0};
+  const EntityModel model = modelOf(sphere);
+  EXPECT_DOUBLE_EQ(model.lowest, 3.5);
+  EXPECT_DOUBLE_EQ(model.highest, 4.5);
+  EXPECT_DOUBLE_EQ(model.bounding_radius, 5.5);
+}
+
+TEST(EntityModelTest, AllShapesAreMeasuredTogether) {
+  EntityModel model;
+  model.shapes.resize(2);
+  model.shapes[0].half_extent = {1.0, 1.0, 0.5};
+  model.shapes[1].half_extent = {0.1, 0.1, 0.1};
+  model.shapes[1].position = {0.0, 0.0, 3.0};
+  model.measureShapes();
+  EXPECT_DOUBLE_EQ(model.lowest, -0.5);
+  EXPECT_DOUBLE_EQ(model.highest, 3.1);
+  EXPECT_DOUBLE_EQ(model.bounding_radius, std::hypot(0.1, 3.1));
+}
+
+TEST(EntityModelTest, NamesTheMountThatIsMissing) {
+  EntityModel model;
+  model.type = "footbot";
+  model.mounts["camera"].position = {0.0, 0.0, 0.28};
+  EXPECT_EQ(model.mount("camera").position.z(), 0.28);
+  try {
+    model.mount("telescope");
+    FAIL();
+  } catch (const std::out_of_range& error) {
+    EXPECT_STREQ(error.what(), "entity type 'footbot' has no mount 'telescope'");
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid

@@ -1,0 +1,177 @@
+// What the loader makes of URDF files: shapes in tilted frames, and files that it refuses, each with its message.
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/entity_model.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A file that lives as long as the test.
+class RobotUrdfTest : public testing::Test {
+ protected:
+  ~RobotUrdfTest() override { std::filesystem::remove(file_); }
+
+  std::shared_ptr<const EntityModel> load(const std::string& text) {
+    std::ofstream(file_) << text;
+    return loadRobotModel("robot", file_);
+  }
+
+  /// A robot with a body, and these elements.
+  static std::string robot(const std::string& elements) {
+    return "<robot name='r'><link name='base_link'><collision><geometry><cylinder radius='0.1' length='0.2'/>"
+           "</geometry></collision></link>" +
+           elements + "</robot>";
+  }
+
+  static std::string link(const std::string& name, const std::string& origin, const std::string& content = "") {
+    return "<joint name='" + name + "_joint' type='fixed'><origin " + origin +
+           "/><parent link='base_link'/><child link='" + name + "'/></joint><link name='" + name + "'>" + content +
+           "</link>";
+  }
+
+  static std::string wheel(const std::string& name, const std::string& y, const std::string& axis = "0 1 0",
+                           const std::string& limit = "<limit effort='1' velocity='10'/>",
+                           const std::string& geometry = "<cylinder radius='0.03' length='0.02'/>",
+                           const std::string& type = "continuous") {
+    return "<joint name='" + name + "' type='" + type + "'><origin xyz='0 " + y +
+           " 0.03'/><parent link='base_link'/><child link='" + name + "_link'/><axis xyz='" + axis + "'/>" + limit +
+           "</joint><link name='" + name + "_link'><visual><geometry>" + geometry + "</geometry></visual></link>";
+  }
+
+  void expectRefused(const std::string& text, const std::string& message, int line = 0) {
+    try {
+      load(text);
+      ADD_FAILURE() << "was accepted; expected: " << message;
+    } catch (const ConfigError& error) {
+      EXPECT_EQ(error.what(), file_ + (line == 0 ? "" : ":" + std::to_string(line)) + ": " + message);
+    }
+  }
+
+  std::string file_ = testing::TempDir() + "robot_urdf_test_" + std::to_string(getpid()) + ".urdf";
+};
+
+TEST_F(RobotUrdfTest, PlacesShapesThroughAllFrames) {
+  const auto model = load(robot(
+      link("arm", "xyz='1 0 0' rpy='0 0 1.5707963267948966'",
+           "<inertial><mass value='2.5'/><inertia ixx='1' ixy='0' ixz='0' iyy='1' iyz='0' izz='1'/></inertial>"
+           "<collision><origin xyz='0.5 0 0' rpy='0 1.5707963267948966 0'/><geometry><box size='2 4 6'/></geometry>"
+           "</collision>")));
+  ASSERT_EQ(model->shapes.size(), 2U);
+  const CollisionShape& box = model->shapes[1];
+  EXPECT_EQ(box.half_extent, Vector3d(1, 2, 3));
+  EXPECT_LT((box.position - Vector3d(1, 0.5, 0)).norm(), 1e-12);
+  // the box's z axis lies along the arm's x axis, which is the body's y axis
+  EXPECT_LT((box.orientation * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
+  EXPECT_NEAR(model->lowest, -1.0, 1e-12);
+  EXPECT_EQ(model->mass, 2.5);
+  EXPECT_EQ(model->title, "Robot");
+}
+
+TEST_F(RobotUrdfTest, MeasuresWheels) {
+  const auto model = load(robot(wheel("left_wheel", "0.08") + wheel("right_wheel", "-0.08")));
+  ASSERT_TRUE(model->wheels.has_value());
+  EXPECT_EQ(model->wheels->radius, 0.03);
+  EXPECT_EQ(model->wheels->separation, 0.16);
+  EXPECT_EQ(model->wheels->max_speed, 10.0);
+}
+
+TEST_F(RobotUrdfTest, RefusesWhatIsNoUrdf) {
+  expectRefused("", "the file cannot be read, or is empty");
+  expectRefused("<robot name='r'>\n<link>\n</robot>",
+                "found no well-formed XML (XML_ERROR_MISMATCHED_ELEMENT), expected a URDF", 2);
+  expectRefused("<house/>", "is not a valid URDF: Could not find the 'robot' element in the xml file");
+}
+
+TEST_F(RobotUrdfTest, RefusesWhatUrdfdomOnlyPrints) {
+  expectRefused("<robot name='r'><link/></robot>", "is not a valid URDF: No name given for the link.");
+  expectRefused(
+      "<robot name='r'><link name='base_link'><collision><geometry><box size='1 "
+      "2'/></geometry></collision></link></robot>",
+      "is not a valid URDF: Parser found 2 elements but 3 expected while parsing vector [1 2]; "
+      "Could not parse collision element for Link [base_link]");
+}
+
+TEST_F(RobotUrdfTest, RefusesAnotherRoot) {
+  expectRefused("<robot name='r'><link name='trunk'/></robot>", "found 'trunk' as the root link, expected 'base_link'");
+}
+
+TEST_F(RobotUrdfTest, RefusesShapesItCannotUse) {
+  expectRefused("<robot name='r'><link name='base_link'/></robot>",
+                "found no collision element, expected at least one: without it the robot has no extent");
+  expectRefused(
+      robot(link("hand", "xyz='0 0 0'", "<collision><geometry><mesh filename='hand.stl'/></geometry></collision>")),
+      "link 'hand': found a mesh as collision geometry, allowed are box, cylinder and sphere");
+  expectRefused(robot(link("hand", "xyz='0 0 0'", "<collision><geometry><sphere radius='0'/></geometry></collision>")),
+                "link 'hand': found collision geometry with a size of 0 or less, expected more");
+}
+
+TEST_F(RobotUrdfTest, RefusesBadWheels) {
+  const std::string left = wheel("left_wheel", "0.08");
+  expectRefused(robot(left), "found a joint 'left_wheel' alone, expected 'left_wheel' and 'right_wheel' or neither");
+  expectRefused(robot(left + wheel("right_wheel", "-0.08", "0 -1 0")),
+                "joint 'right_wheel': found the axis 0 -1 0 in the body frame, expected 0 1 0 (a positive turn drives "
+                "ahead)");
+  expectRefused(robot(left + wheel("right_wheel", "-0.08", "0 1 0", "")),
+                "joint 'right_wheel': found no limit of its velocity, expected one above 0 rad/s");
+  expectRefused(
+      robot(left + wheel("right_wheel", "-0.08", "0 1 0", "<limit effort='1' velocity='10'/>", "<box size='1 1 1'/>")),
+      "link 'right_wheel_link': found no cylinder, expected one as wide as the wheel");
+  expectRefused(
+      robot(left + wheel("right_wheel", "-0.08", "0 1 0", "<limit effort='1' velocity='10' lower='0' upper='1'/>",
+                         "<cylinder radius='0.03' length='0.02'/>", "revolute")),
+      "joint 'right_wheel': expected the type 'continuous'");
+  expectRefused(
+      robot(left + wheel("right_wheel", "-0.07")),
+      "found the wheels at 0 0.08 0.03 and 0 -0.07 0.03, expected them left and right of the body's centre at "
+      "equal distances");
+  expectRefused(robot(left + wheel("right_wheel", "-0.08", "0 1 0", "<limit effort='1' velocity='9'/>")),
+                "found wheels that differ in radius or in limit of velocity, expected equal ones");
+}
+
+TEST_F(RobotUrdfTest, RefusesAGripperThatIsNotAhead) {
+  expectRefused(robot(link("gripper_tip", "xyz='0.1 0.02 0.05'")),
+                "link 'gripper_tip': found it at 0.1 0.02 0.05, expected it straight ahead of the body's centre");
+}
+
+TEST_F(RobotUrdfTest, RefusesBadStrips) {
+  const std::string expected =
+      "link 'gripping_strip': expected one collision element, an upright cylinder around the body's z axis";
+  const std::string cylinder = "<collision><geometry><cylinder radius='0.1' length='0.01'/></geometry></collision>";
+  expectRefused(robot(link("gripping_strip", "xyz='0.1 0 0'", cylinder)), expected);
+  expectRefused(robot(link("gripping_strip", "rpy='1 0 0'", cylinder)), expected);
+  expectRefused(robot(link("gripping_strip", "xyz='0 0 0'", cylinder + cylinder)), expected);
+  expectRefused(robot(link("gripping_strip", "xyz='0 0 0'")),
+                "link 'gripping_strip': found no collision element, expected a cylinder");
+}
+
+TEST_F(RobotUrdfTest, RefusesLedsWithGaps) {
+  const std::string zero = link("led_0", "xyz='0 0 0'");
+  expectRefused(robot(zero + link("led_2", "xyz='0 0 0'")),
+                "found 2 links 'led_...' but no 'led_1', expected them to be numbered from 0 without gaps");
+  std::string many;
+  for (int i = 0; i < 17; ++i) {
+    many += link("led_" + std::to_string(i), "xyz='0 0 0'");
+  }
+  expectRefused(robot(many), "found 17 LEDs, allowed are at most 16");
+}
+
+TEST_F(RobotUrdfTest, NamesAFileThatIsNotThere) {
+  try {
+    loadRobotModel("robot", "/nowhere/robot.urdf");
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(), "/nowhere/robot.urdf: the file cannot be read, or is empty");
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid
