@@ -10,8 +10,8 @@ namespace swarmanoid::test {
 struct BadCase {
   std::string name;
   std::string text;
-  std::string message;               ///< a * stands for anything
-  bool refused_by_schema = false;    ///< an editor with the schema sees the mistake too
+  std::string message;             ///< a * stands for anything
+  bool refused_by_schema = false;  ///< an editor with the schema sees the mistake too
 };
 
 void PrintTo(const BadCase& bad, std::ostream* out);

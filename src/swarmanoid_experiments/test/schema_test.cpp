@@ -82,7 +82,8 @@ TEST(SchemaTest, AcceptsSectionsInAnyOrder) {
 
 TEST(SchemaTest, LetsThroughPluginsThatItDoesNotKnow) {
   std::string text = test::readTestData("good.xml");
-  text.insert(text.find("  </visualisations>"), "<my_plot id=\"plot\" library=\"my_plot\"><color>any</color></my_plot>");
+  text.insert(text.find("  </visualisations>"),
+              "<my_plot id=\"plot\" library=\"my_plot\"><color>any</color></my_plot>");
   EXPECT_TRUE(schemaAccepts(writeFile("own.xml", text)));
 }
 
@@ -106,9 +107,10 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
       }
     }
   }
-  for (const char* name : {"clocktick", "maxclock", "controller_path", "random_seed", "threads", "real_time_factor",
-                           "size", "optimization", "bounded", "floor_patch", "distribute", "quantity", "layout",
-                           "minimum", "maximum", "random_heading", "max_trials", "controller", "role", "library"}) {
+  for (const char* name :
+       {"clocktick",    "maxclock",       "controller_path", "random_seed", "threads",  "real_time_factor", "size",
+        "optimization", "bounded",        "floor_patch",     "distribute",  "quantity", "layout",           "minimum",
+        "maximum",      "random_heading", "max_trials",      "controller",  "role",     "library"}) {
     expect_name(name);
   }
 }

@@ -128,8 +128,8 @@ void readFloorPatch(const XmlElement& element, Reader& reader) {
   patch.radius = values.number("radius");
   patch.size = values.vector2("size");
   patch.color = values.color("color");
-  const bool has_size = patch.size.minCoeff() > 0.0;
-  if ((patch.radius > 0.0) == has_size) {
+  const bool has_size = patch.size != Eigen::Vector2d::Zero();
+  if ((patch.radius > 0.0) == has_size || (has_size && !(patch.size.minCoeff() > 0.0))) {
     element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
                    values.text("size") + "', allowed: one of them greater than 0");
   }

@@ -90,6 +90,9 @@ std::string xmlProblem(const tinyxml2::XMLDocument& document) {
       return "found a closing tag that does not match the open element";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "found a malformed attribute, allowed: name=\"value\", each name once";
+    case tinyxml2::XML_ERROR_PARSING:
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "found a tag that is malformed or never closed";
     default:
       return std::string("found malformed XML (") + tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + ")";
   }
@@ -113,6 +116,7 @@ Experiment experiment::readDocument(const XmlElement& root, Experiment start) {
 
 Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
   using experiment::XmlElement;
+  experiment::checkWellFormed(text, name);
   tinyxml2::XMLDocument document;
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) {
     throw ConfigError({name, document.ErrorLineNum()}, experiment::xmlProblem(document));
@@ -129,7 +133,6 @@ Experiment parseExperiment(const std::string& text, const std::string& name, con
     XmlElement(second, &name)
         .refuse("found <" + std::string(second->Name()) + "> after the root element, allowed: nothing");
   }
-  experiment::checkWellFormed(text, name);
   const auto marks = experiment::applyOverrides(document, overrides);
   Experiment start;
   start.file = name;

@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// Walks over a text that the XML library has accepted, so every construct that begins also ends.
+/// Walks over the text. That every construct ends, and every element where it should, is left to the XML library.
 class Walker {
  public:
   Walker(const std::string& text, const std::string& file) : text_(text), file_(file) {}
