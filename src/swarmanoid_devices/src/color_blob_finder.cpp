@@ -28,21 +28,22 @@ class Finder {
     }
   }
 
-  void look(const Eigen::Vector3d& point, Color color, Row owner) {
+  /// @return whether the point is in sight
+  bool look(const Eigen::Vector3d& point, Color color, Row owner) {
     if (!view_.inView(point)) {
-      return;
+      return false;
     }
     const RayHit hit = space_.castRay({view_.position, point}, view_.self, owner);
     if (hit.row != kNoRow && hit.fraction < 1.0 - kOwnSurface) {
-      return;
+      return false;
     }
     if (count_ < capacity_) {
       const Eigen::Vector2d offset = (point - view_.position).head<2>();
-      blobs_[count_] = {
-          color, static_cast<float>(std::remainder(std::atan2(offset.y(), offset.x()) - view_.heading, 2.0 * M_PI)),
-          static_cast<float>(offset.norm())};
+      const double bearing = std::remainder(std::atan2(offset.y(), offset.x()) - view_.heading, 2.0 * M_PI);
+      blobs_[count_] = {color, static_cast<float>(bearing), static_cast<float>(offset.norm())};
     }
     ++count_;
+    return true;
   }
 
   std::size_t count() const { return count_; }
@@ -85,8 +86,10 @@ std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs
   }
   if (view.sees_floor) {
     for (const FloorPatch& patch : space.floor_patches) {
-      const bool centre_in_view = view.inView(patch.position);
-      finder.look(centre_in_view ? patch.position : patch.nearestPoint(view.position), patch.color, kNoRow);
+      // where its middle is hidden or too far the nearest part stands for the patch
+      if (!finder.look(patch.position, patch.color, kNoRow)) {
+        finder.look(patch.nearestPoint(view.position), patch.color, kNoRow);
+      }
     }
   }
   return finder.count();

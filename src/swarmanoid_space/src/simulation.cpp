@@ -100,6 +100,8 @@ void Simulation::finish() {
   }
 }
 
+std::size_t Simulation::robotCount() const { return cast_->drivers.size(); }
+
 Metrics Simulation::metrics() const {
   Metrics metrics;
   for (const auto& visualisation : cast_->visualisations) {

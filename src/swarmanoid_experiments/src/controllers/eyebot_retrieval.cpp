@@ -35,6 +35,7 @@ class EyebotRetrieval final : public Controller {
     has_chosen_ = false;
     flown_ = Sighting{};
     waypoint_ = Sighting{};
+    nest_place_.reset();
     enter(State::kSearchForPrey);
   }
 
@@ -109,21 +110,21 @@ class EyebotRetrieval final : public Controller {
     }
     pointAt(*prey);
     flyTo(*prey, speed_);
-    if (prey->distance() < kAbove) {
+    if (isGripped(*prey)) {
+      enter(State::kSearchForNest);
+    } else if (prey->distance() < kAbove) {
       enter(State::kWaitForFootbotGripping);
     }
   }
 
   void waitForFootbotGripping() {
-    constexpr double kHoldsPrey = 0.5;  // m from the prey to the blue footbot
     const auto prey = nearestBlob(*camera_, prey_color_);
     if (!prey) {
       return enter(State::kSearchForPrey);
     }
     pointAt(*prey);
     flyTo(*prey, speed_);
-    const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
-    if (footbot && footbot->distanceTo(*prey) < kHoldsPrey) {
+    if (isGripped(*prey)) {
       enter(State::kSearchForNest);
     }
   }
@@ -133,6 +134,11 @@ class EyebotRetrieval final : public Controller {
       return enter(State::kGoToNest);
     }
     if (isFollowed()) {
+      // a nest that was seen at the edge of the view is looked for there
+      if (nest_place_) {
+        waypoint_ = *nest_place_;
+        nest_place_.reset();
+      }
       flyAround(lead_speed_);
     }
   }
@@ -142,9 +148,17 @@ class EyebotRetrieval final : public Controller {
     if (!nest) {
       return enter(State::kSearchForNest);
     }
+    nest_place_ = Sighting{flown_.x + nest->x, flown_.y + nest->y};
     if (isFollowed()) {
       flyTo(*nest, lead_speed_);
     }
+  }
+
+  /// Whether a blue footbot is beside the prey.
+  bool isGripped(const Sighting& prey) const {
+    constexpr double kHoldsPrey = 0.5;  // m from the prey to the footbot
+    const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
+    return footbot && footbot->distanceTo(prey) < kHoldsPrey;
   }
 
   /// Whether the blue footbot is near enough to the spot, which lies straight below, to go on.
@@ -197,9 +211,10 @@ class EyebotRetrieval final : public Controller {
   State state_ = State::kSearchForPrey;
   bool has_chosen_ = false;
   Color prey_color_;
-  double dt_ = 0.0;    // s
-  Sighting flown_;     // from the start, in the frame of the start
-  Sighting waypoint_;  // likewise
+  double dt_ = 0.0;                     // s
+  Sighting flown_;                      // from the start, in the frame of the start
+  Sighting waypoint_;                   // likewise
+  std::optional<Sighting> nest_place_;  // likewise; where the nest was seen last
 };
 
 }  // namespace swarmanoid

@@ -69,6 +69,7 @@ class FootbotRetrieval final : public Controller {
     state_ = state;
     time_in_state_ = 0.0;
     time_unseen_ = 0.0;
+    retreat_time_ = 0.0;
     gripper_->closed = state == State::kGripPrey || state == State::kGoToNest;
     leds_->setAll(state == State::kGoToNest ? colors::kBlue : colors::kBlack);
     robot_->debug("state", nameOf(state));
@@ -78,10 +79,23 @@ class FootbotRetrieval final : public Controller {
     if (signaller_) {
       return enter(State::kAvoidGrippingFootbot);
     }
+    if (time_in_state_ < retreat_time_) {
+      return retreat();
+    }
     if (spot_) {
       return enter(State::kGoToLaser);
     }
     wander();
+  }
+
+  /// Makes room after a failed grip, so that not everybody stands around the prey in everybody's way.
+  void retreat() {
+    constexpr double kBackwards = 1.0;  // s
+    if (time_in_state_ < kBackwards) {
+      DifferentialDrive::drive(*wheels_, -speed_, 0.0);
+    } else {
+      wander();
+    }
   }
 
   void goToLaser() {
@@ -118,7 +132,9 @@ class FootbotRetrieval final : public Controller {
     }
     const std::optional<Sighting> prey = preyAtSpot();
     if (!prey || time_in_state_ > kGiveUp) {
-      return enter(State::kSearchForLaser);
+      enter(State::kSearchForLaser);
+      retreat_time_ = robot_->random().uniform(2.0, 10.0);
+      return;
     }
     const double bearing = prey->bearing();
     if (std::abs(bearing) > kAligned) {
@@ -226,6 +242,7 @@ class FootbotRetrieval final : public Controller {
   State state_ = State::kSearchForLaser;
   double time_in_state_ = 0.0;  // s
   double time_unseen_ = 0.0;    // s without what the state looks for
+  double retreat_time_ = 0.0;   // s at the start of Search for Laser in which the spot does not matter
   double dt_ = 0.0;             // s
   double turn_rate_ = 0.0;      // rad/s, while wandering
   double last_bearing_ = 0.0;   // rad, of the spot

@@ -64,6 +64,8 @@ class Simulation {
   const Space& space() const { return space_; }
   const PhaseTimes& phaseTimes() const { return phase_times_; }
   const std::vector<ControllerFailure>& failures() const { return failures_; }
+  /// Robots that have a controller.
+  std::size_t robotCount() const;
   std::uint64_t stateHash() const { return swarmanoid::stateHash(space_); }
   Metrics metrics() const;
   /// What the visualisations that judge it agree on; nothing if none judges.

@@ -1,0 +1,20 @@
+/// The subcommands of the program `swarmanoid`. Each adds itself to the command line; what it returns is the exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace swarmanoid::program {
+
+using Command = std::function<int()>;
+
+/// `run FILE`: runs an experiment without ROS.
+Command addRunCommand(CLI::App& app);
+/// `validate FILE`: reads an experiment file, builds it, and says what is wrong.
+Command addValidateCommand(CLI::App& app);
+/// `list [KIND]`: what can be named in an experiment file.
+Command addListCommand(CLI::App& app);
+/// `schema`: the XSD of experiment files.
+Command addSchemaCommand(CLI::App& app);
+
+}  // namespace swarmanoid::program

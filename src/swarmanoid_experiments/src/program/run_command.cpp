@@ -1,0 +1,163 @@
+// `swarmanoid run` and `swarmanoid validate`.
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+
+#include "commands.hpp"
+#include "experiment_lookup.hpp"
+#include "progress_bar.hpp"
+#include "run_summary.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid::program {
+namespace {
+
+volatile std::sig_atomic_t interrupted = 0;
+
+void interrupt(int) { interrupted = 1; }
+
+struct RunOptions {
+  std::string file;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> ticks;
+  std::optional<int> threads;
+  std::vector<std::string> settings;
+  std::string out;
+  std::string bag;
+  std::string hashes;
+  bool quiet = false;
+};
+
+std::vector<Override> overridesOf(const RunOptions& options) {
+  std::vector<Override> overrides;
+  for (const std::string& setting : options.settings) {
+    const auto equals = setting.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw ConfigError({}, "--set: found '" + setting + "', allowed: path=value");
+    }
+    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+  }
+  return overrides;
+}
+
+Experiment readExperiment(const RunOptions& options) {
+  loadBuiltInPlugins();
+  Experiment experiment = swarmanoid::readExperiment(findExperiment(options.file), overridesOf(options));
+  for (const std::string& warning : takeExperimentWarnings()) {
+    std::cerr << "swarmanoid: warning: " << warning << '\n';
+  }
+  experiment.framework.seed = options.seed.value_or(experiment.framework.seed);
+  experiment.framework.max_clock = options.ticks.value_or(experiment.framework.max_clock);
+  experiment.framework.threads = options.threads.value_or(experiment.framework.threads);
+  return experiment;
+}
+
+/// A visualisation that the command line asks for, not the file.
+void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& label,
+                        const std::string& library, const std::string& file) {
+  if (!library.empty()) {
+    loadPluginLibrary(library, {}, {});
+  }
+  auto visualisation = makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, label));
+  Configuration parameters(label, "", {});
+  parameters.set("file", std::filesystem::absolute(file).string());
+  RunContext own_context = context;
+  own_context.experiment = &simulation.experiment();
+  visualisation->configure("command_line_" + label, parameters, own_context);
+  simulation.addVisualisation(visualisation);
+}
+
+int runToEnd(Simulation& simulation, const RunOptions& options) {
+  ProgressBar bar(simulation.experiment().name, simulation.experiment().framework.max_clock, options.quiet);
+  double robot_ticks = 0.0;
+  int code = kFinished;
+  const auto start = std::chrono::steady_clock::now();
+  try {
+    simulation.start();
+    while (!simulation.isFinished() && interrupted == 0) {
+      simulation.tick();
+      robot_ticks += static_cast<double>(simulation.robotCount());
+      bar.show(simulation.space().tick);
+    }
+  } catch (const std::exception& error) {
+    std::cerr << "swarmanoid: stopped in tick " << simulation.space().tick << ": " << error.what() << '\n';
+    code = kEngineStopped;
+  }
+  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  bar.finish(simulation.space().tick);
+  if (code == kFinished && interrupted != 0) {
+    code = kInterrupted;
+  } else if (code == kFinished && !simulation.failures().empty()) {
+    code = kControllerFailed;
+  }
+  const bool finished = simulation.isFinished();
+  simulation.finish();
+  std::cout << summarise(simulation, finished, wall_s, robot_ticks).dump() << std::endl;
+  return code;
+}
+
+int run(const RunOptions& options) {
+  RunContext context;
+  context.out_folder = options.out;
+  if (!options.out.empty()) {
+    std::filesystem::create_directories(options.out);
+  }
+  Simulation simulation(readExperiment(options), context);
+  if (!options.hashes.empty()) {
+    addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);
+  }
+  if (!options.bag.empty()) {
+    addFromCommandLine(simulation, context, "rosbag_recorder", "swarmanoid_recording", options.bag);
+  }
+  simulation.setLogSink([&](LogLevel level, const std::string& robot, const std::string& text) {
+    if (!options.quiet || level == LogLevel::kError) {
+      std::cerr << '\n' << robot << ": " << text << '\n';
+    }
+  });
+  std::signal(SIGINT, interrupt);
+  std::signal(SIGTERM, interrupt);
+  return runToEnd(simulation, options);
+}
+
+void addCommonOptions(CLI::App& command, RunOptions& options) {
+  command.add_option("file", options.file, "an experiment file, or the name of an installed experiment")->required();
+  command.add_option("--set", options.settings, "path=value: replaces what the file says (can be given again)");
+}
+
+}  // namespace
+
+Command addRunCommand(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "run an experiment without ROS");
+  addCommonOptions(*command, *options);
+  command->add_option("--seed", options->seed, "random seed, instead of the file's");
+  command->add_option("--ticks", options->ticks, "ticks at the most, instead of maxclock")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
+  command->add_option("--threads", options->threads, "threads; results do not depend on it")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--out", options->out, "folder for the files that visualisations write");
+  command->add_option("--bag", options->bag, "record a rosbag");
+  command->add_option("--hashes", options->hashes, "write the state hash of every tick");
+  command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
+  return [options] { return run(*options); };
+}
+
+Command addValidateCommand(CLI::App& app) {
+  auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("validate", "read and build an experiment, and say what is wrong");
+  addCommonOptions(*command, *options);
+  return [options] {
+    // outputs of visualisations must not be touched by a mere check
+    Experiment experiment = readExperiment(*options);
+    experiment.visualisations.clear();
+    const std::string file = experiment.file;
+    const Simulation simulation(std::move(experiment));
+    std::cout << file << ": valid, " << simulation.space().entities.size() << " entities, " << simulation.robotCount()
+              << " robots\n";
+    return static_cast<int>(kFinished);
+  };
+}
+
+}  // namespace swarmanoid::program

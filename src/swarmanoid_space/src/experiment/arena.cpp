@@ -1,0 +1,188 @@
+// <arena>: what stands where.
+#include <algorithm>
+#include <cmath>
+
+#include "reader.hpp"
+#include "swarmanoid_space/entity_type.hpp"
+
+namespace swarmanoid::experiment {
+namespace {
+
+constexpr double kRadPerDeg = M_PI / 180.0;
+
+const ControllerDescription& findController(const XmlElement& element, const std::string& type, const Reader& reader) {
+  std::vector<std::string> known;
+  for (const ControllerDescription& controller : reader.experiment.controllers) {
+    if (controller.id == element.text()) {
+      return controller;
+    }
+    known.push_back(controller.id);
+  }
+  element.refuse("controller of a " + type + ": " + unknownName("the id", element.text(), known));
+}
+
+/// Every device that the controller uses must be one that such a robot has.
+void checkDevices(const XmlElement& element, const std::string& type, const ControllerDescription& controller) {
+  const auto check = [&](PluginKind kind, const std::vector<DeviceDescription>& devices) {
+    for (const DeviceDescription& device : devices) {
+      const auto& robots = Registry::instance().find(kind, device.type, device.implementation)->description.robots;
+      if (!robots.empty() && std::find(robots.begin(), robots.end(), type) == robots.end()) {
+        element.refuse("controller '" + controller.id + "' uses the " + toString(kind) + " '" + device.type +
+                       "', which a " + type + " does not have; it is for: " + joinNames(robots));
+      }
+    }
+  };
+  check(PluginKind::kActuator, controller.actuators);
+  check(PluginKind::kSensor, controller.sensors);
+}
+
+std::vector<std::string> arenaTags() {
+  std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
+  tags.insert(tags.end(), {"floor_patch", "distribute"});
+  return tags;
+}
+
+EntityDescription readEntity(const XmlElement& element, bool is_distributed, Reader& reader) {
+  element.allowAttributes({"id"});
+  const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEntity, element, "");
+  EntityDescription entity;
+  entity.location = element.location();
+  entity.type = entry.description.label;
+  entity.id = element.requireAttribute("id");
+  reader.takeId("entity", entity.id, element);
+
+  std::vector<Parameter> table = entry.description.parameters;
+  for (Parameter placement : placementParameters()) {
+    if (is_distributed) {
+      placement.value = "0, 0, 0";
+    }
+    if (!is_distributed || placement.name != "position") {
+      table.push_back(placement);
+    }
+  }
+  const bool is_robot = makePlugin<EntityType>(entry)->isRobot();
+  entity.parameters =
+      readParameters(element, table, is_robot ? std::vector<std::string>{"controller"} : std::vector<std::string>{});
+  entity.position = is_distributed ? Eigen::Vector3d(0, 0, 0) : entity.parameters.vector3("position");
+  entity.angles = entity.parameters.vector3("orientation") * kRadPerDeg;
+  entity.color = entity.parameters.color("color", colors::kBlack);
+  if (const auto controller = element.child("controller")) {
+    controller->allowAttributes({});
+    const ControllerDescription& found = findController(*controller, entity.type, reader);
+    checkDevices(*controller, entity.type, found);
+    entity.controller = found.id;
+  }
+  return entity;
+}
+
+void readDistribute(const XmlElement& element, Reader& reader) {
+  element.allowAttributes(distributeAttributes());
+  std::vector<std::string> entity_tags = Registry::instance().labels(PluginKind::kEntity);
+  const Configuration values = readParameters(element, distributeParameters(), entity_tags);
+  Distribution distribution;
+  distribution.quantity = static_cast<std::size_t>(
+      parseInteger(element.requireAttribute("quantity"), "quantity", element.location(), {1.0, 1e7}));
+  Parameter layout = makeParameter("layout", Parameter::Type::kChoice, "", "uniform", {}, "");
+  layout.choices = {"uniform", "grid"};
+  const std::string layout_name = element.attribute("layout").value_or("uniform");
+  checkValue(layout, layout_name, element.location());
+  distribution.layout = layout_name == "grid" ? Distribution::Layout::kGrid : Distribution::Layout::kUniform;
+  distribution.minimum = values.vector3("minimum");
+  distribution.maximum = values.vector3("maximum");
+  if (!((distribution.maximum - distribution.minimum).minCoeff() >= 0.0)) {
+    element.child("maximum")->refuse("maximum: found '" + values.text("maximum") +
+                                     "', allowed: nothing below minimum, '" + values.text("minimum") + "'");
+  }
+  distribution.random_heading = values.boolean("random_heading");
+  distribution.max_trials = static_cast<int>(values.integer("max_trials"));
+
+  std::vector<EntityDescription> prototypes;
+  for (const XmlElement& child : element.children()) {
+    if (std::find(entity_tags.begin(), entity_tags.end(), child.name()) != entity_tags.end()) {
+      prototypes.push_back(readEntity(child, true, reader));
+    }
+  }
+  if (prototypes.size() != 1) {
+    element.refuse("found " + std::to_string(prototypes.size()) + " entities in <distribute>, allowed: one");
+  }
+  prototypes[0].distribution = distribution;
+  for (std::size_t k = 1; k <= distribution.quantity; ++k) {
+    reader.takeId("entity", prototypes[0].id + "_" + std::to_string(k), element);
+  }
+  reader.experiment.arena.entities.push_back(std::move(prototypes[0]));
+}
+
+void readFloorPatch(const XmlElement& element, Reader& reader) {
+  element.allowAttributes({"id"});
+  FloorPatch patch;
+  patch.location = element.location();
+  patch.id = element.requireAttribute("id");
+  reader.takeId("entity", patch.id, element);
+  const Configuration values = readParameters(element, floorPatchParameters());
+  patch.position = values.vector3("position");
+  patch.radius = values.number("radius");
+  patch.size = values.vector3("size").head<2>();
+  patch.color = values.color("color");
+  const bool has_size = patch.size.minCoeff() > 0.0;
+  if ((patch.radius > 0.0) == has_size) {
+    element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
+                   values.text("size") + "', allowed: one of them greater than 0");
+  }
+  reader.experiment.arena.floor_patches.push_back(patch);
+}
+
+}  // namespace
+
+void readArena(const XmlElement& section, Reader& reader) {
+  section.allowAttributes(arenaAttributes());
+  ArenaDescription& arena = reader.experiment.arena;
+  arena.location = section.location();
+  const std::string size = section.requireAttribute("size");
+  const std::vector<double> lengths = parseNumbers(size, 3, "size", section.location());
+  arena.size = {lengths[0], lengths[1], lengths[2]};
+  if (!(arena.size.minCoeff() > 0.0)) {
+    section.refuse("size: found '" + size + "', allowed: three numbers greater than 0");
+  }
+  Parameter optimization = makeParameter("optimization", Parameter::Type::kChoice, "", std::nullopt, {}, "");
+  optimization.choices = {"2D", "3D"};
+  const std::string chosen = section.requireAttribute("optimization");
+  checkValue(optimization, chosen, section.location());
+  arena.optimization = chosen == "3D" ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
+  arena.bounded = parseBoolean(section.attribute("bounded").value_or("false"), "bounded", section.location());
+
+  section.allowChildren(arenaTags());
+  for (const XmlElement& element : section.children()) {
+    if (element.name() == "distribute") {
+      readDistribute(element, reader);
+    } else if (element.name() == "floor_patch") {
+      readFloorPatch(element, reader);
+    } else {
+      arena.entities.push_back(readEntity(element, false, reader));
+    }
+  }
+}
+
+}  // namespace swarmanoid::experiment
+
+namespace swarmanoid {
+
+bool FloorPatch::contains(const Eigen::Vector3d& point) const {
+  const Eigen::Vector2d offset = (point - position).head<2>();
+  if (radius > 0.0) {
+    return offset.norm() <= radius;
+  }
+  return std::abs(offset.x()) <= 0.5 * size.x() && std::abs(offset.y()) <= 0.5 * size.y();
+}
+
+Eigen::Vector3d FloorPatch::nearestPoint(const Eigen::Vector3d& point) const {
+  Eigen::Vector2d offset = (point - position).head<2>();
+  if (radius > 0.0) {
+    const double distance = offset.norm();
+    offset *= distance > radius ? radius / distance : 1.0;
+  } else {
+    offset = offset.cwiseMax(-0.5 * size).cwiseMin(0.5 * size);
+  }
+  return position + Eigen::Vector3d(offset.x(), offset.y(), 0.0);
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,90 @@
+// <controllers>: which controllers there are, with their devices.
+#include <algorithm>
+
+#include "reader.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid::experiment {
+namespace {
+
+/// The thesis spells its sample controller in two ways.
+std::string withoutAlias(const std::string& name) {
+  return name == "footbot_sample_controller" ? "sample_footbot_controller" : name;
+}
+
+std::vector<std::string> implementationsOf(PluginKind kind, const std::string& type) {
+  std::vector<std::string> names;
+  for (const Registry::Entry* entry : Registry::instance().all(kind)) {
+    if (entry->description.label == type) {
+      names.push_back(entry->description.implementation);
+    }
+  }
+  return names;
+}
+
+DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader& reader) {
+  element.allowAttributes({"library"});
+  DeviceDescription device;
+  device.library = element.attribute("library").value_or("");
+  device.location = element.location();
+  const Registry::Entry* entry = &reader.requirePlugin(kind, element, device.library);
+  device.type = entry->description.label;
+  if (const auto implementation = element.child("implementation")) {
+    implementation->allowAttributes({});
+    const std::string name = implementation->text();
+    entry = name.empty() ? nullptr : Registry::instance().find(kind, device.type, name);
+    if (entry == nullptr) {
+      implementation->refuse(unknownName("implementation", name, implementationsOf(kind, device.type)));
+    }
+  }
+  device.implementation = entry->description.implementation;
+  device.parameters = readParameters(element, entry->description.parameters, {"implementation"});
+  return device;
+}
+
+std::vector<DeviceDescription> readDevices(PluginKind kind, const XmlElement& section, Reader& reader) {
+  section.allowAttributes({});
+  section.refuseText();
+  std::vector<DeviceDescription> devices;
+  for (const XmlElement& element : section.children()) {
+    devices.push_back(readDevice(kind, element, reader));
+    const auto same = [&](const DeviceDescription& other) { return other.type == devices.back().type; };
+    if (std::count_if(devices.begin(), devices.end(), same) > 1) {
+      element.refuse("found a second " + std::string(toString(kind)) + " '" + devices.back().type + "', allowed: one");
+    }
+  }
+  return devices;
+}
+
+}  // namespace
+
+void readControllers(const XmlElement& section, Reader& reader) {
+  section.allowAttributes({});
+  section.refuseText();
+  for (const XmlElement& element : section.children()) {
+    element.allowAttributes(pluginAttributes());
+    ControllerDescription controller;
+    controller.location = element.location();
+    controller.id = element.requireAttribute("id");
+    reader.takeId("controller", controller.id, element);
+    controller.label = withoutAlias(element.name());
+    controller.library = withoutAlias(element.attribute("library").value_or(controller.label));
+    loadPluginLibrary(controller.library, reader.experiment.framework.controller_path, element.location());
+    if (Registry::instance().find(PluginKind::kController, controller.label) == nullptr) {
+      element.refuse(unknownName("controller", element.name(), Registry::instance().labels(PluginKind::kController)));
+    }
+    element.allowChildren({"actuators", "sensors", "parameters"});
+    if (const auto actuators = element.child("actuators")) {
+      controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);
+    }
+    if (const auto sensors = element.child("sensors")) {
+      controller.sensors = readDevices(PluginKind::kSensor, *sensors, reader);
+    }
+    const auto parameters = element.child("parameters");
+    controller.parameters =
+        parameters ? parameters->toConfiguration() : Configuration("parameters", "", element.location());
+    reader.experiment.controllers.push_back(std::move(controller));
+  }
+}
+
+}  // namespace swarmanoid::experiment

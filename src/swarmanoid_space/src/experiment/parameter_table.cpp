@@ -1,0 +1,146 @@
+#include "parameter_table.hpp"
+
+#include <algorithm>
+
+namespace swarmanoid::experiment {
+
+void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location) {
+  switch (parameter.type) {
+    case Parameter::Type::kNumber:
+    case Parameter::Type::kAngle:
+      parseNumber(text, parameter.name, location, parameter.range);
+      break;
+    case Parameter::Type::kInteger:
+      parseInteger(text, parameter.name, location, parameter.range);
+      break;
+    case Parameter::Type::kBoolean:
+      parseBoolean(text, parameter.name, location);
+      break;
+    case Parameter::Type::kVector3:
+    case Parameter::Type::kAngles3:
+      parseNumbers(text, 3, parameter.name, location);
+      break;
+    case Parameter::Type::kColor:
+      parseColorOrThrow(text, parameter.name, location);
+      break;
+    case Parameter::Type::kChoice:
+      if (std::find(parameter.choices.begin(), parameter.choices.end(), text) == parameter.choices.end()) {
+        throw ConfigError(location, parameter.name + ": " + unknownName("the value", text, parameter.choices));
+      }
+      break;
+    case Parameter::Type::kText:
+      break;
+  }
+}
+
+Configuration readParameters(const XmlElement& element, const std::vector<Parameter>& table,
+                             const std::vector<std::string>& others) {
+  std::vector<std::string> names;
+  for (const Parameter& parameter : table) {
+    names.push_back(parameter.name);
+  }
+  std::vector<std::string> allowed = names;
+  allowed.insert(allowed.end(), others.begin(), others.end());
+  element.allowChildren(allowed);
+
+  Configuration result(element.name(), "", element.location());
+  for (const Parameter& parameter : table) {
+    if (const auto child = element.child(parameter.name.c_str())) {
+      child->allowAttributes({});
+      checkValue(parameter, child->text(), child->location());
+      result.add(Configuration(parameter.name, child->text(), child->location()));
+    } else if (parameter.value) {
+      result.add(Configuration(parameter.name, *parameter.value, element.location()));
+    } else {
+      element.refuse("<" + element.name() + "> needs <" + parameter.name + ">");
+    }
+  }
+  return result;
+}
+
+Parameter makeParameter(const std::string& name, Parameter::Type type, const std::string& unit,
+                        std::optional<std::string> value, Range range, const std::string& description) {
+  Parameter parameter;
+  parameter.name = name;
+  parameter.type = type;
+  parameter.unit = unit;
+  parameter.value = std::move(value);
+  parameter.range = range;
+  parameter.description = description;
+  return parameter;
+}
+
+const std::vector<Parameter>& frameworkParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("clocktick", Type::kNumber, "ms", std::nullopt, {0.001, 1e6}, "Duration of a tick."),
+      makeParameter("maxclock", Type::kInteger, "ticks", std::nullopt, {1.0, 1e15},
+                    "Ticks after which the run is finished."),
+      makeParameter("controller_path", Type::kText, "", "", {},
+                    "Folders, separated by colons, that libraries are looked for in first."),
+      makeParameter("random_seed", Type::kInteger, "", "1", {0.0, 9e15}, "Seed of all random numbers."),
+      makeParameter("threads", Type::kInteger, "", "1", {1.0, 1024.0},
+                    "Threads that the run may use; results do not depend on it."),
+      makeParameter("real_time_factor", Type::kNumber, "", "0", {0.0, 1e6},
+                    "Simulated seconds for each real one; 0: as fast as possible. Headless runs ignore it.")};
+  return table;
+}
+
+const std::vector<Parameter>& placementParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the entity's origin."),
+      makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, {},
+                    "Turns about the space's x, then y, then z axis.")};
+  return table;
+}
+
+const std::vector<Parameter>& floorPatchParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the patch's centre."),
+      makeParameter("radius", Type::kNumber, "m", "0", {0.0, 1e6}, "Of a disc; 0: a rectangle of <size>."),
+      makeParameter("size", Type::kVector3, "m", "0, 0, 0", {}, "Of a rectangle along x and y; the third is not used."),
+      makeParameter("color", Type::kColor, "", "gray", {}, "As cameras see it.")};
+  return table;
+}
+
+const std::vector<Parameter>& distributeParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("minimum", Type::kVector3, "m", std::nullopt, {}, "Smallest coordinates of the origins."),
+      makeParameter("maximum", Type::kVector3, "m", std::nullopt, {}, "Largest coordinates of the origins."),
+      makeParameter("random_heading", Type::kBoolean, "", "true", {},
+                    "Headings uniform about z; otherwise all as <orientation> says."),
+      makeParameter("max_trials", Type::kInteger, "", "100", {1.0, 1e6},
+                    "Random places tried for each entity before it is an error.")};
+  return table;
+}
+
+const std::vector<std::string>& arenaAttributes() {
+  static const std::vector<std::string> names{"size", "optimization", "bounded"};
+  return names;
+}
+
+const std::vector<std::string>& pluginAttributes() {
+  static const std::vector<std::string> names{"id", "library"};
+  return names;
+}
+
+const std::vector<std::string>& distributeAttributes() {
+  static const std::vector<std::string> names{"quantity", "layout"};
+  return names;
+}
+
+const std::vector<std::string>& memberAttributes() {
+  static const std::vector<std::string> names{"id", "role"};
+  return names;
+}
+
+const std::vector<std::string>& sections() {
+  static const std::vector<std::string> names{"framework",     "controllers",    "arena",         "engines",
+                                              "arena_physics", "visualisations", "visualizations"};
+  return names;
+}
+
+}  // namespace swarmanoid::experiment

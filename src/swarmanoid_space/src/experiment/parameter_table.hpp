@@ -1,0 +1,42 @@
+/// Reading the values of an element by a table of parameters, the same tables that the schema is made from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/registry.hpp"
+#include "xml_element.hpp"
+
+namespace swarmanoid::experiment {
+
+/// Reads each child element that the table knows, checks it, and fills in defaults for those that are not there.
+/// @param others child elements that are allowed too and left alone
+/// @throws ConfigError for an unknown, doubled, missing or malformed value
+Configuration readParameters(const XmlElement& element, const std::vector<Parameter>& table,
+                             const std::vector<std::string>& others = {});
+
+/// Checks one value against its parameter. @throws ConfigError
+void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location);
+
+/// Short ways to write a table.
+Parameter makeParameter(const std::string& name, Parameter::Type type, const std::string& unit,
+                        std::optional<std::string> value, Range range, const std::string& description);
+
+// The tables of the sections themselves.
+const std::vector<Parameter>& frameworkParameters();
+/// Of every entity that is placed by hand.
+const std::vector<Parameter>& placementParameters();
+/// Of <floor_patch>; `radius` and `size` exclude each other.
+const std::vector<Parameter>& floorPatchParameters();
+/// Of <distribute>; quantity and layout are attributes.
+const std::vector<Parameter>& distributeParameters();
+
+/// Attributes of the elements that have fixed ones.
+const std::vector<std::string>& arenaAttributes();
+const std::vector<std::string>& pluginAttributes();
+const std::vector<std::string>& distributeAttributes();
+const std::vector<std::string>& memberAttributes();
+/// The sections of <ahss-config>; the last is an alias.
+const std::vector<std::string>& sections();
+
+}  // namespace swarmanoid::experiment

@@ -1,0 +1,42 @@
+/// What the readers of the sections share, and the readers themselves, one file each.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "parameter_table.hpp"
+#include "swarmanoid_space/experiment.hpp"
+#include "xml_element.hpp"
+
+namespace swarmanoid::experiment {
+
+/// The experiment under construction, and what its parts must not collide with.
+struct Reader {
+  Experiment experiment;
+  std::map<std::string, SourceLocation> ids;  ///< of controllers, entities, patches, engines, visualisations, by kind
+  std::vector<std::string> warnings;
+
+  /// @throws ConfigError if the id is taken within its kind ("controller", "entity", "engine", "visualisation")
+  void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
+
+  /// The registry's entry for a tag; loads `library` first if it is not empty.
+  /// @throws ConfigError naming what there is
+  const Registry::Entry& requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library);
+};
+
+void readFramework(const XmlElement& section, Reader& reader);
+void readControllers(const XmlElement& section, Reader& reader);
+void readArena(const XmlElement& section, Reader& reader);
+void readEngines(const XmlElement& section, Reader& reader);
+void readArenaPhysics(const XmlElement& section, Reader& reader);
+void readVisualisations(const XmlElement& section, Reader& reader);
+
+/// Ids that end up in file names, topics and frames: letters, digits and _, a letter first.
+/// @throws ConfigError
+void checkName(const std::string& id, const XmlElement& element);
+
+/// Sets values in the document before it is read. @throws ConfigError for a path that leads nowhere
+void applyOverrides(tinyxml2::XMLDocument& document, const std::vector<Override>& overrides);
+
+}  // namespace swarmanoid::experiment
