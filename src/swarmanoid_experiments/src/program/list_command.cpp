@@ -2,7 +2,6 @@
 #include <iostream>
 
 #include "commands.hpp"
-#include "experiment_lookup.hpp"
 #include "run_summary.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment.hpp"
