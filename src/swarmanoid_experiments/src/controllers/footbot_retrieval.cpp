@@ -32,6 +32,10 @@ class FootbotRetrieval final : public Controller {
     time_in_state_ += dt_;
     spot_ = nearestBlob(*camera_, colors::kRed);
     signaller_ = nearestBlob(*camera_, colors::kBlue);
+    if (wiggle_time_ > 0.0) {
+      wiggle_time_ -= dt_;
+      return DifferentialDrive::drive(*wheels_, wiggle_speed_, wiggle_turn_rate_);
+    }
     switch (state_) {
       case State::kSearchForLaser:
         return searchForLaser();
@@ -158,6 +162,7 @@ class FootbotRetrieval final : public Controller {
         DifferentialDrive::drive(*wheels_, 0.0, 0.0);
       } else {
         DifferentialDrive::steer(*wheels_, last_bearing_, 0.6 * speed_);
+        noticeJam(spot_->distance());
       }
       return;
     }
@@ -222,12 +227,41 @@ class FootbotRetrieval final : public Controller {
   bool avoidObstacle() {
     constexpr double kThreshold = 0.05;
     constexpr double kTurnRate = 1.5;  // rad/s
+    constexpr double kJammed = 3.0;    // s: a free robot has turned away by then
     const ObstacleVector obstacle(*proximity_);
     if (obstacle.length() < kThreshold || obstacle.x < 0.0) {
+      time_avoiding_ = 0.0;
       return false;
+    }
+    time_avoiding_ += dt_;
+    if (time_avoiding_ > kJammed) {
+      time_avoiding_ = 0.0;
+      wiggle();
     }
     DifferentialDrive::drive(*wheels_, 0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
     return true;
+  }
+
+  /// Whatever way, for a moment: how a jam between robots is undone when nobody knows how it holds.
+  void wiggle() {
+    wiggle_time_ = robot_->random().uniform(0.5, 1.5);
+    wiggle_speed_ = robot_->random().uniform(-speed_, 0.5 * speed_);
+    wiggle_turn_rate_ = robot_->random().uniform(-1.5, 1.5);
+  }
+
+  /// While the spot waits and comes no nearer, the way is barred.
+  void noticeJam(double spot_distance) {
+    constexpr double kNearer = 0.02;  // m
+    constexpr double kJammed = 8.0;   // s
+    if (spot_distance < best_distance_ - kNearer || spot_distance > best_distance_ + 0.2) {
+      best_distance_ = spot_distance;
+      time_barred_ = 0.0;
+    }
+    time_barred_ += dt_;
+    if (time_barred_ > kJammed) {
+      time_barred_ = 0.0;
+      wiggle();
+    }
   }
 
   Robot* robot_ = nullptr;
@@ -240,12 +274,18 @@ class FootbotRetrieval final : public Controller {
   double speed_ = 0.0;  // m/s
 
   State state_ = State::kSearchForLaser;
-  double time_in_state_ = 0.0;  // s
-  double time_unseen_ = 0.0;    // s without what the state looks for
-  double retreat_time_ = 0.0;   // s at the start of Search for Laser in which the spot does not matter
-  double dt_ = 0.0;             // s
-  double turn_rate_ = 0.0;      // rad/s, while wandering
-  double last_bearing_ = 0.0;   // rad, of the spot
+  double time_in_state_ = 0.0;     // s
+  double time_unseen_ = 0.0;       // s without what the state looks for
+  double retreat_time_ = 0.0;      // s at the start of Search for Laser in which the spot does not matter
+  double time_avoiding_ = 0.0;     // s of turning away without success
+  double time_barred_ = 0.0;       // s since the spot came nearer
+  double best_distance_ = 0.0;     // m to the spot, since it was last jammed
+  double wiggle_time_ = 0.0;       // s left
+  double wiggle_speed_ = 0.0;      // m/s
+  double wiggle_turn_rate_ = 0.0;  // rad/s
+  double dt_ = 0.0;                // s
+  double turn_rate_ = 0.0;         // rad/s, while wandering
+  double last_bearing_ = 0.0;      // rad, of the spot
   std::optional<Sighting> spot_;
   std::optional<Sighting> signaller_;
 };
