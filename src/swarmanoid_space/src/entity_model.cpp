@@ -40,12 +40,31 @@ double reachFromOrigin(const CollisionShape& shape) {
   return centre.norm() + half.x();
 }
 
+/// Distance of the shape's farthest point from body z [m].
+double reachFromAxis(const CollisionShape& shape) {
+  const Vector3d& half = shape.half_extent;
+  const double offset = std::hypot(shape.position.x(), shape.position.y());
+  const bool is_upright = std::abs((shape.orientation * Vector3d::UnitZ()).z()) > 1.0 - 1e-9;
+  if (shape.kind == CollisionShape::Kind::kSphere || (shape.kind == CollisionShape::Kind::kCylinder && is_upright)) {
+    return offset + half.x();
+  }
+  double reach = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d signs((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                         (corner & 4) != 0 ? 1.0 : -1.0);
+    const Vector3d point = shape.position + shape.orientation * half.cwiseProduct(signs);
+    reach = std::max(reach, std::hypot(point.x(), point.y()));
+  }
+  return reach;
+}
+
 }  // namespace
 
 void EntityModel::measureShapes() {
   lowest = 0.0;
   highest = 0.0;
   bounding_radius = 0.0;
+  horizontal_radius = 0.0;
   if (!shapes.empty()) {
     lowest = std::numeric_limits<double>::infinity();
     highest = -lowest;
@@ -55,6 +74,7 @@ void EntityModel::measureShapes() {
     lowest = std::min(lowest, shape.position.z() - reach);
     highest = std::max(highest, shape.position.z() + reach);
     bounding_radius = std::max(bounding_radius, reachFromOrigin(shape));
+    horizontal_radius = std::max(horizontal_radius, reachFromAxis(shape));
   }
 }
 

@@ -16,6 +16,20 @@ int clampedCell(double coordinate, double inverse_cell_size, int count) {
   return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
 }
 
+/// Of an entity's shapes, in W.
+Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
+  Eigen::AlignedBox3d bounds(pose.position);
+  for (const CollisionShape& shape : model.shapes) {
+    const Eigen::Matrix3d turn = (pose.orientation * shape.orientation).toRotationMatrix();
+    const Eigen::Vector3d centre = pose.position + pose.orientation * shape.position;
+    const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
+    const Eigen::Vector3d extent = is_sphere ? Eigen::Vector3d(Eigen::Vector3d::Constant(shape.half_extent.x()))
+                                             : Eigen::Vector3d(turn.cwiseAbs() * shape.half_extent);
+    bounds.extend(centre - extent).extend(centre + extent);
+  }
+  return bounds;
+}
+
 }  // namespace
 
 void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities) {
@@ -48,17 +62,17 @@ std::size_t PositionalIndex::flat(const Cell& cell) const {
 
 void PositionalIndex::rebuild(const Entities& entities) {
   // counting sort by cell: count, prefix sums, place
+  constexpr std::uint32_t kLarge = ~0U;
   large_items_.clear();
   largest_small_radius_ = 0.0;
   std::fill(first_item_.begin(), first_item_.end(), 0U);
-  constexpr std::uint32_t kLarge = ~0U;
   cell_of_entity_.resize(entities.order.size());
   for (std::size_t k = 0; k < entities.order.size(); ++k) {
     const auto i = static_cast<std::size_t>(entities.order[k]);
     const double radius = entities.model[i]->bounding_radius;
     if (radius > cell_size_) {
       cell_of_entity_[k] = kLarge;
-      large_items_.push_back({entities.pose[i].position, radius, entities.order[k]});
+      large_items_.push_back({boundsOf(*entities.model[i], entities.pose[i]), entities.order[k]});
       continue;
     }
     largest_small_radius_ = std::max(largest_small_radius_, radius);
@@ -73,21 +87,27 @@ void PositionalIndex::rebuild(const Entities& entities) {
   items_.resize(sum);
   for (std::size_t k = entities.order.size(); k-- > 0;) {
     if (cell_of_entity_[k] != kLarge) {
-      const auto i = static_cast<std::size_t>(entities.order[k]);
-      items_[--first_item_[cell_of_entity_[k]]] = {entities.pose[i].position, entities.model[i]->bounding_radius,
-                                                   entities.order[k]};
+      items_[--first_item_[cell_of_entity_[k]]] = itemOf(entities, entities.order[k]);
     }
   }
 }
 
+PositionalIndex::Item PositionalIndex::itemOf(const Entities& entities, Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  const EntityModel& model = *entities.model[i];
+  const Eigen::Vector3d& p = entities.pose[i].position;
+  const Eigen::Quaterniond& q = entities.pose[i].orientation;
+  const bool is_upright = q.x() == 0.0 && q.y() == 0.0;
+  if (is_upright && !model.shapes.empty()) {
+    return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row};
+  }
+  return {p.head<2>(), model.bounding_radius, p.z() - model.bounding_radius, p.z() + model.bounding_radius, row};
+}
+
 template <class Visit>
 void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
-  const auto meets = [&](const Item& item) {
-    const double reach = radius + item.radius;
-    return (item.position - centre).squaredNorm() <= reach * reach;
-  };
-  for (const Item& item : large_items_) {
-    if (meets(item) && !visit(item)) {
+  for (const LargeItem& large : large_items_) {
+    if (large.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(large.row)) {
       return;
     }
   }
@@ -100,7 +120,11 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
       const std::uint32_t first = first_item_[flat({low[0], y, z})];
       const std::uint32_t last = first_item_[flat({high[0], y, z}) + 1];
       for (std::uint32_t k = first; k < last; ++k) {
-        if (meets(items_[k]) && !visit(items_[k])) {
+        const Item& item = items_[k];
+        const double item_reach = radius + item.radius;
+        const bool meets = (item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
+                           item.low <= centre.z() + radius && item.high >= centre.z() - radius;
+        if (meets && !visit(item.row)) {
           return;
         }
       }
@@ -109,32 +133,40 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
 }
 
 void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const {
-  visitNear(centre, radius, [&](const Item& item) {
-    found.push_back(item.row);
+  visitNear(centre, radius, [&](Row row) {
+    found.push_back(row);
     return true;
   });
 }
 
 bool PositionalIndex::anyWithin(const Eigen::Vector3d& centre, double radius, Row ignored) const {
   bool any = false;
-  visitNear(centre, radius, [&](const Item& item) {
-    any = item.row != ignored;
+  visitNear(centre, radius, [&](Row row) {
+    any = row != ignored;
     return !any;
   });
   return any;
 }
 
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
+  // an origin may lie outside its entity's own bounds, by no more than the largest of them
   std::vector<Row> found;
-  visitNear(centre, radius, [&](const Item& item) {
-    if ((item.position - centre).squaredNorm() <= radius * radius) {
-      found.push_back(item.row);
-    }
+  for (const LargeItem& large : large_items_) {
+    found.push_back(large.row);
+  }
+  const double largest = largest_small_radius_;
+  visitNear(centre, radius + largest, [&](Row row) {
+    found.push_back(row);
     return true;
   });
-  std::sort(found.begin(), found.end(), [&](Row a, Row b) {
-    return entities.number[static_cast<std::size_t>(a)] < entities.number[static_cast<std::size_t>(b)];
-  });
+  const auto number = [&](Row row) { return entities.number[static_cast<std::size_t>(row)]; };
+  std::sort(found.begin(), found.end(), [&](Row a, Row b) { return number(a) < number(b); });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  const auto is_far = [&](Row row) {
+    const Eigen::Vector3d& origin = entities.pose[static_cast<std::size_t>(row)].position;
+    return (origin - centre).squaredNorm() > radius * radius;
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), is_far), found.end());
   return found;
 }
 

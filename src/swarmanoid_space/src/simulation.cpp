@@ -24,6 +24,17 @@ class Stopwatch {
 
 }  // namespace
 
+PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
+  sense += other.sense;
+  control += other.control;
+  actuate += other.actuate;
+  move += other.move;
+  connect += other.connect;
+  index += other.index;
+  show += other.show;
+  return *this;
+}
+
 void Simulation::tick() {
   if (isFinished()) {
     return;

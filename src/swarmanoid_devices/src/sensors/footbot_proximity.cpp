@@ -15,8 +15,8 @@ constexpr std::size_t kCount = FootbotProximity::kCount;
 
 /// Where the sensors sit on a model, in its body frame.
 struct RingGeometry {
-  std::array<Eigen::Vector3d, kCount> from;
-  std::array<Eigen::Vector3d, kCount> direction;
+  Eigen::Matrix<double, 3, kCount> from;
+  Eigen::Matrix<double, 3, kCount> direction;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   double radius = 0.0;  // of the sensors around the centre, m
 };
@@ -25,13 +25,11 @@ RingGeometry ringOf(const EntityModel& model) {
   RingGeometry ring;
   for (std::size_t i = 0; i < kCount; ++i) {
     const Mount& mount = model.mount("proximity_" + std::to_string(i));
-    ring.from[i] = mount.position;
-    ring.direction[i] = mount.orientation * Eigen::Vector3d::UnitX();
-    ring.centre += mount.position / kCount;
+    ring.from.col(static_cast<Eigen::Index>(i)) = mount.position;
+    ring.direction.col(static_cast<Eigen::Index>(i)) = mount.orientation * Eigen::Vector3d::UnitX();
   }
-  for (const Eigen::Vector3d& from : ring.from) {
-    ring.radius = std::max(ring.radius, (from - ring.centre).norm());
-  }
+  ring.centre = ring.from.rowwise().mean();
+  ring.radius = (ring.from.colwise() - ring.centre).colwise().norm().maxCoeff();
   return ring;
 }
 
@@ -97,9 +95,10 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
     std::array<Segment, kCount> segments;
     std::array<RayHit, kCount> hits;
+    const Eigen::Matrix<double, 3, kCount> from = (rotation * ring.from).colwise() + pose.position;
+    const Eigen::Matrix<double, 3, kCount> to = from + (range_ * rotation) * ring.direction;
     for (std::size_t i = 0; i < kCount; ++i) {
-      segments[i].from.noalias() = pose.position + rotation * ring.from[i];
-      segments[i].to.noalias() = segments[i].from + range_ * (rotation * ring.direction[i]);
+      segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
     }
     rays.segments = Span<const Segment>(segments.data(), kCount);
     rays.ignored = seat.row;

@@ -33,21 +33,27 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   auto index = static_cast<BodyIndex>(bodies_.size());
   if (holes_.empty()) {
     bodies_.emplace_back();
-    placed_.emplace_back();
+    details_.emplace_back();
+    circles_.emplace_back();
   } else {
     index = holes_.back();
     holes_.pop_back();
   }
   const auto i = static_cast<std::size_t>(row);
+  BodyDetails& its = details(index);
+  its = BodyDetails{};
+  its.entity = space.entities.model[i];
+  its.base = plane_.baseOf(space.entities.pose[i].orientation);
+  its.model = project(its.entity, its.base);
+
   Body& body = (*this)[index];
   body = Body{};
   body.row = row;
   body.number = space.entities.number[i];
   body.role = role;
-  body.entity = space.entities.model[i];
-  body.base = plane_.baseOf(space.entities.pose[i].orientation);
-  body.model = project(body.entity, body.base);
-  body.is_large = body.model->radius > kLargeRadius && !body.entity->is_movable;
+  body.model = its.model.get();
+  body.is_movable = its.entity->is_movable;
+  body.is_large = its.model->radius > kLargeRadius && !its.entity->is_movable;
   body.wheels = space.actuation.find<FootbotWheels>(row);
   body.velocity = space.actuation.find<EyebotVelocity>(row);
   body.gripper = space.actuation.find<FootbotGripper>(row);
@@ -62,6 +68,7 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
     large_.push_back(index);
   } else {
     largest_radius_ = std::max(largest_radius_, body.model->radius);
+    circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
     grid_.add(index, plane_.toLocal(space.entities.pose[i].position));
   }
   place(space, index);
@@ -70,50 +77,45 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
 
 void Bodies::place(const Space& space, BodyIndex index) {
   Body& body = (*this)[index];
+  BodyDetails& its = details(index);
   const Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
   body.along = plane_.along(pose.position);
   const Eigen::Quaterniond base = plane_.baseOf(pose.orientation);
-  if (base.coeffs() != body.base.coeffs()) {
-    body.base = base;
-    body.model = project(body.entity, base);
+  if (base.coeffs() != its.base.coeffs()) {
+    its.base = base;
+    its.model = project(its.entity, base);
+    body.model = its.model.get();
+    circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
     largest_radius_ = std::max(largest_radius_, body.is_large ? 0.0 : body.model->radius);
   }
   setPose(index, PlacedPose::at(plane_.toLocal(pose.position), plane_.headingOf(pose.orientation)));
   body.has_moved = false;
-  refresh(index);
+  if (body.is_large) {
+    refreshBounds(index);
+  }
 }
 
 void Bodies::setPose(BodyIndex index, const PlacedPose& pose) {
   Body& body = (*this)[index];
   body.pose = pose;
   body.has_moved = true;
-  body.shapes_are_old = true;
   if (!body.is_large) {
+    circles_[static_cast<std::size_t>(index)].centre = pose.position;
     grid_.move(index, pose.position);
   }
 }
 
-const std::vector<PlanarShape>& Bodies::currentShapes(BodyIndex index) {
-  if ((*this)[index].shapes_are_old) {
-    refresh(index);
-  }
-  return shapes(index);
-}
-
-void Bodies::refresh(BodyIndex index) {
-  Body& body = (*this)[index];
-  std::vector<PlanarShape>& placed = placed_[static_cast<std::size_t>(index)];
-  placed.resize(body.model->shapes.size());
-  planar::placeShapes(*body.model, body.pose.position, body.pose.cosine, body.pose.sine, placed);
-  body.shapes_are_old = false;
-  if (body.is_large) {
-    body.bounds.setEmpty();
-    for (const PlanarShape& shape : placed) {
-      const Eigen::Vector2d extent = Eigen::Vector2d::Constant(shape.isCircle() ? shape.radius : 0.0);
-      body.bounds.extend(shape.centre - extent).extend(shape.centre + extent);
-      for (const Eigen::Vector2d& vertex : shape.vertices) {
-        body.bounds.extend(vertex);
-      }
+void Bodies::refreshBounds(BodyIndex index) {
+  const PlacedPose& pose = (*this)[index].pose;
+  std::vector<PlanarShape> placed;
+  planar::placeShapes(*(*this)[index].model, pose.position, pose.cosine, pose.sine, placed);
+  Eigen::AlignedBox2d& bounds = details(index).bounds;
+  bounds.setEmpty();
+  for (const PlanarShape& shape : placed) {
+    const Eigen::Vector2d extent = Eigen::Vector2d::Constant(shape.isCircle() ? shape.radius : 0.0);
+    bounds.extend(shape.centre - extent).extend(shape.centre + extent);
+    for (const Eigen::Vector2d& vertex : shape.vertices) {
+      bounds.extend(vertex);
     }
   }
 }
@@ -128,12 +130,14 @@ void Bodies::remove(BodyIndex index) {
     grid_.remove(index);
   }
   body = Body{};
+  details(index) = BodyDetails{};
   holes_.push_back(index);
 }
 
 void Bodies::clear() {
   bodies_.clear();
-  placed_.clear();
+  details_.clear();
+  circles_.clear();
   holes_.clear();
   order_.clear();
   index_of_row_.clear();

@@ -35,16 +35,14 @@ struct PlacedPose {
   }
 };
 
+/// What is looked at in every step; kept small, since there may be many.
 struct Body {
-  Row row = kNoRow;
-  EntityNumber number = kNobody;
-  Role role = Role::kMove;
-  std::shared_ptr<const PlanarModel> model;
-  std::shared_ptr<const EntityModel> entity;
-  Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
   PlacedPose pose;
   PlacedPose pose_at_start;  ///< of the tick
   double along = 0.0;        ///< of the origin, along the plane's normal [m]
+  const PlanarModel* model = nullptr;
+  EntityNumber number = kNobody;
+  Row row = kNoRow;
 
   // What drives it; null if nothing does.
   const FootbotWheels* wheels = nullptr;
@@ -54,11 +52,19 @@ struct Body {
   // Gripping: a gripped body goes where its gripper goes.
   BodyIndex gripped = kNoBody;
   BodyIndex gripped_by = kNoBody;
-  PlanarPose place_in_gripper;  ///< of this body in its gripper's frame, from the moment of gripping
 
-  bool is_large = false;        ///< wider than what the grid is for, such as a wall
-  bool has_moved = false;       ///< since the start of the tick
-  bool shapes_are_old = false;  ///< `placed` is still of an earlier pose
+  Role role = Role::kMove;
+  bool is_movable = false;
+  bool is_large = false;   ///< wider than what the grid is for, such as a wall
+  bool has_moved = false;  ///< since the start of the tick
+};
+
+/// What is looked at now and then.
+struct BodyDetails {
+  std::shared_ptr<const EntityModel> entity;
+  std::shared_ptr<const PlanarModel> model;
+  Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
+  PlanarPose place_in_gripper;  ///< in its gripper's frame, from the moment of gripping
   Eigen::AlignedBox2d bounds;   ///< of large bodies
 };
 
@@ -83,23 +89,21 @@ class Bodies {
   const std::vector<BodyIndex>& order() const { return order_; }
   const planar::Plane& plane() const { return plane_; }
 
-  /// The body's shapes in the plane; brings them up to date.
-  const std::vector<PlanarShape>& currentShapes(BodyIndex index);
-  /// The same for readers; up to date outside of `move`.
-  const std::vector<PlanarShape>& shapes(BodyIndex index) const { return placed_[static_cast<std::size_t>(index)]; }
+  BodyDetails& details(BodyIndex index) { return details_[static_cast<std::size_t>(index)]; }
+  const BodyDetails& details(BodyIndex index) const { return details_[static_cast<std::size_t>(index)]; }
 
   /// Calls visit(index) for all bodies whose surrounding circle may meet the given one, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
     for (const BodyIndex index : large_) {
-      if ((*this)[index].bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(index)) {
+      if (details(index).bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(index)) {
         return;
       }
     }
     grid_.visitNear(centre, radius + largest_radius_, [&](BodyIndex index) {
-      const Body& body = (*this)[index];
-      const double reach = radius + body.model->radius;
-      return (body.pose.position - centre).squaredNorm() > reach * reach || visit(index);
+      const Circle& circle = circles_[static_cast<std::size_t>(index)];
+      const double reach = radius + circle.radius;
+      return (circle.centre - centre).squaredNorm() > reach * reach || visit(index);
     });
   }
 
@@ -114,11 +118,18 @@ class Bodies {
     std::shared_ptr<const PlanarModel> model;
   };
 
-  void refresh(BodyIndex index);
+  /// Around a body: what neighbours are sorted out by, apart from the rest because it is read most.
+  struct Circle {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double radius = 0.0;
+  };
+
+  void refreshBounds(BodyIndex index);
 
   planar::Plane plane_;
   std::vector<Body> bodies_;
-  std::vector<std::vector<PlanarShape>> placed_;  // by body
+  std::vector<BodyDetails> details_;  // by body
+  std::vector<Circle> circles_;       // by body
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
   std::vector<BodyIndex> index_of_row_;

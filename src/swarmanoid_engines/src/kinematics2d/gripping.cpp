@@ -8,7 +8,7 @@ namespace swarmanoid::kinematics2d {
 void Kinematics2d::connect(Space& space) {
   for (const BodyIndex index : bodies_.order()) {
     const Body& body = bodies_[index];
-    if (body.gripper == nullptr || body.role == Role::kMirror || !body.entity->gripper) {
+    if (body.gripper == nullptr || body.role == Role::kMirror || !bodies_.details(index).entity->gripper) {
       continue;
     }
     if (!body.gripper->closed) {
@@ -27,19 +27,20 @@ void Kinematics2d::connect(Space& space) {
 BodyIndex Kinematics2d::findPrey(BodyIndex gripper_index) const {
   constexpr double kReach = 0.02;  // m from the gripper's tip to the gripping strip
   const Body& gripper = bodies_[gripper_index];
-  const Eigen::Vector2d tip =
-      gripper.pose.position + gripper.pose.rotated(Eigen::Vector2d(gripper.entity->gripper->tip, 0.0));
-  const double height = gripper.along + gripper.entity->gripper->height;
+  const EntityModel::Gripper& geometry = *bodies_.details(gripper_index).entity->gripper;
+  const Eigen::Vector2d tip = gripper.pose.position + gripper.pose.rotated(Eigen::Vector2d(geometry.tip, 0.0));
+  const double height = gripper.along + geometry.height;
   BodyIndex nearest = kNoBody;
   double nearest_distance = kReach;
   bodies_.visitNear(tip, kReach, [&](BodyIndex index) {
     const Body& prey = bodies_[index];
-    const bool is_free_prey = prey.entity->gripping_radius && !prey.entity->is_robot && prey.role == Role::kMove &&
-                              prey.gripped_by == kNoBody;
+    const EntityModel& entity = *bodies_.details(index).entity;
+    const bool is_free_prey =
+        entity.gripping_radius && !entity.is_robot && prey.role == Role::kMove && prey.gripped_by == kNoBody;
     if (!is_free_prey || height < prey.along + prey.model->band.low || height > prey.along + prey.model->band.high) {
       return true;
     }
-    const double distance = std::abs((prey.pose.position - tip).norm() - *prey.entity->gripping_radius);
+    const double distance = std::abs((prey.pose.position - tip).norm() - *entity.gripping_radius);
     const bool is_nearer = distance < nearest_distance || (nearest != kNoBody && distance == nearest_distance &&
                                                            prey.number < bodies_[nearest].number);
     if (is_nearer) {
@@ -59,10 +60,11 @@ void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_in
   }
   gripper.gripped = prey_index;
   prey.gripped_by = gripper_index;
+  PlanarPose& place = bodies_.details(prey_index).place_in_gripper;
   const Eigen::Vector2d way = prey.pose.position - gripper.pose.position;
-  prey.place_in_gripper.position = {gripper.pose.cosine * way.x() + gripper.pose.sine * way.y(),
-                                    -gripper.pose.sine * way.x() + gripper.pose.cosine * way.y()};
-  prey.place_in_gripper.heading = prey.pose.heading - gripper.pose.heading;
+  place.position = {gripper.pose.cosine * way.x() + gripper.pose.sine * way.y(),
+                    -gripper.pose.sine * way.x() + gripper.pose.cosine * way.y()};
+  place.heading = prey.pose.heading - gripper.pose.heading;
   const auto& names = space.entities.name;
   space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(gripper.row)],
                           names[static_cast<std::size_t>(prey.row)], ""});

@@ -63,21 +63,14 @@ Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignore
   const planar::Plane& plane = bodies_.plane();
   const auto projected = planar::projectModel(model, plane, plane.baseOf(pose.orientation));
   const PlacedPose placed = PlacedPose::at(plane.toLocal(pose.position), plane.headingOf(pose.orientation));
-  std::vector<PlanarShape> shapes;
-  planar::placeShapes(*projected, placed.position, placed.cosine, placed.sine, shapes);
   const double along = plane.along(pose.position);
+  std::vector<PlanarShape> scratch;
   BodyIndex found = kNoBody;
   bodies_.visitNear(placed.position, projected->radius, [&](BodyIndex index) {
     const Body& body = bodies_[index];
-    if (body.row == ignored || (found != kNoBody && bodies_[found].number < body.number)) {
-      return true;
-    }
-    for (const PlanarShape& mine : shapes) {
-      for (const PlanarShape& other : bodies_.shapes(index)) {
-        if (mine.band.meets(other.band, along, body.along) && planar::overlap(mine, other)) {
-          found = index;
-        }
-      }
+    const bool is_older = found == kNoBody || body.number < bodies_[found].number;
+    if (body.row != ignored && is_older && modelsOverlap(*projected, placed, along, body, scratch)) {
+      found = index;
     }
     return true;
   });

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "kinematics2d/bodies.hpp"
+#include "planar/planar_ray.hpp"
 #include "swarmanoid_space/engine.hpp"
 
 namespace swarmanoid::kinematics2d {
@@ -38,8 +39,10 @@ class Kinematics2d final : public Engine {
   void moveBody(BodyIndex index, double dt);
   bool tryPose(BodyIndex index, const PlacedPose& pose);
   bool isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
-  bool shapesOverlap(BodyIndex index, const PlacedPose& pose, BodyIndex other);
   void finishTick(Space& space, double dt);
+
+  // rays.cpp
+  void meetBody(const planar::PlanarRay& ray, const Body& body, RayHit& hit) const;
 
   // gripping.cpp
   BodyIndex findPrey(BodyIndex gripper) const;
@@ -49,9 +52,12 @@ class Kinematics2d final : public Engine {
 
   Bodies bodies_;
   int subclock_ = 1;
-  std::vector<PlanarShape> candidate_shapes_;   // scratch of shapesOverlap
-  const PlacedPose* candidate_pose_ = nullptr;  // what candidate_shapes_ is of
+  std::vector<PlanarShape> relative_shapes_;  // scratch of modelsOverlap
 };
+
+/// Whether a model at a pose overlaps a body, heights considered. `scratch` keeps its memory between calls.
+bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                   std::vector<PlanarShape>& scratch);
 
 /// Where a velocity, constant in the body's frame while it turns, takes a body: exactly along the arc.
 /// @param velocity [m/s]; @param turn_rate [rad/s]; @param dt [s]

@@ -36,7 +36,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
 void Kinematics2d::startTick(const Space& space) {
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
-    if (body.role == Role::kMirror && body.entity->is_movable) {
+    if (body.role == Role::kMirror && body.is_movable) {
       bodies_.place(space, index);
     }
     body.pose_at_start = body.pose;
@@ -53,7 +53,7 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   double turn_rate = 0.0;
   if (body.wheels != nullptr) {
-    const EntityModel::Wheels& geometry = *body.entity->wheels;
+    const EntityModel::Wheels& geometry = *bodies_.details(index).entity->wheels;
     velocity.x() = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius;
     turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation;
   } else {
@@ -63,7 +63,7 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
   if (turn_rate == 0.0 && velocity.isZero(0.0)) {
     return;
   }
-  const Eigen::Vector2d in_plane = plane.toLocal(body.base * velocity);
+  const Eigen::Vector2d in_plane = plane.toLocal(bodies_.details(index).base * velocity);
   const PlacedPose target = integrate(body.pose, in_plane, turn_rate, dt);
   if (tryPose(index, target) || turn_rate == 0.0) {
     return;
@@ -80,7 +80,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
     return false;
   }
   if (gripped != kNoBody) {
-    const PlanarPose& place = bodies_[gripped].place_in_gripper;
+    const PlanarPose& place = bodies_.details(gripped).place_in_gripper;
     const PlacedPose carried = PlacedPose::at(pose.position + pose.rotated(place.position),
                                               std::remainder(pose.heading + place.heading, 2.0 * M_PI));
     if (!isFree(gripped, carried, index)) {
@@ -94,22 +94,20 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
 
 bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner) {
   const Body& body = bodies_[index];
-  candidate_pose_ = nullptr;
   bool free = true;
   bodies_.visitNear(pose.position, body.model->radius, [&](BodyIndex other_index) {
     if (other_index == index || other_index == partner) {
       return true;
     }
     const Body& other = bodies_[other_index];
-    if (!body.model->band.meets(other.model->band, body.along, other.along) ||
-        !shapesOverlap(index, pose, other_index)) {
+    if (!modelsOverlap(*body.model, pose, body.along, other, relative_shapes_)) {
       return true;
     }
     // a mirror was put upon us: moving away from it must stay possible
     const bool goes_away =
         (pose.position - other.pose.position).squaredNorm() > (body.pose.position - other.pose.position).squaredNorm();
-    if (other.role == Role::kMirror && other.entity->is_movable && goes_away &&
-        shapesOverlap(index, body.pose, other_index)) {
+    if (other.role == Role::kMirror && other.is_movable && goes_away &&
+        modelsOverlap(*body.model, body.pose, body.along, other, relative_shapes_)) {
       return true;
     }
     free = false;
@@ -118,18 +116,21 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex par
   return free;
 }
 
-bool Kinematics2d::shapesOverlap(BodyIndex index, const PlacedPose& pose, BodyIndex other_index) {
-  const Body& body = bodies_[index];
-  if (candidate_pose_ != &pose) {
-    planar::placeShapes(*body.model, pose.position, pose.cosine, pose.sine, candidate_shapes_);
-    candidate_pose_ = &pose;
+bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                   std::vector<PlanarShape>& scratch) {
+  if (!model.band.meets(other.model->band, along, other.along)) {
+    return false;
   }
-  const double other_along = bodies_[other_index].along;
-  const std::vector<PlanarShape>& others = bodies_.currentShapes(other_index);
-  for (std::size_t i = 0; i < body.model->shapes.size(); ++i) {
-    const PlanarShape& mine = candidate_shapes_[i];
-    for (const PlanarShape& other : others) {
-      if (mine.band.meets(other.band, body.along, other_along) && planar::overlap(mine, other)) {
+  // in the other's frame only one of the two models has to be placed
+  const Eigen::Vector2d way = pose.position - other.pose.position;
+  const double cosine = other.pose.cosine;
+  const double sine = other.pose.sine;
+  planar::placeShapes(model, {cosine * way.x() + sine * way.y(), cosine * way.y() - sine * way.x()},
+                      pose.cosine * cosine + pose.sine * sine, pose.sine * cosine - pose.cosine * sine, scratch);
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    const PlanarShape& mine = scratch[i];
+    for (const PlanarShape& its : other.model->shapes) {
+      if (mine.band.meets(its.band, along, other.along) && planar::overlap(mine, its)) {
         return true;
       }
     }
@@ -141,7 +142,7 @@ void Kinematics2d::finishTick(Space& space, double dt) {
   const planar::Plane& plane = bodies_.plane();
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
-    if (body.role == Role::kMirror || !body.entity->is_movable) {
+    if (body.role == Role::kMirror || !body.is_movable) {
       continue;
     }
     const auto i = static_cast<std::size_t>(body.row);
@@ -150,10 +151,9 @@ void Kinematics2d::finishTick(Space& space, double dt) {
       twist = Twist{};
       continue;
     }
-    bodies_.currentShapes(index);
     space.entities.pose[i].position = plane.toGlobal(body.pose.position, body.along);
     if (body.pose.heading != body.pose_at_start.heading) {
-      space.entities.pose[i].orientation = plane.orientation(body.pose.heading, body.base);
+      space.entities.pose[i].orientation = plane.orientation(body.pose.heading, bodies_.details(index).base);
     }
     twist.linear = plane.toGlobal((body.pose.position - body.pose_at_start.position) / dt, 0.0);
     twist.angular = plane.normal() * (std::remainder(body.pose.heading - body.pose_at_start.heading, 2.0 * M_PI) / dt);

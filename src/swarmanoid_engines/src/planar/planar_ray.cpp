@@ -76,6 +76,12 @@ void clipToPolygon(Inside& inside, const PlanarRay& ray, const PlanarShape& poly
 }  // namespace
 
 double meeting(const PlanarRay& ray, const PlanarShape& shape, double offset) {
+  // the ray's line misses the circle around the shape: so it is most of the time
+  const Eigen::Vector2d start = ray.from - shape.centre;
+  const double across = start.x() * ray.step.y() - start.y() * ray.step.x();
+  if (across * across > shape.radius * shape.radius * ray.step.squaredNorm() && !ray.step.isZero(0.0)) {
+    return kNoMeeting;
+  }
   Inside inside;
   clipToBand(inside, ray, shape.band, offset);
   if (inside.isEmpty()) {

@@ -17,15 +17,6 @@ struct PlanarRay {
 
 constexpr double kNoMeeting = std::numeric_limits<double>::infinity();
 
-/// Whether the ray comes within `radius` of `centre`, seen from above.
-inline bool passesNear(const PlanarRay& ray, const Eigen::Vector2d& centre, double radius) {
-  const Eigen::Vector2d way = centre - ray.from;
-  const double length_squared = ray.step.squaredNorm();
-  const double progress = way.dot(ray.step);
-  const double t = progress <= 0.0 ? 0.0 : progress >= length_squared ? 1.0 : progress / length_squared;
-  return (way - t * ray.step).squaredNorm() <= radius * radius;
-}
-
 /// The fraction of the ray at which it first meets the shape, 0 if it starts inside; kNoMeeting if it does not.
 /// @param offset is added to the shape's band
 double meeting(const PlanarRay& ray, const PlanarShape& shape, double offset);

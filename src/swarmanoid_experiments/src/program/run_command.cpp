@@ -28,6 +28,7 @@ struct RunOptions {
   std::string bag;
   std::string hashes;
   bool quiet = false;
+  bool profile = false;
 };
 
 std::vector<Override> overridesOf(const RunOptions& options) {
@@ -69,15 +70,28 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
   simulation.addVisualisation(visualisation);
 }
 
+/// Where the wall time went, phase by phase.
+void printProfile(const PhaseTimes& total, std::uint64_t ticks) {
+  const std::pair<const char*, double> phases[] = {
+      {"sense", total.sense},     {"control", total.control}, {"actuate", total.actuate}, {"move", total.move},
+      {"connect", total.connect}, {"index", total.index},     {"show", total.show}};
+  for (const auto& [name, seconds] : phases) {
+    std::fprintf(stderr, "%-8s %10.3f ms, %8.3f us a tick\n", name, seconds * 1e3,
+                 ticks > 0 ? seconds * 1e6 / static_cast<double>(ticks) : 0.0);
+  }
+}
+
 int runToEnd(Simulation& simulation, const RunOptions& options) {
   ProgressBar bar(simulation.experiment().name, simulation.experiment().framework.max_clock, options.quiet);
   double robot_ticks = 0.0;
+  PhaseTimes total;
   int code = kFinished;
   const auto start = std::chrono::steady_clock::now();
   try {
     simulation.start();
     while (!simulation.isFinished() && interrupted == 0) {
       simulation.tick();
+      total += simulation.phaseTimes();
       robot_ticks += static_cast<double>(simulation.robotCount());
       bar.show(simulation.space().tick);
     }
@@ -87,6 +101,9 @@ int runToEnd(Simulation& simulation, const RunOptions& options) {
   }
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   bar.finish(simulation.space().tick);
+  if (options.profile) {
+    printProfile(total, simulation.space().tick);
+  }
   if (code == kFinished && interrupted != 0) {
     code = kInterrupted;
   } else if (code == kFinished && !simulation.failures().empty()) {
@@ -140,6 +157,7 @@ Command addRunCommand(CLI::App& app) {
   command->add_option("--out", options->out, "folder for the files that visualisations write");
   command->add_option("--bag", options->bag, "record a rosbag");
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
+  command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options] { return run(*options); };
 }

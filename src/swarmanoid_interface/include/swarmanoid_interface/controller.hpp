@@ -34,12 +34,12 @@ class Controller {
 
 /// At the end of a controller's source: makes `Class` available under `label`, the tag in <controllers>
 /// (thesis 4.1.2). Together with the CMake function swarmanoid_add_controller it becomes a nodelet too.
-#define REGISTER_CONTROLLER(Class, controller_label)                                                         \
+#define REGISTER_CONTROLLER(Class, controller_label)                                              \
   namespace {                                                                                     \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Controller, Class> SWARMANOID_CONCATENATE( \
       registration_, __LINE__)(::swarmanoid::PluginKind::kController, [] {                        \
     ::swarmanoid::PluginDescription description;                                                  \
-    description.label = (controller_label);                                                                  \
+    description.label = (controller_label);                                                       \
     description.free_parameters = true;                                                           \
     return description;                                                                           \
   }());                                                                                           \

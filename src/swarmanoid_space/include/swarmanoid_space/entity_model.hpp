@@ -38,10 +38,11 @@ struct EntityModel {
   std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...; one word
 
   std::vector<CollisionShape> shapes;
-  double lowest = 0.0;           ///< of the shapes, along body z [m]
-  double highest = 0.0;          ///< of the shapes, along body z [m]
-  double bounding_radius = 0.0;  ///< of a sphere around the body's origin that holds all shapes [m]
-  double mass = 0.0;             ///< [kg]; 0: not known
+  double lowest = 0.0;             ///< of the shapes, along body z [m]
+  double highest = 0.0;            ///< of the shapes, along body z [m]
+  double bounding_radius = 0.0;    ///< of a sphere around the body's origin that holds all shapes [m]
+  double horizontal_radius = 0.0;  ///< of a circle around body z that holds all shapes seen from above [m]
+  double mass = 0.0;               ///< [kg]; 0: not known
 
   bool is_robot = false;
   bool is_movable = false;                ///< may be moved by an engine
@@ -66,7 +67,7 @@ struct EntityModel {
   std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points at which cameras see their colour [m]
   std::string urdf;                            ///< the whole URDF text; empty if there is none
 
-  /// Fills `lowest`, `highest` and `bounding_radius` from `shapes`.
+  /// Fills `lowest`, `highest` and the two radii from `shapes`.
   void measureShapes();
 
   /// @throws std::out_of_range naming the mount and the type

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -24,10 +25,11 @@ class PositionalIndex {
   /// size
   void configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities);
 
-  /// Reads every living entity's pose and bounding radius. No allocation once the number of entities is steady.
+  /// Reads every living entity's pose and bounds. No allocation once the number of entities is steady.
   void rebuild(const Entities& entities);
 
-  /// Entities whose bounding sphere meets the sphere around `centre`; appended to `found` in no stated order.
+  /// Entities whose bounds (an upright cylinder, or a box for large ones) meet the sphere around `centre`; appended to
+  /// `found` in no stated order.
   void collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const;
 
   /// Whether `collect` would find anything but `ignored`. Cheaper than asking for the list.
@@ -39,16 +41,25 @@ class PositionalIndex {
   std::vector<Row> within(const Entities& entities, Row around, double radius) const;
 
  private:
+  /// An upright cylinder around an entity. What is tilted has one that holds its sphere.
   struct Item {
-    Eigen::Vector3d position;
+    Eigen::Vector2d position;
     double radius;
+    double low;
+    double high;
+    Row row;
+  };
+  /// Wider than a cell, such as a wall: a box is a better bound for it than a sphere.
+  struct LargeItem {
+    Eigen::AlignedBox3d bounds;
     Row row;
   };
   using Cell = std::array<int, 3>;
 
+  static Item itemOf(const Entities& entities, Row row);
   Cell cellOf(const Eigen::Vector3d& position) const;
   std::size_t flat(const Cell& cell) const;
-  template <class Visit>  // bool visit(const Item&): false stops
+  template <class Visit>  // bool visit(Row): false stops
   void visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const;
 
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
@@ -60,7 +71,7 @@ class PositionalIndex {
   std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells
   std::vector<Item> items_;                // sorted by cell
   std::vector<std::uint32_t> cell_of_entity_;
-  std::vector<Item> large_items_;  // wider than a cell, such as walls: kept apart, looked at one by one
+  std::vector<LargeItem> large_items_;  // kept apart, looked at one by one
 };
 
 }  // namespace swarmanoid

@@ -27,6 +27,8 @@ struct PhaseTimes {
   double connect = 0.0;
   double index = 0.0;
   double show = 0.0;
+
+  PhaseTimes& operator+=(const PhaseTimes& other);
 };
 
 /// A robot whose controller threw, or commanded a number that is none.

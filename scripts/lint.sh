@@ -1,0 +1,19 @@
+#!/usr/bin/env bash
+# lint.sh BUILD_FOLDER: layout (clang-format), packages (catkin_lint), which package may include which (check_layers),
+# file lengths, and mistakes (clang-tidy).
+set -euo pipefail
+build=$(cd "$1" && pwd)
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp')
+echo "== clang-format: ${#sources[@]} files" >&2
+clang-format --dry-run --Werror "${sources[@]}"
+echo "== layers and lengths" >&2
+python3 scripts/check_layers.py
+echo "== catkin_lint" >&2
+# liburdfdom-dev and TBB have no rosdep names here, which is all that the ignored checks are about
+ROS_DISTRO=noetic catkin_lint -W1 --strict --offline --ignore unknown_depend --ignore uninstalled_target \
+  --ignore missing_depend --ignore order_violation --ignore uninstalled_script src
+echo "== clang-tidy" >&2
+mapfile -t units < <(git ls-files 'src/*/src/*.cpp')
+printf '%s\n' "${units[@]}" | xargs -P "$(nproc)" -n 4 clang-tidy -p "$build" --quiet 2>/dev/null
