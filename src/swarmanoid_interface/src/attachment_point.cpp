@@ -57,7 +57,7 @@ void AttachmentPoint::attach(PluginKind kind, const std::string& id, std::shared
 void AttachmentPoint::refuse(PluginKind kind, const std::string& id, const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const auto found = seats_.find({kind, id});
-  if (found != seats_.end() && found->second.part == nullptr) {
+  if (found != seats_.end() && found->second.part == nullptr && found->second.refusal.empty()) {
     found->second.refusal = reason.empty() ? "no reason given" : reason;
     changed_.notify_all();
   }
@@ -75,7 +75,7 @@ void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
     // the part is still attached here: the space uses it until the handler returns
     const std::lock_guard<std::mutex> lock(handler_mutex_);
     if (loss_handler_) {
-      loss_handler_(title(kind, id));
+      loss_handler_(kind, id);
     }
   }
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -111,7 +111,7 @@ std::shared_ptr<void> AttachmentPoint::part(PluginKind kind, const std::string& 
   return seat(kind, id).part;
 }
 
-void AttachmentPoint::setLossHandler(std::function<void(const std::string&)> handler) {
+void AttachmentPoint::setLossHandler(LossHandler handler) {
   const std::lock_guard<std::mutex> lock(handler_mutex_);
   loss_handler_ = std::move(handler);
 }

@@ -73,12 +73,12 @@ TEST(AttachmentPointTest, KeepsAPartUntilTheSpaceHasStoppedUsingIt) {
   point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
   std::string lost;
   std::shared_ptr<void> seen_by_handler;
-  point->setLossHandler([&](const std::string& what) {
-    lost = what;
+  point->setLossHandler([&](PluginKind kind, const std::string& id) {
+    lost = std::string(toString(kind)) + " " + id;
     seen_by_handler = point->part(PluginKind::kEngine, "ground");
   });
   point->detach(PluginKind::kEngine, "ground");
-  EXPECT_EQ("engine 'ground'", lost);
+  EXPECT_EQ("engine ground", lost);
   EXPECT_NE(nullptr, seen_by_handler);
   EXPECT_EQ(nullptr, point->part(PluginKind::kEngine, "ground"));
 }
@@ -86,7 +86,7 @@ TEST(AttachmentPointTest, KeepsAPartUntilTheSpaceHasStoppedUsingIt) {
 TEST(AttachmentPointTest, DetachingWhatIsNotThereTellsNobody) {
   const auto point = openWithTwo("/space");
   bool told = false;
-  point->setLossHandler([&](const std::string&) { told = true; });
+  point->setLossHandler([&](PluginKind, const std::string&) { told = true; });
   point->detach(PluginKind::kEngine, "ground");
   EXPECT_FALSE(told);
 }

@@ -28,14 +28,14 @@ std::string SimulationThread::stopReason() const {
   return state_ == State::kStopped ? stop_reason_.value_or("") : "";
 }
 
-void SimulationThread::enqueueAndWait(std::function<void()> action) {
+void SimulationThread::enqueueAndWait(std::function<void()> action, bool is_change) const {
   std::future<void> done;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (is_over_) {
       throw std::runtime_error("the run has stopped: " + stop_reason_.value_or(""));
     }
-    jobs_.push_back({std::move(action), {}});
+    jobs_.push_back({std::move(action), is_change, {}});
     done = jobs_.back().done.get_future();
   }
   wake_.notify_all();
@@ -44,6 +44,11 @@ void SimulationThread::enqueueAndWait(std::function<void()> action) {
 
 void SimulationThread::call(const std::function<void(Simulation&)>& action) {
   enqueueAndWait([&] { action(*simulation_); });
+}
+
+void SimulationThread::look(const std::function<void(const Simulation&)>& action) const {
+  constexpr bool kChange = true;
+  enqueueAndWait([&] { action(*simulation_); }, !kChange);
 }
 
 void SimulationThread::reset(std::optional<std::uint64_t> seed, bool rewind) {
@@ -165,7 +170,9 @@ void SimulationThread::runJobs(std::unique_lock<std::mutex>& lock) {
     // held by nobody else: state_ is only written on this thread, and read by others under the lock
     try {
       job.action();
-      announce();
+      if (job.is_change) {
+        announce();
+      }
       lock.unlock();
       job.done.set_value();
     } catch (...) {
@@ -237,7 +244,7 @@ void SimulationThread::complete() {
 
 void SimulationThread::announce() {
   if (options_.on_change) {
-    options_.on_change(*simulation_, state_);
+    options_.on_change(*simulation_, state_, state_ == State::kStopped ? stop_reason_.value_or("") : "");
   }
 }
 

@@ -5,6 +5,7 @@
 #include "run_summary.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/experiment_lookup.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -43,7 +43,7 @@ class AttachmentPoint {
   const Request& request(PluginKind kind, const std::string& id) const;
   /// @throws std::runtime_error if the part is not needed, or there already
   void attach(PluginKind kind, const std::string& id, std::shared_ptr<void> part);
-  /// The part cannot be made; whoever waits for it learns why.
+  /// The part cannot be made; whoever waits for it learns why. The first reason counts.
   void refuse(PluginKind kind, const std::string& id, const std::string& reason);
   /// Returns once the space has stopped using the part. Nothing happens if it is not attached.
   void detach(PluginKind kind, const std::string& id);
@@ -55,9 +55,10 @@ class AttachmentPoint {
   void waitForAll(std::chrono::milliseconds timeout);
   /// @pre waitForAll has returned
   std::shared_ptr<void> part(PluginKind kind, const std::string& id) const;
-  /// Called with a text such as "engine 'ground'" when a part is detached; it must not return before the part is out of
-  /// use. After setLossHandler returns, the former handler is not running and will not be called again.
-  void setLossHandler(std::function<void(const std::string&)> handler);
+  using LossHandler = std::function<void(PluginKind kind, const std::string& id)>;
+  /// Called when a part is detached; it must not return before the part is out of use. After setLossHandler returns, the
+  /// former handler is not running and will not be called again.
+  void setLossHandler(LossHandler handler);
 
  private:
   using Key = std::pair<PluginKind, std::string>;
@@ -73,7 +74,7 @@ class AttachmentPoint {
   std::condition_variable changed_;
   std::map<Key, Seat> seats_;
   std::mutex handler_mutex_;
-  std::function<void(const std::string&)> loss_handler_;
+  LossHandler loss_handler_;
 };
 
 /// The attachment point of a space, findable as long as somebody holds it. A former one of that name is replaced.

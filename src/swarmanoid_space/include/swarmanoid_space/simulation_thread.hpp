@@ -34,8 +34,8 @@ class SimulationThread {
     bool paused = false;
     double real_time_factor = 0.0;  ///< simulated seconds for each real one; 0: as fast as possible
     /// Called at a tick boundary, on the simulation's thread, after every change of state and every completed call:
-    /// whoever publishes only now and then has to do it now.
-    std::function<void(const Simulation&, State)> on_change;
+    /// whoever publishes only now and then has to do it now. The text says why it is kStopped.
+    std::function<void(const Simulation&, State, const std::string&)> on_change;
   };
 
   struct StepResult {
@@ -67,6 +67,9 @@ class SimulationThread {
   /// @throws std::runtime_error if stopped
   void call(const std::function<void(Simulation&)>& action);
 
+  /// The same for who only looks; nobody is told of it.
+  void look(const std::function<void(const Simulation&)>& action) const;
+
   /// Back to before the first tick, paused or running as it is. See Simulation::reset.
   /// @throws what that throws; the run is stopped then
   void reset(std::optional<std::uint64_t> seed, bool rewind);
@@ -77,6 +80,7 @@ class SimulationThread {
  private:
   struct Job {
     std::function<void()> action;
+    bool is_change = true;
     std::promise<void> done;
   };
   struct Step {
@@ -91,14 +95,14 @@ class SimulationThread {
   void endStep(const std::string& problem);
   void complete();
   void announce();
-  void enqueueAndWait(std::function<void()> action);
+  void enqueueAndWait(std::function<void()> action, bool is_change = true) const;
 
   std::unique_ptr<Simulation> simulation_;
   Options options_;
 
   mutable std::mutex mutex_;  // guards what follows
-  std::condition_variable wake_;
-  std::deque<Job> jobs_;
+  mutable std::condition_variable wake_;
+  mutable std::deque<Job> jobs_;
   State state_ = State::kPaused;
   bool is_over_ = false;  // the thread takes no more jobs
   std::optional<std::string> stop_reason_;
