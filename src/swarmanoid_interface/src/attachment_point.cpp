@@ -1,6 +1,7 @@
 #include "swarmanoid_interface/attachment_point.hpp"
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 namespace swarmanoid {
@@ -101,8 +102,9 @@ void AttachmentPoint::waitForAll(std::chrono::milliseconds timeout) {
     }
   }
   if (!missing.empty()) {
-    throw std::runtime_error("still missing after " + std::to_string(static_cast<double>(timeout.count()) * 1e-3) +
-                             " s: " + joinNames(missing));
+    std::ostringstream message;
+    message << "still missing after " << static_cast<double>(timeout.count()) * 1e-3 << " s: " << joinNames(missing);
+    throw std::runtime_error(message.str());
   }
 }
 

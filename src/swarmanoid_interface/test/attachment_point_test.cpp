@@ -12,8 +12,8 @@ namespace {
 using std::chrono::milliseconds;
 
 std::shared_ptr<AttachmentPoint> openWithTwo(const std::string& space) {
-  return openAttachmentPoint(space, {{PluginKind::kEngine, "ground", "kinematics2d", {}},
-                                     {PluginKind::kController, "fc", "diffusion", {}}});
+  return openAttachmentPoint(
+      space, {{PluginKind::kEngine, "ground", "kinematics2d", {}}, {PluginKind::kController, "fc", "diffusion", {}}});
 }
 
 std::string messageOf(const std::function<void()>& call) {
@@ -64,7 +64,7 @@ TEST(AttachmentPointTest, TakesNothingTwiceAndNothingThatIsNotNeeded) {
   point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
   EXPECT_EQ("engine 'ground' is attached already",
             messageOf([&] { point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7)); }));
-  EXPECT_EQ("the experiment has no engine 'sky'; there are: engine 'ground', controller 'fc'",
+  EXPECT_EQ("the experiment has no engine 'sky'; there are: controller 'fc', engine 'ground'",
             messageOf([&] { point->request(PluginKind::kEngine, "sky"); }));
 }
 

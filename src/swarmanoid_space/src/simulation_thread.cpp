@@ -209,7 +209,8 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
   if (Clock::now() - *next_tick_ > kLargestDelay) {
     next_tick_ = Clock::now();
   }
-  *next_tick_ += std::chrono::duration_cast<Clock::duration>(simulation_->space().clocktick / options_.real_time_factor);
+  *next_tick_ +=
+      std::chrono::duration_cast<Clock::duration>(simulation_->space().clocktick / options_.real_time_factor);
   return true;
 }
 

@@ -56,8 +56,8 @@ class AttachmentPoint {
   /// @pre waitForAll has returned
   std::shared_ptr<void> part(PluginKind kind, const std::string& id) const;
   using LossHandler = std::function<void(PluginKind kind, const std::string& id)>;
-  /// Called when a part is detached; it must not return before the part is out of use. After setLossHandler returns, the
-  /// former handler is not running and will not be called again.
+  /// Called when a part is detached; it must not return before the part is out of use. After setLossHandler returns,
+  /// the former handler is not running and will not be called again.
   void setLossHandler(LossHandler handler);
 
  private:

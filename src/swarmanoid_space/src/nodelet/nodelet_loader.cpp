@@ -4,10 +4,10 @@
 #include <nodelet/NodeletLoad.h>
 #include <nodelet/NodeletUnload.h>
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_loader.hpp>
 #include <ros/param.h>
 #include <ros/service.h>
 #include <ros/this_node.h>
+#include <pluginlib/class_loader.hpp>
 
 #include <algorithm>
 

@@ -11,9 +11,8 @@ class Pace {
 
   /// @param rate at most so many times a second [Hz]; 0: always
   explicit Pace(double rate)
-      : interval_(rate > 0.0
-                      ? std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate))
-                      : Clock::duration::zero()) {}
+      : interval_(rate > 0.0 ? std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate))
+                             : Clock::duration::zero()) {}
 
   /// Whether it may be done now; counts as done then.
   bool isDue(Clock::time_point now) {

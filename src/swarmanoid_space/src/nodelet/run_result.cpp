@@ -17,7 +17,8 @@ std::string toText(const Metrics::mapped_type& value) {
 
 }  // namespace
 
-swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished, const std::string& message) {
+swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished, const std::string& message,
+                                     double wall_s) {
   const Space& space = simulation.space();
   swarmanoid_msgs::RunResult result;
   result.header = headerOf(space);
@@ -30,6 +31,7 @@ swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished
   result.judged = simulation.success().has_value();
   result.success = simulation.success().value_or(false);
   result.state_hash = simulation.stateHash();
+  result.wall_s = wall_s;
   for (const auto& [name, value] : simulation.metrics()) {
     swarmanoid_msgs::TextParameter metric;
     metric.name = name;
@@ -45,7 +47,7 @@ swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished
 std::string describe(const swarmanoid_msgs::RunResult& result) {
   std::ostringstream text;
   text << result.experiment << ", seed " << result.seed << ": " << (result.finished ? "finished" : "stopped")
-       << " after " << result.ticks << " ticks";
+       << " after " << result.ticks << " ticks in " << result.wall_s << " s";
   if (!result.message.empty()) {
     text << " (" << result.message << ")";
   }

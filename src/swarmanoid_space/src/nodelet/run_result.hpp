@@ -9,7 +9,8 @@
 
 namespace swarmanoid {
 
-swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished, const std::string& message);
+swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished, const std::string& message,
+                                     double wall_s);
 
 /// "finished after 431 ticks; success; prey = yellow, ..."
 std::string describe(const swarmanoid_msgs::RunResult& result);

@@ -27,9 +27,8 @@ SpaceDiagnostics::SpaceDiagnostics(ros::NodeHandle own, const std::string& exper
   updater_.setHardwareID(experiment);
   updater_.add("simulation", this, &SpaceDiagnostics::report);
   constexpr double kInterval = 1.0;  // [s]
-  timer_ = own.createWallTimer(ros::WallDuration(kInterval), [this](const ros::WallTimerEvent&) {
-    updater_.force_update();
-  });
+  timer_ = own.createWallTimer(ros::WallDuration(kInterval),
+                               [this](const ros::WallTimerEvent&) { updater_.force_update(); });
 }
 
 void SpaceDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {

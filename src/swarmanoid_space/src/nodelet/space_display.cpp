@@ -3,8 +3,6 @@
 #include <ros/advertise_options.h>
 #include <ros/single_subscriber_publisher.h>
 
-#include "run_result.hpp"
-
 namespace swarmanoid {
 namespace {
 
@@ -27,7 +25,12 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
   id_ = "ros";
   clock_publisher_ = own_.advertise<rosgraph_msgs::Clock>("/clock", 1, kLatched);
   tf_publisher_ = advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const Space& space, const auto& newcomer) {
-    newcomer.publish(transforms_.moving(space));
+    // should the tick's own batch have reached it too, this is no stamp twice
+    tf2_msgs::TFMessage moving = transforms_.moving(space);
+    for (auto& transform : moving.transforms) {
+      transform.header.stamp += ros::Duration(0, 1);
+    }
+    newcomer.publish(moving);
   });
   tf_static_publisher_ = own_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, kLatched);
   world_state_publisher_ =
@@ -35,10 +38,8 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
         toMessage(space, world_state_);
         newcomer.publish(world_state_);
       });
-  markers_publisher_ =
-      advertise<visualization_msgs::MarkerArray>("markers", 1, [](const Space& space, const auto& newcomer) {
-        newcomer.publish(MovingMarkers().draw(space));
-      });
+  markers_publisher_ = advertise<visualization_msgs::MarkerArray>(
+      "markers", 1, [](const Space& space, const auto& newcomer) { newcomer.publish(MovingMarkers().draw(space)); });
   markers_static_publisher_ = own_.advertise<visualization_msgs::MarkerArray>("markers_static", 1, kLatched);
   performance_publisher_ = own_.advertise<swarmanoid_msgs::Performance>("performance", 10);
   events_publisher_ = own_.advertise<swarmanoid_msgs::Event>("events", 1000);
@@ -85,20 +86,20 @@ void SpaceDisplay::draw(const Space& space) {
   }
   if (tf_publisher_.getNumSubscribers() > 0) {
     transforms_.advance(space);
-    if (transforms_pace_.isDue(now)) {
-      publishTransforms(space);
-    }
   }
-  if (world_state_publisher_.getNumSubscribers() > 0 && world_state_pace_.isDue(now)) {
+  if (transforms_pace_.isDue(now)) {
+    publishTransforms(space);
+  }
+  if (world_state_pace_.isDue(now)) {
     publishWorldState(space);
   }
-  if (markers_publisher_.getNumSubscribers() > 0 && markers_pace_.isDue(now)) {
+  if (markers_pace_.isDue(now)) {
     publishMarkers(space);
   }
   measure(space, now);
 }
 
-void SpaceDisplay::flush(State state, const std::string& stop_reason) {
+void SpaceDisplay::flush() {
   const Space& space = simulation_->space();
   const Moment moment{space.run, space.tick};
   const bool has_changed = changes_.look(space);
@@ -109,19 +110,17 @@ void SpaceDisplay::flush(State state, const std::string& stop_reason) {
   if (clock_moment_ != moment) {
     publishClock(space);
   }
-  if (transforms_moment_ != moment && tf_publisher_.getNumSubscribers() > 0) {
+  if (transforms_moment_ != moment) {
     publishTransforms(space);
   }
-  if ((has_changed || world_state_moment_ != moment) && world_state_publisher_.getNumSubscribers() > 0) {
+  if (has_changed || world_state_moment_ != moment) {
     publishWorldState(space);
   }
-  if ((has_changed || markers_moment_ != moment) && markers_publisher_.getNumSubscribers() > 0) {
+  if (has_changed || markers_moment_ != moment) {
     publishMarkers(space);
   }
-  if (state == State::kFinished || state == State::kStopped) {
-    publishResult(state, stop_reason);
-  }
-  meter_.restart(Pace::Clock::now());
+  last_draw_ = Pace::Clock::now();
+  meter_.restart(last_draw_);
 }
 
 void SpaceDisplay::publishClock(const Space& space) {
@@ -130,23 +129,28 @@ void SpaceDisplay::publishClock(const Space& space) {
 }
 
 void SpaceDisplay::publishTransforms(const Space& space) {
-  const Moment moment{space.run, space.tick};
-  if (transforms_moment_ != moment) {
-    if (const tf2_msgs::TFMessage& moving = transforms_.moving(space); !moving.transforms.empty()) {
-      tf_publisher_.publish(moving);
-    }
-    transforms_moment_ = moment;
+  // the moment counts as published without subscribers too: who comes after it is served alone
+  transforms_moment_ = {space.run, space.tick};
+  if (tf_publisher_.getNumSubscribers() == 0) {
+    return;
+  }
+  if (const tf2_msgs::TFMessage& moving = transforms_.moving(space); !moving.transforms.empty()) {
+    tf_publisher_.publish(moving);
   }
 }
 
 void SpaceDisplay::publishMarkers(const Space& space) {
-  markers_publisher_.publish(markers_.draw(space));
+  if (markers_publisher_.getNumSubscribers() > 0) {
+    markers_publisher_.publish(markers_.draw(space));
+  }
   markers_moment_ = {space.run, space.tick};
 }
 
 void SpaceDisplay::publishWorldState(const Space& space) {
-  toMessage(space, world_state_);
-  world_state_publisher_.publish(world_state_);
+  if (world_state_publisher_.getNumSubscribers() > 0) {
+    toMessage(space, world_state_);
+    world_state_publisher_.publish(world_state_);
+  }
   world_state_moment_ = {space.run, space.tick};
 }
 
@@ -168,11 +172,14 @@ void SpaceDisplay::publishEvents(const Space& space) {
   }
 }
 
-void SpaceDisplay::publishResult(State state, const std::string& stop_reason) {
-  result_publisher_.publish(runResult(*simulation_, state == State::kFinished, stop_reason));
-}
-
 void SpaceDisplay::measure(const Space& space, Pace::Clock::time_point now) {
+  if (space.run != timed_run_) {
+    timed_run_ = space.run;
+    wall_s_ = 0.0;
+  } else {
+    wall_s_ += std::chrono::duration<double>(now - last_draw_).count();
+  }
+  last_draw_ = now;
   constexpr double kInterval = 1.0;  // [s]
   meter_.add(simulation_->phaseTimes(), simulation_->robotCount());
   if (meter_.seconds(now) < kInterval) {

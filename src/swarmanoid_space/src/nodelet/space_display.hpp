@@ -1,11 +1,12 @@
 /// What the space publishes. A visualisation like any other: it looks, and changes nothing.
 ///
 /// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, which wait
-/// for theirs. A subscriber that comes while the space is paused gets the present state at once, alone: a transform must
-/// not be sent twice with one stamp.
+/// for theirs. A subscriber that comes while the space is paused gets the present state at once, alone: a transform
+/// must not be sent twice with one stamp.
 #pragma once
 
 #include <ros/node_handle.h>
+#include <swarmanoid_msgs/RunResult.h>
 
 #include <functional>
 #include <mutex>
@@ -29,8 +30,10 @@ class SpaceDisplay final : public Visualisation {
   /// @param thread once it exists: newcomers are served between its ticks
   void follow(const Simulation& simulation) { simulation_ = &simulation; }
   void serveNewcomers(SimulationThread* thread);
-  /// Publishes what is not up to date, whatever the rates; at the end of a run its result too.
-  void flush(State state, const std::string& stop_reason);
+  /// Publishes what is not up to date, whatever the rates.
+  void flush();
+  /// At the end of a run.
+  void publish(const swarmanoid_msgs::RunResult& result) { result_publisher_.publish(result); }
   /// No more publishing.
   void shutdown();
 
@@ -39,6 +42,8 @@ class SpaceDisplay final : public Visualisation {
 
   /// Means over the last second or so.
   swarmanoid_msgs::Performance performance() const;
+  /// Wall time in which this run made its ticks [s].
+  double wallTime() const { return wall_s_; }
 
  private:
   struct Moment {
@@ -56,7 +61,6 @@ class SpaceDisplay final : public Visualisation {
   void publishWorldState(const Space& space);
   void publishFixed(const Space& space);
   void publishEvents(const Space& space);
-  void publishResult(State state, const std::string& stop_reason);
   void measure(const Space& space, Pace::Clock::time_point now);
 
   ros::NodeHandle own_;
@@ -77,6 +81,9 @@ class SpaceDisplay final : public Visualisation {
   OutsideChanges changes_;
   swarmanoid_msgs::WorldState world_state_;
   PerformanceMeter meter_;
+  Pace::Clock::time_point last_draw_ = Pace::Clock::now();
+  std::uint64_t timed_run_ = 0;
+  double wall_s_ = 0.0;
   mutable std::mutex performance_mutex_;
   swarmanoid_msgs::Performance performance_;
 

@@ -1,7 +1,7 @@
 // The space under ROS: reads the experiment, has the nodelets loaded that it names, ticks, and ends.
 #include <nodelet/nodelet.h>
-#include <pluginlib/class_list_macros.hpp>
 #include <ros/init.h>
+#include <pluginlib/class_list_macros.hpp>
 
 #include <thread>
 
@@ -130,11 +130,14 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
     return;  // what was finished stays so
   }
   last_state_ = state;
-  display_->flush(state, stop_reason);
+  display_->flush();
   if (!is_news || (state != State::kFinished && state != State::kStopped)) {
     return;
   }
-  const std::string result = describe(runResult(*simulation_, state == State::kFinished, stop_reason));
+  const swarmanoid_msgs::RunResult message =
+      runResult(*simulation_, state == State::kFinished, stop_reason, display_->wallTime());
+  display_->publish(message);
+  const std::string result = describe(message);
   if (state == State::kFinished || !ros::ok()) {
     NODELET_INFO("%s", result.c_str());
   } else {

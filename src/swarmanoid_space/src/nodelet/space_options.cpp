@@ -118,9 +118,10 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   SpaceOptions options;
   options.experiment = reader.text("experiment", "");
   if (options.experiment.empty()) {
-    throw ConfigError(reader.location(), "~experiment is not set, allowed: a file or the name of an installed "
-                                         "experiment: " +
-                                             joinNames(installedExperiments()));
+    throw ConfigError(reader.location(),
+                      "~experiment is not set, allowed: a file or the name of an installed "
+                      "experiment: " +
+                          joinNames(installedExperiments()));
   }
   options.seed = reader.count("seed", {0.0, 9e15});
   options.max_ticks = reader.count("max_ticks", {1.0, 1e15});

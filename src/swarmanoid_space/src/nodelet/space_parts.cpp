@@ -15,8 +15,9 @@ std::string nodeletName(const std::string& space, const AttachmentPoint::Request
     case PluginKind::kController:
       return space + "/controllers/" + part.id;
     default:
-      return ros::names::parentNamespace(space) == "/" ? "/" + part.id + "/devices"
-                                                       : ros::names::parentNamespace(space) + "/" + part.id + "/devices";
+      return ros::names::parentNamespace(space) == "/"
+                 ? "/" + part.id + "/devices"
+                 : ros::names::parentNamespace(space) + "/" + part.id + "/devices";
   }
 }
 

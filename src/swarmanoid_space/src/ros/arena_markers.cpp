@@ -16,8 +16,8 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
   constexpr double kThickness = 0.01;
   Marker floor = makeMarker(header, "floor", 0, Marker::CUBE, {space.size.x(), space.size.y(), kThickness},
                             rgba(0.82F, 0.83F, 0.85F, 1.0F));
-  floor.pose.position = toMessage(
-      Eigen::Vector3d(0.5 * space.size.x(), 0.5 * space.size.y(), -0.5 * kThickness - kPatchHeight));
+  floor.pose.position =
+      toMessage(Eigen::Vector3d(0.5 * space.size.x(), 0.5 * space.size.y(), -0.5 * kThickness - kPatchHeight));
   markers.markers.push_back(floor);
 
   int id = 0;
@@ -25,8 +25,8 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
     const bool is_disc = patch.radius > 0.0;
     const Eigen::Vector3d scale = is_disc ? Eigen::Vector3d(2.0 * patch.radius, 2.0 * patch.radius, kPatchHeight)
                                           : Eigen::Vector3d(patch.size.x(), patch.size.y(), kPatchHeight);
-    Marker marker =
-        makeMarker(header, "floor_patches", id++, is_disc ? Marker::CYLINDER : Marker::CUBE, scale, opaque(patch.color));
+    Marker marker = makeMarker(header, "floor_patches", id++, is_disc ? Marker::CYLINDER : Marker::CUBE, scale,
+                               opaque(patch.color));
     marker.pose.position = toMessage(patch.position);
     markers.markers.push_back(marker);
   }

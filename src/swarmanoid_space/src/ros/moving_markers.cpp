@@ -84,9 +84,9 @@ void drawPreys(const Canvas& canvas) {
     }
     const Color color = canvas.space.entities.color[i];
     for (std::size_t k = 0; k < model.shapes.size(); ++k) {
-      canvas.array.markers.push_back(
-          shapeMarker(canvas.header, "preys/" + std::to_string(k), static_cast<int>(canvas.space.entities.number[i]),
-                      model.shapes[k], canvas.poseOf(row), color.isLit() ? opaque(color) : rgba(0.6F, 0.6F, 0.6F, 1.0F)));
+      canvas.array.markers.push_back(shapeMarker(
+          canvas.header, "preys/" + std::to_string(k), static_cast<int>(canvas.space.entities.number[i]),
+          model.shapes[k], canvas.poseOf(row), color.isLit() ? opaque(color) : rgba(0.6F, 0.6F, 0.6F, 1.0F)));
     }
   }
 }

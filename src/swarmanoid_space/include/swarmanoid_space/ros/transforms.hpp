@@ -53,7 +53,7 @@ class Transforms {
   const std::vector<Link>& linksOf(const EntityModel& model);
 
   std::optional<TransformLevel> level_;
-  std::map<std::string, std::vector<Link>> links_;  // by robot type
+  std::map<std::string, std::vector<Link>> links_;              // by robot type
   std::map<EntityNumber, std::array<double, 2>> wheel_angles_;  // [rad], for show: how far the wheels have turned
   std::uint64_t advanced_tick_ = 0;
   std::uint64_t advanced_run_ = 0;

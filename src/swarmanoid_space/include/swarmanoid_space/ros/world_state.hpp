@@ -1,6 +1,7 @@
 /// The state of a space as messages. No roscpp here: the space nodelet publishes them, the bag recorder writes them.
 ///
-/// Frames  the fixed frame is `world`, that of an entity `<name>/base_link`; never a leading slash, and the same for one
+/// Frames  the fixed frame is `world`, that of an entity `<name>/base_link`; never a leading slash, and the same for
+/// one
 ///         entity and for many.
 /// Stamps  simulated time, made to keep rising over resets; equal within a tick.
 #pragma once

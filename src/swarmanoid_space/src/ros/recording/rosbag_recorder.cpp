@@ -37,8 +37,8 @@ class RosbagRecorder final : public Visualisation {
     markers_every.range = {0.0, 1e9};
     Parameter compression = parameter("compression", Type::kChoice, "Of the bag's chunks.", "lz4");
     compression.choices = {"none", "lz4", "bz2"};
-    Parameter level = parameter("transforms", Type::kChoice,
-                                "Frames in /tf: auto is full for up to 20 robots, base beyond.", "auto");
+    Parameter level =
+        parameter("transforms", Type::kChoice, "Frames in /tf: auto is full for up to 20 robots, base beyond.", "auto");
     level.choices = {"auto", "none", "base", "full"};
     description.parameters = {parameter("file", Type::kText, "The bag.", std::nullopt),
                               every,
