@@ -1,4 +1,5 @@
-// The listings of the reference page of experiment files can be used as they stand, and no name is missing there.
+// The listings of the reference page of experiment files, and those of the thesis, can be used as they stand, and no
+// name is missing on the page.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -62,6 +63,27 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
       }
     }
   }
+}
+
+TEST(ThesisListingTest, LoadsUnderItsOldNames) {
+  loadBuiltInPlugins();
+  takeExperimentWarnings();
+  const Experiment experiment = readExperiment(std::string(TEST_DATA) + "/thesis_listing.xml");
+  EXPECT_EQ(takeExperimentWarnings().size(), 2U) << "the two folders of controller_path";
+  ASSERT_EQ(experiment.controllers.size(), 2U);
+  const ControllerDescription& controller = experiment.controllers[0];
+  EXPECT_EQ(controller.label, "sample_footbot_controller");
+  EXPECT_EQ(controller.actuators[0].implementation, "default");
+  EXPECT_EQ(controller.sensors[0].type, "footbot_camera");
+  EXPECT_EQ(controller.sensors[0].implementation, "color_blobs");
+  EXPECT_EQ(controller.sensors[1].implementation, "polynomial");
+  EXPECT_EQ(experiment.engines[1].label, "kinematics2d");
+  EXPECT_EQ(experiment.engines[1].parameters.number("distance"), 1.0);
+  EXPECT_EQ(experiment.visualisations.size(), 2U);
+  Experiment without_files = experiment;
+  without_files.visualisations.clear();
+  const Simulation simulation(std::move(without_files));
+  EXPECT_EQ(simulation.robotCount(), 2U);
 }
 
 }  // namespace

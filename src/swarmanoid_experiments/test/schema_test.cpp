@@ -33,9 +33,10 @@ const std::string& schema() {
 /// As xmllint sees it.
 bool schemaAccepts(const fs::path& file) {
   static const fs::path schema_file = writeFile("schema.xsd", schema());
-  const std::string command = "xmllint --noout --schema '" + schema_file.string() + "' '" + file.string() + "' 2>";
-  const std::string report = file.string() + ".report";
-  const int status = std::system((command + "'" + report + "'").c_str());
+  const fs::path report = writeFile("report.txt", "");
+  const int status = std::system(
+      ("xmllint --noout --schema '" + schema_file.string() + "' '" + file.string() + "' 2>'" + report.string() + "'")
+          .c_str());
   std::ifstream reason(report);
   std::string words((std::istreambuf_iterator<char>(reason)), {});
   // anything but "valid" and "not valid" means that xmllint is missing or the schema is wrong
@@ -66,6 +67,13 @@ TEST(SchemaTest, AcceptsGoodFiles) {
     ++count;
   }
   EXPECT_GE(count, 2);
+}
+
+TEST(SchemaTest, IsInstalled) {
+  const std::string file = findShared("swarmanoid_experiments", "experiment.xsd");
+  ASSERT_FALSE(file.empty());
+  std::ifstream installed(file);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(installed), {}), schema());
 }
 
 TEST(SchemaTest, AcceptsSectionsInAnyOrder) {

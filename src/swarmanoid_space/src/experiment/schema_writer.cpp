@@ -6,8 +6,8 @@
 namespace swarmanoid::experiment {
 namespace {
 
-const char* const kNumber = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
-const char* const kComma = "\\s*,\\s*";
+constexpr const char* kNumber = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
+constexpr const char* kComma = "\\s*,\\s*";
 
 /// The named type of a value; numbers with a range get a type of their own.
 std::string typeOf(const Parameter& parameter) {

@@ -1,5 +1,6 @@
 // What is not well-formed XML though the XML library lets it pass.
 #include <algorithm>
+#include <cctype>
 #include <regex>
 
 #include "xml_element.hpp"
@@ -58,6 +59,10 @@ class Walker {
     const bool closes = startsWith("</");
     if (closes && depth_ == 0) {
       refuse("found a closing tag that does not match the open element");
+    }
+    const auto first = static_cast<unsigned char>(text_[std::min(at_ + (closes ? 2 : 1), text_.size() - 1)]);
+    if (std::isalpha(first) == 0 && first != '_' && first < 0x80U) {
+      refuse("found '<' without a name, allowed: a tag, or &lt; for the sign");
     }
     for (char quote = '\0'; at_ < text_.size() && (quote != '\0' || text_[at_] != '>'); ++at_) {
       const char c = text_[at_];
