@@ -2,64 +2,15 @@
 #include <fnmatch.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <sstream>
-
+#include "bad_cases.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
 namespace {
 
-struct BadCase {
-  std::string name;
-  std::string text;
-  std::string message;
-};
-
-void PrintTo(const BadCase& bad, std::ostream* out) { *out << bad.name; }
-
-std::string read(const std::string& name) {
-  std::ifstream file(std::string(TEST_DATA) + "/" + name);
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
-void replaceAll(std::string& text, const std::string& from, const std::string& to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-}
-
-/// The lines up to `end`, joined.
-std::string block(std::istream& lines, const std::string& end) {
-  std::string line;
-  std::string text;
-  bool is_first = true;
-  while (std::getline(lines, line) && line != end) {
-    text += (is_first ? "" : "\n") + line;
-    is_first = false;
-  }
-  return text;
-}
-
-std::vector<BadCase> badCases() {
-  std::vector<BadCase> cases;
-  std::istringstream lines(read("bad_experiments.txt"));
-  const std::string good = read("good.xml");
-  std::string line;
-  while (std::getline(lines, line)) {
-    if (line.rfind("case ", 0) == 0) {
-      cases.push_back({line.substr(5), good, ""});
-    } else if (line == "<<<") {
-      const std::string from = block(lines, "===");
-      replaceAll(cases.back().text, from, block(lines, ">>>"));
-    } else if (line.rfind("expect ", 0) == 0) {
-      cases.back().message = line.substr(7);
-    }
-  }
-  return cases;
-}
+using test::BadCase;
+using test::badCases;
+using test::readTestData;
 
 void build(const std::string& text, const std::string& name) {
   loadBuiltInPlugins();
@@ -69,7 +20,7 @@ void build(const std::string& text, const std::string& name) {
 class BadExperimentTest : public testing::TestWithParam<BadCase> {};
 
 TEST_P(BadExperimentTest, IsRefusedWithItsMessage) {
-  ASSERT_NE(GetParam().text, read("good.xml")) << "the case changes nothing";
+  ASSERT_NE(GetParam().text, readTestData("good.xml")) << "the case changes nothing";
   ASSERT_FALSE(GetParam().message.empty());
   try {
     build(GetParam().text, "bad.xml");
@@ -89,7 +40,7 @@ INSTANTIATE_TEST_SUITE_P(All, BadExperimentTest, testing::ValuesIn(badCases()),
 
 TEST(BadExperimentsTest, ThereAreManyAndTheGoodOneIsGood) {
   EXPECT_GE(badCases().size(), 60U);
-  EXPECT_NO_THROW(build(read("good.xml"), "good.xml"));
+  EXPECT_NO_THROW(build(readTestData("good.xml"), "good.xml"));
 }
 
 }  // namespace

@@ -69,6 +69,12 @@ Color Configuration::color(std::string_view key) const {
 
 Color Configuration::color(std::string_view key, Color fallback) const { return has(key) ? color(key) : fallback; }
 
+Eigen::Vector2d Configuration::vector2(std::string_view key) const {
+  const Configuration& child = require(key);
+  const std::vector<double> values = parseNumbers(child.text_, 2, std::string(key), child.location_);
+  return {values[0], values[1]};
+}
+
 Eigen::Vector3d Configuration::vector3(std::string_view key) const {
   const Configuration& child = require(key);
   const std::vector<double> values = parseNumbers(child.text_, 3, std::string(key), child.location_);

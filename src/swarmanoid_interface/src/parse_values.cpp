@@ -29,7 +29,7 @@ std::optional<Value> readWhole(const std::string& text) {
   Value value{};
   const char* begin = text.data();
   const char* end = begin + text.size();
-  if (begin != end && *begin == '+') {
+  if (end - begin > 1 && begin[0] == '+' && begin[1] != '-') {
     ++begin;  // std::from_chars takes no plus sign; people write one
   }
   const auto [stop, error] = std::from_chars(begin, end, value);

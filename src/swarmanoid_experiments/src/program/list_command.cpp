@@ -25,6 +25,8 @@ std::string withRange(const Parameter& parameter) {
       return "true, false";
     case Parameter::Type::kColor:
       return "a colour";
+    case Parameter::Type::kVector2:
+      return "two numbers";
     case Parameter::Type::kVector3:
     case Parameter::Type::kAngles3:
       return "three numbers";

@@ -83,6 +83,8 @@ class Configuration {
   std::string text(std::string_view key, const std::string& fallback) const;
   Color color(std::string_view key) const;
   Color color(std::string_view key, Color fallback) const;
+  /// "x, y"
+  Eigen::Vector2d vector2(std::string_view key) const;
   /// "x, y, z"
   Eigen::Vector3d vector3(std::string_view key) const;
   Eigen::Vector3d vector3(std::string_view key, const Eigen::Vector3d& fallback) const;

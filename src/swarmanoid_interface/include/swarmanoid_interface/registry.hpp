@@ -28,6 +28,7 @@ struct Parameter {
     kBoolean,  ///< true, false
     kText,
     kChoice,   ///< one of `choices`
+    kVector2,  ///< "x, y"
     kVector3,  ///< "x, y, z"
     kAngle,    ///< degrees
     kAngles3,  ///< "alpha, beta, gamma" in degrees

@@ -42,6 +42,17 @@ std::vector<std::string> arenaTags() {
   return tags;
 }
 
+/// The choice that an attribute makes; without the attribute the choice is `fallback`, if there is one.
+std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
+                       const std::optional<std::string>& fallback) {
+  Parameter choice = makeParameter(name, Parameter::Type::kChoice, "", std::nullopt, {}, "");
+  choice.choices = choices;
+  const auto given = element.attribute(name);
+  const std::string text = fallback ? given.value_or(*fallback) : element.requireAttribute(name);
+  checkValue(choice, text, element.attributeLocation(name));
+  return text;
+}
+
 EntityDescription readEntity(const XmlElement& element, bool is_distributed, Reader& reader) {
   element.allowAttributes({"id"});
   const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEntity, element, "");
@@ -51,15 +62,7 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
   entity.id = element.requireAttribute("id");
   reader.takeId("entity", entity.id, element);
 
-  std::vector<Parameter> table = entry.description.parameters;
-  for (Parameter placement : placementParameters()) {
-    if (is_distributed) {
-      placement.value = "0, 0, 0";
-    }
-    if (!is_distributed || placement.name != "position") {
-      table.push_back(placement);
-    }
-  }
+  const std::vector<Parameter> table = entityParameters(entry.description, is_distributed);
   const bool is_robot = makePlugin<EntityType>(entry)->isRobot();
   entity.parameters =
       readParameters(element, table, is_robot ? std::vector<std::string>{"controller"} : std::vector<std::string>{});
@@ -80,13 +83,10 @@ void readDistribute(const XmlElement& element, Reader& reader) {
   std::vector<std::string> entity_tags = Registry::instance().labels(PluginKind::kEntity);
   const Configuration values = readParameters(element, distributeParameters(), entity_tags);
   Distribution distribution;
-  distribution.quantity = static_cast<std::size_t>(
-      parseInteger(element.requireAttribute("quantity"), "quantity", element.location(), {1.0, 1e7}));
-  Parameter layout = makeParameter("layout", Parameter::Type::kChoice, "", "uniform", {}, "");
-  layout.choices = {"uniform", "grid"};
-  const std::string layout_name = element.attribute("layout").value_or("uniform");
-  checkValue(layout, layout_name, element.location());
-  distribution.layout = layout_name == "grid" ? Distribution::Layout::kGrid : Distribution::Layout::kUniform;
+  distribution.quantity = static_cast<std::size_t>(parseInteger(element.requireAttribute("quantity"), "quantity",
+                                                                element.attributeLocation("quantity"), kQuantityRange));
+  const bool is_grid = readChoice(element, "layout", layouts(), layouts().front()) == "grid";
+  distribution.layout = is_grid ? Distribution::Layout::kGrid : Distribution::Layout::kUniform;
   distribution.minimum = values.vector3("minimum");
   distribution.maximum = values.vector3("maximum");
   if (!((distribution.maximum - distribution.minimum).minCoeff() >= 0.0)) {
@@ -105,6 +105,11 @@ void readDistribute(const XmlElement& element, Reader& reader) {
   if (prototypes.size() != 1) {
     element.refuse("found " + std::to_string(prototypes.size()) + " entities in <distribute>, allowed: one");
   }
+  if (distribution.random_heading && prototypes[0].angles.z() != 0.0) {
+    const Configuration& orientation = *prototypes[0].parameters.find("orientation");
+    throw ConfigError(orientation.location(), "orientation: found '" + orientation.text() +
+                                                  "' while random_heading is true, allowed: a third angle of 0");
+  }
   prototypes[0].distribution = distribution;
   for (std::size_t k = 1; k <= distribution.quantity; ++k) {
     reader.takeId("entity", prototypes[0].id + "_" + std::to_string(k), element);
@@ -121,10 +126,10 @@ void readFloorPatch(const XmlElement& element, Reader& reader) {
   const Configuration values = readParameters(element, floorPatchParameters());
   patch.position = values.vector3("position");
   patch.radius = values.number("radius");
-  patch.size = values.vector3("size").head<2>();
+  patch.size = values.vector2("size");
   patch.color = values.color("color");
-  const bool has_size = patch.size.minCoeff() > 0.0;
-  if ((patch.radius > 0.0) == has_size) {
+  const bool has_size = patch.size != Eigen::Vector2d::Zero();
+  if ((patch.radius > 0.0) == has_size || (has_size && !(patch.size.minCoeff() > 0.0))) {
     element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
                    values.text("size") + "', allowed: one of them greater than 0");
   }
@@ -138,17 +143,16 @@ void readArena(const XmlElement& section, Reader& reader) {
   ArenaDescription& arena = reader.experiment.arena;
   arena.location = section.location();
   const std::string size = section.requireAttribute("size");
-  const std::vector<double> lengths = parseNumbers(size, 3, "size", section.location());
+  const std::vector<double> lengths = parseNumbers(size, 3, "size", section.attributeLocation("size"));
   arena.size = {lengths[0], lengths[1], lengths[2]};
   if (!(arena.size.minCoeff() > 0.0)) {
-    section.refuse("size: found '" + size + "', allowed: three numbers greater than 0");
+    throw ConfigError(section.attributeLocation("size"),
+                      "size: found '" + size + "', allowed: three numbers greater than 0");
   }
-  Parameter optimization = makeParameter("optimization", Parameter::Type::kChoice, "", std::nullopt, {}, "");
-  optimization.choices = {"2D", "3D"};
-  const std::string chosen = section.requireAttribute("optimization");
-  checkValue(optimization, chosen, section.location());
-  arena.optimization = chosen == "3D" ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
-  arena.bounded = parseBoolean(section.attribute("bounded").value_or("false"), "bounded", section.location());
+  const bool is_3d = readChoice(section, "optimization", optimizations(), std::nullopt) == "3D";
+  arena.optimization = is_3d ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
+  arena.bounded =
+      parseBoolean(section.attribute("bounded").value_or("false"), "bounded", section.attributeLocation("bounded"));
 
   section.allowChildren(arenaTags());
   for (const XmlElement& element : section.children()) {
@@ -163,26 +167,3 @@ void readArena(const XmlElement& section, Reader& reader) {
 }
 
 }  // namespace swarmanoid::experiment
-
-namespace swarmanoid {
-
-bool FloorPatch::contains(const Eigen::Vector3d& point) const {
-  const Eigen::Vector2d offset = (point - position).head<2>();
-  if (radius > 0.0) {
-    return offset.norm() <= radius;
-  }
-  return std::abs(offset.x()) <= 0.5 * size.x() && std::abs(offset.y()) <= 0.5 * size.y();
-}
-
-Eigen::Vector3d FloorPatch::nearestPoint(const Eigen::Vector3d& point) const {
-  Eigen::Vector2d offset = (point - position).head<2>();
-  if (radius > 0.0) {
-    const double distance = offset.norm();
-    offset *= distance > radius ? radius / distance : 1.0;
-  } else {
-    offset = offset.cwiseMax(-0.5 * size).cwiseMin(0.5 * size);
-  }
-  return position + Eigen::Vector3d(offset.x(), offset.y(), 0.0);
-}
-
-}  // namespace swarmanoid

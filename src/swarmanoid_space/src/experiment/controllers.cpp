@@ -68,11 +68,18 @@ void readControllers(const XmlElement& section, Reader& reader) {
     controller.id = element.requireAttribute("id");
     reader.takeId("controller", controller.id, element);
     controller.label = withoutAlias(element.name());
-    controller.library = withoutAlias(element.attribute("library").value_or(controller.label));
-    loadPluginLibrary(controller.library, reader.experiment.framework.controller_path, element.location());
-    if (Registry::instance().find(PluginKind::kController, controller.label) == nullptr) {
-      element.refuse(unknownName("controller", element.name(), Registry::instance().labels(PluginKind::kController)));
+    const Registry& registry = Registry::instance();
+    const bool is_known = registry.find(PluginKind::kController, controller.label) != nullptr;
+    controller.library = withoutAlias(element.attribute("library").value_or(is_known ? "" : controller.label));
+    if (!controller.library.empty()) {
+      loadPluginLibrary(controller.library, reader.experiment.framework.controller_path,
+                        element.attributeLocation("library"));
     }
+    const Registry::Entry* entry = registry.find(PluginKind::kController, controller.label);
+    if (entry == nullptr) {
+      element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
+    }
+    controller.label = entry->description.label;
     element.allowChildren({"actuators", "sensors", "parameters"});
     if (const auto actuators = element.child("actuators")) {
       controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);
@@ -80,9 +87,13 @@ void readControllers(const XmlElement& section, Reader& reader) {
     if (const auto sensors = element.child("sensors")) {
       controller.sensors = readDevices(PluginKind::kSensor, *sensors, reader);
     }
-    const auto parameters = element.child("parameters");
-    controller.parameters =
-        parameters ? parameters->toConfiguration() : Configuration("parameters", "", element.location());
+    controller.parameters = Configuration("parameters", "", element.location());
+    if (const auto parameters = element.child("parameters")) {
+      // whatever the controller likes, but nothing that its reader would pass over in silence
+      parameters->refuseText();
+      parameters->refuseDoubles();
+      controller.parameters = parameters->toConfiguration();
+    }
     reader.experiment.controllers.push_back(std::move(controller));
   }
 }

@@ -32,12 +32,12 @@ MappingDescription::Member readMember(const XmlElement& element, const std::vect
   member.location = element.location();
   member.entity = element.requireAttribute("id");
   if (std::find(entities.begin(), entities.end(), member.entity) == entities.end()) {
-    element.refuse(unknownName("the entity", member.entity, entities));
+    throw ConfigError(element.attributeLocation("id"), unknownName("the entity", member.entity, entities));
   }
   if (const auto role = element.attribute("role")) {
     Parameter choice = makeParameter("role", Parameter::Type::kChoice, "", std::nullopt, {}, "");
-    choice.choices = {"move", "mirror"};
-    checkValue(choice, *role, element.location());
+    choice.choices = roles();
+    checkValue(choice, *role, element.attributeLocation("role"));
     member.role = *role == "move" ? Role::kMove : Role::kMirror;
   }
   return member;
@@ -65,7 +65,12 @@ void readArenaPhysics(const XmlElement& section, Reader& reader) {
     mapping.location = element.location();
     mapping.engine = element.requireAttribute("id");
     if (std::find(engines.begin(), engines.end(), mapping.engine) == engines.end()) {
-      element.refuse(unknownName("the engine", mapping.engine, engines));
+      throw ConfigError(element.attributeLocation("id"), unknownName("the engine", mapping.engine, engines));
+    }
+    for (const MappingDescription& other : reader.experiment.mappings) {
+      if (other.engine == mapping.engine) {
+        element.refuse("found the engine '" + mapping.engine + "' twice, allowed: once");
+      }
     }
     for (const XmlElement& child : element.children()) {
       mapping.members.push_back(readMember(child, entities));

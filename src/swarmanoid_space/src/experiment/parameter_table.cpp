@@ -16,6 +16,9 @@ void checkValue(const Parameter& parameter, const std::string& text, const Sourc
     case Parameter::Type::kBoolean:
       parseBoolean(text, parameter.name, location);
       break;
+    case Parameter::Type::kVector2:
+      parseNumbers(text, 2, parameter.name, location);
+      break;
     case Parameter::Type::kVector3:
     case Parameter::Type::kAngles3:
       parseNumbers(text, 3, parameter.name, location);
@@ -86,12 +89,16 @@ const std::vector<Parameter>& frameworkParameters() {
   return table;
 }
 
-const std::vector<Parameter>& placementParameters() {
+std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed) {
   using Type = Parameter::Type;
-  static const std::vector<Parameter> table{
-      makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the entity's origin."),
-      makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, {},
-                    "Turns about the space's x, then y, then z axis.")};
+  std::vector<Parameter> table = type.parameters;
+  const std::string turns = "Turns about the space's x, then y, then z axis.";
+  if (is_distributed) {
+    table.push_back(makeParameter("orientation", Type::kAngles3, "deg", "0, 0, 0", {}, turns));
+  } else {
+    table.push_back(makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the entity's origin."));
+    table.push_back(makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, {}, turns));
+  }
   return table;
 }
 
@@ -100,7 +107,7 @@ const std::vector<Parameter>& floorPatchParameters() {
   static const std::vector<Parameter> table{
       makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the patch's centre."),
       makeParameter("radius", Type::kNumber, "m", "0", {0.0, 1e6}, "Of a disc; 0: a rectangle of <size>."),
-      makeParameter("size", Type::kVector3, "m", "0, 0, 0", {}, "Of a rectangle along x and y; the third is not used."),
+      makeParameter("size", Type::kVector2, "m", "0, 0", {}, "Of a rectangle along x and y."),
       makeParameter("color", Type::kColor, "", "gray", {}, "As cameras see it.")};
   return table;
 }
@@ -115,6 +122,21 @@ const std::vector<Parameter>& distributeParameters() {
       makeParameter("max_trials", Type::kInteger, "", "100", {1.0, 1e6},
                     "Random places tried for each entity before it is an error.")};
   return table;
+}
+
+const std::vector<std::string>& layouts() {
+  static const std::vector<std::string> names{"uniform", "grid"};
+  return names;
+}
+
+const std::vector<std::string>& optimizations() {
+  static const std::vector<std::string> names{"2D", "3D"};
+  return names;
+}
+
+const std::vector<std::string>& roles() {
+  static const std::vector<std::string> names{"move", "mirror"};
+  return names;
 }
 
 const std::vector<std::string>& arenaAttributes() {

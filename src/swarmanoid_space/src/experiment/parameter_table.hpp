@@ -24,14 +24,18 @@ Parameter makeParameter(const std::string& name, Parameter::Type type, const std
 
 // The tables of the sections themselves.
 const std::vector<Parameter>& frameworkParameters();
-/// Of every entity that is placed by hand.
-const std::vector<Parameter>& placementParameters();
+/// Of an entity: those of its type, and its placement. In <distribute> it has no position, and need not be turned.
+std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& floorPatchParameters();
 /// Of <distribute>; quantity and layout are attributes.
 const std::vector<Parameter>& distributeParameters();
 
-/// Attributes of the elements that have fixed ones.
+// Attributes, and what they may be.
+constexpr Range kQuantityRange{1.0, 1e7};
+const std::vector<std::string>& layouts();
+const std::vector<std::string>& optimizations();
+const std::vector<std::string>& roles();
 const std::vector<std::string>& arenaAttributes();
 const std::vector<std::string>& pluginAttributes();
 const std::vector<std::string>& distributeAttributes();

@@ -25,7 +25,8 @@ void checkName(const std::string& id, const XmlElement& element) {
     good = good && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_');
   }
   if (!good) {
-    element.refuse("id: found '" + id + "', allowed: letters, digits and _, a letter first");
+    throw ConfigError(element.attributeLocation("id"),
+                      "id: found '" + id + "', allowed: letters, digits and _, a letter first");
   }
 }
 
@@ -33,13 +34,14 @@ void Reader::takeId(const std::string& kind, const std::string& id, const XmlEle
   checkName(id, element);
   const auto [known, is_new] = ids.emplace(kind + " " + id, element.location());
   if (!is_new) {
-    element.refuse("the " + kind + " id '" + id + "' is taken already, in " + known->second.toString());
+    throw ConfigError(element.attributeLocation("id"),
+                      "the " + kind + " id '" + id + "' is taken already, in " + known->second.toString());
   }
 }
 
 const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
   if (!library.empty()) {
-    loadPluginLibrary(library, experiment.framework.controller_path, element.location());
+    loadPluginLibrary(library, experiment.framework.controller_path, element.attributeLocation("library"));
   }
   const Registry::Entry* entry = Registry::instance().find(kind, element.name());
   if (entry == nullptr) {
@@ -88,6 +90,9 @@ std::string xmlProblem(const tinyxml2::XMLDocument& document) {
       return "found a closing tag that does not match the open element";
     case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
       return "found a malformed attribute, allowed: name=\"value\", each name once";
+    case tinyxml2::XML_ERROR_PARSING:
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "found a tag that is malformed or never closed";
     default:
       return std::string("found malformed XML (") + tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + ")";
   }
@@ -96,8 +101,22 @@ std::string xmlProblem(const tinyxml2::XMLDocument& document) {
 }  // namespace
 }  // namespace experiment
 
+/// Reads and checks the document; what it warns of is kept for takeExperimentWarnings.
+Experiment experiment::readDocument(const XmlElement& root, Experiment start) {
+  Reader reader;
+  reader.experiment = std::move(start);
+  const auto& conflicts = Registry::instance().conflicts();
+  const auto first_new = static_cast<std::ptrdiff_t>(conflicts.size());
+  readSections(root, reader);
+  auto& warnings = pendingWarnings();
+  warnings.insert(warnings.end(), reader.warnings.begin(), reader.warnings.end());
+  warnings.insert(warnings.end(), conflicts.begin() + first_new, conflicts.end());
+  return std::move(reader.experiment);
+}
+
 Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
   using experiment::XmlElement;
+  experiment::checkWellFormed(text, name);
   tinyxml2::XMLDocument document;
   if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) {
     throw ConfigError({name, document.ErrorLineNum()}, experiment::xmlProblem(document));
@@ -114,15 +133,12 @@ Experiment parseExperiment(const std::string& text, const std::string& name, con
     XmlElement(second, &name)
         .refuse("found <" + std::string(second->Name()) + "> after the root element, allowed: nothing");
   }
-  experiment::applyOverrides(document, overrides);
-  experiment::Reader reader;
-  reader.experiment.file = name;
-  reader.experiment.name = std::filesystem::path(name).stem().string();
-  reader.experiment.text = text;
-  experiment::readSections(root_element, reader);
-  auto& warnings = experiment::pendingWarnings();
-  warnings.insert(warnings.end(), reader.warnings.begin(), reader.warnings.end());
-  return std::move(reader.experiment);
+  const auto marks = experiment::applyOverrides(document, overrides);
+  Experiment start;
+  start.file = name;
+  start.name = std::filesystem::path(name).stem().string();
+  start.text = text;
+  return experiment::readDocument(root_element, std::move(start));
 }
 
 Experiment readExperiment(const std::string& file, const std::vector<Override>& overrides) {

@@ -1,6 +1,7 @@
 /// What the readers of the sections share, and the readers themselves, one file each.
 #pragma once
 
+#include <deque>
 #include <map>
 #include <string>
 #include <vector>
@@ -36,7 +37,12 @@ void readVisualisations(const XmlElement& section, Reader& reader);
 /// @throws ConfigError
 void checkName(const std::string& id, const XmlElement& element);
 
-/// Sets values in the document before it is read. @throws ConfigError for a path that leads nowhere
-void applyOverrides(tinyxml2::XMLDocument& document, const std::vector<Override>& overrides);
+/// Reads all sections. `start` has the experiment's name, file and text.
+Experiment readDocument(const XmlElement& root, Experiment start);
+
+/// Sets values in the document before it is read.
+/// @return what the document's elements point to, so it must live as long as they are read
+/// @throws ConfigError for a path that leads nowhere, or to more than one place
+std::deque<OverrideMarks> applyOverrides(tinyxml2::XMLDocument& document, const std::vector<Override>& overrides);
 
 }  // namespace swarmanoid::experiment

@@ -1,205 +1,238 @@
 // The XML schema of experiment files, made from the tables that the readers use.
-#include <sstream>
+//
+// Sections that name plugins let unknown tags through, since anybody's library may add one; what is known is checked,
+// wherever it stands. XML Schema finds known tags among unknown ones only if they are declared at the top.
+#include <set>
 
 #include "parameter_table.hpp"
+#include "schema_writer.hpp"
 #include "swarmanoid_space/entity_type.hpp"
 #include "swarmanoid_space/experiment.hpp"
 
-namespace swarmanoid {
-namespace experiment {
+namespace swarmanoid::experiment {
 namespace {
 
-constexpr const char* kNumberPattern = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
-
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    result += c == '<' ? "&lt;" : c == '>' ? "&gt;" : c == '&' ? "&amp;" : c == '"' ? "&quot;" : std::string(1, c);
-  }
-  return result;
+std::vector<std::string> namesOf(const std::string& name, std::vector<std::string> aliases) {
+  aliases.insert(aliases.begin(), name);
+  return aliases;
 }
 
-class SchemaWriter {
- public:
-  std::string write() {
-    out_ << "<?xml version=\"1.0\"?>\n<xs:schema xmlns:xs=\"http://www.w3.org/2001/XMLSchema\">\n";
-    writeSimpleTypes();
-    writeRoot();
-    writePlugins();
-    out_ << "</xs:schema>\n";
-    return out_.str();
-  }
+std::vector<const Registry::Entry*> all(PluginKind kind) { return Registry::instance().all(kind); }
 
- private:
-  void writePattern(const std::string& name, const std::string& pattern) {
-    out_ << "  <xs:simpleType name=\"" << name << "\"><xs:restriction base=\"xs:token\"><xs:pattern value=\"" << pattern
-         << "\"/></xs:restriction></xs:simpleType>\n";
+std::vector<std::string> tagsOf(PluginKind kind) {
+  std::vector<std::string> tags;
+  for (const Registry::Entry* entry : all(kind)) {
+    const auto names = namesOf(entry->description.label, entry->description.label_aliases);
+    tags.insert(tags.end(), names.begin(), names.end());
   }
+  return tags;
+}
 
-  void writeSimpleTypes() {
-    const std::string number = kNumberPattern;
-    const std::string comma = "\\s*,\\s*";
-    writePattern("number", number);
-    writePattern("integer", "[+\\-]?[0-9]+");
-    writePattern("boolean", "true|false");
-    writePattern("three_numbers", number + comma + number + comma + number);
-    std::string color = "[0-9]+" + comma + "[0-9]+" + comma + "[0-9]+";
-    for (const std::string& name : colorNames()) {
-      color += "|" + name;
-    }
-    writePattern("color", color);
-    writePattern("name", "[A-Za-z][A-Za-z0-9_]*");
+void writePluginAttributes(SchemaWriter& out) {
+  for (const std::string& name : pluginAttributes()) {
+    out.attribute(name, name == "id" ? "name" : "xs:string", name == "id");
   }
+}
 
-  static std::string typeOf(const Parameter& parameter) {
-    switch (parameter.type) {
-      case Parameter::Type::kNumber:
-      case Parameter::Type::kAngle:
-        return "number";
-      case Parameter::Type::kInteger:
-        return "integer";
-      case Parameter::Type::kBoolean:
-        return "boolean";
-      case Parameter::Type::kVector3:
-      case Parameter::Type::kAngles3:
-        return "three_numbers";
-      case Parameter::Type::kColor:
-        return "color";
-      case Parameter::Type::kChoice:
-      case Parameter::Type::kText:
-        return "xs:string";
-    }
-    return "xs:string";
-  }
+void writeOpenSection(const std::string& name, SchemaWriter& out) {
+  out.openElement(name, false);
+  out.anyElements("lax");
+  out.closeElement();
+}
 
-  void writeParameter(const Parameter& parameter) {
-    const bool is_choice = parameter.type == Parameter::Type::kChoice;
-    out_ << "<xs:element name=\"" << parameter.name << "\"" << (parameter.value ? " minOccurs=\"0\"" : "")
-         << (is_choice ? "" : " type=\"" + typeOf(parameter) + "\"") << "><xs:annotation><xs:documentation>"
-         << escaped(parameter.description) << (parameter.unit.empty() ? "" : " [" + parameter.unit + "]")
-         << "</xs:documentation></xs:annotation>";
-    if (is_choice) {
-      out_ << "<xs:simpleType><xs:restriction base=\"xs:token\">";
-      for (const std::string& choice : parameter.choices) {
-        out_ << "<xs:enumeration value=\"" << choice << "\"/>";
+void writeEntities(bool is_distributed, SchemaWriter& out) {
+  for (const Registry::Entry* entry : all(PluginKind::kEntity)) {
+    for (const std::string& tag : namesOf(entry->description.label, entry->description.label_aliases)) {
+      out.openElement(tag, false, entry->description.summary);
+      out.open("all");
+      out.parameters(entityParameters(entry->description, is_distributed));
+      if (makePlugin<EntityType>(*entry)->isRobot()) {
+        out.leaf("element", {{"name", "controller"}, {"type", "name"}, {"minOccurs", "0"}});
       }
-      out_ << "</xs:restriction></xs:simpleType>";
+      out.close();
+      out.attribute("id", "name", true);
+      out.closeElement();
     }
-    out_ << "</xs:element>\n";
   }
+}
 
-  void writeAttribute(const std::string& name, bool required, const std::string& type = "xs:string") {
-    out_ << "<xs:attribute name=\"" << name << "\" type=\"" << type << "\"" << (required ? " use=\"required\"" : "")
-         << "/>\n";
+void writeArena(SchemaWriter& out) {
+  out.openElement("arena", true);
+  out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
+  writeEntities(false, out);
+  out.openElement("floor_patch", true);
+  out.open("all");
+  out.parameters(floorPatchParameters());
+  out.close();
+  out.attribute("id", "name", true);
+  out.closeElement();
+  out.openElement("distribute", true);
+  out.open("all");
+  out.parameters(distributeParameters());
+  writeEntities(true, out);
+  out.close();
+  out.numberAttribute("quantity", kQuantityRange, true);
+  out.choiceAttribute("layout", layouts(), false);
+  out.closeElement();
+  out.close();
+  out.attribute("size", "three_numbers", true);
+  out.choiceAttribute("optimization", optimizations(), true);
+  out.attribute("bounded", "boolean", false);
+  out.closeElement();
+}
+
+void writeArenaPhysics(SchemaWriter& out) {
+  out.openElement("arena_physics", false);
+  out.open("sequence");
+  out.openRepeatedElement("engine");
+  out.open("sequence");
+  out.openRepeatedElement("entity");
+  out.attribute("id", "name", true);
+  out.choiceAttribute("role", roles(), false);
+  out.closeElement();
+  out.close();
+  out.attribute("id", "name", true);
+  out.close();
+  out.identity("unique", "entity_of_engine", "entity");
+  out.close();
+  out.close();
+  out.closeElement();
+}
+
+void writeIdentities(SchemaWriter& out) {
+  for (const char* section : {"controllers", "engines", "visualisations", "visualizations"}) {
+    out.identity("unique", std::string("id_in_") + section, std::string(section) + "/*");
   }
-
-  void writeAll(const std::vector<Parameter>& table) {
-    out_ << "<xs:all>\n";
-    for (const Parameter& parameter : table) {
-      writeParameter(parameter);
-    }
-    out_ << "</xs:all>\n";
+  out.identity("unique", "id_in_arena", "arena/*|arena/distribute/*");
+  out.identity("unique", "engine_of_mapping", "arena_physics/engine");
+  std::string bodies;
+  for (const std::string& tag : tagsOf(PluginKind::kEntity)) {
+    bodies += (bodies.empty() ? "arena/" : "|arena/") + tag;
+    bodies += "|arena/distribute/" + tag;
   }
+  out.identity("key", "mapped_entity", bodies);
+  out.reference("mapping", "mapped_entity", "arena_physics/engine/entity");
+}
 
-  /// Plugins that are not known here (built by users) are let through unchecked.
-  void writeOpenSection(const std::string& name) {
-    out_ << "<xs:element name=\"" << name
-         << "\" minOccurs=\"0\"><xs:complexType><xs:sequence><xs:any processContents=\"lax\" minOccurs=\"0\" "
-            "maxOccurs=\"unbounded\"/></xs:sequence></xs:complexType></xs:element>\n";
+void writeRoot(SchemaWriter& out) {
+  out.openElement("ahss-config", true);
+  out.open("all");
+  out.openElement("framework", true);
+  out.open("all");
+  out.parameters(frameworkParameters());
+  out.close();
+  out.closeElement();
+  writeOpenSection("controllers", out);
+  writeArena(out);
+  writeOpenSection("engines", out);
+  writeArenaPhysics(out);
+  writeOpenSection("visualisations", out);
+  writeOpenSection("visualizations", out);
+  out.close();
+  out.close();
+  writeIdentities(out);
+  out.close();
+}
+
+/// What stands in any controller, known or not.
+void writeControllerParts(SchemaWriter& out) {
+  for (const char* devices : {"actuators", "sensors"}) {
+    out.openElement(devices, true);
+    out.anyElements("lax");
+    out.closeElement();
   }
+  out.openElement("parameters", true, "Whatever the controller reads.");
+  out.anyElements("skip");
+  out.closeElement();
+}
 
-  void writeRoot() {
-    out_ << "<xs:element name=\"ahss-config\"><xs:complexType><xs:all>\n";
-    out_ << "<xs:element name=\"framework\"><xs:complexType>\n";
-    writeAll(frameworkParameters());
-    out_ << "</xs:complexType></xs:element>\n";
-    writeOpenSection("controllers");
-    writeArena();
-    writeOpenSection("engines");
-    out_ << "<xs:element name=\"arena_physics\" minOccurs=\"0\"><xs:complexType><xs:sequence><xs:element "
-            "name=\"engine\" "
-            "minOccurs=\"0\" maxOccurs=\"unbounded\"><xs:complexType><xs:sequence><xs:element name=\"entity\" "
-            "minOccurs=\"0\" maxOccurs=\"unbounded\"><xs:complexType>\n";
-    for (const std::string& name : memberAttributes()) {
-      writeAttribute(name, name == "id");
-    }
-    out_ << "</xs:complexType></xs:element></xs:sequence>";
-    writeAttribute("id", true, "name");
-    out_ << "</xs:complexType></xs:element></xs:sequence></xs:complexType></xs:element>\n";
-    writeOpenSection("visualisations");
-    writeOpenSection("visualizations");
-    out_ << "</xs:all></xs:complexType></xs:element>\n";
-  }
-
-  void writeArena() {
-    out_ << "<xs:element name=\"arena\"><xs:complexType><xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">\n";
-    for (const Registry::Entry* entry : Registry::instance().all(PluginKind::kEntity)) {
-      writeEntity(*entry, false);
-    }
-    out_ << "<xs:element name=\"floor_patch\"><xs:complexType>\n";
-    writeAll(floorPatchParameters());
-    writeAttribute("id", true, "name");
-    out_ << "</xs:complexType></xs:element>\n";
-    out_ << "<xs:element name=\"distribute\"><xs:complexType><xs:choice minOccurs=\"0\" maxOccurs=\"unbounded\">\n";
-    for (const Parameter& parameter : distributeParameters()) {
-      writeParameter(parameter);
-    }
-    for (const Registry::Entry* entry : Registry::instance().all(PluginKind::kEntity)) {
-      writeEntity(*entry, true);
-    }
-    out_ << "</xs:choice>\n";
-    for (const std::string& name : distributeAttributes()) {
-      writeAttribute(name, name == "quantity");
-    }
-    out_ << "</xs:complexType></xs:element>\n</xs:choice>\n";
-    for (const std::string& name : arenaAttributes()) {
-      writeAttribute(name, name != "bounded");
-    }
-    out_ << "</xs:complexType></xs:element>\n";
-  }
-
-  void writeEntity(const Registry::Entry& entry, bool is_distributed) {
-    std::vector<Parameter> table = entry.description.parameters;
-    for (Parameter placement : placementParameters()) {
-      if (is_distributed) {
-        placement.value = "0, 0, 0";
+/// The values that one implementation or another reads; those that not all need are optional.
+std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*>& implementations) {
+  std::vector<Parameter> table;
+  std::set<std::string> names;
+  for (const Registry::Entry* entry : implementations) {
+    for (Parameter parameter : entry->description.parameters) {
+      if (implementations.size() > 1) {
+        // implementations may differ in what they allow, so only the name is sure
+        parameter.type = Parameter::Type::kText;
+        parameter.value = parameter.value.value_or("");
       }
-      if (!is_distributed || placement.name != "position") {
-        table.push_back(placement);
+      if (names.insert(parameter.name).second) {
+        table.push_back(parameter);
       }
     }
-    if (makePlugin<EntityType>(entry)->isRobot()) {
-      table.push_back(makeParameter("controller", Parameter::Type::kText, "", "", {}, "Id of its controller."));
-    }
-    out_ << "<xs:element name=\"" << entry.description.label << "\"><xs:complexType>\n";
-    writeAll(table);
-    writeAttribute("id", true, "name");
-    out_ << "</xs:complexType></xs:element>\n";
   }
+  return table;
+}
 
-  void writePlugins() {
-    for (const PluginKind kind : {PluginKind::kEngine, PluginKind::kVisualisation}) {
-      for (const Registry::Entry* entry : Registry::instance().all(kind)) {
-        std::vector<std::string> tags = entry->description.label_aliases;
-        tags.push_back(entry->description.label);
-        for (const std::string& tag : tags) {
-          out_ << "<xs:element name=\"" << tag << "\"><xs:complexType>\n";
-          writeAll(entry->description.parameters);
-          for (const std::string& name : pluginAttributes()) {
-            writeAttribute(name, name == "id");
-          }
-          out_ << "</xs:complexType></xs:element>\n";
+void writeDevice(const std::string& tag, const std::vector<const Registry::Entry*>& implementations,
+                 SchemaWriter& out) {
+  std::vector<std::string> choices;
+  for (const Registry::Entry* entry : implementations) {
+    const auto names = namesOf(entry->description.implementation, entry->description.implementation_aliases);
+    choices.insert(choices.end(), names.begin(), names.end());
+  }
+  out.openElement(tag, true, implementations.front()->description.summary);
+  out.open("all");
+  out.choiceElement("implementation", choices);
+  out.parameters(deviceParameters(implementations));
+  out.close();
+  out.attribute("library", "xs:string", false);
+  out.closeElement();
+}
+
+void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry& entry, SchemaWriter& out) {
+  out.openElement(tag, true, entry.description.summary);
+  out.open("all");
+  if (kind == PluginKind::kController) {
+    for (const char* part : {"actuators", "sensors", "parameters"}) {
+      out.leaf("element", {{"ref", part}, {"minOccurs", "0"}});
+    }
+  } else {
+    out.parameters(entry.description.parameters);
+  }
+  out.close();
+  writePluginAttributes(out);
+  out.closeElement();
+}
+
+void writePlugins(SchemaWriter& out) {
+  std::set<std::string> written{"ahss-config", "actuators", "sensors", "parameters"};
+  for (const PluginKind kind : {PluginKind::kController, PluginKind::kEngine, PluginKind::kVisualisation,
+                                PluginKind::kActuator, PluginKind::kSensor}) {
+    const bool is_device = kind == PluginKind::kActuator || kind == PluginKind::kSensor;
+    for (const Registry::Entry* entry : all(kind)) {
+      std::vector<const Registry::Entry*> implementations;
+      for (const Registry::Entry* other : all(kind)) {
+        if (other->description.label == entry->description.label) {
+          implementations.push_back(other);
+        }
+      }
+      for (const std::string& tag : namesOf(entry->description.label, entry->description.label_aliases)) {
+        if (!written.insert(tag).second) {
+          continue;
+        }
+        if (is_device) {
+          writeDevice(tag, implementations, out);
+        } else {
+          writePlugin(kind, tag, *entry, out);
         }
       }
     }
   }
-
-  std::ostringstream out_;
-};
+}
 
 }  // namespace
-}  // namespace experiment
+}  // namespace swarmanoid::experiment
 
-std::string experimentSchema() { return experiment::SchemaWriter().write(); }
+namespace swarmanoid {
+
+std::string experimentSchema() {
+  experiment::SchemaWriter out;
+  experiment::writeRoot(out);
+  experiment::writeControllerParts(out);
+  experiment::writePlugins(out);
+  return out.text();
+}
 
 }  // namespace swarmanoid

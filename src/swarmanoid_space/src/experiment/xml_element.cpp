@@ -24,11 +24,22 @@ std::string unknownName(const std::string& what, const std::string& name, const 
 
 SourceLocation XmlElement::location() const {
   for (const tinyxml2::XMLNode* node = element_; node != nullptr; node = node->Parent()) {
-    if (const auto* override_path = static_cast<const std::string*>(node->GetUserData())) {
-      return {"--set " + *override_path, 0};
+    const auto* marks = static_cast<const OverrideMarks*>(node->GetUserData());
+    if (marks != nullptr && !marks->text.empty()) {
+      return {"--set " + marks->text, 0};
     }
   }
   return {*file_, element_->GetLineNum()};
+}
+
+SourceLocation XmlElement::attributeLocation(const char* name) const {
+  if (const auto* marks = static_cast<const OverrideMarks*>(element_->GetUserData())) {
+    const auto mark = marks->attributes.find(name);
+    if (mark != marks->attributes.end()) {
+      return {"--set " + mark->second, 0};
+    }
+  }
+  return location();
 }
 
 std::string XmlElement::text() const {
@@ -53,7 +64,8 @@ std::optional<std::string> XmlElement::attribute(const char* name) const {
 std::string XmlElement::requireAttribute(const char* attribute_name) const {
   const auto value = attribute(attribute_name);
   if (!value || value->empty()) {
-    refuse("<" + name() + "> needs the attribute " + attribute_name + "=\"...\"");
+    throw ConfigError(attributeLocation(attribute_name),
+                      "<" + name() + "> needs the attribute " + attribute_name + "=\"...\"");
   }
   return *value;
 }
@@ -105,6 +117,15 @@ void XmlElement::refuseText() const {
   }
 }
 
+void XmlElement::refuseDoubles() const {
+  for (const XmlElement& entry : children()) {
+    if (element_->Attribute(entry.name().c_str()) != nullptr) {
+      entry.refuse("found <" + entry.name() + "> beside the attribute of that name in <" + name() + ">, allowed: one");
+    }
+    child(entry.name().c_str());
+  }
+}
+
 Configuration XmlElement::toConfiguration() const {
   std::string own_text;
   for (const tinyxml2::XMLNode* node = element_->FirstChild(); node != nullptr; node = node->NextSibling()) {
@@ -114,7 +135,7 @@ Configuration XmlElement::toConfiguration() const {
   }
   Configuration result(name(), trimmed(own_text), location());
   for (const auto* entry = element_->FirstAttribute(); entry != nullptr; entry = entry->Next()) {
-    result.add(Configuration(entry->Name(), trimmed(entry->Value()), location()));
+    result.add(Configuration(entry->Name(), trimmed(entry->Value()), attributeLocation(entry->Name())));
   }
   for (const XmlElement& entry : children()) {
     result.add(entry.toConfiguration());

@@ -3,6 +3,7 @@
 
 #include <tinyxml2.h>
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,12 @@
 
 namespace swarmanoid::experiment {
 
+/// Which overrides have set something of an element; hung on the element as its user data.
+struct OverrideMarks {
+  std::string text;                               ///< path of the override that set the element's text; "" for none
+  std::map<std::string, std::string> attributes;  ///< and of those that set attributes, by attribute
+};
+
 class XmlElement {
  public:
   XmlElement(const tinyxml2::XMLElement* element, const std::string* file) : element_(element), file_(file) {}
@@ -18,6 +25,8 @@ class XmlElement {
   std::string name() const { return element_->Name(); }
   /// Where it stands; for what an override has set, the override.
   SourceLocation location() const;
+  /// The same for one attribute.
+  SourceLocation attributeLocation(const char* name) const;
   /// The text without surrounding white space. @throws ConfigError if there are elements in it
   std::string text() const;
   std::optional<std::string> attribute(const char* name) const;
@@ -36,6 +45,8 @@ class XmlElement {
 
   /// The whole element with everything in it, attributes and child elements alike, unchecked.
   Configuration toConfiguration() const;
+  /// @throws ConfigError for the first child element whose name, an attribute's or another child's, is taken
+  void refuseDoubles() const;
 
   [[noreturn]] void refuse(const std::string& message) const { throw ConfigError(location(), message); }
 
@@ -43,6 +54,10 @@ class XmlElement {
   const tinyxml2::XMLElement* element_;
   const std::string* file_;
 };
+
+/// @throws ConfigError for what is not well-formed XML though the XML library lets it pass: text or closing tags
+/// outside the root element, references other than XML's own, `<` in attributes, and markup such as <!DOCTYPE>
+void checkWellFormed(const std::string& text, const std::string& file);
 
 /// "<name> ..., allowed: ...; did you mean ...?"
 std::string unknownName(const std::string& what, const std::string& name, const std::vector<std::string>& allowed);

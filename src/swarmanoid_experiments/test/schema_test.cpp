@@ -1,0 +1,119 @@
+// The schema and the parser agree: on good files, on bad ones as far as a schema can tell, and on every name.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "bad_cases.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/experiment.hpp"
+
+namespace swarmanoid {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path writeFile(const std::string& name, const std::string& text) {
+  const fs::path file = fs::path(testing::TempDir()) / ("swarmanoid_schema_test_" + name);
+  std::ofstream(file) << text;
+  return file;
+}
+
+/// The schema of what the suite brings along, as it is installed.
+const std::string& schema() {
+  static const std::string text = [] {
+    loadBuiltInPlugins();
+    return experimentSchema();
+  }();
+  return text;
+}
+
+/// As xmllint sees it.
+bool schemaAccepts(const fs::path& file) {
+  static const fs::path schema_file = writeFile("schema.xsd", schema());
+  const std::string command = "xmllint --noout --schema '" + schema_file.string() + "' '" + file.string() + "' 2>";
+  const std::string report = file.string() + ".report";
+  const int status = std::system((command + "'" + report + "'").c_str());
+  std::ifstream reason(report);
+  std::string words((std::istreambuf_iterator<char>(reason)), {});
+  // anything but "valid" and "not valid" means that xmllint is missing or the schema is wrong
+  constexpr int kInvalid = 3;
+  constexpr int kMalformed = 1;
+  const int code = WEXITSTATUS(status);
+  EXPECT_TRUE(code == 0 || code == kInvalid || code == kMalformed) << words;
+  return code == 0;
+}
+
+class BadExperimentSchemaTest : public testing::TestWithParam<test::BadCase> {};
+
+TEST_P(BadExperimentSchemaTest, SeesWhatASchemaCanSee) {
+  EXPECT_EQ(!schemaAccepts(writeFile("bad_" + GetParam().name + ".xml", GetParam().text)),
+            GetParam().refused_by_schema);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, BadExperimentSchemaTest, testing::ValuesIn(test::badCases()),
+                         [](const auto& bad) { return bad.param.name; });
+
+TEST(SchemaTest, AcceptsGoodFiles) {
+  for (const char* name : {"good.xml", "thesis_listing.xml"}) {
+    EXPECT_TRUE(schemaAccepts(fs::path(TEST_DATA) / name)) << name;
+  }
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(findShared("swarmanoid_experiments", "experiments"))) {
+    EXPECT_TRUE(schemaAccepts(entry.path())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 2);
+}
+
+TEST(SchemaTest, AcceptsSectionsInAnyOrder) {
+  std::string text = test::readTestData("good.xml");
+  const std::string end = "</framework>\n";
+  const std::size_t begin = text.find("  <framework>");
+  const std::size_t length = text.find(end) + end.size() - begin;
+  const std::string framework = text.substr(begin, length);
+  text.erase(begin, length);
+  text.insert(text.find("</ahss-config>"), framework);
+  EXPECT_TRUE(schemaAccepts(writeFile("order.xml", text)));
+  EXPECT_NO_THROW(parseExperiment(text, "order.xml"));
+}
+
+TEST(SchemaTest, LetsThroughPluginsThatItDoesNotKnow) {
+  std::string text = test::readTestData("good.xml");
+  text.insert(text.find("  </visualisations>"),
+              "<my_plot id=\"plot\" library=\"my_plot\"><color>any</color></my_plot>");
+  EXPECT_TRUE(schemaAccepts(writeFile("own.xml", text)));
+}
+
+TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
+  loadBuiltInPlugins();
+  const auto expect_name = [](const std::string& name) {
+    EXPECT_NE(schema().find("name=\"" + name + "\""), std::string::npos) << name;
+  };
+  for (const PluginKind kind : {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine,
+                                PluginKind::kVisualisation, PluginKind::kEntity}) {
+    for (const Registry::Entry* entry : Registry::instance().all(kind)) {
+      expect_name(entry->description.label);
+      for (const std::string& alias : entry->description.label_aliases) {
+        expect_name(alias);
+      }
+      for (const std::string& alias : entry->description.implementation_aliases) {
+        EXPECT_NE(schema().find("value=\"" + alias + "\""), std::string::npos) << alias;
+      }
+      for (const Parameter& parameter : entry->description.parameters) {
+        expect_name(parameter.name);
+      }
+    }
+  }
+  for (const char* name :
+       {"clocktick",    "maxclock",       "controller_path", "random_seed", "threads",  "real_time_factor", "size",
+        "optimization", "bounded",        "floor_patch",     "distribute",  "quantity", "layout",           "minimum",
+        "maximum",      "random_heading", "max_trials",      "controller",  "role",     "library"}) {
+    expect_name(name);
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid
