@@ -12,7 +12,8 @@ class OpenglRender final : public Visualisation {
     PluginDescription description;
     description.label = "opengl_render";
     description.summary = "Accepted so that the thesis's files load; rviz is the viewer, and this draws nothing.";
-    add(description, "window_size", Parameter::Type::kVector2, "1024, 768", "Width and height of the window, in pixels.");
+    add(description, "window_size", Parameter::Type::kVector2, "1024, 768",
+        "Width and height of the window, in pixels.");
     add(description, "window_title", Parameter::Type::kText, "", "Title of the window.");
     for (int camera = 0; camera < 10; ++camera) {
       const std::string number = std::to_string(camera);
