@@ -69,14 +69,18 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   pending_events_.push_back({Event::Kind::kMoved, name, "", ""});
 }
 
-void Simulation::reset(std::optional<std::uint64_t> seed) {
+void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   unbuild();
   pending_events_.clear();
   failures_.clear();
   finish_asked_ = false;
   finished_ = false;
   ++space_.run;
-  space_.time_before_reset += space_.time - kEpoch + space_.clocktick;  // one more: no stamp is used twice
+  if (rewind) {
+    space_.time_before_reset = Duration::zero();
+  } else {
+    space_.time_before_reset += space_.time - kEpoch + space_.clocktick;  // one more: no stamp is used twice
+  }
   if (seed) {
     space_.seed = *seed;
     experiment_.framework.seed = *seed;

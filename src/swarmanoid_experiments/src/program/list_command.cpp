@@ -2,10 +2,10 @@
 #include <iostream>
 
 #include "commands.hpp"
-#include "experiment_lookup.hpp"
 #include "run_summary.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/experiment_lookup.hpp"
 
 namespace swarmanoid::program {
 namespace {

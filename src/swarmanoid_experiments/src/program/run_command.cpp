@@ -5,10 +5,10 @@
 #include <iostream>
 
 #include "commands.hpp"
-#include "experiment_lookup.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/experiment_lookup.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid::program {

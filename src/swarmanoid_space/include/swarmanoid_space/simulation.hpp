@@ -89,7 +89,8 @@ class Simulation {
   /// @throws ConfigError (unknown name, bad place, overlap); then nothing has changed
   void move(const std::string& name, const Pose& pose);
   /// Back to the state before tick 0, spawned and deleted entities included. `seed` replaces the experiment's if given.
-  void reset(std::optional<std::uint64_t> seed = std::nullopt);
+  /// Space::time_before_reset grows so that ROS time keeps rising, unless `rewind` sets it back to 0.
+  void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:
   struct Cast;  // engines, devices, controllers, visualisations: who acts (src/cast.hpp)

@@ -1,4 +1,4 @@
-#include "experiment_lookup.hpp"
+#include "swarmanoid_space/experiment_lookup.hpp"
 
 #include <algorithm>
 #include <filesystem>
@@ -6,7 +6,7 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
-namespace swarmanoid::program {
+namespace swarmanoid {
 
 namespace fs = std::filesystem;
 
@@ -40,4 +40,4 @@ std::string findExperiment(const std::string& file_or_name) {
                         joinNames(names) + didYouMean(file_or_name, names));
 }
 
-}  // namespace swarmanoid::program
+}  // namespace swarmanoid

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace swarmanoid::program {
+namespace swarmanoid {
 
 /// The file itself if it exists, else the installed experiment of that name ("object_retrieval").
 /// @throws ConfigError naming the installed ones
@@ -13,4 +13,4 @@ std::string findExperiment(const std::string& file_or_name);
 /// Names of the installed experiments, sorted.
 std::vector<std::string> installedExperiments();
 
-}  // namespace swarmanoid::program
+}  // namespace swarmanoid

@@ -1,0 +1,186 @@
+#!/usr/bin/python3
+"""Pause, step, resume, reset, and interventions between ticks."""
+
+import sys
+import threading
+import time
+import unittest
+
+import rospy
+import rostest
+from geometry_msgs.msg import PoseStamped
+from rosgraph_msgs.msg import Clock
+from swarmanoid_msgs.msg import EntityPose, EntitySpecification, Event, RunResult, WorldState
+from visualization_msgs.msg import MarkerArray
+
+from space_client import Collector, Space
+
+
+def pose(x, y, frame="world"):
+    result = PoseStamped()
+    result.header.frame_id = frame
+    result.pose.position.x = x
+    result.pose.position.y = y
+    result.pose.orientation.w = 1.0
+    return result
+
+
+def footbot(name, x, y, **more):
+    return EntitySpecification(name=name, type="footbot", engines=["ground"], controller="fc", pose=pose(x, y), **more)
+
+
+class ServicesTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.space = Space()
+        cls.states = Collector("/space/world_state", WorldState)
+        cls.clocks = Collector("/clock", Clock)
+        cls.events = Collector("/space/events", Event)
+
+    def setUp(self):
+        self.run_number = self.space.restart().run
+        self.states.clear()
+        self.clocks.clear()
+        self.events.clear()
+
+    def state_after(self, tick):
+        state = self.states.wait_for(lambda s: s.tick == tick and s.run == self.run_number)
+        self.assertIsNotNone(state, f"no world state of tick {tick}")
+        return state
+
+    def test_step_answers_when_the_ticks_are_complete(self):
+        answer = self.space.step(5)
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(5, answer.tick)
+        self.assertEqual(answer.stamp, self.state_after(5).header.stamp)
+        self.assertIsNotNone(self.clocks.wait_for(lambda c: c.clock == answer.stamp), "the clock is not up to date")
+        self.assertEqual(7, self.space.step(2).tick)
+
+    def test_nothing_moves_while_paused(self):
+        tick = self.space.step(1).tick
+        time.sleep(0.3)
+        self.assertEqual(tick + 1, self.space.step(1).tick)
+
+    def test_every_tick_is_published(self):
+        self.space.step(20)
+        self.state_after(20)
+        ticks = [s.tick for s in self.states.messages() if s.run == self.run_number]
+        self.assertEqual(list(range(1, 21)), [tick for tick in ticks if tick > 0])
+
+    def test_who_comes_while_it_is_paused_sees_the_present_state(self):
+        self.space.step(3)
+        stamp = self.state_after(3).header.stamp
+        late = Collector("/space/markers", MarkerArray)  # that nobody here has subscribed to before
+        markers = late.wait_for(lambda array: True).markers
+        self.assertEqual({stamp}, {marker.header.stamp for marker in markers})
+
+    def test_step_refuses_nonsense(self):
+        answer = self.space.step(0)
+        self.assertFalse(answer.success)
+        self.assertEqual("steps: found 0, allowed: at least 1", answer.message)
+
+    def test_pause_resume_and_toggle_say_what_they_did(self):
+        self.assertEqual("it was not running", self.space.pause().message)
+        self.space.reset(scope=0, keep_seed=True)
+        self.assertEqual("resumed", self.space.toggle_pause().message)
+        self.space.pause()
+        self.space.reset(scope=0, keep_seed=True)
+        self.assertEqual("resumed", self.space.resume().message)
+
+    def test_a_pause_ends_a_long_step(self):
+        answers = []
+        self.space.restart()
+        stepping = threading.Thread(target=lambda: answers.append(self.space.step(10**6)))
+        stepping.start()
+        time.sleep(0.02)
+        self.assertTrue(self.space.pause().success)
+        stepping.join(10.0)
+        self.assertFalse(answers[0].success)
+        self.assertIn("before all of them were made", answers[0].message)
+
+    def test_reset_repeats_the_run_and_keeps_time_rising(self):
+        before = self.space.step(30)
+        first = self.state_after(30)
+        self.run_number = self.space.reset(scope=0, keep_seed=True).run
+        after = self.space.step(30)
+        self.assertEqual(first.state_hash, self.state_after(30).state_hash)
+        self.assertGreater(after.stamp, before.stamp)
+
+    def test_reset_with_another_seed_is_another_run(self):
+        self.space.step(30)
+        first = self.state_after(30)
+        self.run_number = self.space.reset(scope=0, seed=2).run
+        self.space.step(30)
+        self.assertNotEqual(first.state_hash, self.state_after(30).state_hash)
+        self.space.reset(scope=0, seed=1)
+
+    def test_reset_may_rewind_time(self):
+        self.space.step(10)
+        self.assertEqual(rospy.Time(1), self.space.reset(scope=7, keep_seed=True).stamp)
+        self.assertFalse(self.space.reset(scope=2, keep_seed=True).success)
+
+    def test_spawned_moved_and_deleted(self):
+        self.space.step(1)
+        answer = self.space.spawn([footbot("fb_9", 4.5, 4.5)])
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual(1, answer.tick)
+        self.space.step(1)
+        self.assertIn("fb_9", self.state_after(2).names)
+        self.assertIsNotNone(self.events.wait_for(lambda e: e.kind == Event.SPAWNED and e.entity == "fb_9"))
+
+        answer = self.space.move([EntityPose("fb_9", pose(0.4, 4.4))])
+        self.assertTrue(answer.success, answer.message)
+        self.space.step(1)
+        state = self.state_after(3)
+        self.assertAlmostEqual(0.4, state.poses[state.names.index("fb_9")].position.x, delta=0.03)
+
+        self.assertTrue(self.space.delete(["fb_9"]).success)
+        self.space.step(1)
+        self.assertNotIn("fb_9", self.state_after(4).names)
+        self.assertTrue(self.space.spawn([footbot("fb_9", 4.5, 4.5)]).success, "a name is free after its entity")
+
+    def test_reset_undoes_interventions(self):
+        self.space.spawn([footbot("fb_9", 4.5, 4.5)])
+        self.space.delete(["prey_yellow"])
+        self.run_number = self.space.reset(scope=0, keep_seed=True).run
+        self.space.step(1)
+        names = self.state_after(1).names
+        self.assertNotIn("fb_9", names)
+        self.assertIn("prey_yellow", names)
+
+    def test_bad_requests_are_refused_with_a_reason(self):
+        def refusal(answer):
+            self.assertFalse(answer.success)
+            return answer.message
+
+        self.assertIn("did you mean 'footbot'?", refusal(self.space.spawn(
+            [EntitySpecification(name="a", type="footbt", pose=pose(1, 1))])))
+        self.assertIn("letters, digits and _", refusal(self.space.spawn([footbot("/a", 4.5, 4.5)])))
+        self.assertIn("exists already", refusal(self.space.spawn([footbot("fb_1", 4.5, 4.5)])))
+        self.assertIn("overlaps", refusal(self.space.spawn([footbot("a", 4.0, 1.5)])))
+        self.assertIn("'map'", refusal(self.space.move([EntityPose("fb_1", pose(1, 1, "map"))])))
+        self.assertIn("there is no entity 'nobody'", refusal(self.space.delete(["nobody"])))
+        self.assertIn("does not have", refusal(self.space.spawn(
+            [EntitySpecification(name="a", type="eyebot", engines=["sky"], controller="fc", pose=pose(1, 1))])))
+
+    def test_the_first_that_is_refused_ends_the_list(self):
+        answer = self.space.spawn([footbot("fb_7", 4.5, 4.5), footbot("fb_7", 4.5, 4.5), footbot("fb_8", 0.4, 4.5)])
+        self.assertFalse(answer.success)
+        self.assertEqual(1, answer.count)
+
+    def test_a_finished_run_says_so_until_it_is_reset(self):
+        results = Collector("/space/result", RunResult)
+        answer = self.space.step(6000)
+        self.assertFalse(answer.success)
+        self.assertEqual("the run finished before all of them were made", answer.message)
+        result = results.wait_for(lambda r: r.run == self.run_number)
+        self.assertTrue(result.finished)
+        self.assertEqual(answer.tick, result.ticks)
+        self.assertFalse(self.space.resume().success)
+        self.assertTrue(self.space.reset(scope=0, keep_seed=True).success)
+        self.assertTrue(self.space.step(1).success)
+
+
+if __name__ == "__main__":
+    rospy.init_node("services_test")
+    rostest.rosrun("swarmanoid_experiments", "services", ServicesTest, sys.argv)

@@ -1,0 +1,75 @@
+"""What the tests of a launched space share."""
+
+import threading
+
+import rospy
+from nodelet.srv import NodeletLoad, NodeletLoadRequest, NodeletUnload, NodeletUnloadRequest
+from std_srvs.srv import Trigger
+from swarmanoid_msgs.srv import Delete, Move, Reset, ResetRequest, Spawn, Step
+
+TIMEOUT = 15.0  # [s] of wall time
+
+
+class Space:
+    """The services of the space node."""
+
+    def __init__(self):
+        services = {"pause": Trigger, "resume": Trigger, "toggle_pause": Trigger, "step": Step, "reset": Reset,
+                    "spawn": Spawn, "delete": Delete, "move": Move}
+        for name, service in services.items():
+            rospy.wait_for_service("/space/" + name, TIMEOUT)
+            setattr(self, name, rospy.ServiceProxy("/space/" + name, service))
+
+    def restart(self, **request):
+        """Paused, before the first tick."""
+        self.pause()
+        request.setdefault("keep_seed", True)
+        return self.reset(ResetRequest(**request))
+
+
+def unload(name):
+    rospy.wait_for_service("/swarmanoid/unload_nodelet", TIMEOUT)
+    return rospy.ServiceProxy("/swarmanoid/unload_nodelet", NodeletUnload)(NodeletUnloadRequest(name=name)).success
+
+
+def load(name, kind):
+    rospy.wait_for_service("/swarmanoid/load_nodelet", TIMEOUT)
+    proxy = rospy.ServiceProxy("/swarmanoid/load_nodelet", NodeletLoad)
+    try:
+        return proxy(NodeletLoadRequest(name=name, type=kind)).success
+    except rospy.ServiceException:
+        return False
+
+
+class Collector:
+    """Keeps all messages of a topic; waits in wall time, for ROS time may stand still."""
+
+    def __init__(self, topic, kind):
+        self._changed = threading.Condition()
+        self._messages = []
+        self._subscriber = rospy.Subscriber(topic, kind, self._take, queue_size=10000)
+
+    def _take(self, message):
+        with self._changed:
+            self._messages.append(message)
+            self._changed.notify_all()
+
+    def messages(self):
+        with self._changed:
+            return list(self._messages)
+
+    def clear(self):
+        with self._changed:
+            self._messages = []
+
+    def wait_for(self, is_it, timeout=TIMEOUT):
+        """The first message that `is_it` is true for; None if there is none in time."""
+        found = []
+
+        def look():
+            found[:] = [message for message in self._messages if is_it(message)]
+            return bool(found)
+
+        with self._changed:
+            self._changed.wait_for(look, timeout)
+        return found[0] if found else None

@@ -1,0 +1,32 @@
+/// Devices as messages: one function a device, from its struct. The frame_id and stamp of the header are the caller's.
+#pragma once
+
+#include <std_msgs/ColorRGBA.h>
+#include <swarmanoid_msgs/ColorBlobs.h>
+#include <swarmanoid_msgs/GripperState.h>
+#include <swarmanoid_msgs/LedArray.h>
+#include <swarmanoid_msgs/ProximityArray.h>
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/leds.hpp"
+#include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_interface/time.hpp"
+
+namespace swarmanoid {
+
+/// Alpha is 1, or 0 for black ("off").
+std_msgs::ColorRGBA toMessage(Color color);
+/// The inverse; a colour of alpha 0 is black.
+Color fromMessage(const std_msgs::ColorRGBA& color);
+
+ros::Time toRosTime(Time time);
+
+void toMessage(const FootbotProximity& readings, swarmanoid_msgs::ProximityArray& message);
+void toMessage(const ColorBlobs& readings, swarmanoid_msgs::ColorBlobs& message);
+void toMessage(const FootbotGripperState& readings, swarmanoid_msgs::GripperState& message);
+void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message);
+
+}  // namespace swarmanoid

@@ -1,0 +1,37 @@
+/// The base of engine, controller and device nodelets: each brings one part of an experiment to the space that runs in
+/// the same nodelet manager.
+///
+/// Private parameters: `space`, the name of the space nodelet; `id`, which part of its experiment this is.
+/// A part that cannot be made is reported to the space, and the nodelet does not load.
+#pragma once
+
+#include <nodelet/nodelet.h>
+
+#include <memory>
+#include <string>
+
+#include "swarmanoid_interface/attachment_point.hpp"
+
+namespace swarmanoid {
+
+class PartNodelet : public nodelet::Nodelet {
+ public:
+  /// Waits for the tick boundary; a space that cannot go on without this part has then stopped.
+  ~PartNodelet() override;
+
+ protected:
+  explicit PartNodelet(PluginKind kind) : kind_(kind) {}
+
+  /// @return an Engine, ControllerFactory or Visualisation, by kind
+  /// @throws std::exception: the nodelet does not load
+  virtual std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) = 0;
+
+ private:
+  void onInit() final;
+
+  PluginKind kind_;
+  std::string id_;
+  std::shared_ptr<AttachmentPoint> point_;
+};
+
+}  // namespace swarmanoid

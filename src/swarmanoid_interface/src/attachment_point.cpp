@@ -1,0 +1,135 @@
+#include "swarmanoid_interface/attachment_point.hpp"
+
+#include <algorithm>
+#include <sstream>
+#include <stdexcept>
+
+namespace swarmanoid {
+namespace {
+
+std::string title(PluginKind kind, const std::string& id) { return std::string(toString(kind)) + " '" + id + "'"; }
+
+struct Directory {
+  std::mutex mutex;
+  std::map<std::string, std::weak_ptr<AttachmentPoint>> points;
+};
+
+Directory& directory() {
+  static Directory directory;
+  return directory;
+}
+
+}  // namespace
+
+AttachmentPoint::AttachmentPoint(std::vector<Request> requests) {
+  for (Request& request : requests) {
+    const Key key{request.kind, request.id};
+    seats_[key].request = std::move(request);
+  }
+}
+
+const AttachmentPoint::Seat& AttachmentPoint::seat(PluginKind kind, const std::string& id) const {
+  const auto found = seats_.find({kind, id});
+  if (found == seats_.end()) {
+    std::vector<std::string> needed;
+    for (const auto& [key, unused] : seats_) {
+      needed.push_back(title(key.first, key.second));
+    }
+    throw std::runtime_error("the experiment has no " + title(kind, id) + "; there are: " + joinNames(needed));
+  }
+  return found->second;
+}
+
+const AttachmentPoint::Request& AttachmentPoint::request(PluginKind kind, const std::string& id) const {
+  return seat(kind, id).request;
+}
+
+void AttachmentPoint::attach(PluginKind kind, const std::string& id, std::shared_ptr<void> part) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (seat(kind, id).part != nullptr) {
+    throw std::runtime_error(title(kind, id) + " is attached already");
+  }
+  Seat& free_seat = seats_[{kind, id}];
+  free_seat.part = std::move(part);
+  free_seat.refusal.clear();
+  changed_.notify_all();
+}
+
+void AttachmentPoint::refuse(PluginKind kind, const std::string& id, const std::string& reason) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found = seats_.find({kind, id});
+  if (found != seats_.end() && found->second.part == nullptr && found->second.refusal.empty()) {
+    found->second.refusal = reason.empty() ? "no reason given" : reason;
+    changed_.notify_all();
+  }
+}
+
+void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const auto found = seats_.find({kind, id});
+    if (found == seats_.end() || found->second.part == nullptr) {
+      return;
+    }
+  }
+  {
+    // the part is still attached here: the space uses it until the handler returns
+    const std::lock_guard<std::mutex> lock(handler_mutex_);
+    if (loss_handler_) {
+      loss_handler_(kind, id);
+    }
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seats_[{kind, id}].part.reset();
+}
+
+bool AttachmentPoint::isDecided() const {
+  const auto has_refused = [](const auto& item) { return !item.second.refusal.empty(); };
+  const auto is_there = [](const auto& item) { return item.second.part != nullptr; };
+  return std::any_of(seats_.begin(), seats_.end(), has_refused) || std::all_of(seats_.begin(), seats_.end(), is_there);
+}
+
+void AttachmentPoint::waitForAll(std::chrono::milliseconds timeout) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  changed_.wait_for(lock, timeout, [this] { return isDecided(); });
+  std::vector<std::string> missing;
+  for (const auto& [key, seat] : seats_) {
+    if (!seat.refusal.empty()) {
+      throw std::runtime_error(title(key.first, key.second) + " cannot take part: " + seat.refusal);
+    }
+    if (seat.part == nullptr) {
+      missing.push_back(title(key.first, key.second));
+    }
+  }
+  if (!missing.empty()) {
+    std::ostringstream message;
+    message << "still missing after " << static_cast<double>(timeout.count()) * 1e-3 << " s: " << joinNames(missing);
+    throw std::runtime_error(message.str());
+  }
+}
+
+std::shared_ptr<void> AttachmentPoint::part(PluginKind kind, const std::string& id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return seat(kind, id).part;
+}
+
+void AttachmentPoint::setLossHandler(LossHandler handler) {
+  const std::lock_guard<std::mutex> lock(handler_mutex_);
+  loss_handler_ = std::move(handler);
+}
+
+std::shared_ptr<AttachmentPoint> openAttachmentPoint(const std::string& space,
+                                                     std::vector<AttachmentPoint::Request> requests) {
+  auto point = std::make_shared<AttachmentPoint>(std::move(requests));
+  const std::lock_guard<std::mutex> lock(directory().mutex);
+  directory().points[space] = point;
+  return point;
+}
+
+std::shared_ptr<AttachmentPoint> findAttachmentPoint(const std::string& space) {
+  const std::lock_guard<std::mutex> lock(directory().mutex);
+  const auto found = directory().points.find(space);
+  return found == directory().points.end() ? nullptr : found->second.lock();
+}
+
+}  // namespace swarmanoid

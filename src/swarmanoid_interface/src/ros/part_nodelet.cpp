@@ -1,0 +1,38 @@
+#include "swarmanoid_interface/ros/part_nodelet.hpp"
+
+#include <ros/ros.h>
+
+#include <stdexcept>
+
+namespace swarmanoid {
+
+PartNodelet::~PartNodelet() {
+  if (point_ != nullptr) {
+    point_->detach(kind_, id_);
+  }
+}
+
+void PartNodelet::onInit() {
+  std::string space;
+  getPrivateNodeHandle().getParam("space", space);
+  getPrivateNodeHandle().getParam("id", id_);
+  try {
+    auto point = findAttachmentPoint(space);
+    if (point == nullptr) {
+      throw std::runtime_error("there is no space '" + space +
+                               "' in this process; ~space must name a space nodelet of the same manager");
+    }
+    try {
+      point->attach(kind_, id_, makePart(point->request(kind_, id_)));
+      point_ = std::move(point);
+    } catch (const std::exception& error) {
+      point->refuse(kind_, id_, error.what());
+      throw;
+    }
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s: %s", getName().c_str(), error.what());
+    throw;  // the manager reports the nodelet as not loaded
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,95 @@
+#include "swarmanoid_interface/attachment_point.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <stdexcept>
+#include <thread>
+
+namespace swarmanoid {
+namespace {
+
+using std::chrono::milliseconds;
+
+std::shared_ptr<AttachmentPoint> openWithTwo(const std::string& space) {
+  return openAttachmentPoint(
+      space, {{PluginKind::kEngine, "ground", "kinematics2d", {}}, {PluginKind::kController, "fc", "diffusion", {}}});
+}
+
+std::string messageOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(AttachmentPointTest, IsFoundByNameWhileSomebodyHoldsIt) {
+  auto point = openWithTwo("/space");
+  EXPECT_EQ(point, findAttachmentPoint("/space"));
+  EXPECT_EQ(nullptr, findAttachmentPoint("/other"));
+  point.reset();
+  EXPECT_EQ(nullptr, findAttachmentPoint("/space"));
+}
+
+TEST(AttachmentPointTest, WaitsUntilTheLastPartIsThere) {
+  const auto point = openWithTwo("/space");
+  const auto part = std::make_shared<int>(7);
+  std::thread nodelets([&] {
+    point->attach(PluginKind::kController, "fc", std::make_shared<int>(8));
+    std::this_thread::sleep_for(milliseconds(20));
+    point->attach(PluginKind::kEngine, "ground", part);
+  });
+  EXPECT_NO_THROW(point->waitForAll(milliseconds(5000)));
+  nodelets.join();
+  EXPECT_EQ(part, point->part(PluginKind::kEngine, "ground"));
+}
+
+TEST(AttachmentPointTest, NamesWhoIsMissing) {
+  const auto point = openWithTwo("/space");
+  point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
+  EXPECT_EQ("still missing after 0.02 s: controller 'fc'", messageOf([&] { point->waitForAll(milliseconds(20)); }));
+}
+
+TEST(AttachmentPointTest, NamesWhoWasRefusedAndWhy) {
+  const auto point = openWithTwo("/space");
+  point->refuse(PluginKind::kController, "fc", "its library is broken");
+  EXPECT_EQ("controller 'fc' cannot take part: its library is broken",
+            messageOf([&] { point->waitForAll(milliseconds(5000)); }));
+}
+
+TEST(AttachmentPointTest, TakesNothingTwiceAndNothingThatIsNotNeeded) {
+  const auto point = openWithTwo("/space");
+  point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
+  EXPECT_EQ("engine 'ground' is attached already",
+            messageOf([&] { point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7)); }));
+  EXPECT_EQ("the experiment has no engine 'sky'; there are: controller 'fc', engine 'ground'",
+            messageOf([&] { point->request(PluginKind::kEngine, "sky"); }));
+}
+
+TEST(AttachmentPointTest, KeepsAPartUntilTheSpaceHasStoppedUsingIt) {
+  const auto point = openWithTwo("/space");
+  point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
+  std::string lost;
+  std::shared_ptr<void> seen_by_handler;
+  point->setLossHandler([&](PluginKind kind, const std::string& id) {
+    lost = std::string(toString(kind)) + " " + id;
+    seen_by_handler = point->part(PluginKind::kEngine, "ground");
+  });
+  point->detach(PluginKind::kEngine, "ground");
+  EXPECT_EQ("engine ground", lost);
+  EXPECT_NE(nullptr, seen_by_handler);
+  EXPECT_EQ(nullptr, point->part(PluginKind::kEngine, "ground"));
+}
+
+TEST(AttachmentPointTest, DetachingWhatIsNotThereTellsNobody) {
+  const auto point = openWithTwo("/space");
+  bool told = false;
+  point->setLossHandler([&](PluginKind, const std::string&) { told = true; });
+  point->detach(PluginKind::kEngine, "ground");
+  EXPECT_FALSE(told);
+}
+
+}  // namespace
+}  // namespace swarmanoid

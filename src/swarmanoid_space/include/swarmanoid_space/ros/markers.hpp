@@ -1,0 +1,30 @@
+/// What rviz draws of a space: the arena once, moving things as few markers whose ids stay the same.
+///
+/// Up to Transforms::kFewRobots robots are drawn by rviz itself from their URDF, and have labels here; more of them are
+/// spheres of one list for each type. LEDs, laser beams, laser spots and grips are one list each.
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <set>
+#include <string>
+#include <utility>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+/// The floor, its patches, and everything that nobody moves. Draws over what was there before.
+visualization_msgs::MarkerArray arenaMarkers(const Space& space);
+
+class MovingMarkers {
+ public:
+  /// Valid until the next call. What was drawn the last time and is no more is deleted.
+  const visualization_msgs::MarkerArray& draw(const Space& space);
+
+ private:
+  visualization_msgs::MarkerArray message_;
+  std::set<std::pair<std::string, int>> shown_;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,64 @@
+/// The frames of a space, for tf: one batch a tick for what moves, one for what does not.
+///
+/// Every frame has one parent: `world` for an entity's base_link, the URDF's own parent for a robot's links.
+#pragma once
+
+#include <tf2_msgs/TFMessage.h>
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+enum class TransformLevel {
+  kNone,
+  kBase,  ///< base_link of every entity
+  kFull   ///< all links of robots too, wheels turning
+};
+
+/// "none", "base" or "full"; "auto" is nothing. @throws ConfigError
+std::optional<TransformLevel> parseTransformLevel(const std::string& text);
+
+class Transforms {
+ public:
+  /// More robots than this are seen as a swarm: without their links in tf, as list markers in rviz.
+  static constexpr std::size_t kFewRobots = 20;
+
+  /// @param level nothing: full for up to kFewRobots robots, else base; decided at the first tick that is seen
+  explicit Transforms(std::optional<TransformLevel> level = std::nullopt) : level_(level) {}
+
+  /// To be called in each tick in which `moving` may be: turns the wheels on by one tick.
+  void advance(const Space& space);
+  /// Entities that may move, turning wheels. Valid until the next call.
+  const tf2_msgs::TFMessage& moving(const Space& space);
+  /// Everything else.
+  const tf2_msgs::TFMessage& fixed(const Space& space);
+
+ private:
+  /// A link, its parent, and its place on that with all joints at zero.
+  struct Link {
+    std::string parent;
+    std::string name;
+    Mount place;
+    std::optional<std::size_t> wheel;  ///< 0 left, 1 right
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
+  };
+
+  TransformLevel level(const Space& space);
+  const std::vector<Link>& linksOf(const EntityModel& model);
+
+  std::optional<TransformLevel> level_;
+  std::map<std::string, std::vector<Link>> links_;              // by robot type
+  std::map<EntityNumber, std::array<double, 2>> wheel_angles_;  // [rad], for show: how far the wheels have turned
+  std::uint64_t advanced_tick_ = 0;
+  std::uint64_t advanced_run_ = 0;
+  tf2_msgs::TFMessage moving_;
+  tf2_msgs::TFMessage fixed_;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,54 @@
+/// The state of a space as messages. No roscpp here: the space nodelet publishes them, the bag recorder writes them.
+///
+/// Frames  the fixed frame is `world`, that of an entity `<name>/base_link`; never a leading slash, and the same for
+/// one
+///         entity and for many.
+/// Stamps  simulated time, made to keep rising over resets; equal within a tick.
+#pragma once
+
+#include <geometry_msgs/Pose.h>
+#include <ros/time.h>
+#include <rosgraph_msgs/Clock.h>
+#include <std_msgs/Header.h>
+#include <swarmanoid_msgs/Event.h>
+#include <swarmanoid_msgs/WorldState.h>
+
+#include <string>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+constexpr const char* kWorldFrame = "world";
+
+/// "<name>/<link>"
+std::string frameOf(const std::string& entity, const std::string& link = "base_link");
+
+ros::Time stampOf(const Space& space);
+/// In kWorldFrame.
+std_msgs::Header headerOf(const Space& space);
+
+geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
+geometry_msgs::Pose toMessage(const Pose& pose);
+/// @throws std::runtime_error if it is in another frame than kWorldFrame
+Pose fromMessage(const std_msgs::Header& header, const geometry_msgs::Pose& pose);
+
+rosgraph_msgs::Clock clockMessage(const Space& space);
+/// Reuses what `message` holds.
+void toMessage(const Space& space, swarmanoid_msgs::WorldState& message);
+void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& message);
+
+/// Whether entities came, went or were put elsewhere from outside since the last call: what is only sent on such
+/// occasions (fixed frames, static markers) is due then, and at the first call.
+class OutsideChanges {
+ public:
+  bool look(const Space& space);
+
+ private:
+  bool has_looked_ = false;
+  std::uint64_t run_ = 0;
+  std::size_t count_ = 0;
+  EntityNumber last_ = kNobody;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,64 @@
+/// Measures how fast a simulation runs.
+#pragma once
+
+#include <swarmanoid_msgs/Performance.h>
+
+#include <chrono>
+
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+
+class PerformanceMeter {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// After each tick.
+  void add(const PhaseTimes& phases, std::size_t robots) {
+    sum_.sense += phases.sense;
+    sum_.control += phases.control;
+    sum_.actuate += phases.actuate;
+    sum_.move += phases.move;
+    sum_.connect += phases.connect;
+    sum_.index += phases.index;
+    sum_.show += phases.show;
+    robot_ticks_ += static_cast<double>(robots);
+    ticks_ += 1.0;
+  }
+
+  double seconds(Clock::time_point now) const { return std::chrono::duration<double>(now - start_).count(); }
+
+  /// Starts anew, such as after a pause.
+  void restart(Clock::time_point now) { *this = PerformanceMeter(now); }
+
+  /// Means since the last start; the header is the caller's.
+  swarmanoid_msgs::Performance means(const Space& space, Clock::time_point now) const {
+    swarmanoid_msgs::Performance message;
+    message.tick = space.tick;
+    message.run = space.run;
+    const double wall_s = seconds(now);
+    if (ticks_ > 0.0 && wall_s > 0.0) {
+      message.real_time_factor = ticks_ * toSeconds(space.clocktick) / wall_s;
+      message.ticks_per_s = ticks_ / wall_s;
+      message.robot_ticks_per_s = robot_ticks_ / wall_s;
+      message.sense = sum_.sense / ticks_;
+      message.control = sum_.control / ticks_;
+      message.actuate = sum_.actuate / ticks_;
+      message.move = sum_.move / ticks_;
+      message.connect = sum_.connect / ticks_;
+      message.index = sum_.index / ticks_;
+      message.show = sum_.show / ticks_;
+    }
+    return message;
+  }
+
+  explicit PerformanceMeter(Clock::time_point start = Clock::now()) : start_(start) {}
+
+ private:
+  Clock::time_point start_;
+  PhaseTimes sum_;
+  double robot_ticks_ = 0.0;
+  double ticks_ = 0.0;
+};
+
+}  // namespace swarmanoid

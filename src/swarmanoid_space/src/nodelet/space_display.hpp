@@ -1,0 +1,101 @@
+/// What the space publishes. A visualisation like any other: it looks, and changes nothing.
+///
+/// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, which wait
+/// for theirs. A subscriber that comes while the space is paused gets the present state at once, alone: a transform
+/// must not be sent twice with one stamp.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <swarmanoid_msgs/RunResult.h>
+
+#include <functional>
+#include <mutex>
+
+#include "pace.hpp"
+#include "performance_meter.hpp"
+#include "space_options.hpp"
+#include "swarmanoid_space/ros/markers.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
+#include "swarmanoid_space/simulation_thread.hpp"
+
+namespace swarmanoid {
+
+class SpaceDisplay final : public Visualisation {
+ public:
+  using State = SimulationThread::State;
+
+  /// @param own where ~world_state and the like stand; /clock and /tf are global
+  SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options);
+
+  /// @param thread once it exists: newcomers are served between its ticks
+  void follow(const Simulation& simulation) { simulation_ = &simulation; }
+  void serveNewcomers(SimulationThread* thread);
+  /// Publishes what is not up to date, whatever the rates.
+  void flush();
+  /// At the end of a run.
+  void publish(const swarmanoid_msgs::RunResult& result) { result_publisher_.publish(result); }
+  /// No more publishing.
+  void shutdown();
+
+  void configure(const std::string&, const Configuration&, const RunContext&) override {}
+  void draw(const Space& space) override;
+
+  /// Means over the last second or so.
+  swarmanoid_msgs::Performance performance() const;
+  /// Wall time in which this run made its ticks [s].
+  double wallTime() const { return wall_s_; }
+
+ private:
+  struct Moment {
+    std::uint64_t run = ~std::uint64_t{0};
+    std::uint64_t tick = 0;
+    bool operator!=(const Moment& other) const { return run != other.run || tick != other.tick; }
+  };
+  using Serve = std::function<void(const Space&, const ros::SingleSubscriberPublisher&)>;
+
+  template <class Message>
+  ros::Publisher advertise(const std::string& topic, std::uint32_t queue, Serve serve);
+  void publishClock(const Space& space);
+  void publishTransforms(const Space& space);
+  void publishMarkers(const Space& space);
+  void publishWorldState(const Space& space);
+  void publishFixed(const Space& space);
+  void publishEvents(const Space& space);
+  void measure(const Space& space, Pace::Clock::time_point now);
+
+  ros::NodeHandle own_;
+  const Simulation* simulation_ = nullptr;
+  std::mutex thread_mutex_;
+  SimulationThread* thread_ = nullptr;
+
+  Pace clock_pace_;
+  Pace transforms_pace_;
+  Pace markers_pace_;
+  Pace world_state_pace_;
+  Moment clock_moment_;
+  Moment transforms_moment_;
+  Moment markers_moment_;
+  Moment world_state_moment_;
+  Transforms transforms_;
+  MovingMarkers markers_;
+  OutsideChanges changes_;
+  swarmanoid_msgs::WorldState world_state_;
+  PerformanceMeter meter_;
+  Pace::Clock::time_point last_draw_ = Pace::Clock::now();
+  std::uint64_t timed_run_ = 0;
+  double wall_s_ = 0.0;
+  mutable std::mutex performance_mutex_;
+  swarmanoid_msgs::Performance performance_;
+
+  ros::Publisher clock_publisher_;
+  ros::Publisher tf_publisher_;
+  ros::Publisher tf_static_publisher_;
+  ros::Publisher world_state_publisher_;
+  ros::Publisher performance_publisher_;
+  ros::Publisher events_publisher_;
+  ros::Publisher markers_publisher_;
+  ros::Publisher markers_static_publisher_;
+  ros::Publisher result_publisher_;
+};
+
+}  // namespace swarmanoid

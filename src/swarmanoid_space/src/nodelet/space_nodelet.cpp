@@ -1,0 +1,191 @@
+// The space under ROS: reads the experiment, has the nodelets loaded that it names, ticks, and ends.
+#include <nodelet/nodelet.h>
+#include <ros/init.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <thread>
+
+#include "recorder.hpp"
+#include "run_result.hpp"
+#include "space_diagnostics.hpp"
+#include "space_parts.hpp"
+#include "space_services.hpp"
+
+namespace swarmanoid {
+namespace {
+
+void logRobot(LogLevel level, const std::string& robot, const std::string& text) {
+  switch (level) {
+    case LogLevel::kInfo:
+      ROS_INFO("%s: %s", robot.c_str(), text.c_str());
+      break;
+    case LogLevel::kWarning:
+      ROS_WARN("%s: %s", robot.c_str(), text.c_str());
+      break;
+    case LogLevel::kError:
+      ROS_ERROR("%s: %s", robot.c_str(), text.c_str());
+      break;
+  }
+}
+
+}  // namespace
+
+class SpaceNodelet final : public nodelet::Nodelet {
+ public:
+  ~SpaceNodelet() override;
+
+ private:
+  using State = SimulationThread::State;
+
+  void onInit() override;
+  void startUp(Experiment experiment);
+  std::unique_ptr<Simulation> build(Experiment experiment);
+  void onChange(State state, const std::string& stop_reason);
+  void onLoss(PluginKind kind, const std::string& id);
+  void shutDownSoon();
+
+  SpaceOptions options_;
+  std::vector<AttachmentPoint::Request> parts_;
+  std::shared_ptr<AttachmentPoint> point_;
+  std::unique_ptr<NodeletLoader> loader_;
+  std::thread starter_;  // inside onInit the manager would not answer
+  const Simulation* simulation_ = nullptr;
+  std::shared_ptr<SpaceDisplay> display_;
+  State last_state_ = State::kPaused;
+  std::unique_ptr<SimulationThread> thread_;
+  std::unique_ptr<SpaceServices> services_;
+  std::unique_ptr<SpaceDiagnostics> diagnostics_;
+  ros::WallTimer end_;
+};
+
+void SpaceNodelet::onInit() {
+  try {
+    options_ = readSpaceOptions(getPrivateNodeHandle());
+    Experiment experiment = readExperiment(options_);
+    for (const std::string& warning : takeExperimentWarnings()) {
+      NODELET_WARN("%s", warning.c_str());
+    }
+    parts_ = partsOf(experiment, robotsWithTopics(options_, experiment));
+    point_ = openAttachmentPoint(getName(), parts_);
+    loader_ = std::make_unique<NodeletLoader>();
+    starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s", error.what());
+    throw;  // the manager reports the nodelet as not loaded
+  }
+}
+
+void SpaceNodelet::startUp(Experiment experiment) {
+  try {
+    SimulationThread::Options pace;
+    pace.paused = options_.paused;
+    pace.real_time_factor = experiment.framework.real_time_factor;
+    pace.on_change = [this](const Simulation&, State state, const std::string& reason) { onChange(state, reason); };
+    auto simulation = build(std::move(experiment));
+    thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
+    point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
+    display_->serveNewcomers(thread_.get());
+    diagnostics_ = std::make_unique<SpaceDiagnostics>(getMTPrivateNodeHandle(), simulation_->experiment().name,
+                                                      *display_, *thread_);
+    services_ = std::make_unique<SpaceServices>(getMTPrivateNodeHandle(), *thread_);
+  } catch (const std::exception& error) {
+    if (ros::ok()) {
+      NODELET_FATAL("%s", error.what());
+      shutDownSoon();
+    }
+  }
+}
+
+std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
+  SuppliedParts supplied;
+  if (loader_->isManager()) {
+    loadParts(*loader_, getName(), *point_, parts_, options_.timeout);
+    supplied = takeParts(*point_, parts_);
+  } else {
+    NODELET_WARN("this process is no nodelet manager: engines and controllers run without nodelets of their own");
+  }
+  RunContext context;
+  context.out_folder = options_.out;
+  context.headless = false;
+  auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
+  simulation_ = simulation.get();
+  display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
+  display_->follow(*simulation);
+  simulation->addVisualisation(display_);
+  if (loader_->isManager()) {
+    for (auto& visualisation : takeVisualisations(*point_, parts_)) {
+      simulation->addVisualisation(std::move(visualisation));
+    }
+  }
+  if (!options_.record.empty()) {
+    NODELET_INFO("recording %s", record(*simulation, context, options_.record, getName()).c_str());
+  }
+  simulation->setLogSink(logRobot);
+  return simulation;
+}
+
+void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
+  const bool is_news = state != last_state_;
+  if (last_state_ == State::kFinished && state == State::kStopped) {
+    return;  // what was finished stays so
+  }
+  last_state_ = state;
+  display_->flush();
+  if (!is_news || (state != State::kFinished && state != State::kStopped)) {
+    return;
+  }
+  const swarmanoid_msgs::RunResult message =
+      runResult(*simulation_, state == State::kFinished, stop_reason, display_->wallTime());
+  display_->publish(message);
+  const std::string result = describe(message);
+  if (state == State::kFinished || !ros::ok()) {
+    NODELET_INFO("%s", result.c_str());
+  } else {
+    NODELET_ERROR("%s", result.c_str());
+  }
+  shutDownSoon();
+}
+
+void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
+  if (kind == PluginKind::kVisualisation) {
+    return;  // the run does not depend on who looks at it
+  }
+  thread_->stop(ros::ok() ? std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded" : "shut down");
+}
+
+void SpaceNodelet::shutDownSoon() {
+  if (options_.stays_at_end || !ros::ok()) {
+    return;
+  }
+  // not at once: what was published last is still on its way
+  constexpr double kDelay = 0.5;  // [s]
+  constexpr bool kOnce = true;
+  end_ = getMTPrivateNodeHandle().createWallTimer(
+      ros::WallDuration(kDelay), [](const ros::WallTimerEvent&) { ros::requestShutdown(); }, kOnce);
+}
+
+SpaceNodelet::~SpaceNodelet() {
+  if (loader_ != nullptr) {
+    loader_->shutdown();
+  }
+  if (starter_.joinable()) {
+    starter_.join();
+  }
+  if (point_ != nullptr) {
+    point_->setLossHandler(nullptr);
+  }
+  // first nobody waits for the simulation any more, then nobody asks it, then it goes
+  if (thread_ != nullptr) {
+    thread_->stop(ros::ok() ? "the space was unloaded" : "shut down");
+  }
+  services_.reset();
+  diagnostics_.reset();
+  if (display_ != nullptr) {
+    display_->shutdown();
+  }
+  thread_.reset();
+}
+
+}  // namespace swarmanoid
+
+PLUGINLIB_EXPORT_CLASS(swarmanoid::SpaceNodelet, nodelet::Nodelet)

@@ -1,0 +1,203 @@
+#include "space_options.hpp"
+
+#include <ros/node_handle.h>
+
+#include <algorithm>
+#include <ctime>
+#include <sstream>
+
+#include "swarmanoid_space/experiment_lookup.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// Reads parameters of any scalar type by their text, so that launch files may pass "" for "not given".
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& own) : own_(own) {}
+
+  std::string text(const std::string& name, const std::string& fallback) {
+    known_.push_back(name);
+    XmlRpc::XmlRpcValue value;
+    if (!own_.getParam(name, value)) {
+      return fallback;
+    }
+    std::ostringstream text;
+    switch (value.getType()) {
+      case XmlRpc::XmlRpcValue::TypeString:
+        text << static_cast<std::string&>(value);
+        break;
+      case XmlRpc::XmlRpcValue::TypeBoolean:
+        text << (static_cast<bool&>(value) ? "true" : "false");
+        break;
+      case XmlRpc::XmlRpcValue::TypeArray:
+        for (int i = 0; i < value.size(); ++i) {
+          text << (i == 0 ? "" : " ") << value[i];
+        }
+        break;
+      default:
+        text << value;
+    }
+    return text.str().empty() ? fallback : text.str();
+  }
+
+  double number(const std::string& name, double fallback, Range range) {
+    const std::string found = text(name, "");
+    return found.empty() ? fallback : parseNumber(found, "~" + name, location(), range);
+  }
+
+  std::optional<std::uint64_t> count(const std::string& name, Range range) {
+    const std::string found = text(name, "");
+    if (found.empty()) {
+      return std::nullopt;
+    }
+    return static_cast<std::uint64_t>(parseInteger(found, "~" + name, location(), range));
+  }
+
+  bool boolean(const std::string& name, bool fallback) {
+    const std::string found = text(name, "");
+    return found.empty() ? fallback : parseBoolean(found, "~" + name, location());
+  }
+
+  std::string choice(const std::string& name, const std::vector<std::string>& allowed) {
+    const std::string found = text(name, allowed.front());
+    if (std::find(allowed.begin(), allowed.end(), found) == allowed.end()) {
+      throw ConfigError(location(), "~" + name + ": found '" + found + "', allowed: " + joinNames(allowed));
+    }
+    return found;
+  }
+
+  std::vector<std::string> words(const std::string& name) {
+    std::istringstream stream(text(name, ""));
+    std::vector<std::string> result;
+    for (std::string word; stream >> word;) {
+      result.push_back(word);
+    }
+    return result;
+  }
+
+  /// Parameters of parts, such as ~engines/ground/id, stand below the space's own.
+  void refuseUnread() const {
+    std::vector<std::string> names;
+    own_.getParamNames(names);
+    const std::string prefix = own_.getNamespace() + "/";
+    for (const std::string& name : names) {
+      if (name.rfind(prefix, 0) != 0) {
+        continue;
+      }
+      const std::string own_name = name.substr(prefix.size());
+      const bool is_part = own_name.rfind("engines/", 0) == 0 || own_name.rfind("controllers/", 0) == 0;
+      if (!is_part && own_name != "diagnostic_period" &&
+          std::find(known_.begin(), known_.end(), own_name) == known_.end()) {
+        throw ConfigError(location(), "found the parameter '" + own_name + "', allowed: " + joinNames(known_) +
+                                          didYouMean(own_name, known_));
+      }
+    }
+  }
+
+  SourceLocation location() const { return {own_.getNamespace(), 0}; }
+
+ private:
+  const ros::NodeHandle& own_;
+  std::vector<std::string> known_;
+};
+
+std::string dateAndTime() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  localtime_r(&now, &local);
+  char text[32];
+  std::strftime(text, sizeof text, "%Y-%m-%d-%H-%M-%S", &local);
+  return text;
+}
+
+}  // namespace
+
+SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
+  ParameterReader reader(own);
+  SpaceOptions options;
+  options.experiment = reader.text("experiment", "");
+  if (options.experiment.empty()) {
+    throw ConfigError(reader.location(),
+                      "~experiment is not set, allowed: a file or the name of an installed "
+                      "experiment: " +
+                          joinNames(installedExperiments()));
+  }
+  options.seed = reader.count("seed", {0.0, 9e15});
+  options.max_ticks = reader.count("max_ticks", {1.0, 1e15});
+  const double factor = reader.number("real_time_factor", -1.0, {0.0, 1e6});
+  if (factor >= 0.0) {
+    options.real_time_factor = factor;
+  }
+  options.paused = reader.boolean("paused", false);
+  options.record = reader.text("record", "");
+  if (options.record == "false") {
+    options.record.clear();
+  } else if (options.record == "true") {
+    options.record = dateAndTime() + ".bag";
+  }
+  options.out = reader.text("out", "");
+  for (const std::string& word : reader.words("set")) {
+    const auto equals = word.find('=');
+    if (equals == std::string::npos || equals == 0) {
+      throw ConfigError(reader.location(), "~set: found '" + word + "', allowed: path=value, separated by spaces");
+    }
+    options.set.push_back({word.substr(0, equals), word.substr(equals + 1)});
+  }
+  options.tf_level = parseTransformLevel(reader.choice("tf/level", {"auto", "none", "base", "full"}));
+  options.tf_rate = reader.number("tf/rate", options.tf_rate, {0.0, 1e6});
+  options.markers_rate = reader.number("markers/rate", options.markers_rate, {0.0, 1e6});
+  options.world_state_rate = reader.number("world_state/rate", options.world_state_rate, {0.0, 1e6});
+  options.clock_rate = reader.number("clock_rate", options.clock_rate, {1.0, 1000.0});
+  options.device_topics = reader.words("device_topics");
+  options.stays_at_end = reader.choice("on_end", {"shutdown", "stay"}) == "stay";
+  options.timeout = reader.number("timeout", options.timeout, {0.1, 3600.0});
+  reader.refuseUnread();
+  return options;
+}
+
+Experiment readExperiment(const SpaceOptions& options) {
+  loadBuiltInPlugins();
+  Experiment experiment = readExperiment(findExperiment(options.experiment), options.set);
+  FrameworkDescription& framework = experiment.framework;
+  framework.seed = options.seed.value_or(framework.seed);
+  framework.max_clock = options.max_ticks.value_or(framework.max_clock);
+  framework.real_time_factor = options.real_time_factor.value_or(framework.real_time_factor);
+  return experiment;
+}
+
+std::vector<std::string> robotNames(const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const EntityDescription& entity : experiment.arena.entities) {
+    if (entity.controller.empty()) {
+      continue;
+    }
+    if (!entity.distribution) {
+      names.push_back(entity.id);
+      continue;
+    }
+    for (std::size_t k = 1; k <= entity.distribution->quantity; ++k) {
+      names.push_back(entity.id + "_" + std::to_string(k));
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment) {
+  const std::vector<std::string> names = robotNames(experiment);
+  if (options.device_topics == std::vector<std::string>{"all"}) {
+    return names;
+  }
+  if (options.device_topics == std::vector<std::string>{"none"}) {
+    return {};
+  }
+  for (const std::string& robot : options.device_topics) {
+    if (std::find(names.begin(), names.end(), robot) == names.end()) {
+      throw ConfigError({experiment.file, 0}, "~device_topics: found '" + robot + "', allowed: all, none, " +
+                                                  joinNames(names) + didYouMean(robot, names));
+    }
+  }
+  return options.device_topics;
+}
+
+}  // namespace swarmanoid

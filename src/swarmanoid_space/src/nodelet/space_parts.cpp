@@ -1,0 +1,88 @@
+#include "space_parts.hpp"
+
+#include <ros/names.h>
+
+#include <chrono>
+
+namespace swarmanoid {
+namespace {
+
+/// The namespace of a robot is its name, next to the space's node.
+std::string nodeletName(const std::string& space, const AttachmentPoint::Request& part) {
+  switch (part.kind) {
+    case PluginKind::kEngine:
+      return space + "/engines/" + part.id;
+    case PluginKind::kController:
+      return space + "/controllers/" + part.id;
+    default:
+      return ros::names::parentNamespace(space) == "/"
+                 ? "/" + part.id + "/devices"
+                 : ros::names::parentNamespace(space) + "/" + part.id + "/devices";
+  }
+}
+
+std::string nodeletType(NodeletLoader& loader, const AttachmentPoint::Request& part) {
+  switch (part.kind) {
+    case PluginKind::kEngine:
+      return "swarmanoid_engines/EngineNodelet";
+    case PluginKind::kController:
+      return loader.controllerNodelet(part.label);
+    default:
+      return "swarmanoid_devices/DeviceNodelet";
+  }
+}
+
+}  // namespace
+
+std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots) {
+  std::vector<AttachmentPoint::Request> parts;
+  for (const EngineDescription& engine : experiment.engines) {
+    parts.push_back({PluginKind::kEngine, engine.id, engine.label, engine.parameters});
+  }
+  for (const ControllerDescription& controller : experiment.controllers) {
+    parts.push_back({PluginKind::kController, controller.id, controller.label, controller.parameters});
+  }
+  for (const std::string& robot : robots) {
+    parts.push_back({PluginKind::kVisualisation, robot, "device_topics", {}});
+  }
+  return parts;
+}
+
+void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint& point,
+               const std::vector<AttachmentPoint::Request>& parts, double timeout_s) {
+  for (const AttachmentPoint::Request& part : parts) {
+    const std::string type = nodeletType(loader, part);
+    if (!loader.load(nodeletName(space, part), type, space, part.id)) {
+      // a nodelet that failed by itself has given its reason already, and the first reason counts
+      point.refuse(part.kind, part.id, "the manager cannot load " + type + "; its log says why");
+      break;
+    }
+  }
+  point.waitForAll(std::chrono::milliseconds(static_cast<std::int64_t>(timeout_s * 1000.0)));
+}
+
+SuppliedParts takeParts(const AttachmentPoint& point, const std::vector<AttachmentPoint::Request>& parts) {
+  SuppliedParts supplied;
+  for (const AttachmentPoint::Request& part : parts) {
+    const std::shared_ptr<void> held = point.part(part.kind, part.id);
+    if (part.kind == PluginKind::kEngine) {
+      supplied.engines[part.id] = std::static_pointer_cast<Engine>(held);
+    } else if (part.kind == PluginKind::kController) {
+      supplied.controllers[part.id] = *std::static_pointer_cast<ControllerFactory>(held);
+    }
+  }
+  return supplied;
+}
+
+std::vector<std::shared_ptr<Visualisation>> takeVisualisations(const AttachmentPoint& point,
+                                                               const std::vector<AttachmentPoint::Request>& parts) {
+  std::vector<std::shared_ptr<Visualisation>> visualisations;
+  for (const AttachmentPoint::Request& part : parts) {
+    if (part.kind == PluginKind::kVisualisation) {
+      visualisations.push_back(std::static_pointer_cast<Visualisation>(point.part(part.kind, part.id)));
+    }
+  }
+  return visualisations;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,28 @@
+/// The nodelets that an experiment needs beside the space's own: which, and what they bring.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "nodelet_loader.hpp"
+#include "swarmanoid_interface/attachment_point.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+
+/// An engine for each engine, a controller for each controller configuration, a visualisation for each robot whose
+/// devices have topics.
+std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots);
+
+/// Has a nodelet loaded for each part: <space>/engines/<id>, <space>/controllers/<id>, <robot>/devices. Waits for all.
+/// @throws std::runtime_error naming who does not load, or is missing after the timeout
+void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint& point,
+               const std::vector<AttachmentPoint::Request>& parts, double timeout_s);
+
+/// What has been attached, for the simulation to use. @pre all are there
+SuppliedParts takeParts(const AttachmentPoint& point, const std::vector<AttachmentPoint::Request>& parts);
+std::vector<std::shared_ptr<Visualisation>> takeVisualisations(const AttachmentPoint& point,
+                                                               const std::vector<AttachmentPoint::Request>& parts);
+
+}  // namespace swarmanoid

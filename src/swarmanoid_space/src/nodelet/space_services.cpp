@@ -1,0 +1,126 @@
+#include "space_services.hpp"
+
+#include <stdexcept>
+
+#include "../ros/entity_specification.hpp"
+#include "swarmanoid_interface/ros/device_messages.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// Answers with what `action` returns, or with what it throws.
+template <class Response, class Action>
+bool answer(Response& response, Action action) {
+  try {
+    response.message = action();
+    response.success = 1;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+    response.success = 0;
+  }
+  return true;
+}
+
+/// Does `act` for one item after the other, all between the same two ticks.
+template <class Response, class Items, class Act>
+bool intervene(SimulationThread& thread, const Items& items, Response& response, Act act) {
+  return answer(response, [&] {
+    thread.call([&](Simulation& simulation) {
+      response.tick = simulation.space().tick;
+      for (const auto& item : items) {
+        act(simulation, item);
+        ++response.count;
+      }
+    });
+    return std::to_string(response.count) + " done";
+  });
+}
+
+/// @return the seed to start anew with; nothing: the one it has
+std::optional<std::uint64_t> seedOf(const swarmanoid_msgs::Reset::Request& request) {
+  return request.keep_seed != 0 ? std::nullopt : std::optional<std::uint64_t>(request.seed);
+}
+
+void checkScope(std::uint8_t scope) {
+  using Request = swarmanoid_msgs::Reset::Request;
+  constexpr int kState = Request::STATE + Request::SPAWNED;
+  if (scope != 0 && (scope & ~Request::TIME) != kState) {
+    throw std::runtime_error("scope: found " + std::to_string(scope) + ", allowed: 0, " + std::to_string(kState) +
+                             " (STATE + SPAWNED) and " + std::to_string(kState + Request::TIME) +
+                             " (TIME + STATE + SPAWNED)");
+  }
+}
+
+}  // namespace
+
+SpaceServices::SpaceServices(ros::NodeHandle own, SimulationThread& thread) : thread_(thread) {
+  servers_ = {own.advertiseService("pause", &SpaceServices::pause, this),
+              own.advertiseService("resume", &SpaceServices::resume, this),
+              own.advertiseService("toggle_pause", &SpaceServices::togglePause, this),
+              own.advertiseService("step", &SpaceServices::step, this),
+              own.advertiseService("reset", &SpaceServices::reset, this),
+              own.advertiseService("spawn", &SpaceServices::spawn, this),
+              own.advertiseService("delete", &SpaceServices::remove, this),
+              own.advertiseService("move", &SpaceServices::move, this)};
+}
+
+bool SpaceServices::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, [&] { return thread_.pause() ? "paused" : "it was not running"; });
+}
+
+bool SpaceServices::resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  return answer(response, [&] { return thread_.resume() ? "resumed" : "it was running already"; });
+}
+
+bool SpaceServices::togglePause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response) {
+  return thread_.state() == SimulationThread::State::kRunning ? pause(request, response) : resume(request, response);
+}
+
+bool SpaceServices::step(swarmanoid_msgs::Step::Request& request, swarmanoid_msgs::Step::Response& response) {
+  return answer(response, [&]() -> std::string {
+    if (request.steps == 0) {
+      throw std::runtime_error("steps: found 0, allowed: at least 1");
+    }
+    const SimulationThread::StepResult result = thread_.step(request.steps);
+    response.tick = result.tick;
+    response.stamp = toRosTime(result.time);
+    if (!result.is_complete) {
+      throw std::runtime_error(result.message);
+    }
+    return "";
+  });
+}
+
+bool SpaceServices::reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_msgs::Reset::Response& response) {
+  return answer(response, [&] {
+    checkScope(request.scope);
+    thread_.reset(seedOf(request), (request.scope & swarmanoid_msgs::Reset::Request::TIME) != 0);
+    std::string message;
+    thread_.look([&](const Simulation& simulation) {
+      response.run = simulation.space().run;
+      response.stamp = stampOf(simulation.space());
+      message = "reset, seed " + std::to_string(simulation.space().seed);
+    });
+    return message;
+  });
+}
+
+bool SpaceServices::spawn(swarmanoid_msgs::Spawn::Request& request, swarmanoid_msgs::Spawn::Response& response) {
+  return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& specification) {
+    simulation.spawn(toDescription(specification, simulation.experiment()), specification.engines);
+  });
+}
+
+bool SpaceServices::remove(swarmanoid_msgs::Delete::Request& request, swarmanoid_msgs::Delete::Response& response) {
+  return intervene(thread_, request.names, response,
+                   [](Simulation& simulation, const std::string& name) { simulation.remove(name); });
+}
+
+bool SpaceServices::move(swarmanoid_msgs::Move::Request& request, swarmanoid_msgs::Move::Response& response) {
+  return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& entity) {
+    simulation.move(entity.name, fromMessage(entity.pose.header, entity.pose.pose));
+  });
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,39 @@
+/// The services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move.
+///
+/// Each answers when what was asked for is done. Several may be under way at once, so that a pause ends a long step.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_srvs/Trigger.h>
+#include <swarmanoid_msgs/Delete.h>
+#include <swarmanoid_msgs/Move.h>
+#include <swarmanoid_msgs/Reset.h>
+#include <swarmanoid_msgs/Spawn.h>
+#include <swarmanoid_msgs/Step.h>
+
+#include <vector>
+
+#include "swarmanoid_space/simulation_thread.hpp"
+
+namespace swarmanoid {
+
+class SpaceServices {
+ public:
+  /// @param own a handle whose queue is served by several threads
+  SpaceServices(ros::NodeHandle own, SimulationThread& thread);
+
+ private:
+  bool pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool resume(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool togglePause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool step(swarmanoid_msgs::Step::Request& request, swarmanoid_msgs::Step::Response& response);
+  bool reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_msgs::Reset::Response& response);
+  bool spawn(swarmanoid_msgs::Spawn::Request& request, swarmanoid_msgs::Spawn::Response& response);
+  bool remove(swarmanoid_msgs::Delete::Request& request, swarmanoid_msgs::Delete::Response& response);
+  bool move(swarmanoid_msgs::Move::Request& request, swarmanoid_msgs::Move::Response& response);
+
+  SimulationThread& thread_;
+  std::vector<ros::ServiceServer> servers_;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,117 @@
+// Records a run into a rosbag: no master, nothing is lost, and the stamps are simulated time.
+#include <std_msgs/String.h>
+
+#include <filesystem>
+
+#include "bag_writer.hpp"
+#include "swarmanoid_space/ros/markers.hpp"
+#include "swarmanoid_space/ros/transforms.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
+#include "swarmanoid_space/visualisation.hpp"
+
+namespace swarmanoid {
+namespace {
+
+Parameter parameter(const std::string& name, Parameter::Type type, const std::string& description,
+                    std::optional<std::string> value) {
+  Parameter result;
+  result.name = name;
+  result.type = type;
+  result.description = description;
+  result.value = std::move(value);
+  return result;
+}
+
+class RosbagRecorder final : public Visualisation {
+ public:
+  static PluginDescription describe() {
+    using Type = Parameter::Type;
+    PluginDescription description;
+    description.label = "rosbag_recorder";
+    description.summary = "Writes a rosbag: clock, transforms, world state, events and markers.";
+    Parameter every = parameter("every", Type::kInteger, "Ticks from one recorded state to the next.", "1");
+    every.unit = "ticks";
+    every.range = {1.0, 1e9};
+    Parameter markers_every = parameter("markers_every", Type::kInteger,
+                                        "Recorded states from one with markers to the next; 0: no markers.", "1");
+    markers_every.range = {0.0, 1e9};
+    Parameter compression = parameter("compression", Type::kChoice, "Of the bag's chunks.", "lz4");
+    compression.choices = {"none", "lz4", "bz2"};
+    Parameter level =
+        parameter("transforms", Type::kChoice, "Frames in /tf: auto is full for up to 20 robots, base beyond.", "auto");
+    level.choices = {"auto", "none", "base", "full"};
+    description.parameters = {parameter("file", Type::kText, "The bag.", std::nullopt),
+                              every,
+                              markers_every,
+                              compression,
+                              level,
+                              parameter("node", Type::kText, "Name of the space in topics.", "space")};
+    return description;
+  }
+
+  void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
+    id_ = id;
+    every_ = static_cast<std::uint64_t>(parameters.integer("every", 1, {1.0, 1e9}));
+    markers_every_ = static_cast<std::uint64_t>(parameters.integer("markers_every", 1, {0.0, 1e9}));
+    transforms_ = Transforms(parseTransformLevel(parameters.text("transforms", "auto")));
+    topics_ = "/" + parameters.text("node", "space") + "/";
+    const std::string compression = parameters.text("compression", "lz4");
+    const auto file = std::filesystem::path(context.out_folder) / parameters.text("file");
+    try {
+      bag_.open(file.string(), compression == "lz4"   ? rosbag::compression::LZ4
+                               : compression == "bz2" ? rosbag::compression::BZ2
+                                                      : rosbag::compression::Uncompressed);
+    } catch (const rosbag::BagException& error) {
+      throw ConfigError(parameters.location(), "rosbag_recorder '" + id + "': cannot write: " + error.what());
+    }
+    if (context.experiment != nullptr) {
+      experiment_text_.data = context.experiment->text;
+    }
+  }
+
+  void draw(const Space& space) override {
+    bag_.reopen();
+    const ros::Time stamp = stampOf(space);
+    transforms_.advance(space);
+    for (const Event& event : space.events) {
+      toMessage(space, event, event_);
+      bag_.write(topics_ + "events", stamp, event_);
+    }
+    if (changes_.look(space)) {
+      bag_.writeLatched("/tf_static", stamp, transforms_.fixed(space));
+      bag_.writeLatched(topics_ + "markers_static", stamp, arenaMarkers(space));
+      bag_.writeLatched(topics_ + "experiment", stamp, experiment_text_);
+    }
+    if (space.tick % every_ != 0) {
+      return;
+    }
+    bag_.write("/clock", stamp, clockMessage(space));
+    if (const tf2_msgs::TFMessage& moving = transforms_.moving(space); !moving.transforms.empty()) {
+      bag_.write("/tf", stamp, moving);
+    }
+    toMessage(space, world_state_);
+    bag_.write(topics_ + "world_state", stamp, world_state_);
+    if (markers_every_ != 0 && space.tick / every_ % markers_every_ == 0) {
+      bag_.write(topics_ + "markers", stamp, markers_.draw(space));
+    }
+  }
+
+  void finish() override { bag_.close(); }
+
+ private:
+  std::uint64_t every_ = 1;
+  std::uint64_t markers_every_ = 1;
+  std::string topics_;
+  std_msgs::String experiment_text_;
+  BagWriter bag_;
+  Transforms transforms_;
+  MovingMarkers markers_;
+  OutsideChanges changes_;
+  swarmanoid_msgs::WorldState world_state_;
+  swarmanoid_msgs::Event event_;
+};
+
+}  // namespace
+}  // namespace swarmanoid
+
+REGISTER_VISUALISATION(swarmanoid::RosbagRecorder)

@@ -1,0 +1,160 @@
+#include "swarmanoid_space/ros/transforms.hpp"
+
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <cmath>
+
+#include "../read_urdf.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
+
+namespace swarmanoid {
+namespace {
+
+geometry_msgs::TransformStamped transform(const ros::Time& stamp, const std::string& parent, const std::string& child,
+                                          const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform.translation.x = position.x();
+  message.transform.translation.y = position.y();
+  message.transform.translation.z = position.z();
+  message.transform.rotation.x = orientation.x();
+  message.transform.rotation.y = orientation.y();
+  message.transform.rotation.z = orientation.z();
+  message.transform.rotation.w = orientation.w();
+  return message;
+}
+
+}  // namespace
+
+std::optional<TransformLevel> parseTransformLevel(const std::string& text) {
+  if (text == "auto") {
+    return std::nullopt;
+  }
+  if (text == "none") {
+    return TransformLevel::kNone;
+  }
+  if (text == "base") {
+    return TransformLevel::kBase;
+  }
+  if (text == "full") {
+    return TransformLevel::kFull;
+  }
+  throw ConfigError({}, "level of transforms: found '" + text + "', allowed: auto, none, base, full" +
+                            didYouMean(text, {"auto", "none", "base", "full"}));
+}
+
+TransformLevel Transforms::level(const Space& space) {
+  if (!level_) {
+    std::size_t robots = 0;
+    for (const Row row : space.entities.order) {
+      robots += space.entities.model[static_cast<std::size_t>(row)]->is_robot ? 1 : 0;
+    }
+    level_ = robots <= kFewRobots ? TransformLevel::kFull : TransformLevel::kBase;
+  }
+  return *level_;
+}
+
+const std::vector<Transforms::Link>& Transforms::linksOf(const EntityModel& model) {
+  const auto [known, is_new] = links_.try_emplace(model.type);
+  if (is_new && !model.urdf.empty()) {
+    const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(model.urdf);
+    for (const auto& [name, joint] : robot->joints_) {
+      Link link;
+      link.parent = joint->parent_link_name;
+      link.name = joint->child_link_name;
+      link.place = toMount(joint->parent_to_joint_origin_transform);
+      link.axis = {joint->axis.x, joint->axis.y, joint->axis.z};
+      if (name == "left_wheel" || name == "right_wheel") {
+        link.wheel = name == "left_wheel" ? 0 : 1;
+      }
+      known->second.push_back(link);
+    }
+  }
+  return known->second;
+}
+
+void Transforms::advance(const Space& space) {
+  if (level(space) != TransformLevel::kFull) {
+    return;
+  }
+  if (space.run != advanced_run_ || space.tick < advanced_tick_) {
+    wheel_angles_.clear();
+  } else if (space.tick == advanced_tick_) {
+    return;
+  }
+  advanced_run_ = space.run;
+  advanced_tick_ = space.tick;
+  const double dt = toSeconds(space.clocktick);
+  for (const Row row : space.entities.order) {
+    if (const auto* wheels = space.actuation.find<FootbotWheels>(row)) {
+      auto& angles = wheel_angles_[space.entities.number[static_cast<std::size_t>(row)]];
+      angles[0] = std::remainder(angles[0] + wheels->left * dt, 2.0 * M_PI);
+      angles[1] = std::remainder(angles[1] + wheels->right * dt, 2.0 * M_PI);
+    }
+  }
+}
+
+const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
+  const Entities& entities = space.entities;
+  moving_.transforms.clear();
+  if (level(space) == TransformLevel::kNone) {
+    return moving_;
+  }
+  const ros::Time stamp = stampOf(space);
+  for (const Row row : entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    const EntityModel& model = *entities.model[i];
+    if (!model.is_movable) {
+      continue;
+    }
+    const std::string& name = entities.name[i];
+    const Pose& pose = entities.pose[i];
+    moving_.transforms.push_back(transform(stamp, kWorldFrame, frameOf(name), pose.position, pose.orientation));
+    if (level(space) != TransformLevel::kFull || !model.wheels) {
+      continue;
+    }
+    const std::array<double, 2>& angles = wheel_angles_[entities.number[i]];
+    for (const Link& link : linksOf(model)) {
+      if (link.wheel) {
+        const Eigen::Quaterniond turned =
+            link.place.orientation * Eigen::AngleAxisd(angles[*link.wheel], link.axis.normalized());
+        moving_.transforms.push_back(
+            transform(stamp, frameOf(name, link.parent), frameOf(name, link.name), link.place.position, turned));
+      }
+    }
+  }
+  return moving_;
+}
+
+const tf2_msgs::TFMessage& Transforms::fixed(const Space& space) {
+  const Entities& entities = space.entities;
+  fixed_.transforms.clear();
+  if (level(space) == TransformLevel::kNone) {
+    return fixed_;
+  }
+  const ros::Time stamp = stampOf(space);
+  for (const Row row : entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    const EntityModel& model = *entities.model[i];
+    const std::string& name = entities.name[i];
+    if (!model.is_movable) {
+      const Pose& pose = entities.pose[i];
+      fixed_.transforms.push_back(transform(stamp, kWorldFrame, frameOf(name), pose.position, pose.orientation));
+    }
+    if (level(space) == TransformLevel::kFull) {
+      for (const Link& link : linksOf(model)) {
+        if (!link.wheel) {
+          fixed_.transforms.push_back(transform(stamp, frameOf(name, link.parent), frameOf(name, link.name),
+                                                link.place.position, link.place.orientation));
+        }
+      }
+    }
+  }
+  return fixed_;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,170 @@
+#include "swarmanoid_space/ros/world_state.hpp"
+
+#include <stdexcept>
+
+#include "swarmanoid_interface/ros/device_messages.hpp"
+
+namespace swarmanoid {
+namespace {
+
+geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
+  geometry_msgs::Vector3 message;
+  message.x = v.x();
+  message.y = v.y();
+  message.z = v.z();
+  return message;
+}
+
+/// A robot shows the mean of its lit LEDs, anything else its surface.
+std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  const EntityModel& model = *space.entities.model[i];
+  if (!model.is_robot) {
+    return toMessage(space.entities.color[i]);
+  }
+  std_msgs::ColorRGBA sum;
+  float lit = 0.0F;
+  for (std::size_t led = 0; led < model.led_positions.size(); ++led) {
+    const Color color = space.ledsOf(row)[led];
+    if (color.isLit()) {
+      const std_msgs::ColorRGBA one = toMessage(color);
+      sum.r += one.r;
+      sum.g += one.g;
+      sum.b += one.b;
+      lit += 1.0F;
+    }
+  }
+  if (lit > 0.0F) {
+    sum.r /= lit;
+    sum.g /= lit;
+    sum.b /= lit;
+    sum.a = 1.0F;
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::string frameOf(const std::string& entity, const std::string& link) { return entity + "/" + link; }
+
+ros::Time stampOf(const Space& space) { return toRosTime(space.time + space.time_before_reset); }
+
+std_msgs::Header headerOf(const Space& space) {
+  std_msgs::Header header;
+  header.stamp = stampOf(space);
+  header.frame_id = kWorldFrame;
+  return header;
+}
+
+geometry_msgs::Point toMessage(const Eigen::Vector3d& point) {
+  geometry_msgs::Point message;
+  message.x = point.x();
+  message.y = point.y();
+  message.z = point.z();
+  return message;
+}
+
+geometry_msgs::Pose toMessage(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = toMessage(pose.position);
+  message.orientation.x = pose.orientation.x();
+  message.orientation.y = pose.orientation.y();
+  message.orientation.z = pose.orientation.z();
+  message.orientation.w = pose.orientation.w();
+  return message;
+}
+
+Pose fromMessage(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
+  if (!header.frame_id.empty() && header.frame_id != kWorldFrame) {
+    throw std::runtime_error("found a pose in the frame '" + header.frame_id + "', allowed: '" + kWorldFrame + "'");
+  }
+  const auto& q = pose.orientation;
+  Pose result;
+  result.position = {pose.position.x, pose.position.y, pose.position.z};
+  result.orientation = Eigen::Quaterniond(q.w, q.x, q.y, q.z);
+  const bool is_unset = q.x == 0.0 && q.y == 0.0 && q.z == 0.0 && q.w == 0.0;
+  if (is_unset) {
+    result.orientation.setIdentity();
+  }
+  if (!result.position.allFinite() || !result.orientation.coeffs().allFinite() || result.orientation.norm() < 1e-6) {
+    throw std::runtime_error("found a pose that is not finite");
+  }
+  result.orientation.normalize();
+  return result;
+}
+
+rosgraph_msgs::Clock clockMessage(const Space& space) {
+  rosgraph_msgs::Clock clock;
+  clock.clock = stampOf(space);
+  return clock;
+}
+
+void toMessage(const Space& space, swarmanoid_msgs::WorldState& message) {
+  const Entities& entities = space.entities;
+  const std::size_t count = entities.order.size();
+  message.header = headerOf(space);
+  message.tick = space.tick;
+  message.run = space.run;
+  message.state_hash = stateHash(space);
+  message.numbers.resize(count);
+  message.names.resize(count);
+  message.types.resize(count);
+  message.poses.resize(count);
+  message.twists.resize(count);
+  message.engines.resize(count);
+  message.gripped.resize(count);
+  message.colors.resize(count);
+  for (std::size_t k = 0; k < count; ++k) {
+    const Row row = entities.order[k];
+    const auto i = static_cast<std::size_t>(row);
+    message.numbers[k] = entities.number[i];
+    message.names[k] = entities.name[i];
+    message.types[k] = entities.model[i]->type;
+    message.poses[k] = toMessage(entities.pose[i]);
+    message.twists[k].linear = toVector(entities.twist[i].linear);
+    message.twists[k].angular = toVector(entities.twist[i].angular);
+    message.engines[k] = space.mover[i] == nullptr ? "" : space.mover[i]->id();
+    const Row gripped = space.structure.grippedBy(row);
+    message.gripped[k] = gripped == kNoRow ? "" : entities.name[static_cast<std::size_t>(gripped)];
+    message.colors[k] = colorOf(space, row);
+  }
+}
+
+void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& message) {
+  using Message = swarmanoid_msgs::Event;
+  // the numbers of the message are the enumerators' own
+  static_assert(static_cast<int>(Event::Kind::kAttached) == Message::ATTACHED);
+  static_assert(static_cast<int>(Event::Kind::kReleased) == Message::RELEASED);
+  static_assert(static_cast<int>(Event::Kind::kControllerFailed) == Message::CONTROLLER_FAILED);
+  static_assert(static_cast<int>(Event::Kind::kLeftArena) == Message::LEFT_ARENA);
+  static_assert(static_cast<int>(Event::Kind::kOverflow) == Message::OVERFLOW);
+  static_assert(static_cast<int>(Event::Kind::kSpawned) == Message::SPAWNED);
+  static_assert(static_cast<int>(Event::Kind::kDeleted) == Message::DELETED);
+  static_assert(static_cast<int>(Event::Kind::kMoved) == Message::MOVED);
+  static_assert(static_cast<int>(Event::Kind::kIntervention) == Message::INTERVENTION);
+  static_assert(static_cast<int>(Event::Kind::kFinished) == Message::FINISHED);
+  message.header = headerOf(space);
+  message.tick = space.tick;
+  message.run = space.run;
+  message.kind = static_cast<std::uint8_t>(event.kind);
+  message.entity = event.entity;
+  message.other = event.other;
+  message.text = event.text;
+}
+
+bool OutsideChanges::look(const Space& space) {
+  const std::vector<Row>& order = space.entities.order;
+  const EntityNumber last = order.empty() ? kNobody : space.entities.number[static_cast<std::size_t>(order.back())];
+  bool is_change = !has_looked_ || space.run != run_ || order.size() != count_ || last != last_;
+  for (const Event& event : space.events) {
+    is_change = is_change || event.kind == Event::Kind::kMoved || event.kind == Event::Kind::kSpawned ||
+                event.kind == Event::Kind::kDeleted;
+  }
+  has_looked_ = true;
+  run_ = space.run;
+  count_ = order.size();
+  last_ = last;
+  return is_change;
+}
+
+}  // namespace swarmanoid

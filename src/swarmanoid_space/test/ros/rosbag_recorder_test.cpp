@@ -1,0 +1,120 @@
+// A recorded run: every state is in the bag, in simulated time, and no master is there.
+#include <gtest/gtest.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <rosgraph_msgs/Clock.h>
+#include <swarmanoid_msgs/WorldState.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <filesystem>
+
+#include "../small_world.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+namespace {
+
+class RosbagRecorderTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::temp_directory_path() / "swarmanoid_rosbag_recorder_test";
+    std::filesystem::create_directories(folder_);
+    loadPluginLibrary("swarmanoid_recording", {}, {});
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  void record(Simulation& simulation, const std::string& every = "1") {
+    auto recorder =
+        makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, "rosbag_recorder"));
+    Configuration parameters("rosbag_recorder", "", {});
+    parameters.set("file", "run.bag");
+    parameters.set("every", every);
+    RunContext context;
+    context.out_folder = folder_.string();
+    context.experiment = &simulation.experiment();
+    recorder->configure("recorder", parameters, context);
+    simulation.addVisualisation(recorder);
+  }
+
+  template <class Message>
+  std::vector<typename Message::ConstPtr> read(const std::string& topic) const {
+    rosbag::Bag bag((folder_ / "run.bag").string(), rosbag::bagmode::Read);
+    rosbag::View view(bag, rosbag::TopicQuery(topic));
+    std::vector<typename Message::ConstPtr> messages;
+    for (const rosbag::MessageInstance& instance : view) {
+      messages.push_back(instance.instantiate<Message>());
+    }
+    return messages;
+  }
+
+  std::filesystem::path folder_;
+};
+
+void runToEnd(Simulation& simulation) {
+  while (!simulation.isFinished()) {
+    simulation.tick();
+  }
+}
+
+TEST_F(RosbagRecorderTest, HoldsEveryTick) {
+  const auto simulation = test::smallWorld(50);
+  record(*simulation);
+  simulation->start();
+  runToEnd(*simulation);
+  simulation->finish();
+
+  const auto states = read<swarmanoid_msgs::WorldState>("/space/world_state");
+  ASSERT_EQ(51U, states.size());
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    EXPECT_EQ(i, states[i]->tick);
+  }
+  EXPECT_EQ(simulation->stateHash(), states.back()->state_hash);
+  EXPECT_EQ(51U, read<rosgraph_msgs::Clock>("/clock").size());
+  EXPECT_EQ(51U, read<tf2_msgs::TFMessage>("/tf").size());
+  EXPECT_EQ(1U, read<tf2_msgs::TFMessage>("/tf_static").size());
+}
+
+TEST_F(RosbagRecorderTest, BagTimeIsSimulatedTime) {
+  const auto simulation = test::smallWorld(10);
+  record(*simulation);
+  simulation->start();
+  runToEnd(*simulation);
+  simulation->finish();
+  rosbag::Bag bag((folder_ / "run.bag").string(), rosbag::bagmode::Read);
+  rosbag::View view(bag);
+  EXPECT_EQ(ros::Time(1, 0), view.getBeginTime());
+  EXPECT_EQ(ros::Time(2, 0), view.getEndTime());
+}
+
+TEST_F(RosbagRecorderTest, RecordsEverySoManyTicks) {
+  const auto simulation = test::smallWorld(50);
+  record(*simulation, "10");
+  simulation->start();
+  runToEnd(*simulation);
+  simulation->finish();
+  EXPECT_EQ(6U, read<swarmanoid_msgs::WorldState>("/space/world_state").size());
+}
+
+TEST_F(RosbagRecorderTest, GoesOnAfterAReset) {
+  const auto simulation = test::smallWorld(10);
+  record(*simulation);
+  simulation->start();
+  runToEnd(*simulation);
+  simulation->finish();
+  simulation->reset();
+  runToEnd(*simulation);
+  simulation->finish();
+  const auto states = read<swarmanoid_msgs::WorldState>("/space/world_state");
+  ASSERT_EQ(22U, states.size());
+  EXPECT_EQ(1U, states.back()->run);
+  EXPECT_GT(states[11]->header.stamp, states[10]->header.stamp);
+}
+
+TEST_F(RosbagRecorderTest, SaysWhenItCannotWrite) {
+  const auto simulation = test::smallWorld(10);
+  folder_ = "/nonexistent_folder";
+  EXPECT_THROW(record(*simulation), ConfigError);
+}
+
+}  // namespace
+}  // namespace swarmanoid

@@ -1,0 +1,189 @@
+#include "swarmanoid_space/simulation_thread.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <chrono>
+#include <stdexcept>
+
+#include "small_world.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using State = SimulationThread::State;
+using Clock = std::chrono::steady_clock;
+
+constexpr int kEndless = 1'000'000'000;
+
+SimulationThread::Options pausedAtFirst() {
+  SimulationThread::Options options;
+  options.paused = true;
+  return options;
+}
+
+std::uint64_t tickOf(SimulationThread& thread) {
+  std::uint64_t tick = 0;
+  thread.look([&](const Simulation& simulation) { tick = simulation.space().tick; });
+  return tick;
+}
+
+std::string messageOf(const std::function<void()>& call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(SimulationThreadTest, StepsExactlyAsOftenAsItIsTold) {
+  SimulationThread thread(test::smallWorld(), pausedAtFirst());
+  const auto result = thread.step(7);
+  EXPECT_TRUE(result.is_complete);
+  EXPECT_EQ(7U, result.tick);
+  EXPECT_EQ(kEpoch + std::chrono::milliseconds(700), result.time);
+  EXPECT_EQ(7U, tickOf(thread));
+  EXPECT_EQ(State::kPaused, thread.state());
+}
+
+TEST(SimulationThreadTest, DoesNotStepWhileItRuns) {
+  SimulationThread thread(test::smallWorld(kEndless), {});
+  const auto result = thread.step(1);
+  EXPECT_FALSE(result.is_complete);
+  EXPECT_EQ("it is running; pause it first", result.message);
+}
+
+TEST(SimulationThreadTest, PauseEndsALongStep) {
+  SimulationThread thread(test::smallWorld(kEndless), pausedAtFirst());
+  auto step = std::async(std::launch::async, [&] { return thread.step(kEndless); });
+  while (tickOf(thread) == 0) {
+    std::this_thread::yield();
+  }
+  EXPECT_EQ("another step is under way", messageOf([&] { thread.step(1); }));
+  EXPECT_TRUE(thread.pause());
+  EXPECT_EQ("paused before all of them were made", step.get().message);
+  const std::uint64_t tick = tickOf(thread);
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  EXPECT_EQ(tick, tickOf(thread));
+}
+
+TEST(SimulationThreadTest, ResumesAndFinishes) {
+  std::promise<void> finished;
+  bool is_told = false;
+  auto options = pausedAtFirst();
+  options.on_change = [&](const Simulation&, State state, const std::string&) {
+    if (state == State::kFinished && !is_told) {
+      is_told = true;
+      finished.set_value();
+    }
+  };
+  SimulationThread thread(test::smallWorld(50), options);
+  EXPECT_TRUE(thread.resume());
+  finished.get_future().get();
+  EXPECT_EQ(50U, tickOf(thread));
+  EXPECT_EQ("the run is finished; only a reset goes on from here", thread.step(1).message);
+  EXPECT_EQ("the run is finished; only a reset goes on from here", messageOf([&] { thread.resume(); }));
+}
+
+TEST(SimulationThreadTest, SaysHowFarAStepCameWhenTheRunFinishes) {
+  SimulationThread thread(test::smallWorld(50), pausedAtFirst());
+  EXPECT_TRUE(thread.step(49).is_complete);
+  const auto result = thread.step(2);
+  EXPECT_FALSE(result.is_complete);
+  EXPECT_EQ(50U, result.tick);
+  EXPECT_EQ("the run finished before all of them were made", result.message);
+}
+
+TEST(SimulationThreadTest, CompletesTheStepThatReachesTheEnd) {
+  SimulationThread thread(test::smallWorld(50), pausedAtFirst());
+  EXPECT_TRUE(thread.step(50).is_complete);
+  EXPECT_EQ(State::kFinished, thread.state());
+}
+
+TEST(SimulationThreadTest, ResetGoesOnWithTimeThatRises) {
+  SimulationThread thread(test::smallWorld(50), pausedAtFirst());
+  thread.step(50);
+  thread.reset(std::nullopt, false);
+  EXPECT_EQ(State::kPaused, thread.state());
+  EXPECT_EQ(0U, tickOf(thread));
+  EXPECT_EQ(kEpoch + std::chrono::milliseconds(5200), thread.step(1).time);
+}
+
+TEST(SimulationThreadTest, ResetRewindsTimeWhenAskedTo) {
+  SimulationThread thread(test::smallWorld(50), pausedAtFirst());
+  thread.step(20);
+  thread.reset(3, true);
+  EXPECT_EQ(kEpoch + std::chrono::milliseconds(100), thread.step(1).time);
+  thread.look([](const Simulation& simulation) { EXPECT_EQ(3U, simulation.space().seed); });
+}
+
+TEST(SimulationThreadTest, HandsOnWhatACallThrows) {
+  SimulationThread thread(test::smallWorld(), pausedAtFirst());
+  EXPECT_EQ("(no file): there is no entity 'nobody'",
+            messageOf([&] { thread.call([](Simulation& simulation) { simulation.remove("nobody"); }); }));
+  EXPECT_TRUE(thread.step(1).is_complete);
+}
+
+TEST(SimulationThreadTest, TellsOfChangesButNotOfLooking) {
+  std::atomic<int> told{0};
+  auto options = pausedAtFirst();
+  options.on_change = [&](const Simulation&, State, const std::string&) { ++told; };
+  SimulationThread thread(test::smallWorld(), options);
+  tickOf(thread);
+  const int at_start = told;
+  tickOf(thread);
+  EXPECT_EQ(at_start, told);
+  thread.step(3);
+  EXPECT_GT(told, at_start);
+}
+
+TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
+  SimulationThread thread(test::smallWorld(kEndless), pausedAtFirst());
+  auto step = std::async(std::launch::async, [&] { return thread.step(kEndless); });
+  while (tickOf(thread) == 0) {
+    std::this_thread::yield();
+  }
+  thread.stop("engine 'ground': its nodelet was unloaded");
+  EXPECT_EQ("the run has stopped: engine 'ground': its nodelet was unloaded", step.get().message);
+  EXPECT_EQ("the run has stopped: engine 'ground': its nodelet was unloaded", messageOf([&] { thread.pause(); }));
+  EXPECT_EQ("engine 'ground': its nodelet was unloaded", thread.stopReason());
+}
+
+/// Throws in the tick that it is told.
+class Thrower final : public Visualisation {
+ public:
+  void configure(const std::string&, const Configuration&, const RunContext&) override {}
+  void draw(const Space& space) override {
+    if (space.tick == 5) {
+      throw std::runtime_error("the disk is full");
+    }
+  }
+  void finish() override { *finished = true; }
+  std::shared_ptr<bool> finished = std::make_shared<bool>(false);
+};
+
+TEST(SimulationThreadTest, ATickThatThrowsStopsTheRunAndKeepsResults) {
+  auto simulation = test::smallWorld();
+  const auto thrower = std::make_shared<Thrower>();
+  simulation->addVisualisation(thrower);
+  SimulationThread thread(std::move(simulation), pausedAtFirst());
+  EXPECT_EQ("the run has stopped: tick 5: the disk is full", thread.step(10).message);
+  thread.stop("");
+  EXPECT_TRUE(*thrower->finished);
+}
+
+TEST(SimulationThreadTest, KeepsToTheRealTimeFactor) {
+  auto options = pausedAtFirst();
+  options.real_time_factor = 2.0;
+  SimulationThread thread(test::smallWorld(kEndless, "20"), options);  // 10 ms of wall time each
+  const auto start = Clock::now();
+  thread.resume();
+  while (tickOf(thread) < 20) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_GE(Clock::now() - start, std::chrono::milliseconds(185));
+}
+
+}  // namespace
+}  // namespace swarmanoid
