@@ -48,7 +48,7 @@ std::string readChoice(const XmlElement& element, const char* name, const std::v
   Parameter choice = makeParameter(name, Parameter::Type::kChoice, "", std::nullopt, {}, "");
   choice.choices = choices;
   const auto given = element.attribute(name);
-  const std::string text = fallback ? given.value_or(*fallback) : element.requireAttribute(name);
+  std::string text = fallback ? given.value_or(*fallback) : element.requireAttribute(name);
   checkValue(choice, text, element.attributeLocation(name));
   return text;
 }

@@ -2,8 +2,6 @@
 //
 // Sections that name plugins let unknown tags through, since anybody's library may add one; what is known is checked,
 // wherever it stands. XML Schema finds known tags among unknown ones only if they are declared at the top.
-#include <set>
-
 #include "parameter_table.hpp"
 #include "schema_writer.hpp"
 #include "swarmanoid_space/entity_type.hpp"
@@ -12,26 +10,13 @@
 namespace swarmanoid::experiment {
 namespace {
 
-std::vector<std::string> namesOf(const std::string& name, std::vector<std::string> aliases) {
-  aliases.insert(aliases.begin(), name);
-  return aliases;
-}
-
-std::vector<const Registry::Entry*> all(PluginKind kind) { return Registry::instance().all(kind); }
-
 std::vector<std::string> tagsOf(PluginKind kind) {
   std::vector<std::string> tags;
-  for (const Registry::Entry* entry : all(kind)) {
+  for (const Registry::Entry* entry : Registry::instance().all(kind)) {
     const auto names = namesOf(entry->description.label, entry->description.label_aliases);
     tags.insert(tags.end(), names.begin(), names.end());
   }
   return tags;
-}
-
-void writePluginAttributes(SchemaWriter& out) {
-  for (const std::string& name : pluginAttributes()) {
-    out.attribute(name, name == "id" ? "name" : "xs:string", name == "id");
-  }
 }
 
 void writeOpenSection(const std::string& name, SchemaWriter& out) {
@@ -41,7 +26,7 @@ void writeOpenSection(const std::string& name, SchemaWriter& out) {
 }
 
 void writeEntities(bool is_distributed, SchemaWriter& out) {
-  for (const Registry::Entry* entry : all(PluginKind::kEntity)) {
+  for (const Registry::Entry* entry : Registry::instance().all(PluginKind::kEntity)) {
     for (const std::string& tag : namesOf(entry->description.label, entry->description.label_aliases)) {
       out.openElement(tag, false, entry->description.summary);
       out.open("all");
@@ -134,94 +119,6 @@ void writeRoot(SchemaWriter& out) {
   out.close();
 }
 
-/// What stands in any controller, known or not.
-void writeControllerParts(SchemaWriter& out) {
-  for (const char* devices : {"actuators", "sensors"}) {
-    out.openElement(devices, true);
-    out.anyElements("lax");
-    out.closeElement();
-  }
-  out.openElement("parameters", true, "Whatever the controller reads.");
-  out.anyElements("skip");
-  out.closeElement();
-}
-
-/// The values that one implementation or another reads; those that not all need are optional.
-std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*>& implementations) {
-  std::vector<Parameter> table;
-  std::set<std::string> names;
-  for (const Registry::Entry* entry : implementations) {
-    for (Parameter parameter : entry->description.parameters) {
-      if (implementations.size() > 1) {
-        // implementations may differ in what they allow, so only the name is sure
-        parameter.type = Parameter::Type::kText;
-        parameter.value = parameter.value.value_or("");
-      }
-      if (names.insert(parameter.name).second) {
-        table.push_back(parameter);
-      }
-    }
-  }
-  return table;
-}
-
-void writeDevice(const std::string& tag, const std::vector<const Registry::Entry*>& implementations,
-                 SchemaWriter& out) {
-  std::vector<std::string> choices;
-  for (const Registry::Entry* entry : implementations) {
-    const auto names = namesOf(entry->description.implementation, entry->description.implementation_aliases);
-    choices.insert(choices.end(), names.begin(), names.end());
-  }
-  out.openElement(tag, true, implementations.front()->description.summary);
-  out.open("all");
-  out.choiceElement("implementation", choices);
-  out.parameters(deviceParameters(implementations));
-  out.close();
-  out.attribute("library", "xs:string", false);
-  out.closeElement();
-}
-
-void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry& entry, SchemaWriter& out) {
-  out.openElement(tag, true, entry.description.summary);
-  out.open("all");
-  if (kind == PluginKind::kController) {
-    for (const char* part : {"actuators", "sensors", "parameters"}) {
-      out.leaf("element", {{"ref", part}, {"minOccurs", "0"}});
-    }
-  } else {
-    out.parameters(entry.description.parameters);
-  }
-  out.close();
-  writePluginAttributes(out);
-  out.closeElement();
-}
-
-void writePlugins(SchemaWriter& out) {
-  std::set<std::string> written{"ahss-config", "actuators", "sensors", "parameters"};
-  for (const PluginKind kind : {PluginKind::kController, PluginKind::kEngine, PluginKind::kVisualisation,
-                                PluginKind::kActuator, PluginKind::kSensor}) {
-    const bool is_device = kind == PluginKind::kActuator || kind == PluginKind::kSensor;
-    for (const Registry::Entry* entry : all(kind)) {
-      std::vector<const Registry::Entry*> implementations;
-      for (const Registry::Entry* other : all(kind)) {
-        if (other->description.label == entry->description.label) {
-          implementations.push_back(other);
-        }
-      }
-      for (const std::string& tag : namesOf(entry->description.label, entry->description.label_aliases)) {
-        if (!written.insert(tag).second) {
-          continue;
-        }
-        if (is_device) {
-          writeDevice(tag, implementations, out);
-        } else {
-          writePlugin(kind, tag, *entry, out);
-        }
-      }
-    }
-  }
-}
-
 }  // namespace
 }  // namespace swarmanoid::experiment
 
@@ -230,7 +127,6 @@ namespace swarmanoid {
 std::string experimentSchema() {
   experiment::SchemaWriter out;
   experiment::writeRoot(out);
-  experiment::writeControllerParts(out);
   experiment::writePlugins(out);
   return out.text();
 }

@@ -60,4 +60,10 @@ class SchemaWriter {
   std::deque<std::string> open_tags_;  ///< the printer keeps pointers to them
 };
 
+/// A name and the other names of the same thing.
+std::vector<std::string> namesOf(const std::string& name, std::vector<std::string> aliases);
+
+/// Declares the plugins of the registry, and what stands in any controller, at the top of the schema.
+void writePlugins(SchemaWriter& out);
+
 }  // namespace swarmanoid::experiment
