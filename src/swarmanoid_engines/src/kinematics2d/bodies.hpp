@@ -41,10 +41,11 @@ struct Body {
   PlacedPose pose_at_start;  ///< of the tick
   double along = 0.0;        ///< of the origin, along the plane's normal [m]
   const PlanarModel* model = nullptr;
+  const EntityModel* entity = nullptr;
   EntityNumber number = kNobody;
   Row row = kNoRow;
 
-  // What drives it; null if nothing does.
+  // What it is told; null if it has no such device, or not the parts for it.
   const FootbotWheels* wheels = nullptr;
   const EyebotVelocity* velocity = nullptr;
   const FootbotGripper* gripper = nullptr;
@@ -57,15 +58,17 @@ struct Body {
   bool is_movable = false;
   bool is_large = false;   ///< wider than what the grid is for, such as a wall
   bool has_moved = false;  ///< since the start of the tick
+  /// A mirror: rays meet the entity in the engine that moves it, where it is up to date.
+  bool is_seen_elsewhere = false;
 };
 
 /// What is looked at now and then.
 struct BodyDetails {
   std::shared_ptr<const EntityModel> entity;
-  std::shared_ptr<const PlanarModel> model;
+  std::shared_ptr<const PlanarModel> shared_model;  ///< of all bodies with that entity model and base
+  std::unique_ptr<PlanarModel> own_model;           ///< once the base has changed
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
   PlanarPose place_in_gripper;  ///< in its gripper's frame, from the moment of gripping
-  Eigen::AlignedBox2d bounds;   ///< of large bodies
 };
 
 class Bodies {
@@ -78,6 +81,8 @@ class Bodies {
   /// Takes the pose that the entity has in the space.
   void place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
+  /// Looks for the devices of bodies that came since the last call: a robot may get its devices after its engine.
+  void findLateDevices(const Space& space);
 
   BodyIndex find(Row row) const {
     const auto i = static_cast<std::size_t>(row);
@@ -95,8 +100,8 @@ class Bodies {
   /// Calls visit(index) for all bodies whose surrounding circle may meet the given one, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
-    for (const BodyIndex index : large_) {
-      if (details(index).bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(index)) {
+    for (const Large& large : large_) {
+      if (large.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(large.index)) {
         return;
       }
     }
@@ -107,15 +112,12 @@ class Bodies {
     });
   }
 
-  /// Projections are shared among equal models.
-  std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& model,
-                                             const Eigen::Quaterniond& base);
-
  private:
+  /// Projections are shared among equal models.
   struct Projection {
     std::weak_ptr<const EntityModel> entity;
     Eigen::Quaterniond base;
-    std::shared_ptr<const PlanarModel> model;
+    std::weak_ptr<const PlanarModel> model;
   };
 
   /// Around a body: what neighbours are sorted out by, apart from the rest because it is read most.
@@ -124,6 +126,15 @@ class Bodies {
     double radius = 0.0;
   };
 
+  /// Kept out of the grid, looked at one by one.
+  struct Large {
+    BodyIndex index = kNoBody;
+    Eigen::AlignedBox2d bounds;
+  };
+
+  std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& entity,
+                                             const Eigen::Quaterniond& base);
+  void findDevices(const Space& space, BodyIndex index);
   void refreshBounds(BodyIndex index);
 
   planar::Plane plane_;
@@ -133,7 +144,9 @@ class Bodies {
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
   std::vector<BodyIndex> index_of_row_;
-  std::vector<BodyIndex> large_;
+  std::vector<BodyIndex> newcomers_;  // since findLateDevices
+  std::vector<Large> large_;
+  std::vector<PlanarShape> placed_shapes_;  // scratch of refreshBounds
   std::vector<Projection> projections_;
   planar::CellGrid grid_;
   double largest_radius_ = 0.0;  // of bodies in the grid

@@ -5,8 +5,12 @@
 /// free pose. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may come to overlap a body
 /// through no doing of this engine; such a pair hinders a body only from going deeper.
 ///
-/// Wheels are integrated exactly along the arc; eyebots fly the part of their velocity that lies in the plane. A
-/// footbot can grip a prey, not another footbot, and a prey is gripped by one footbot at a time.
+/// Wheels are integrated exactly along the arc. What would lead out of the plane is dropped: an eyebot flies the part
+/// of its velocity that lies in the plane. A footbot can grip a prey, not another footbot; a prey is gripped by one
+/// footbot at a time, and keeps its place in the gripper to the last digits.
+///
+/// Rays meet bodies as prisms over their planar shapes. A mirror of what another engine moves is not met: that engine
+/// answers for it.
 #pragma once
 
 #include <vector>
@@ -47,6 +51,8 @@ class Kinematics2d final : public Engine {
   // gripping.cpp
   BodyIndex findPrey(BodyIndex gripper) const;
   void grip(Space& space, BodyIndex gripper, BodyIndex prey);
+  void join(BodyIndex gripper, BodyIndex prey);
+  void takeOverGrips(const Space& space, BodyIndex index);
   void release(Space& space, BodyIndex gripper);
   void forgetGrips(BodyIndex index);
 

@@ -8,18 +8,19 @@ namespace swarmanoid::kinematics2d {
 
 PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
   const double turn = turn_rate * dt;
-  PlacedPose end = start;
   if (turn == 0.0) {
+    PlacedPose end = start;
     end.position += dt * start.rotated(velocity);
     return end;
   }
   // the chord of an arc: as long as the arc times sin(a)/a, turned by a, with a half the turn
   const double half = 0.5 * turn;
-  const double shortening = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
-  const PlacedPose middle = PlacedPose::at(start.position, start.heading + half);
-  end = PlacedPose::at(start.position + dt * shortening * middle.rotated(velocity),
-                       std::remainder(start.heading + turn, 2.0 * M_PI));
-  return end;
+  const double cosine = std::cos(half);
+  const double sine = std::sin(half);
+  const double shortening = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : sine / half;
+  const Eigen::Vector2d chord(cosine * velocity.x() - sine * velocity.y(), sine * velocity.x() + cosine * velocity.y());
+  return PlacedPose::at(start.position + dt * shortening * start.rotated(chord),
+                        planar::wrapAngle(start.heading + turn));
 }
 
 void Kinematics2d::move(Space& space, Duration dt) {
@@ -34,6 +35,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
 }
 
 void Kinematics2d::startTick(const Space& space) {
+  bodies_.findLateDevices(space);
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
     if (body.role == Role::kMirror && body.is_movable) {
@@ -49,22 +51,22 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
   if (body.role == Role::kMirror || (body.wheels == nullptr && body.velocity == nullptr)) {
     return;
   }
-  const planar::Plane& plane = bodies_.plane();
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
+  const PlanarModel& model = *body.model;
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  // at heading 0
   double turn_rate = 0.0;
   if (body.wheels != nullptr) {
-    const EntityModel::Wheels& geometry = *bodies_.details(index).entity->wheels;
-    velocity.x() = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius;
-    turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation;
+    const EntityModel::Wheels& geometry = *body.entity->wheels;
+    velocity = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius * model.ahead;
+    turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation * model.turn;
   } else {
-    velocity = body.velocity->linear;
-    turn_rate = body.velocity->yaw_rate;
+    const Eigen::Vector3d& linear = body.velocity->linear;
+    velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
+    turn_rate = body.velocity->yaw_rate * model.turn;
   }
   if (turn_rate == 0.0 && velocity.isZero(0.0)) {
     return;
   }
-  const Eigen::Vector2d in_plane = plane.toLocal(bodies_.details(index).base * velocity);
-  const PlacedPose target = integrate(body.pose, in_plane, turn_rate, dt);
+  const PlacedPose target = integrate(body.pose, velocity, turn_rate, dt);
   if (tryPose(index, target) || turn_rate == 0.0) {
     return;
   }
@@ -81,8 +83,8 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
   }
   if (gripped != kNoBody) {
     const PlanarPose& place = bodies_.details(gripped).place_in_gripper;
-    const PlacedPose carried = PlacedPose::at(pose.position + pose.rotated(place.position),
-                                              std::remainder(pose.heading + place.heading, 2.0 * M_PI));
+    const PlacedPose carried =
+        PlacedPose::at(pose.position + pose.rotated(place.position), planar::wrapAngle(pose.heading + place.heading));
     if (!isFree(gripped, carried, index)) {
       return false;
     }
@@ -156,7 +158,7 @@ void Kinematics2d::finishTick(Space& space, double dt) {
       space.entities.pose[i].orientation = plane.orientation(body.pose.heading, bodies_.details(index).base);
     }
     twist.linear = plane.toGlobal((body.pose.position - body.pose_at_start.position) / dt, 0.0);
-    twist.angular = plane.normal() * (std::remainder(body.pose.heading - body.pose_at_start.heading, 2.0 * M_PI) / dt);
+    twist.angular = plane.normal() * (planar::wrapAngle(body.pose.heading - body.pose_at_start.heading) / dt);
   }
 }
 

@@ -93,7 +93,7 @@ void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
     std::optional<PlanarRays> planar_rays;  // made when the first body is near: often none is
     bodies_.visitNear(centre, rays.radius, [&](BodyIndex index) {
       const Body& body = bodies_[index];
-      if (body.row == rays.ignored || body.row == rays.also_ignored) {
+      if (body.row == rays.ignored || body.row == rays.also_ignored || body.is_seen_elsewhere) {
         return true;
       }
       if (!planar_rays) {
