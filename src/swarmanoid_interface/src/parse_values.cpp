@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iomanip>
 #include <numeric>
 #include <sstream>
 
@@ -39,8 +40,9 @@ std::optional<Value> readWhole(const std::string& text) {
 }
 
 std::string shortNumber(double value) {
+  constexpr int kAllDigits = 15;
   std::ostringstream out;
-  out << value;
+  out << std::setprecision(kAllDigits) << value;
   return out.str();
 }
 
@@ -140,7 +142,8 @@ std::optional<std::string> nearestName(std::string_view word, const std::vector<
   int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {
     const int distance = editDistance(word, candidate);
-    if (distance < best_distance) {
+    // a name that shares no letter with the word is no help
+    if (distance < best_distance && distance < static_cast<int>(word.size())) {
       best_distance = distance;
       best = candidate;
     }

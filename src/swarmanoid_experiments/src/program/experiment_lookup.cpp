@@ -30,7 +30,7 @@ std::string findExperiment(const std::string& file_or_name) {
   if (fs::is_regular_file(file_or_name, ignored)) {
     return file_or_name;
   }
-  const std::string installed = findShared("swarmanoid_experiments", "experiments/" + file_or_name + ".xml");
+  std::string installed = findShared("swarmanoid_experiments", "experiments/" + file_or_name + ".xml");
   if (!installed.empty()) {
     return installed;
   }

@@ -93,8 +93,8 @@ class Registry {
 /// Enters class `Plugin` (of base `Base`) while its library loads; use it through the REGISTER_ macros.
 template <class Base, class Plugin>
 struct PluginRegistration {
-  PluginRegistration(PluginKind kind, PluginDescription description) {
-    Registry::instance().add(kind, std::move(description), [] {
+  PluginRegistration(PluginKind kind, const PluginDescription& description) {
+    Registry::instance().add(kind, description, [] {
       return std::static_pointer_cast<void>(std::static_pointer_cast<Base>(std::make_shared<Plugin>()));
     });
   }

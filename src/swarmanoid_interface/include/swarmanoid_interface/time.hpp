@@ -17,7 +17,7 @@ struct SimulationClock {
   using rep = duration::rep;
   using period = duration::period;
   using time_point = std::chrono::time_point<SimulationClock, Duration>;
-  static constexpr bool is_steady = true;
+  static constexpr bool is_steady = true;  // NOLINT(readability-identifier-naming): the standard's name
 };
 
 using Time = SimulationClock::time_point;

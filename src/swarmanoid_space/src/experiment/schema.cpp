@@ -9,7 +9,7 @@ namespace swarmanoid {
 namespace experiment {
 namespace {
 
-const char* const kNumberPattern = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
+constexpr const char* kNumberPattern = "[+\\-]?([0-9]+\\.?[0-9]*|\\.[0-9]+)([eE][+\\-]?[0-9]+)?";
 
 std::string escaped(const std::string& text) {
   std::string result;

@@ -6,7 +6,7 @@ namespace swarmanoid::experiment {
 namespace {
 
 std::string trimmed(const std::string& text) {
-  const char* kSpace = " \t\r\n";
+  constexpr const char* kSpace = " \t\r\n";
   const auto first = text.find_first_not_of(kSpace);
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
 }

@@ -26,8 +26,8 @@ class TextRender final : public Visualisation {
     precision.name = "precision";
     precision.type = Parameter::Type::kInteger;
     precision.value = "6";
-    precision.range = {0.0, 17.0};
-    precision.description = "Most significant digits after the decimal point; trailing zeros are left out.";
+    precision.range = {1.0, 17.0};
+    precision.description = "Significant digits of each number; trailing zeros are left out.";
     Parameter every = precision;
     every.name = "every";
     every.value = "1";
@@ -97,20 +97,10 @@ class TextRender final : public Visualisation {
     out << '\n';
   }
 
-  /// As figure 3.11 has it: "9", "0.25", "45.5".
+  /// As figure 3.11 has it: "9", "0.25", "45.5", "0.455".
   const char* shortened(double value) {
-    const int length = std::snprintf(buffer_, sizeof buffer_, "%.*f", precision_, value + 0.0);
-    int end = length;
-    if (precision_ > 0) {
-      while (buffer_[end - 1] == '0') {
-        --end;
-      }
-      if (buffer_[end - 1] == '.') {
-        --end;
-      }
-      buffer_[end] = '\0';
-    }
-    return buffer_[0] == '-' && buffer_[1] == '0' && end == 2 ? "0" : buffer_;
+    std::snprintf(buffer_, sizeof buffer_, "%.*g", precision_, value + 0.0);
+    return buffer_;
   }
 
   std::filesystem::path path_;
@@ -118,7 +108,7 @@ class TextRender final : public Visualisation {
   int precision_ = 6;
   std::uint64_t every_ = 1;
   bool has_header_ = false;
-  char buffer_[400] = {};
+  char buffer_[64] = {};
 };
 
 }  // namespace

@@ -1,0 +1,105 @@
+#include "test_world.hpp"
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+/// Wheel speeds as the parameters say [rad/s]; can be told to close the gripper, throw, or command NaN at a tick.
+class TestDrive final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration& parameters) override {
+    robot_ = &robot;
+    wheels_ = &robot.actuator<FootbotWheels>();
+    gripper_ = &robot.actuator<FootbotGripper>();
+    left_ = parameters.number("left");
+    right_ = parameters.number("right");
+    close_at_ = parameters.integer("close_at", std::int64_t{-1});
+    open_at_ = parameters.integer("open_at", std::int64_t{-1});
+    throw_at_ = parameters.integer("throw_at", std::int64_t{-1});
+    nan_at_ = parameters.integer("nan_at", std::int64_t{-1});
+    only_ = parameters.text("only", "");
+    random_ = parameters.boolean("random", false);
+    parameters.refuseUnread();
+  }
+
+  void step(Time, Duration) override {
+    const std::int64_t tick = tick_++;
+    wheels_->setAngularVelocity(left_, right_);
+    if (random_) {
+      wheels_->setAngularVelocity(robot_->random().uniform(-5.0, 10.0), robot_->random().uniform(-5.0, 10.0));
+    }
+    if (tick == close_at_) {
+      gripper_->close();
+    }
+    if (tick == open_at_) {
+      gripper_->open();
+    }
+    const bool is_meant = only_.empty() || only_ == robot_->name();
+    if (is_meant && tick == throw_at_) {
+      throw std::runtime_error("told to");
+    }
+    if (is_meant && tick == nan_at_) {
+      wheels_->left = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
+
+ private:
+  Robot* robot_ = nullptr;
+  FootbotWheels* wheels_ = nullptr;
+  FootbotGripper* gripper_ = nullptr;
+  double left_ = 0.0;
+  double right_ = 0.0;
+  std::int64_t close_at_ = -1;
+  std::int64_t open_at_ = -1;
+  std::int64_t throw_at_ = -1;
+  std::int64_t nan_at_ = -1;
+  std::int64_t tick_ = 0;
+  std::string only_;
+  bool random_ = false;
+};
+
+}  // namespace
+
+std::string World::xml() const {
+  return "<ahss-config><framework><clocktick>100</clocktick><maxclock>" + std::to_string(ticks) + "</maxclock>" +
+         framework +
+         "</framework><controllers><test_drive id=\"drive\" library=\"swarmanoid_devices\"><actuators><footbot_wheels/>"
+         "<footbot_gripper/><footbot_leds/></actuators><sensors><footbot_proximity/></sensors><parameters>" +
+         drive + "</parameters></test_drive></controllers><arena size=\"" + size + "\" optimization=\"2D\" bounded=\"" +
+         (bounded ? "true" : "false") + "\">" + entities + "</arena><engines><kinematics2d id=\"ground\">" +
+         engine_parameters + "</kinematics2d></engines><arena_physics><engine id=\"ground\">" + members +
+         "</engine></arena_physics><visualisations>" + visualisations + "</visualisations></ahss-config>";
+}
+
+std::unique_ptr<Simulation> World::make() const {
+  loadBuiltInPlugins();
+  return std::make_unique<Simulation>(parseExperiment(xml(), "test.xml"));
+}
+
+std::string footbot(const std::string& id, double x, double y, double heading_deg) {
+  return "<footbot id=\"" + id + "\"><position>" + std::to_string(x) + "," + std::to_string(y) +
+         ",0</position><orientation>0,0," + std::to_string(heading_deg) +
+         "</orientation><controller>drive</controller></footbot>";
+}
+
+std::string member(const std::string& id) { return "<entity id=\"" + id + "\"/>"; }
+
+const Pose& poseOf(const Simulation& simulation, const std::string& name) {
+  const Entities& entities = simulation.space().entities;
+  return entities.pose[static_cast<std::size_t>(entities.find(name))];
+}
+
+double headingOf(const Simulation& simulation, const std::string& name) {
+  return anglesFromOrientation(poseOf(simulation, name).orientation).z();
+}
+
+}  // namespace swarmanoid::test
+
+REGISTER_CONTROLLER(swarmanoid::test::TestDrive, "test_drive")

@@ -1,0 +1,36 @@
+/// What the tests of whole simulations share: a controller that does what its parameters say, and small experiments.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid::test {
+
+/// A world with one plane, z = 0, in which footbots are driven by "test_drive".
+struct World {
+  std::string entities;                                  ///< elements of <arena>
+  std::string members;                                   ///< elements of the engine's mapping
+  std::string drive = "<left>0</left><right>0</right>";  ///< parameters of the controller "drive"
+  std::string engine_parameters;                         ///< elements of <kinematics2d>
+  std::string framework;                                 ///< more elements of <framework>
+  std::string visualisations;                            ///< elements of <visualisations>
+  std::string size = "10,10,2";
+  bool bounded = false;
+  int ticks = 100;
+
+  std::string xml() const;
+  std::unique_ptr<Simulation> make() const;
+};
+
+/// One footbot "fb" at a place, driven by "drive", with its member line.
+std::string footbot(const std::string& id, double x, double y, double heading_deg);
+std::string member(const std::string& id);
+
+/// Where an entity is.
+const Pose& poseOf(const Simulation& simulation, const std::string& name);
+/// Its heading about z [rad].
+double headingOf(const Simulation& simulation, const std::string& name);
+
+}  // namespace swarmanoid::test
