@@ -1,6 +1,7 @@
 // Moving and ray casting of many footbots. Items are robots: items per second are robots x ticks per second.
 #include <benchmark/benchmark.h>
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -37,8 +38,21 @@ std::unique_ptr<World> makeCrowd(int count, double area_each, int subclock) {
 void benchmarkMove(benchmark::State& state, double area_each) {
   const int count = static_cast<int>(state.range(0));
   const auto world = makeCrowd(count, area_each, static_cast<int>(state.range(1)));
+  std::vector<int> ticks_back(static_cast<std::size_t>(count), 0);
   for (auto _ : state) {
     world->engine.move(world->space, std::chrono::milliseconds(100));
+    // who is stuck backs off along an arc: otherwise all are stuck in the end
+    for (Row row = 0; row < count; ++row) {
+      int& back = ticks_back[static_cast<std::size_t>(row)];
+      if (back > 0) {
+        if (--back == 0) {
+          world->drive(row, 0.1, 0.002 * (row % 300 - 150));
+        }
+      } else if (world->twist(row).linear.isZero(0.0)) {
+        world->drive(row, -0.1, 1.0);
+        back = 10;
+      }
+    }
   }
   state.SetItemsProcessed(state.iterations() * count);
 }
@@ -50,14 +64,19 @@ void benchmarkRays(benchmark::State& state, double area_each) {
   constexpr std::size_t kRays = 24;
   std::vector<Segment> segments(kRays);
   std::vector<RayHit> hits(kRays);
+  std::array<Eigen::Vector3d, kRays> ring;
+  for (std::size_t k = 0; k < kRays; ++k) {
+    const double angle = 2.0 * M_PI * static_cast<double>(k) / kRays;
+    ring[k] = {std::cos(angle), std::sin(angle), 0.0};
+  }
+  world->step();
   for (auto _ : state) {
     for (Row row = 0; row < count; ++row) {
       const Pose& pose = world->pose(row);
-      const double heading = headingOf(pose);
+      const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
+      const Eigen::Vector3d sensor = pose.position + Eigen::Vector3d(0.0, 0.0, 0.06);
       for (std::size_t k = 0; k < kRays; ++k) {
-        const double angle = heading + 2.0 * M_PI * static_cast<double>(k) / kRays;
-        const Eigen::Vector3d way(std::cos(angle), std::sin(angle), 0.0);
-        const Eigen::Vector3d sensor = pose.position + Eigen::Vector3d(0.0, 0.0, 0.06);
+        const Eigen::Vector3d way = rotation * ring[k];
         segments[k] = {sensor + 0.085 * way, sensor + 0.185 * way};
         hits[k] = RayHit{};
       }

@@ -78,16 +78,15 @@ class FootbotDepth {
 
 class Crowd {
  public:
-  static constexpr int kCount = 1000;
-  static constexpr double kDistance = 0.209;  // m between neighbours: 0.6 of the area is footbot
-  static constexpr double kWall = 8.0;        // m, where a wall stands across
+  static constexpr double kPacked = 0.209;  // m between neighbours: 0.6 of the area is footbot
+  static constexpr double kWall = 8.0;      // m, where a wall stands across
 
-  explicit Crowd(int subclock) : world({10.0, 10.0, 1.0}, subclock) {
-    world.addBlock({0.2, 9.0, 0.5}, {kWall + 0.1, 5.0, 0.25});
-    for (int i = 0; i < kCount; ++i) {
-      const int line = i / 32;
-      const double x = 0.5 + kDistance * (i % 32 + 0.5 * (line % 2));
-      const double y = 0.5 + kDistance * std::sqrt(0.75) * line;
+  Crowd(int count, int per_line, double distance, int subclock) : world({10.0, 10.0, 1.0}, subclock) {
+    wall = world.addBlock({0.2, 9.0, 0.5}, {kWall + 0.1, 5.0, 0.25});
+    for (int i = 0; i < count; ++i) {
+      const int line = i / per_line;
+      const double x = 0.5 + distance * (i % per_line + 0.5 * (line % 2));
+      const double y = 0.5 + distance * std::sqrt(0.75) * line;
       rows.push_back(world.addFootbot(flatPose(x, y)));
     }
   }
@@ -125,10 +124,11 @@ class Crowd {
     for (const Row row : rows) {
       sum += (world.pose(row).position.head<2>() - point).norm();
     }
-    return sum / kCount;
+    return sum / static_cast<double>(rows.size());
   }
 
   World world;
+  Row wall = kNoRow;
   std::vector<Row> rows;
 };
 
@@ -139,7 +139,7 @@ int ticksOfEachPhase() {
 
 TEST(CrowdTest, TheCheckerFindsOverlaps) {
   const FootbotDepth a(flatPose(1.0, 1.0));
-  EXPECT_NEAR(a.depthIn(FootbotDepth(flatPose(1.0, 1.16))), 0.016, 1e-12);  // wheel in wheel
+  EXPECT_NEAR(a.depthIn(FootbotDepth(flatPose(1.0, 1.16))), 0.016, 1e-12);       // wheel in wheel
   EXPECT_NEAR(a.depthIn(FootbotDepth(flatPose(1.19, 1.0))), 0.005, 1e-12);       // gripper in body
   EXPECT_NEAR(a.depthIn(FootbotDepth(flatPose(1.21, 1.0, M_PI))), 0.01, 1e-12);  // gripper in gripper
   EXPECT_NEAR(a.depthIn(FootbotDepth(flatPose(1.21, 1.03, M_PI))), 0.01, 1e-12);
@@ -148,8 +148,8 @@ TEST(CrowdTest, TheCheckerFindsOverlaps) {
 
 TEST(CrowdTest, NothingEverOverlapsAndTheRunRepeatsToTheBit) {
   const int ticks = ticksOfEachPhase();
-  Crowd crowd(2);
-  Crowd again(2);
+  Crowd crowd(1000, 32, Crowd::kPacked, 2);
+  Crowd again(1000, 32, Crowd::kPacked, 2);
   ASSERT_LT(crowd.deepest(), 0.0);
   const Vector2d middle(4.0, 3.5);
   const double start = crowd.meanDistanceTo(middle);
@@ -167,6 +167,21 @@ TEST(CrowdTest, NothingEverOverlapsAndTheRunRepeatsToTheBit) {
     }
   }
   EXPECT_GT(crowd.deepest(), -0.01);  // they did get close
+}
+
+TEST(CrowdTest, RobotsThatLookAroundInEachTickGoWhereTheOthersGo) {
+  Crowd crowd(300, 15, 0.4, 1);
+  Crowd careful(300, 15, 0.4, 1);
+  for (int tick = 0; tick < 400; ++tick) {
+    careful.world.engine.place(careful.world.space, careful.wall);  // all that is known of distances is forgotten
+    for (Crowd* each : {&crowd, &careful}) {
+      each->driveTo(tick < 200 ? Vector2d(3.5, 3.5) : Vector2d(tick % 80 < 40 ? -20.0 : 20.0, 3.5));
+      each->world.step();
+      ++each->world.space.tick;
+    }
+    ASSERT_EQ(stateHash(crowd.world.space), stateHash(careful.world.space)) << "tick " << tick;
+    ASSERT_LT(crowd.deepest(), kAllowedDepth) << "tick " << tick;
+  }
 }
 
 }  // namespace

@@ -90,6 +90,22 @@ TEST(GrippingTest, WhatIsCarriedStopsItsCarrier) {
   EXPECT_NEAR(world.pose(pair.footbot).position.x(), 2.85 - 0.21, 1e-9);
 }
 
+TEST(GrippingTest, WhatWasLetGoIsInTheWayAtOnce) {
+  Pair pair(0.0);
+  World& world = pair.world;
+  world.setGripper(pair.footbot, true);
+  world.step();
+  world.drive(pair.footbot, 0.1);
+  world.step(20);
+  world.setGripper(pair.footbot, false);
+  world.step();
+  const Vector3d prey = world.pose(pair.prey).position;
+  const Vector3d footbot = world.pose(pair.footbot).position;
+  world.step(20);
+  EXPECT_EQ(world.pose(pair.prey).position, prey);
+  EXPECT_EQ(world.pose(pair.footbot).position, footbot);
+}
+
 TEST(GrippingTest, TheNearestIsTakenAndThenTheOldest) {
   World world;
   const Row footbot = world.addFootbot(flatPose(2.0, 2.0));

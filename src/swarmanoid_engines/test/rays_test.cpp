@@ -108,6 +108,25 @@ TEST(RaysTest, AMirrorIsMetByTheEngineThatMovesIt) {
   EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {7.0, 5.0, 0.5}).row, mirror);
 }
 
+TEST(RaysTest, ARobotOnTheMoveSeesWhatComesNear) {
+  // what the engine knows of distances saves it looking, and must not make it blind
+  World world;
+  const Row mover = world.addFootbot(flatPose(1.0, 5.0));
+  const Row other = world.addRobot(discModel(0.1, 0.3), flatPose(3.0, 5.0, M_PI));
+  world.addBlock({4.0, 4.0, 0.1}, {2.0, 5.0, 0.75});  // a table top
+  world.drive(mover, 0.1);
+  world.drive(other, 0.25);
+  for (int tick = 0; tick < 100; ++tick) {
+    world.step();
+    const Vector3d from = world.pose(mover).position + Vector3d(0.0, 0.0, 0.1);
+    const double gap = world.pose(other).position.x() - 0.1 - from.x();
+    const RayHit hit = world.castRay(from, from + Vector3d(0.3, 0.0, 0.0), mover);
+    EXPECT_EQ(hit.row, gap < 0.3 ? other : kNoRow) << gap;
+    EXPECT_NEAR(hit.fraction, std::min(1.0, gap / 0.3), 1e-12);
+    EXPECT_NE(world.castRay(from, from + Vector3d(0.0, 0.0, 0.7), mover).row, kNoRow);
+  }
+}
+
 /// The same entities in an engine, and in none: then the space meets their solids itself, with other code.
 class RandomRaysTest : public testing::TestWithParam<const char*> {
  protected:

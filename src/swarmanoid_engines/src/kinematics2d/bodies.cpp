@@ -35,7 +35,7 @@ std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const E
 void Bodies::findDevices(const Space& space, BodyIndex index) {
   Body& body = (*this)[index];
   body.wheels = body.entity->wheels ? space.actuation.find<FootbotWheels>(body.row) : nullptr;
-  body.velocity = space.actuation.find<EyebotVelocity>(body.row);
+  body.flight = space.actuation.find<EyebotVelocity>(body.row);
   body.gripper = body.entity->gripper ? space.actuation.find<FootbotGripper>(body.row) : nullptr;
 }
 
@@ -132,12 +132,19 @@ void Bodies::setPose(BodyIndex index, const PlacedPose& pose) {
 }
 
 void Bodies::refreshBounds(BodyIndex index) {
-  const PlacedPose& pose = (*this)[index].pose;
-  const PlanarModel& model = *(*this)[index].model;
-  planar::placeShapes(model, pose.position, pose.cosine, pose.sine, placed_shapes_);
+  const Body& body = (*this)[index];
+  const PlacedPose& pose = body.pose;
+  const PlanarModel& model = *body.model;
   Eigen::AlignedBox2d& bounds =
       std::find_if(large_.begin(), large_.end(), [&](const Large& large) { return large.index == index; })->bounds;
   bounds.setEmpty();
+  if (body.is_movable) {
+    // whatever its heading, so that turning alone brings it no nearer to anybody
+    const Eigen::Vector2d extent = Eigen::Vector2d::Constant(model.radius);
+    bounds.extend(pose.position - extent).extend(pose.position + extent);
+    return;
+  }
+  planar::placeShapes(model, pose.position, pose.cosine, pose.sine, placed_shapes_);
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const PlanarShape& shape = placed_shapes_[i];
     const Eigen::Vector2d extent = Eigen::Vector2d::Constant(shape.isCircle() ? shape.radius : 0.0);

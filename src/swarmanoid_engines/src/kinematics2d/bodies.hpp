@@ -3,6 +3,7 @@
 /// A body's index stays as long as it is in the engine. Threads: const functions may run at once.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -35,6 +36,16 @@ struct PlacedPose {
   }
 };
 
+/// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
+/// body can have moved since the engine began, as Kinematics2d counts them.
+struct Clearance {
+  static constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
+
+  double free_until = -1.0;            ///< up to this distance nothing can have come near
+  double look_ahead = kMostLookAhead;  ///< how far the next look goes [m]
+  bool at_all_heights = false;         ///< also nothing above or below
+};
+
 /// What is looked at in every step; kept small, since there may be many.
 struct Body {
   PlacedPose pose;
@@ -47,12 +58,18 @@ struct Body {
 
   // What it is told; null if it has no such device, or not the parts for it.
   const FootbotWheels* wheels = nullptr;
-  const EyebotVelocity* velocity = nullptr;
+  const EyebotVelocity* flight = nullptr;
   const FootbotGripper* gripper = nullptr;
 
   // Gripping: a gripped body goes where its gripper goes.
   BodyIndex gripped = kNoBody;
   BodyIndex gripped_by = kNoBody;
+
+  // What it does in this tick.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
+  double turn_rate = 0.0;                              ///< [rad/s]
+
+  Clearance clearance;
 
   Role role = Role::kMove;
   bool is_movable = false;
@@ -96,6 +113,17 @@ class Bodies {
 
   BodyDetails& details(BodyIndex index) { return details_[static_cast<std::size_t>(index)]; }
   const BodyDetails& details(BodyIndex index) const { return details_[static_cast<std::size_t>(index)]; }
+
+  /// From a point to a circle around a body, or to a box around a wall; below 0 if inside.
+  double distanceTo(BodyIndex index, const Eigen::Vector2d& point) const {
+    const Body& body = (*this)[index];
+    if (!body.is_large || body.is_movable) {
+      return (body.pose.position - point).norm() - body.model->radius;
+    }
+    const auto large =
+        std::find_if(large_.begin(), large_.end(), [&](const Large& each) { return each.index == index; });
+    return large->bounds.exteriorDistance(point);
+  }
 
   /// Calls visit(index) for all bodies whose surrounding circle may meet the given one, until it returns false.
   template <class Visit>

@@ -105,7 +105,10 @@ Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignore
   return found == kNoBody ? kNoRow : bodies_[found].row;
 }
 
-void Kinematics2d::add(Space& space, Row row, Role role) { takeOverGrips(space, bodies_.add(space, row, role)); }
+void Kinematics2d::add(Space& space, Row row, Role role) {
+  takeOverGrips(space, bodies_.add(space, row, role));
+  is_somebody_new_ = true;
+}
 
 void Kinematics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
@@ -117,6 +120,7 @@ void Kinematics2d::place(Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.place(space, index);
+  is_somebody_new_ = true;
 }
 
 }  // namespace swarmanoid::kinematics2d
