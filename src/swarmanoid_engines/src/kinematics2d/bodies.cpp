@@ -6,24 +6,46 @@
 namespace swarmanoid::kinematics2d {
 namespace {
 constexpr double kLargeRadius = 0.4;  // m: what is wider would make every look into the grid wide
-}
+
+bool areSame(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.coeffs() == b.coeffs(); }
+}  // namespace
 
 PlacedPose PlacedPose::at(const Eigen::Vector2d& position, double heading) {
   return {position, heading, std::cos(heading), std::sin(heading)};
 }
 
-std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const EntityModel>& model,
+std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const EntityModel>& entity,
                                                    const Eigen::Quaterniond& base) {
   for (const Projection& projection : projections_) {
-    if (projection.entity.lock() == model && projection.base.coeffs() == base.coeffs()) {
-      return projection.model;
+    if (areSame(projection.base, base) && projection.entity.lock() == entity) {
+      if (auto model = projection.model.lock()) {
+        return model;
+      }
     }
   }
   projections_.erase(std::remove_if(projections_.begin(), projections_.end(),
-                                    [](const Projection& projection) { return projection.entity.expired(); }),
+                                    [](const Projection& projection) { return projection.model.expired(); }),
                      projections_.end());
-  projections_.push_back({model, base, planar::projectModel(*model, plane_, base)});
-  return projections_.back().model;
+  auto model = std::make_shared<PlanarModel>();
+  planar::projectModel(*entity, plane_, base, *model);
+  projections_.push_back({entity, base, model});
+  return model;
+}
+
+void Bodies::findDevices(const Space& space, BodyIndex index) {
+  Body& body = (*this)[index];
+  body.wheels = body.entity->wheels ? space.actuation.find<FootbotWheels>(body.row) : nullptr;
+  body.flight = space.actuation.find<EyebotVelocity>(body.row);
+  body.gripper = body.entity->gripper ? space.actuation.find<FootbotGripper>(body.row) : nullptr;
+}
+
+void Bodies::findLateDevices(const Space& space) {
+  for (const BodyIndex index : newcomers_) {
+    if ((*this)[index].row != kNoRow) {
+      findDevices(space, index);
+    }
+  }
+  newcomers_.clear();
 }
 
 BodyIndex Bodies::add(const Space& space, Row row, Role role) {
@@ -44,19 +66,19 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   its = BodyDetails{};
   its.entity = space.entities.model[i];
   its.base = plane_.baseOf(space.entities.pose[i].orientation);
-  its.model = project(its.entity, its.base);
+  its.shared_model = project(its.entity, its.base);
 
   Body& body = (*this)[index];
   body = Body{};
   body.row = row;
   body.number = space.entities.number[i];
   body.role = role;
-  body.model = its.model.get();
+  body.model = its.shared_model.get();
+  body.entity = its.entity.get();
   body.is_movable = its.entity->is_movable;
-  body.is_large = its.model->radius > kLargeRadius && !its.entity->is_movable;
-  body.wheels = space.actuation.find<FootbotWheels>(row);
-  body.velocity = space.actuation.find<EyebotVelocity>(row);
-  body.gripper = space.actuation.find<FootbotGripper>(row);
+  body.is_large = body.model->radius > kLargeRadius;
+  findDevices(space, index);
+  newcomers_.push_back(index);
 
   index_of_row_.resize(std::max(index_of_row_.size(), i + 1), kNoBody);
   index_of_row_[i] = index;
@@ -65,7 +87,7 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
                                  [&](BodyIndex a, BodyIndex b) { return (*this)[a].number < (*this)[b].number; }),
                 index);
   if (body.is_large) {
-    large_.push_back(index);
+    large_.push_back({index, {}});
   } else {
     largest_radius_ = std::max(largest_radius_, body.model->radius);
     circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
@@ -81,37 +103,50 @@ void Bodies::place(const Space& space, BodyIndex index) {
   const Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
   body.along = plane_.along(pose.position);
   const Eigen::Quaterniond base = plane_.baseOf(pose.orientation);
-  if (base.coeffs() != its.base.coeffs()) {
+  if (!areSame(base, its.base)) {
+    // not shared: a mirror that rocks has another base each tick
     its.base = base;
-    its.model = project(its.entity, base);
-    body.model = its.model.get();
+    if (!its.own_model) {
+      its.own_model = std::make_unique<PlanarModel>();
+    }
+    planar::projectModel(*its.entity, plane_, base, *its.own_model);
+    body.model = its.own_model.get();
     circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
     largest_radius_ = std::max(largest_radius_, body.is_large ? 0.0 : body.model->radius);
   }
   setPose(index, PlacedPose::at(plane_.toLocal(pose.position), plane_.headingOf(pose.orientation)));
   body.has_moved = false;
-  if (body.is_large) {
-    refreshBounds(index);
-  }
+  body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[static_cast<std::size_t>(body.row)] != nullptr;
 }
 
 void Bodies::setPose(BodyIndex index, const PlacedPose& pose) {
   Body& body = (*this)[index];
   body.pose = pose;
   body.has_moved = true;
-  if (!body.is_large) {
+  if (body.is_large) {
+    refreshBounds(index);
+  } else {
     circles_[static_cast<std::size_t>(index)].centre = pose.position;
     grid_.move(index, pose.position);
   }
 }
 
 void Bodies::refreshBounds(BodyIndex index) {
-  const PlacedPose& pose = (*this)[index].pose;
-  std::vector<PlanarShape> placed;
-  planar::placeShapes(*(*this)[index].model, pose.position, pose.cosine, pose.sine, placed);
-  Eigen::AlignedBox2d& bounds = details(index).bounds;
+  const Body& body = (*this)[index];
+  const PlacedPose& pose = body.pose;
+  const PlanarModel& model = *body.model;
+  Eigen::AlignedBox2d& bounds =
+      std::find_if(large_.begin(), large_.end(), [&](const Large& large) { return large.index == index; })->bounds;
   bounds.setEmpty();
-  for (const PlanarShape& shape : placed) {
+  if (body.is_movable) {
+    // whatever its heading, so that turning alone brings it no nearer to anybody
+    const Eigen::Vector2d extent = Eigen::Vector2d::Constant(model.radius);
+    bounds.extend(pose.position - extent).extend(pose.position + extent);
+    return;
+  }
+  planar::placeShapes(model, pose.position, pose.cosine, pose.sine, placed_shapes_);
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    const PlanarShape& shape = placed_shapes_[i];
     const Eigen::Vector2d extent = Eigen::Vector2d::Constant(shape.isCircle() ? shape.radius : 0.0);
     bounds.extend(shape.centre - extent).extend(shape.centre + extent);
     for (const Eigen::Vector2d& vertex : shape.vertices) {
@@ -125,7 +160,7 @@ void Bodies::remove(BodyIndex index) {
   index_of_row_[static_cast<std::size_t>(body.row)] = kNoBody;
   order_.erase(std::find(order_.begin(), order_.end(), index));
   if (body.is_large) {
-    large_.erase(std::find(large_.begin(), large_.end(), index));
+    large_.erase(std::find_if(large_.begin(), large_.end(), [&](const Large& large) { return large.index == index; }));
   } else {
     grid_.remove(index);
   }
@@ -141,6 +176,7 @@ void Bodies::clear() {
   holes_.clear();
   order_.clear();
   index_of_row_.clear();
+  newcomers_.clear();
   large_.clear();
   projections_.clear();
   grid_.clear();

@@ -3,6 +3,7 @@
 /// A body's index stays as long as it is in the engine. Threads: const functions may run at once.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <vector>
 
@@ -35,37 +36,56 @@ struct PlacedPose {
   }
 };
 
+/// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
+/// body can have moved since the engine began, as Kinematics2d counts them.
+struct Clearance {
+  static constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
+
+  double free_until = -1.0;            ///< up to this distance nothing can have come near
+  double look_ahead = kMostLookAhead;  ///< how far the next look goes [m]
+  bool at_all_heights = false;         ///< also nothing above or below
+};
+
 /// What is looked at in every step; kept small, since there may be many.
 struct Body {
   PlacedPose pose;
   PlacedPose pose_at_start;  ///< of the tick
   double along = 0.0;        ///< of the origin, along the plane's normal [m]
   const PlanarModel* model = nullptr;
+  const EntityModel* entity = nullptr;
   EntityNumber number = kNobody;
   Row row = kNoRow;
 
-  // What drives it; null if nothing does.
+  // What it is told; null if it has no such device, or not the parts for it.
   const FootbotWheels* wheels = nullptr;
-  const EyebotVelocity* velocity = nullptr;
+  const EyebotVelocity* flight = nullptr;
   const FootbotGripper* gripper = nullptr;
 
   // Gripping: a gripped body goes where its gripper goes.
   BodyIndex gripped = kNoBody;
   BodyIndex gripped_by = kNoBody;
 
+  // What it does in this tick.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
+  double turn_rate = 0.0;                              ///< [rad/s]
+
+  Clearance clearance;
+
   Role role = Role::kMove;
   bool is_movable = false;
   bool is_large = false;   ///< wider than what the grid is for, such as a wall
   bool has_moved = false;  ///< since the start of the tick
+  /// A mirror: rays meet the entity in the engine that moves it, where it is up to date.
+  bool is_seen_elsewhere = false;
 };
 
 /// What is looked at now and then.
 struct BodyDetails {
   std::shared_ptr<const EntityModel> entity;
-  std::shared_ptr<const PlanarModel> model;
+  std::shared_ptr<const PlanarModel> shared_model;  ///< of all bodies with that entity model and base
+  std::unique_ptr<PlanarModel> own_model;           ///< once the base has changed
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
   PlanarPose place_in_gripper;  ///< in its gripper's frame, from the moment of gripping
-  Eigen::AlignedBox2d bounds;   ///< of large bodies
 };
 
 class Bodies {
@@ -78,6 +98,8 @@ class Bodies {
   /// Takes the pose that the entity has in the space.
   void place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
+  /// Looks for the devices of bodies that came since the last call: a robot may get its devices after its engine.
+  void findLateDevices(const Space& space);
 
   BodyIndex find(Row row) const {
     const auto i = static_cast<std::size_t>(row);
@@ -92,11 +114,22 @@ class Bodies {
   BodyDetails& details(BodyIndex index) { return details_[static_cast<std::size_t>(index)]; }
   const BodyDetails& details(BodyIndex index) const { return details_[static_cast<std::size_t>(index)]; }
 
+  /// From a point to a circle around a body, or to a box around a wall; below 0 if inside.
+  double distanceTo(BodyIndex index, const Eigen::Vector2d& point) const {
+    const Body& body = (*this)[index];
+    if (!body.is_large || body.is_movable) {
+      return (body.pose.position - point).norm() - body.model->radius;
+    }
+    const auto large =
+        std::find_if(large_.begin(), large_.end(), [&](const Large& each) { return each.index == index; });
+    return large->bounds.exteriorDistance(point);
+  }
+
   /// Calls visit(index) for all bodies whose surrounding circle may meet the given one, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
-    for (const BodyIndex index : large_) {
-      if (details(index).bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(index)) {
+    for (const Large& large : large_) {
+      if (large.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(large.index)) {
         return;
       }
     }
@@ -107,15 +140,12 @@ class Bodies {
     });
   }
 
-  /// Projections are shared among equal models.
-  std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& model,
-                                             const Eigen::Quaterniond& base);
-
  private:
+  /// Projections are shared among equal models.
   struct Projection {
     std::weak_ptr<const EntityModel> entity;
     Eigen::Quaterniond base;
-    std::shared_ptr<const PlanarModel> model;
+    std::weak_ptr<const PlanarModel> model;
   };
 
   /// Around a body: what neighbours are sorted out by, apart from the rest because it is read most.
@@ -124,6 +154,15 @@ class Bodies {
     double radius = 0.0;
   };
 
+  /// Kept out of the grid, looked at one by one.
+  struct Large {
+    BodyIndex index = kNoBody;
+    Eigen::AlignedBox2d bounds;
+  };
+
+  std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& entity,
+                                             const Eigen::Quaterniond& base);
+  void findDevices(const Space& space, BodyIndex index);
   void refreshBounds(BodyIndex index);
 
   planar::Plane plane_;
@@ -133,7 +172,9 @@ class Bodies {
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
   std::vector<BodyIndex> index_of_row_;
-  std::vector<BodyIndex> large_;
+  std::vector<BodyIndex> newcomers_;  // since findLateDevices
+  std::vector<Large> large_;
+  std::vector<PlanarShape> placed_shapes_;  // scratch of refreshBounds
   std::vector<Projection> projections_;
   planar::CellGrid grid_;
   double largest_radius_ = 0.0;  // of bodies in the grid

@@ -8,7 +8,7 @@ namespace swarmanoid::kinematics2d {
 void Kinematics2d::connect(Space& space) {
   for (const BodyIndex index : bodies_.order()) {
     const Body& body = bodies_[index];
-    if (body.gripper == nullptr || body.role == Role::kMirror || !bodies_.details(index).entity->gripper) {
+    if (body.gripper == nullptr || body.role == Role::kMirror) {
       continue;
     }
     if (!body.gripper->closed) {
@@ -27,17 +27,21 @@ void Kinematics2d::connect(Space& space) {
 BodyIndex Kinematics2d::findPrey(BodyIndex gripper_index) const {
   constexpr double kReach = 0.02;  // m from the gripper's tip to the gripping strip
   const Body& gripper = bodies_[gripper_index];
-  const EntityModel::Gripper& geometry = *bodies_.details(gripper_index).entity->gripper;
-  const Eigen::Vector2d tip = gripper.pose.position + gripper.pose.rotated(Eigen::Vector2d(geometry.tip, 0.0));
-  const double height = gripper.along + geometry.height;
+  const EntityModel::Gripper& geometry = *gripper.entity->gripper;
+  const planar::Plane& plane = bodies_.plane();
+  const Eigen::Vector3d arm = bodies_.details(gripper_index).base * Eigen::Vector3d(geometry.tip, 0.0, geometry.height);
+  const Eigen::Vector2d tip = gripper.pose.position + gripper.pose.rotated(plane.toLocal(arm));
+  const double height = gripper.along + plane.along(arm);
   BodyIndex nearest = kNoBody;
   double nearest_distance = kReach;
   bodies_.visitNear(tip, kReach, [&](BodyIndex index) {
     const Body& prey = bodies_[index];
-    const EntityModel& entity = *bodies_.details(index).entity;
-    const bool is_free_prey =
-        entity.gripping_radius && !entity.is_robot && prey.role == Role::kMove && prey.gripped_by == kNoBody;
-    if (!is_free_prey || height < prey.along + prey.model->band.low || height > prey.along + prey.model->band.high) {
+    const EntityModel& entity = *prey.entity;
+    const bool is_free_prey = entity.gripping_radius && !entity.is_robot && entity.is_movable &&
+                              prey.role == Role::kMove && prey.gripped_by == kNoBody;
+    // a strip around a prey that lies is no circle in the plane
+    if (!is_free_prey || !plane.isUpright(bodies_.details(index).base) || height < prey.along + prey.model->band.low ||
+        height > prey.along + prey.model->band.high) {
       return true;
     }
     const double distance = std::abs((prey.pose.position - tip).norm() - *entity.gripping_radius);
@@ -53,11 +57,20 @@ BodyIndex Kinematics2d::findPrey(BodyIndex gripper_index) const {
 }
 
 void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_index) {
-  Body& gripper = bodies_[gripper_index];
-  Body& prey = bodies_[prey_index];
+  const Body& gripper = bodies_[gripper_index];
+  const Body& prey = bodies_[prey_index];
   if (!space.structure.connect(gripper.row, prey.row)) {
     return;
   }
+  join(gripper_index, prey_index);
+  const auto& names = space.entities.name;
+  space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(gripper.row)],
+                          names[static_cast<std::size_t>(prey.row)], ""});
+}
+
+void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
+  Body& gripper = bodies_[gripper_index];
+  Body& prey = bodies_[prey_index];
   gripper.gripped = prey_index;
   prey.gripped_by = gripper_index;
   PlanarPose& place = bodies_.details(prey_index).place_in_gripper;
@@ -65,9 +78,24 @@ void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_in
   place.position = {gripper.pose.cosine * way.x() + gripper.pose.sine * way.y(),
                     -gripper.pose.sine * way.x() + gripper.pose.cosine * way.y()};
   place.heading = prey.pose.heading - gripper.pose.heading;
-  const auto& names = space.entities.name;
-  space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(gripper.row)],
-                          names[static_cast<std::size_t>(prey.row)], ""});
+}
+
+void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
+  const Row row = bodies_[index].row;
+  const auto take = [&](BodyIndex gripper, BodyIndex prey) {
+    const bool both_here = gripper != kNoBody && prey != kNoBody && bodies_[gripper].role == Role::kMove &&
+                           bodies_[prey].role == Role::kMove;
+    if (both_here && bodies_[gripper].gripped == kNoBody && bodies_[prey].gripped_by == kNoBody) {
+      join(gripper, prey);
+    }
+  };
+  const Row gripped = space.structure.grippedBy(row);
+  if (gripped != kNoRow) {
+    take(index, bodies_.find(gripped));
+  }
+  for (const Row gripper : space.structure.grippersOf(row)) {
+    take(bodies_.find(gripper), index);
+  }
 }
 
 void Kinematics2d::release(Space& space, BodyIndex gripper_index) {

@@ -8,6 +8,9 @@
 #include "planar/planar_overlap.hpp"
 
 namespace swarmanoid::kinematics2d {
+namespace {
+constexpr Range kSubclockRange{1.0, 10000.0};
+}
 
 PluginDescription Kinematics2d::describe() {
   PluginDescription description;
@@ -18,7 +21,7 @@ PluginDescription Kinematics2d::describe() {
   subclock.name = "subclock";
   subclock.type = Parameter::Type::kInteger;
   subclock.value = "1";
-  subclock.range = {1.0, 10000.0};
+  subclock.range = kSubclockRange;
   subclock.description = "Steps of the engine in each tick.";
   Parameter axis;
   axis.name = "perpendicular_axis";
@@ -38,12 +41,36 @@ PluginDescription Kinematics2d::describe() {
 
 void Kinematics2d::configure(const std::string& id, const Configuration& parameters) {
   id_ = id;
-  subclock_ = static_cast<int>(parameters.integer("subclock", std::int64_t{1}));
-  bodies_.configure(planar::Plane(parameters.text("perpendicular_axis", "z")[0], parameters.number("distance", 0.0)));
+  subclock_ = static_cast<int>(parameters.integer("subclock", std::int64_t{1}, kSubclockRange));
+  const std::string axis = parameters.text("perpendicular_axis", "z");
+  if (axis != "x" && axis != "y" && axis != "z") {
+    throw ConfigError(parameters.location(), "perpendicular_axis: found '" + axis + "', allowed: x, y, z");
+  }
+  bodies_.configure(planar::Plane(axis[0], parameters.number("distance", 0.0)));
 }
 
-std::string Kinematics2d::refusal(const EntityModel& model, const std::vector<std::string>&) const {
-  return model.shapes.empty() ? "has no shape, so this engine has nothing to hold" : "";
+std::string Kinematics2d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
+  if (model.shapes.empty()) {
+    return "has no shape, so this engine has nothing to hold";
+  }
+  const auto lacks = [](const std::string& device, const char* part) {
+    return "device '" + device + "' cannot be simulated: a robot of this type has no " + part;
+  };
+  bool is_driven = false;
+  for (const std::string& device : devices) {
+    if (device == FootbotWheels::kType && !model.wheels) {
+      return lacks(device, "wheels");
+    }
+    if (device == FootbotGripper::kType && !model.gripper) {
+      return lacks(device, "gripper");
+    }
+    const bool is_drive = device == FootbotWheels::kType || device == EyebotVelocity::kType;
+    if (is_drive && is_driven) {
+      return "device '" + device + "' cannot be simulated: another device drives the robot already";
+    }
+    is_driven = is_driven || is_drive;
+  }
+  return "";
 }
 
 std::string Kinematics2d::misplacement(const EntityModel& model, const Pose& pose) const {
@@ -61,15 +88,16 @@ std::string Kinematics2d::misplacement(const EntityModel& model, const Pose& pos
 
 Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignored) const {
   const planar::Plane& plane = bodies_.plane();
-  const auto projected = planar::projectModel(model, plane, plane.baseOf(pose.orientation));
+  PlanarModel projected;
+  planar::projectModel(model, plane, plane.baseOf(pose.orientation), projected);
   const PlacedPose placed = PlacedPose::at(plane.toLocal(pose.position), plane.headingOf(pose.orientation));
   const double along = plane.along(pose.position);
   std::vector<PlanarShape> scratch;
   BodyIndex found = kNoBody;
-  bodies_.visitNear(placed.position, projected->radius, [&](BodyIndex index) {
+  bodies_.visitNear(placed.position, projected.radius, [&](BodyIndex index) {
     const Body& body = bodies_[index];
     const bool is_older = found == kNoBody || body.number < bodies_[found].number;
-    if (body.row != ignored && is_older && modelsOverlap(*projected, placed, along, body, scratch)) {
+    if (body.row != ignored && is_older && modelsOverlap(projected, placed, along, body, scratch)) {
       found = index;
     }
     return true;
@@ -77,7 +105,10 @@ Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignore
   return found == kNoBody ? kNoRow : bodies_[found].row;
 }
 
-void Kinematics2d::add(Space& space, Row row, Role role) { bodies_.add(space, row, role); }
+void Kinematics2d::add(Space& space, Row row, Role role) {
+  takeOverGrips(space, bodies_.add(space, row, role));
+  is_somebody_new_ = true;
+}
 
 void Kinematics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
@@ -89,6 +120,7 @@ void Kinematics2d::place(Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.place(space, index);
+  is_somebody_new_ = true;
 }
 
 }  // namespace swarmanoid::kinematics2d

@@ -1,4 +1,5 @@
 // Phase `move`: velocities to poses, and no pose that overlaps.
+#include <algorithm>
 #include <cmath>
 
 #include "kinematics2d/kinematics2d.hpp"
@@ -8,24 +9,26 @@ namespace swarmanoid::kinematics2d {
 
 PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
   const double turn = turn_rate * dt;
-  PlacedPose end = start;
   if (turn == 0.0) {
+    PlacedPose end = start;
     end.position += dt * start.rotated(velocity);
     return end;
   }
   // the chord of an arc: as long as the arc times sin(a)/a, turned by a, with a half the turn
   const double half = 0.5 * turn;
-  const double shortening = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : std::sin(half) / half;
-  const PlacedPose middle = PlacedPose::at(start.position, start.heading + half);
-  end = PlacedPose::at(start.position + dt * shortening * middle.rotated(velocity),
-                       std::remainder(start.heading + turn, 2.0 * M_PI));
-  return end;
+  const double cosine = std::cos(half);
+  const double sine = std::sin(half);
+  const double shortening = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : sine / half;
+  const Eigen::Vector2d chord(cosine * velocity.x() - sine * velocity.y(), sine * velocity.x() + cosine * velocity.y());
+  return PlacedPose::at(start.position + dt * shortening * start.rotated(chord),
+                        planar::wrapAngle(start.heading + turn));
 }
 
 void Kinematics2d::move(Space& space, Duration dt) {
-  startTick(space);
   const double step = toSeconds(dt) / subclock_;
+  startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
+    travelled_ += stride_;
     for (const BodyIndex index : bodies_.order()) {
       moveBody(index, step);
     }
@@ -33,39 +36,65 @@ void Kinematics2d::move(Space& space, Duration dt) {
   finishTick(space, toSeconds(dt));
 }
 
-void Kinematics2d::startTick(const Space& space) {
+void Kinematics2d::startTick(const Space& space, double step) {
+  bodies_.findLateDevices(space);
+  double fastest_squared = 0.0;
+  double farthest_mirror = 0.0;
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
     if (body.role == Role::kMirror && body.is_movable) {
+      const Eigen::Vector2d position = body.pose.position;
+      const double radius = body.model->radius;
       bodies_.place(space, index);
+      const double growth = std::max(0.0, body.model->radius - radius);
+      farthest_mirror = std::max(farthest_mirror, (body.pose.position - position).norm() + growth);
     }
     body.pose_at_start = body.pose;
     body.has_moved = false;
+    if (body.role == Role::kMirror || (body.wheels == nullptr && body.flight == nullptr)) {
+      continue;
+    }
+    readCommands(body);
+    fastest_squared = std::max(fastest_squared, body.velocity.squaredNorm());
+    if (body.gripped != kNoBody) {
+      // what is gripped swings around its gripper
+      const double arm = bodies_.details(body.gripped).place_in_gripper.position.norm();
+      const double speed = body.velocity.norm() + arm * std::abs(body.turn_rate);
+      fastest_squared = std::max(fastest_squared, speed * speed);
+    }
+  }
+  stride_ = std::sqrt(fastest_squared) * step;
+  travelled_ += farthest_mirror;
+  constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
+  if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
+    for (const BodyIndex index : bodies_.order()) {
+      bodies_[index].clearance = Clearance{};
+    }
+    travelled_ = 0.0;
+    is_somebody_new_ = false;
+  }
+}
+
+void Kinematics2d::readCommands(Body& body) {
+  const PlanarModel& model = *body.model;
+  if (body.wheels != nullptr) {
+    const EntityModel::Wheels& geometry = *body.entity->wheels;
+    body.velocity = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius * model.ahead;
+    body.turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation * model.turn;
+  } else {
+    const Eigen::Vector3d& linear = body.flight->linear;
+    body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
+    body.turn_rate = body.flight->yaw_rate * model.turn;
   }
 }
 
 void Kinematics2d::moveBody(BodyIndex index, double dt) {
   const Body& body = bodies_[index];
-  if (body.role == Role::kMirror || (body.wheels == nullptr && body.velocity == nullptr)) {
+  if (body.turn_rate == 0.0 && body.velocity.isZero(0.0)) {
     return;
   }
-  const planar::Plane& plane = bodies_.plane();
-  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
-  double turn_rate = 0.0;
-  if (body.wheels != nullptr) {
-    const EntityModel::Wheels& geometry = *bodies_.details(index).entity->wheels;
-    velocity.x() = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius;
-    turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation;
-  } else {
-    velocity = body.velocity->linear;
-    turn_rate = body.velocity->yaw_rate;
-  }
-  if (turn_rate == 0.0 && velocity.isZero(0.0)) {
-    return;
-  }
-  const Eigen::Vector2d in_plane = plane.toLocal(bodies_.details(index).base * velocity);
-  const PlacedPose target = integrate(body.pose, in_plane, turn_rate, dt);
-  if (tryPose(index, target) || turn_rate == 0.0) {
+  const PlacedPose target = integrate(body.pose, body.velocity, body.turn_rate, dt);
+  if (tryPose(index, target) || body.turn_rate == 0.0) {
     return;
   }
   // blocked: a robot that can still turn finds its way out
@@ -75,32 +104,52 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
 }
 
 bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
-  const BodyIndex gripped = bodies_[index].gripped;
-  if (!isFree(index, pose, gripped)) {
+  Body& body = bodies_[index];
+  const BodyIndex gripped = body.gripped;
+  if (gripped == kNoBody && travelled_ <= body.clearance.free_until) {
+    bodies_.setPose(index, pose);
+    return true;
+  }
+  Clearance clearance = body.clearance;
+  if (!isFree(index, pose, gripped, clearance)) {
     return false;
   }
   if (gripped != kNoBody) {
     const PlanarPose& place = bodies_.details(gripped).place_in_gripper;
-    const PlacedPose carried = PlacedPose::at(pose.position + pose.rotated(place.position),
-                                              std::remainder(pose.heading + place.heading, 2.0 * M_PI));
-    if (!isFree(gripped, carried, index)) {
+    const PlacedPose carried =
+        PlacedPose::at(pose.position + pose.rotated(place.position), planar::wrapAngle(pose.heading + place.heading));
+    Clearance unused;
+    unused.look_ahead = 0.0;
+    if (!isFree(gripped, carried, index, unused)) {
       return false;
     }
     bodies_.setPose(gripped, carried);
+    clearance.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
   }
+  body.clearance = clearance;
   bodies_.setPose(index, pose);
   return true;
 }
 
-bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner) {
+bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner, Clearance& clearance) {
   const Body& body = bodies_[index];
+  const double radius = body.model->radius;
+  double nearest = clearance.look_ahead;
   bool free = true;
-  bodies_.visitNear(pose.position, body.model->radius, [&](BodyIndex other_index) {
+  clearance.at_all_heights = true;
+  bodies_.visitNear(pose.position, radius + nearest, [&](BodyIndex other_index) {
     if (other_index == index || other_index == partner) {
       return true;
     }
     const Body& other = bodies_[other_index];
-    if (!modelsOverlap(*body.model, pose, body.along, other, relative_shapes_)) {
+    const bool keeps_height = other.role == Role::kMove || !other.is_movable;
+    if (keeps_height && !body.model->band.meets(other.model->band, body.along, other.along)) {
+      clearance.at_all_heights = false;
+      return true;
+    }
+    const double gap = bodies_.distanceTo(other_index, pose.position) - radius;
+    nearest = std::min(nearest, gap);
+    if (gap > 0.0 || !modelsOverlap(*body.model, pose, body.along, other, relative_shapes_)) {
       return true;
     }
     // a mirror was put upon us: moving away from it must stay possible
@@ -113,6 +162,10 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex par
     free = false;
     return false;
   });
+  // From now on both sides come nearer by what is travelled; some bodies have this step's stride still before them.
+  constexpr double kMargin = 1e-6;  // m, for rounding
+  clearance.free_until = travelled_ + 0.5 * (nearest - stride_ - kMargin);
+  clearance.look_ahead = std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
   return free;
 }
 
@@ -156,7 +209,7 @@ void Kinematics2d::finishTick(Space& space, double dt) {
       space.entities.pose[i].orientation = plane.orientation(body.pose.heading, bodies_.details(index).base);
     }
     twist.linear = plane.toGlobal((body.pose.position - body.pose_at_start.position) / dt, 0.0);
-    twist.angular = plane.normal() * (std::remainder(body.pose.heading - body.pose_at_start.heading, 2.0 * M_PI) / dt);
+    twist.angular = plane.normal() * (planar::wrapAngle(body.pose.heading - body.pose_at_start.heading) / dt);
   }
 }
 

@@ -86,6 +86,9 @@ class PlanarRays {
 }  // namespace
 
 void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+  if (areAllOutOfReach(rays)) {
+    return;
+  }
   const planar::Plane& plane = bodies_.plane();
   const Eigen::Vector2d centre = plane.toLocal(rays.centre);
   for (std::size_t first = 0; first < rays.segments.size(); first += PlanarRays::kMost) {
@@ -93,7 +96,7 @@ void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
     std::optional<PlanarRays> planar_rays;  // made when the first body is near: often none is
     bodies_.visitNear(centre, rays.radius, [&](BodyIndex index) {
       const Body& body = bodies_[index];
-      if (body.row == rays.ignored || body.row == rays.also_ignored) {
+      if (body.row == rays.ignored || body.row == rays.also_ignored || body.is_seen_elsewhere) {
         return true;
       }
       if (!planar_rays) {
@@ -107,6 +110,18 @@ void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
       return true;
     });
   }
+}
+
+bool Kinematics2d::areAllOutOfReach(const RayBundle& rays) const {
+  // a robot that casts rays knows from moving how far away everybody is
+  const BodyIndex caster = rays.ignored == kNoRow || is_somebody_new_ ? kNoBody : bodies_.find(rays.ignored);
+  if (caster == kNoBody) {
+    return false;
+  }
+  const Body& body = bodies_[caster];
+  const double room = body.model->radius + 2.0 * (body.clearance.free_until - travelled_) - rays.radius;
+  const Eigen::Vector2d centre = bodies_.plane().toLocal(rays.centre);
+  return body.clearance.at_all_heights && room > 0.0 && (centre - body.pose.position).squaredNorm() < room * room;
 }
 
 void Kinematics2d::meetBody(const PlanarRay& ray, const Body& body, RayHit& hit) const {

@@ -8,13 +8,13 @@ namespace {
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 
-/// Counter-clockwise convex hull (monotone chain).
-std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points) {
+/// Counter-clockwise convex hull (monotone chain). `points` are sorted on the way.
+void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vector2d>& hull) {
   constexpr double kSame = 1e-9;  // m
   std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
-  std::vector<Eigen::Vector2d> hull;
+  hull.clear();
   for (int side = 0; side < 2; ++side) {
     const std::size_t start = hull.size();
     for (const Eigen::Vector2d& point : points) {
@@ -31,67 +31,70 @@ std::vector<Eigen::Vector2d> convexHull(std::vector<Eigen::Vector2d> points) {
     }
     std::reverse(points.begin(), points.end());
   }
-  return hull;
 }
 
-/// Points whose hull is the solid: a box's corners, or a ring of points around each face of a cylinder.
-std::vector<Eigen::Vector3d> outline(const CollisionShape& shape) {
-  std::vector<Eigen::Vector3d> points;
+/// Calls visit(point) for points whose hull is the solid: a box's corners, or a ring around each face of a cylinder.
+template <class Visit>
+void visitOutline(const CollisionShape& shape, Visit visit) {
   const Eigen::Vector3d& h = shape.half_extent;
   if (shape.kind == CollisionShape::Kind::kBox) {
     for (int corner = 0; corner < 8; ++corner) {
-      points.emplace_back((corner & 1) != 0 ? h.x() : -h.x(), (corner & 2) != 0 ? h.y() : -h.y(),
-                          (corner & 4) != 0 ? h.z() : -h.z());
+      visit(Eigen::Vector3d((corner & 1) != 0 ? h.x() : -h.x(), (corner & 2) != 0 ? h.y() : -h.y(),
+                            (corner & 4) != 0 ? h.z() : -h.z()));
     }
-    return points;
+    return;
   }
   constexpr int kSides = 16;
   for (int i = 0; i < kSides; ++i) {
     const double angle = 2.0 * M_PI * i / kSides;
     for (const double z : {-h.z(), h.z()}) {
-      points.emplace_back(h.x() * std::cos(angle), h.x() * std::sin(angle), z);
+      visit(Eigen::Vector3d(h.x() * std::cos(angle), h.x() * std::sin(angle), z));
     }
   }
-  return points;
 }
 
-PlanarShape projectShape(const CollisionShape& shape, const Plane& plane, const Eigen::Quaterniond& base) {
+void projectShape(const CollisionShape& shape, const Plane& plane, const Eigen::Quaterniond& base,
+                  PlanarShape& result) {
   const Eigen::Vector3d centre = base * shape.position;
   const Eigen::Quaterniond turn = base * shape.orientation;
-  const double uprightness = std::abs(plane.along(turn * Eigen::Vector3d::UnitZ()));
-  constexpr double kUpright = 1.0 - 1e-9;
-  PlanarShape result;
   result.centre = plane.toLocal(centre);
+  result.vertices.clear();
   const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
-  if (is_sphere || (shape.kind == CollisionShape::Kind::kCylinder && uprightness >= kUpright)) {
+  if (is_sphere || (shape.kind == CollisionShape::Kind::kCylinder && plane.isUpright(turn))) {
     const double half_height = is_sphere ? shape.half_extent.x() : shape.half_extent.z();
     result.radius = shape.half_extent.x();
     result.band = {plane.along(centre) - half_height, plane.along(centre) + half_height};
-    return result;
+    return;
   }
-  std::vector<Eigen::Vector2d> points;
+  thread_local std::vector<Eigen::Vector2d> points;
+  points.clear();
   result.band = {plane.along(centre), plane.along(centre)};
-  for (const Eigen::Vector3d& point : outline(shape)) {
+  visitOutline(shape, [&](const Eigen::Vector3d& point) {
     const Eigen::Vector3d placed = centre + turn * point;
     points.push_back(plane.toLocal(placed));
     result.band.low = std::min(result.band.low, plane.along(placed));
     result.band.high = std::max(result.band.high, plane.along(placed));
-  }
-  result.vertices = convexHull(std::move(points));
+  });
+  findConvexHull(points, result.vertices);
+  result.radius = 0.0;
   for (const Eigen::Vector2d& vertex : result.vertices) {
     result.radius = std::max(result.radius, (vertex - result.centre).norm());
   }
-  return result;
 }
 
 }  // namespace
 
-std::shared_ptr<const PlanarModel> projectModel(const EntityModel& model, const Plane& plane,
-                                                const Eigen::Quaterniond& base) {
-  auto result = std::make_shared<PlanarModel>();
-  for (const CollisionShape& shape : model.shapes) {
-    result->shapes.push_back(projectShape(shape, plane, base));
-    const PlanarShape& projected = result->shapes.back();
+void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result) {
+  result.ahead = plane.toLocal(base * Eigen::Vector3d::UnitX());
+  result.left = plane.toLocal(base * Eigen::Vector3d::UnitY());
+  result.up = plane.toLocal(base * Eigen::Vector3d::UnitZ());
+  result.turn = plane.along(base * Eigen::Vector3d::UnitZ());
+  result.radius = 0.0;
+  result.band = Band{};
+  result.shapes.resize(model.shapes.size());
+  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
+    PlanarShape& projected = result.shapes[i];
+    projectShape(model.shapes[i], plane, base, projected);
     double reach = projected.centre.norm() + projected.radius;
     if (!projected.isCircle()) {
       reach = 0.0;
@@ -99,12 +102,10 @@ std::shared_ptr<const PlanarModel> projectModel(const EntityModel& model, const 
         reach = std::max(reach, vertex.norm());
       }
     }
-    result->radius = std::max(result->radius, reach);
-    const bool is_first = result->shapes.size() == 1;
-    result->band.low = is_first ? projected.band.low : std::min(result->band.low, projected.band.low);
-    result->band.high = is_first ? projected.band.high : std::max(result->band.high, projected.band.high);
+    result.radius = std::max(result.radius, reach);
+    result.band.low = i == 0 ? projected.band.low : std::min(result.band.low, projected.band.low);
+    result.band.high = i == 0 ? projected.band.high : std::max(result.band.high, projected.band.high);
   }
-  return result;
 }
 
 void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,

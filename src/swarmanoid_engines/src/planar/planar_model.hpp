@@ -1,14 +1,20 @@
 /// An entity's shapes as a plane sees them: circles and convex polygons, each with the band of heights it fills.
+///
+/// Spheres, and cylinders along the normal, are circles; of all else the outline is taken (boxes along the axes:
+/// rectangles), lying cylinders by a ring of points around each face. Threads: the functions may run at once.
 #pragma once
 
 #include <Eigen/Core>
-#include <memory>
 #include <vector>
 
 #include "planar/plane.hpp"
 #include "swarmanoid_space/entity_model.hpp"
 
 namespace swarmanoid::planar {
+
+/// Shapes that touch, or sink into each other by no more than this, do not overlap: so bodies can be packed side by
+/// side, or stand on each other, although positions are rounded [m].
+constexpr double kContactTolerance = 1e-9;
 
 /// Heights along the plane's normal [m].
 struct Band {
@@ -17,7 +23,8 @@ struct Band {
 
   /// Bands that only touch do not meet: a box may stand on a table.
   bool meets(const Band& other, double my_offset, double other_offset) const {
-    return low + my_offset < other.high + other_offset && other.low + other_offset < high + my_offset;
+    return low + my_offset < other.high + other_offset - kContactTolerance &&
+           other.low + other_offset < high + my_offset - kContactTolerance;
   }
 };
 
@@ -35,11 +42,16 @@ struct PlanarModel {
   std::vector<PlanarShape> shapes;  ///< at heading 0, around the body's origin
   double radius = 0.0;              ///< of a circle around the origin that holds all shapes [m]
   Band band;                        ///< of all shapes, relative to the origin
+
+  // The body's axes at heading 0, as far as they lie in the plane, and how far body z is along the normal.
+  Eigen::Vector2d ahead = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d left = Eigen::Vector2d::UnitY();
+  Eigen::Vector2d up = Eigen::Vector2d::Zero();
+  double turn = 1.0;
 };
 
-/// Projects the shapes of an entity whose orientation at heading 0 is `base`.
-std::shared_ptr<const PlanarModel> projectModel(const EntityModel& model, const Plane& plane,
-                                                const Eigen::Quaterniond& base);
+/// Projects an entity whose orientation at heading 0 is `base`. `result` keeps its memory.
+void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result);
 
 /// Puts a model's shapes where a body is. `placed` is of the model's shape count and keeps its memory.
 void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,

@@ -5,10 +5,7 @@
 
 namespace swarmanoid::planar {
 
-/// Shapes that touch, or sink into each other by no more than this, do not overlap: so bodies can be packed side by
-/// side although positions are rounded [m].
-constexpr double kContactTolerance = 1e-9;
-
+/// Touching is no overlap, see kContactTolerance. Heights are not looked at.
 bool overlap(const PlanarShape& a, const PlanarShape& b);
 
 }  // namespace swarmanoid::planar

@@ -5,7 +5,7 @@
 namespace swarmanoid::planar {
 
 double Plane::headingOf(const Eigen::Quaterniond& orientation) const {
-  return std::remainder(2.0 * std::atan2(orientation.vec()[normal_], orientation.w()), 2.0 * M_PI);
+  return wrapAngle(2.0 * std::atan2(orientation.vec()[normal_], orientation.w()));
 }
 
 Eigen::Quaterniond Plane::baseOf(const Eigen::Quaterniond& orientation) const {
@@ -14,6 +14,11 @@ Eigen::Quaterniond Plane::baseOf(const Eigen::Quaterniond& orientation) const {
   // rounding must not make two upright bodies differ
   constexpr double kNothing = 1e-12;
   return base.vec().norm() < kNothing ? Eigen::Quaterniond::Identity() : base;
+}
+
+bool Plane::isUpright(const Eigen::Quaterniond& orientation) const {
+  constexpr double kUpright = 1.0 - 1e-9;
+  return std::abs(along(orientation * Eigen::Vector3d::UnitZ())) >= kUpright;
 }
 
 Eigen::Quaterniond Plane::orientation(double heading, const Eigen::Quaterniond& base) const {

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 #include <string>
 
 #include "swarmanoid_space/entities.hpp"
@@ -18,6 +19,11 @@ struct PlanarPose {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double heading = 0.0;
 };
+
+/// The same angle in [-pi, pi] [rad].
+inline double wrapAngle(double angle) {
+  return angle > -M_PI && angle <= M_PI ? angle : std::remainder(angle, 2.0 * M_PI);
+}
 
 class Plane {
  public:
@@ -39,11 +45,13 @@ class Plane {
     return p;
   }
 
-  /// The turn about the normal in an orientation, in (-pi, pi] [rad].
+  /// The turn about the normal in an orientation, in [-pi, pi] [rad].
   double headingOf(const Eigen::Quaterniond& orientation) const;
   /// What remains of an orientation without its heading.
   Eigen::Quaterniond baseOf(const Eigen::Quaterniond& orientation) const;
   Eigen::Quaterniond orientation(double heading, const Eigen::Quaterniond& base) const;
+  /// Whether body z is along the normal, either way.
+  bool isUpright(const Eigen::Quaterniond& orientation) const;
 
  private:
   int u() const { return (normal_ + 1) % 3; }
