@@ -3,6 +3,7 @@
 
 import sys
 import unittest
+import xmlrpc.client
 
 import rosgraph
 import roslaunch.arg_dump
@@ -67,6 +68,14 @@ class InterfaceTest(unittest.TestCase):
     def test_the_manager_publishes_everything(self):
         for topic, nodes in self.publishers.items():
             self.assertEqual(["/swarmanoid"], nodes, topic)
+
+    def test_each_controller_runs_in_its_own_nodelet(self):
+        master = rosgraph.Master("/interface_test")
+        _, _, pid = xmlrpc.client.ServerProxy(master.lookupNode("/swarmanoid")).getPid("/interface_test")
+        with open(f"/proc/{pid}/maps") as maps:
+            loaded = maps.read()
+        for controller in ("footbot_retrieval", "eyebot_retrieval"):
+            self.assertIn(f"lib{controller}_nodelet.so", loaded)
 
     def test_launch_files_load_and_explain_their_arguments(self):
         folder = rospkg.RosPack().get_path("swarmanoid_experiments") + "/../../launch/"

@@ -45,12 +45,18 @@ void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int
     lamp.pose = toMessage(pose);
     markers.markers.push_back(lamp);
   }
-  // the arena's own walls would hide what happens behind them
+  const std_msgs::ColorRGBA grey = rgba(0.55F, 0.57F, 0.6F, 1.0F);
   const bool is_boundary = space.entities.name[i].rfind("boundary_", 0) == 0;
-  const std_msgs::ColorRGBA grey = rgba(0.55F, 0.57F, 0.6F, is_boundary ? 0.25F : 1.0F);
   for (const CollisionShape& shape : model.shapes) {
-    markers.markers.push_back(
-        shapeMarker(header, "obstacles", id++, shape, pose, color.isLit() ? opaque(color) : grey));
+    Marker marker = shapeMarker(header, is_boundary ? "boundary" : "obstacles", id++, shape, pose,
+                                color.isLit() ? opaque(color) : grey);
+    if (is_boundary) {
+      // the arena's own walls would hide what happens behind them: only their foot is drawn
+      constexpr double kHeight = 0.1;
+      marker.scale.z = kHeight;
+      marker.pose.position.z = 0.5 * kHeight;
+    }
+    markers.markers.push_back(marker);
   }
 }
 
