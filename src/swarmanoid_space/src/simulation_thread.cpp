@@ -101,8 +101,7 @@ SimulationThread::StepResult SimulationThread::step(std::uint64_t ticks) {
     if (step_) {
       throw std::runtime_error("another step is under way");
     }
-    step_.emplace();
-    step_->left = ticks;
+    step_.emplace(ticks);
     result = step_->done.get_future();
     if (state_ == State::kFinished) {
       endStep("the run is finished; only a reset goes on from here");

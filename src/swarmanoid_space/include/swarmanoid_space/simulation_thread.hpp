@@ -84,7 +84,8 @@ class SimulationThread {
     std::promise<void> done;
   };
   struct Step {
-    std::uint64_t left = 0;
+    explicit Step(std::uint64_t ticks) : left(ticks) {}
+    std::uint64_t left;
     std::promise<StepResult> done;
   };
 

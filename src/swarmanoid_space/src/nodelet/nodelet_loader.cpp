@@ -14,7 +14,7 @@
 namespace swarmanoid {
 
 NodeletLoader::NodeletLoader() {
-  const std::string manager = ros::this_node::getName();
+  const std::string& manager = ros::this_node::getName();
   is_manager_ = ros::service::exists(manager + "/load_nodelet", false);
   ros::NodeHandle root;
   constexpr bool kPersistent = true;

@@ -21,8 +21,8 @@ const char* toText(SimulationThread::State state) {
 
 }  // namespace
 
-SpaceDiagnostics::SpaceDiagnostics(ros::NodeHandle own, const std::string& experiment, const SpaceDisplay& display,
-                                   SimulationThread& thread)
+SpaceDiagnostics::SpaceDiagnostics(const ros::NodeHandle& own, const std::string& experiment,
+                                   const SpaceDisplay& display, SimulationThread& thread)
     : display_(display), thread_(thread), updater_(ros::NodeHandle(), own, own.getNamespace()) {
   updater_.setHardwareID(experiment);
   updater_.add("simulation", this, &SpaceDiagnostics::report);

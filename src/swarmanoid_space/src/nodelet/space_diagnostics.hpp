@@ -13,7 +13,7 @@ namespace swarmanoid {
 
 class SpaceDiagnostics {
  public:
-  SpaceDiagnostics(ros::NodeHandle own, const std::string& experiment, const SpaceDisplay& display,
+  SpaceDiagnostics(const ros::NodeHandle& own, const std::string& experiment, const SpaceDisplay& display,
                    SimulationThread& thread);
 
  private:

@@ -47,7 +47,7 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
 }
 
 template <class Message>
-ros::Publisher SpaceDisplay::advertise(const std::string& topic, std::uint32_t queue, Serve serve) {
+ros::Publisher SpaceDisplay::advertise(const std::string& topic, std::uint32_t queue, const Serve& serve) {
   const auto connected = [this, serve](const ros::SingleSubscriberPublisher& newcomer) {
     const std::lock_guard<std::mutex> lock(thread_mutex_);
     if (thread_ == nullptr || !isAtRest(thread_->state())) {

@@ -54,7 +54,7 @@ class SpaceDisplay final : public Visualisation {
   using Serve = std::function<void(const Space&, const ros::SingleSubscriberPublisher&)>;
 
   template <class Message>
-  ros::Publisher advertise(const std::string& topic, std::uint32_t queue, Serve serve);
+  ros::Publisher advertise(const std::string& topic, std::uint32_t queue, const Serve& serve);
   void publishClock(const Space& space);
   void publishTransforms(const Space& space);
   void publishMarkers(const Space& space);

@@ -60,7 +60,7 @@ class ParameterReader {
   }
 
   std::string choice(const std::string& name, const std::vector<std::string>& allowed) {
-    const std::string found = text(name, allowed.front());
+    std::string found = text(name, allowed.front());
     if (std::find(allowed.begin(), allowed.end(), found) == allowed.end()) {
       throw ConfigError(location(), "~" + name + ": found '" + found + "', allowed: " + joinNames(allowed));
     }
@@ -184,7 +184,7 @@ std::vector<std::string> robotNames(const Experiment& experiment) {
 }
 
 std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment) {
-  const std::vector<std::string> names = robotNames(experiment);
+  std::vector<std::string> names = robotNames(experiment);
   if (options.device_topics == std::vector<std::string>{"all"}) {
     return names;
   }
