@@ -1,6 +1,6 @@
 #include "swarmanoid_space/space.hpp"
 
-#include "solid_ray.hpp"
+#include "swarmanoid_space/solid_ray.hpp"
 
 namespace swarmanoid {
 
