@@ -139,7 +139,6 @@ void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std:
   });
 }
 
-
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
   // an origin may lie outside its entity's own bounds, by no more than the largest of them
   std::vector<Row> found;
