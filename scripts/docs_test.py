@@ -1,8 +1,8 @@
 #!/usr/bin/python3
 """docs_test.py BUILD_FOLDER: what the pages say can be done as they say it.
 
-In the pages, a fence of the language sh is a shell command; all those of a page are run one after the other, in one shell, in
-an empty folder with a clone of the repository beside it. A comment before a fence says what else it is:
+In the pages, a fence of the language sh is shell commands; all those of a page are run one after the other, in one shell,
+in an empty folder with a clone of the repository in it. A comment before a fence says what else it is:
     <!-- file: NAME -->            the fence is written to that file
     <!-- same as: NAME, with A as B -->  the fence is that file of the repository, with A put as B
 A text fence is something that the command before it prints. Fences that are whole experiments are validated.
@@ -45,7 +45,8 @@ def read(page):
 
 def anchors(text):
     """Names of headings as they stand in links."""
-    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in re.findall(r"^#+ (.*)$", text, re.M)}
+    headings = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 class Newcomer:
@@ -136,7 +137,7 @@ class ListingsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.work = tempfile.mkdtemp(prefix="swarmanoid_docs_")
         cls.addClassCleanup(shutil.rmtree, cls.work, ignore_errors=True)
-        cls.bare = cls.newShell("nobody")
+        cls.bare = cls.new_shell("nobody")
         # what a clone looks like in which ./run has worked once
         cls.clone = os.path.join(cls.work, "swarmanoid")
         os.mkdir(cls.clone)
@@ -146,7 +147,7 @@ class ListingsTest(unittest.TestCase):
         os.symlink(BUILD_FOLDER, os.path.join(cls.clone, "build"))
 
     @classmethod
-    def newShell(cls, name):
+    def new_shell(cls, name):
         environment = bare(os.path.join(cls.work, "home", name))
         environment.update({"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"} if compiler_cache() else {})
         return environment
@@ -156,7 +157,7 @@ class ListingsTest(unittest.TestCase):
         folder = os.path.join(self.work, name)
         os.mkdir(folder)
         os.symlink(self.clone, os.path.join(folder, "swarmanoid"))
-        return Newcomer(folder, self.newShell(name))
+        return Newcomer(folder, self.new_shell(name))
 
     def test_experiments_are_valid(self):
         environment = sourced(self.bare, os.path.join(BUILD_FOLDER, "devel/setup.bash"))
@@ -216,7 +217,7 @@ class ListingsTest(unittest.TestCase):
                 self.assertNotIn("process has died", printed)
             elif fence["language"] == "sh":
                 commands = text
-                code, printed = newcomer.do(text, timeout=900)
+                code, printed = newcomer.do(text, timeout=1800)
         self.assertEqual(0, code, f"{commands}\n{printed}")
 
 

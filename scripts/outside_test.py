@@ -1,6 +1,6 @@
 #!/usr/bin/python3
-"""outside_test.py BUILD_FOLDER: packages of somebody else (examples/), built and run against a devel space and an install
-space of this project; and the install space by itself."""
+"""outside_test.py BUILD_FOLDER: packages of somebody else (examples/), built and run against a devel space and an
+install space of this project; and the install space by itself."""
 
 import concurrent.futures
 import glob
@@ -24,7 +24,7 @@ LAUNCH = ["roslaunch", "swarmanoid_experiments", "object_retrieval.launch", "rvi
 BUILD_FOLDER = ""
 
 
-def walkedLines(last_tick):
+def walked_lines(last_tick):
     """What the odometer writes: the patrol's leg takes 20 ticks, its turn 10."""
     way_a_tick = 5.0 * 0.029 * 0.1  # wheels [rad/s], their radius [m], tick [s]
     travelled = 0.0
@@ -53,7 +53,7 @@ class OutsideTest(unittest.TestCase):
 
     # --- packages of somebody else
 
-    def buildPackage(self, name, space, folder):
+    def build_package(self, name, space, folder):
         """Copies a package, builds it against a space of this project, and installs it."""
         source = os.path.join(folder, "src", name)
         build = os.path.join(folder, "build", name)
@@ -64,16 +64,17 @@ class OutsideTest(unittest.TestCase):
         self.succeed(["cmake", "--build", build], self.bare)
         return build
 
-    def buildExamples(self, space, folder):
+    def build_examples(self, space, folder):
         with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
-            builds = list(pool.map(lambda name: self.buildPackage(name, space, folder), PACKAGES))
+            builds = list(pool.map(lambda name: self.build_package(name, space, folder), PACKAGES))
         for name in ("example_controller", "example_sensor"):
             written = os.path.join(folder, "src", name, "controller_nodelets.xml")
-            with open(written) as new, open(os.path.join(REPOSITORY, "examples", name, "controller_nodelets.xml")) as old:
+            committed = os.path.join(REPOSITORY, "examples", name, "controller_nodelets.xml")
+            with open(written) as new, open(committed) as old:
                 self.assertEqual(new.read(), old.read(), "commit controller_nodelets.xml")
         return builds
 
-    def checkRunHeadless(self, environment, out):
+    def check_run_headless(self, environment, out):
         """The experiment of all examples, without ROS."""
         share = environment["CMAKE_PREFIX_PATH"].split(":")
         schema = [s for s in (f"{p}/share/swarmanoid_experiments/experiment.xsd" for p in share) if os.path.exists(s)]
@@ -85,7 +86,7 @@ class OutsideTest(unittest.TestCase):
         self.assertAlmostEqual(0.7105, result["metrics"]["walked_m"])
 
         with open(os.path.join(out, "walked.txt")) as file:
-            self.assertEqual(walkedLines(69), file.readlines())
+            self.assertEqual(walked_lines(69), file.readlines())
         with open(os.path.join(out, "waited.txt")) as file:
             waited = [float(line.split()[1]) for line in file]
         self.assertEqual(0.0, waited[5], "it waits for what is on the carousel, which its sensor sees")
@@ -99,14 +100,14 @@ class OutsideTest(unittest.TestCase):
         self.assertAlmostEqual(90.0, last["scout"][5], places=2)
         return result
 
-    def checkRunUnderRos(self, environment, headless_out, out):
+    def check_run_under_ros(self, environment, headless_out, out):
         """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
         launch = subprocess.Popen([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"],
                                   env=environment, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
                                   stderr=subprocess.STDOUT)
         try:
-            self.waitForSpace(launch, environment)
-            maps = self.mapsOfManager(launch.pid)
+            self.wait_for_space(launch, environment)
+            maps = self.maps_of_manager(launch.pid)
             for library in ("libpatrol_nodelet.so", "libface_north_nodelet.so", "libcompass.so", "libcarousel.so",
                             "libodometer.so"):
                 self.assertIn(library, maps)
@@ -122,13 +123,13 @@ class OutsideTest(unittest.TestCase):
             with open(os.path.join(headless_out, name)) as first, open(os.path.join(out, name)) as second:
                 self.assertEqual(first.read(), second.read(), name)
 
-    def waitForSpace(self, launch, environment):
+    def wait_for_space(self, launch, environment):
         """Its services are there when all nodelets are."""
         while run(["rosservice", "call", "/space/pause"], environment)[0] != 0:
             self.assertIsNone(launch.poll(), "roslaunch has ended")
             time.sleep(0.2)
 
-    def mapsOfManager(self, launch_pid):
+    def maps_of_manager(self, launch_pid):
         """Files that the nodelet manager started by a roslaunch has in memory."""
         for status in glob.glob("/proc/[0-9]*/status"):
             folder = os.path.dirname(status)
@@ -141,8 +142,8 @@ class OutsideTest(unittest.TestCase):
                 continue  # a process that has just ended
         raise AssertionError("there is no nodelet manager")
 
-    def checkExamples(self, space, folder, use_installed):
-        builds = self.buildExamples(space, folder)
+    def check_examples(self, space, folder, use_installed):
+        builds = self.build_examples(space, folder)
         if use_installed:
             for build in builds:
                 self.succeed(["cmake", "--install", build], self.bare)
@@ -152,8 +153,8 @@ class OutsideTest(unittest.TestCase):
         headless_out = os.path.join(folder, "headless")
         ros_out = os.path.join(folder, "ros")
         os.mkdir(ros_out)
-        result = self.checkRunHeadless(environment, headless_out)
-        self.checkRunUnderRos(environment, headless_out, ros_out)
+        result = self.check_run_headless(environment, headless_out)
+        self.check_run_under_ros(environment, headless_out, ros_out)
         return result["state_hash"]
 
     def test_examples_build_and_run_against_devel_and_install_space(self):
@@ -161,7 +162,7 @@ class OutsideTest(unittest.TestCase):
         devel = os.path.join(BUILD_FOLDER, "devel")
         for name, space, use_installed in (("devel", devel, False), ("install", self.installed, True)):
             with self.subTest(name):
-                hashes.add(self.checkExamples(space, os.path.join(self.folder, name), use_installed))
+                hashes.add(self.check_examples(space, os.path.join(self.folder, name), use_installed))
         self.assertEqual(1, len(hashes), "one experiment, one result")
 
     def test_what_is_not_there_is_named(self):
@@ -175,8 +176,8 @@ class OutsideTest(unittest.TestCase):
     def test_install_space_runs_by_itself(self):
         environment = sourced(self.bare, f"{self.installed}/setup.bash")
         self.assertNotIn(BUILD_FOLDER, " ".join(environment.values()))
-        result = json.loads(self.succeed(["swarmanoid", "run", "object_retrieval", "--seed", "1", "--quiet"], environment,
-                                         self.folder))
+        result = json.loads(self.succeed(["swarmanoid", "run", "object_retrieval", "--seed", "1", "--quiet"],
+                                         environment, self.folder))
         self.assertTrue(result["success"])
         output = self.succeed([*LAUNCH, "max_ticks:=50"], environment, timeout=60)
         self.assertIn("after 50 ticks", output)
