@@ -21,14 +21,14 @@ def bare(home):
     kept.update(CCACHE_BASEDIR=tempfile.gettempdir(), CCACHE_NOHASHDIR="1")
     return {**kept, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "C.UTF-8", "HOME": home,
             "ROS_HOME": os.path.join(home, ".ros"), "ROS_MASTER_URI": f"http://localhost:{port}",
-            "ROS_HOSTNAME": "localhost"}
+            "ROS_HOSTNAME": "localhost", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
 
 
 def sourced(environment, *setups):
     """The environment after `source` of these setup files, one upon the other."""
     commands = [f"source '{setup}'" + (" --extend" if i > 0 else "") for i, setup in enumerate(setups)]
     output = subprocess.run(["bash", "-c", " && ".join(commands) + " && env -0"], env=environment, check=True,
-                            stdout=subprocess.PIPE, timeout=60).stdout
+                            cwd=environment["HOME"], stdout=subprocess.PIPE, timeout=60).stdout
     return dict(item.split("=", 1) for item in output.decode().split("\0") if item)
 
 
@@ -38,7 +38,7 @@ def compiler_cache():
 
 
 def run(command, environment, folder=None, timeout=120):
-    """Runs a program to its end. @return exit code, standard output, standard error"""
-    done = subprocess.run(command, env=environment, cwd=folder, timeout=timeout, text=True, stdin=subprocess.DEVNULL,
+    """Runs a program to its end, at home if no folder is given. @return exit code, standard output, standard error"""
+    done = subprocess.run(command, env=environment, cwd=folder or environment["HOME"], timeout=timeout, text=True, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
     return done.returncode, done.stdout, done.stderr
