@@ -82,7 +82,7 @@ class Simulation {
   // Interventions: between ticks; they take effect at once and are events of the next tick.
 
   /// Adds an entity to the engines named (the first moves it).
-  /// @throws ConfigError (bad place, overlap, unknown name); then nothing has changed
+  /// @throws ConfigError (bad place, overlap, unknown name, a controller for other robots); then nothing has changed
   void spawn(const EntityDescription& entity, const std::vector<std::string>& engines);
   /// @throws ConfigError if there is no such entity
   void remove(const std::string& name);
@@ -107,6 +107,7 @@ class Simulation {
   std::vector<Seat> seatsOf(const std::string& entity) const;
   void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                       const std::vector<Seat>& seats) const;
+  void checkController(const EntityDescription& entity) const;
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
   void removeEntity(Row row);
