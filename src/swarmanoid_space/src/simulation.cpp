@@ -40,8 +40,8 @@ void Simulation::tick() {
     return;
   }
   Stopwatch stopwatch;
-  space_.events.clear();
-  space_.events.swap(pending_events_);
+  space_.events.assign(pending_events_.begin(), pending_events_.end());
+  pending_events_.clear();
 
   phases::sense(space_, cast_->groups, cast_->workers);
   stopwatch.lap(phase_times_.sense);
