@@ -59,7 +59,8 @@ class Simulation {
   void tick();
   /// maxclock is reached, or a visualisation asked to finish.
   bool isFinished() const;
-  /// Completes what visualisations write. Called by the destructor if it was not.
+  /// Completes what visualisations write, all of them. Called by the destructor if it was not.
+  /// @throws what the first visualisation that fails throws
   void finish();
 
   const Experiment& experiment() const { return experiment_; }
