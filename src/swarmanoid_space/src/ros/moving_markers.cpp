@@ -3,7 +3,6 @@
 
 #include "marker.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
-#include "swarmanoid_space/ros/transforms.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -144,19 +143,11 @@ void drawGrips(const Canvas& canvas) {
   canvas.addList(std::move(grips));
 }
 
-std::size_t robotsIn(const Space& space) {
-  std::size_t count = 0;
-  for (const Row row : space.entities.order) {
-    count += space.entities.model[static_cast<std::size_t>(row)]->is_robot ? 1 : 0;
-  }
-  return count;
-}
-
 }  // namespace
 
 const MarkerArray& MovingMarkers::draw(const Space& space) {
   message_.markers.clear();
-  const Canvas canvas{space, headerOf(space), robotsIn(space) <= Transforms::kFewRobots, message_};
+  const Canvas canvas{space, headerOf(space), hasFewRobots(space), message_};
   if (canvas.has_few_robots) {
     drawLabels(canvas);
   } else {
