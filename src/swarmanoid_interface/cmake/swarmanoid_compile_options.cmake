@@ -1,14 +1,15 @@
 # swarmanoid_compile_options(TARGET): warnings, and the floating-point rules that "the same bits" needs.
 #
 # -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, so the compiler's choice to fuse
-# would change results between builds. -fno-semantic-interposition: nobody replaces functions inside our libraries, so
-# calls within a library can be inlined.
+# would change results between builds. -fno-trapping-math, -fno-math-errno: nobody here looks at floating-point flags or
+# errno, which change no result, but keep the compiler from working on several numbers at once.
+# -fno-semantic-interposition: nobody replaces functions inside our libraries, so calls within a library can be inlined.
 option(SWARMANOID_WARNINGS_AS_ERRORS "treat warnings as errors" OFF)
 set(SWARMANOID_SANITIZE "" CACHE STRING "sanitizers to build with, such as address,undefined")
 
 function(swarmanoid_compile_options target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor -ffp-contract=off
-    -fno-semantic-interposition)
+    -fno-trapping-math -fno-math-errno -fno-semantic-interposition)
   if(SWARMANOID_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
   endif()

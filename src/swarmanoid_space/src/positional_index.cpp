@@ -139,15 +139,6 @@ void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std:
   });
 }
 
-bool PositionalIndex::anyWithin(const Eigen::Vector3d& centre, double radius, Row ignored) const {
-  bool any = false;
-  visitNear(centre, radius, [&](Row row) {
-    any = row != ignored;
-    return !any;
-  });
-  return any;
-}
-
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
   // an origin may lie outside its entity's own bounds, by no more than the largest of them
   std::vector<Row> found;

@@ -1,8 +1,26 @@
 #include "swarmanoid_space/space.hpp"
 
+#include <algorithm>
+
 #include "solid_ray.hpp"
 
 namespace swarmanoid {
+namespace {
+
+bool isInReach(const Space& space, const RayBundle& rays, Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  const double reach = rays.radius + space.entities.model[i]->bounding_radius;
+  return row != rays.ignored && row != rays.also_ignored &&
+         (space.entities.pose[i].position - rays.centre).squaredNorm() <= reach * reach;
+}
+
+}  // namespace
+
+bool Space::mayMeet(const RayBundle& rays) const {
+  return std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayMeet(rays); }) ||
+         std::any_of(entities_without_engine.begin(), entities_without_engine.end(),
+                     [&](Row row) { return isInReach(*this, rays, row); });
+}
 
 void Space::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   for (RayHit& hit : hits) {
@@ -12,12 +30,10 @@ void Space::castRays(const RayBundle& rays, Span<RayHit> hits) const {
     engine->castRays(rays, hits);
   }
   for (const Row row : entities_without_engine) {
-    const auto i = static_cast<std::size_t>(row);
-    const double reach = rays.radius + entities.model[i]->bounding_radius;
-    if (row == rays.ignored || row == rays.also_ignored ||
-        (entities.pose[i].position - rays.centre).squaredNorm() > reach * reach) {
+    if (!isInReach(*this, rays, row)) {
       continue;
     }
+    const auto i = static_cast<std::size_t>(row);
     for (std::size_t k = 0; k < rays.segments.size(); ++k) {
       const double fraction = firstMeeting(rays.segments[k], *entities.model[i], entities.pose[i]);
       if (fraction < hits[k].fraction) {

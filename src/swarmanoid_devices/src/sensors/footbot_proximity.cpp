@@ -84,7 +84,8 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
     RayBundle rays;
     rays.centre = pose.position + pose.orientation * ring.centre;
     rays.radius = ring.radius + range_;
-    if (!space.index.anyWithin(rays.centre, rays.radius, seat.row)) {
+    rays.ignored = seat.row;
+    if (!space.mayMeet(rays)) {
       if (!seat.is_clear) {
         seat.readings->value.fill(0.0F);
         seat.is_clear = true;
@@ -101,7 +102,6 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
       segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
     }
     rays.segments = Span<const Segment>(segments.data(), kCount);
-    rays.ignored = seat.row;
     space.castRays(rays, Span<RayHit>(hits.data(), kCount));
     for (std::size_t i = 0; i < kCount; ++i) {
       const double closeness = 1.0 - hits[i].fraction;

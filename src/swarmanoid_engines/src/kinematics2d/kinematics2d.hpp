@@ -38,6 +38,7 @@ class Kinematics2d final : public Engine {
   }
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
+  bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
 
  private:

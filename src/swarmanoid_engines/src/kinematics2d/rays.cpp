@@ -1,6 +1,7 @@
 // Rays against the bodies, extruded to their heights.
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/planar_ray.hpp"
@@ -15,7 +16,11 @@ class PlanarRays {
  public:
   static constexpr std::size_t kMost = 32;
 
-  PlanarRays(const planar::Plane& plane, Span<const Segment> segments) : count_(segments.size()) {
+  PlanarRays() {}  // the columns are left as they are: most bundles meet nobody
+  bool isEmpty() const { return count_ == 0; }
+
+  void assign(const planar::Plane& plane, Span<const Segment> segments) {
+    count_ = segments.size();
     for (std::size_t k = 0; k < count_; ++k) {
       const Eigen::Vector2d from = plane.toLocal(segments[k].from);
       const Eigen::Vector2d step = plane.toLocal(segments[k].to) - from;
@@ -23,30 +28,29 @@ class PlanarRays {
       from_y_[k] = from.y();
       step_x_[k] = step.x();
       step_y_[k] = step.y();
-      length_squared_[k] = step.squaredNorm();
       height_[k] = plane.along(segments[k].from);
       climb_[k] = plane.along(segments[k].to) - height_[k];
     }
+    for (std::size_t k = 0; k < count_; ++k) {
+      const double length_squared = step_x_[k] * step_x_[k] + step_y_[k] * step_y_[k];
+      length_[k] = std::sqrt(length_squared);
+      half_length_squared_[k] = 0.5 * length_squared;
+    }
   }
 
-  std::size_t count() const { return count_; }
-
-  /// Finds the rays that come near a point, seen from above. @return how many; they stand in `near()`
+  /// Finds the rays that come near a point, seen from above: within the radius to their side, and as far before or
+  /// behind them. @return how many; they stand in `near()`
   std::size_t findNear(const Eigen::Vector2d& point, double radius) {
     // without branches and divisions, so that the compiler works on several rays at once: all is scaled by the length
     const double x = point.x();
     const double y = point.y();
-    const double radius_squared = radius * radius;
     for (std::size_t k = 0; k < count_; ++k) {
       const double way_x = x - from_x_[k];
       const double way_y = y - from_y_[k];
-      const double length_squared = length_squared_[k];
-      const double progress = std::min(std::max(way_x * step_x_[k] + way_y * step_y_[k], 0.0), length_squared);
-      const bool is_point = length_squared == 0.0;
-      const double scale = is_point ? 1.0 : length_squared;
-      const double off_x = way_x * scale - progress * step_x_[k];
-      const double off_y = way_y * scale - progress * step_y_[k];
-      excess_[k] = off_x * off_x + off_y * off_y - radius_squared * scale * scale;
+      const double across = std::abs(way_x * step_y_[k] - way_y * step_x_[k]);
+      const double along = std::abs(way_x * step_x_[k] + way_y * step_y_[k] - half_length_squared_[k]);
+      const double beyond = along - half_length_squared_[k];
+      excess_[k] = (across > beyond ? across : beyond) - radius * length_[k];
     }
     std::size_t found = 0;
     for (std::size_t k = 0; k < count_; ++k) {
@@ -71,19 +75,36 @@ class PlanarRays {
 
  private:
   using Column = std::array<double, kMost>;
-  std::size_t count_;
+  std::size_t count_ = 0;
   Column from_x_;
   Column from_y_;
   Column step_x_;
   Column step_y_;
-  Column length_squared_;
+  Column length_;
+  Column half_length_squared_;
   Column height_;
   Column climb_;
   Column excess_;
   std::array<unsigned char, kMost> near_;
 };
 
+bool isVisibleTo(const RayBundle& rays, const Body& body) {
+  return body.row != rays.ignored && body.row != rays.also_ignored && !body.is_seen_elsewhere;
+}
+
 }  // namespace
+
+bool Kinematics2d::mayMeet(const RayBundle& rays) const {
+  if (areAllOutOfReach(rays)) {
+    return false;
+  }
+  bool may_meet = false;
+  bodies_.visitNear(bodies_.plane().toLocal(rays.centre), rays.radius, [&](BodyIndex index) {
+    may_meet = isVisibleTo(rays, bodies_[index]);
+    return !may_meet;
+  });
+  return may_meet;
+}
 
 void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   if (areAllOutOfReach(rays)) {
@@ -93,19 +114,19 @@ void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   const Eigen::Vector2d centre = plane.toLocal(rays.centre);
   for (std::size_t first = 0; first < rays.segments.size(); first += PlanarRays::kMost) {
     const std::size_t count = std::min(PlanarRays::kMost, rays.segments.size() - first);
-    std::optional<PlanarRays> planar_rays;  // made when the first body is near: often none is
+    PlanarRays planar_rays;
     bodies_.visitNear(centre, rays.radius, [&](BodyIndex index) {
       const Body& body = bodies_[index];
-      if (body.row == rays.ignored || body.row == rays.also_ignored || body.is_seen_elsewhere) {
+      if (!isVisibleTo(rays, body)) {
         return true;
       }
-      if (!planar_rays) {
-        planar_rays.emplace(plane, rays.segments.subspan(first, count));
+      if (planar_rays.isEmpty()) {
+        planar_rays.assign(plane, rays.segments.subspan(first, count));
       }
-      const std::size_t near = planar_rays->findNear(body.pose.position, body.model->radius);
+      const std::size_t near = planar_rays.findNear(body.pose.position, body.model->radius);
       for (std::size_t i = 0; i < near; ++i) {
-        const std::size_t k = planar_rays->near()[i];
-        meetBody(planar_rays->relativeTo(body.pose, k), body, hits[first + k]);
+        const std::size_t k = planar_rays.near()[i];
+        meetBody(planar_rays.relativeTo(body.pose, k), body, hits[first + k]);
       }
       return true;
     });

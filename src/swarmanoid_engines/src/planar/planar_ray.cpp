@@ -54,20 +54,21 @@ void clipToCircle(Inside& inside, const PlanarRay& ray, const PlanarShape& circl
 }
 
 void clipToPolygon(Inside& inside, const PlanarRay& ray, const PlanarShape& polygon) {
-  const std::size_t count = polygon.vertices.size();
-  for (std::size_t i = 0; i < count && !inside.isEmpty(); ++i) {
-    const Eigen::Vector2d& corner = polygon.vertices[i];
-    const Eigen::Vector2d edge = polygon.vertices[(i + 1) % count] - corner;
+  const Eigen::Vector2d* corner = &polygon.vertices.back();
+  for (const Eigen::Vector2d& next : polygon.vertices) {
+    const Eigen::Vector2d edge = next - *corner;
     const Eigen::Vector2d outward(edge.y(), -edge.x());
-    const double distance = outward.dot(ray.from - corner);
+    const double distance = outward.dot(ray.from - *corner);
     const double approach = outward.dot(ray.step);
-    if (approach == 0.0) {
-      if (distance > 0.0) {
-        inside.empty();
-      }
-    } else if (approach < 0.0) {
+    corner = &next;
+    if (distance > 0.0 && distance + approach > 0.0) {
+      // all of the ray is on the edge's outer side: so it is most of the time
+      inside.empty();
+      return;
+    }
+    if (approach < 0.0) {
       inside.clip(-distance / approach, kNoMeeting);
-    } else {
+    } else if (approach > 0.0) {
       inside.clip(-kNoMeeting, -distance / approach);
     }
   }

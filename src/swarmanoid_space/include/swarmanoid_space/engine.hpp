@@ -6,8 +6,8 @@
 /// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
 ///
 /// Phases   configure, add, remove, place, clear: between ticks. move, connect: the phases of these names.
-///          castRays: any time but during `move`.
-/// Threads  engines move at the same time as each other; castRays is called from many threads at once.
+///          mayMeet, castRays: any time but during `move`.
+/// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
@@ -57,6 +57,9 @@ class Engine {
   /// Makes and breaks grips from the actuation of this tick.
   virtual void connect(Space& space) = 0;
 
+  /// Whether a ray of the bundle could meet anything here; in doubt, yes. The segments are not looked at, so who asks
+  /// first need not have made them.
+  virtual bool mayMeet(const RayBundle& rays) const = 0;
   /// For each segment: if it meets an entity of this engine nearer than `hits` says so far, that hit replaces it.
   virtual void castRays(const RayBundle& rays, Span<RayHit> hits) const = 0;
 

@@ -32,9 +32,6 @@ class PositionalIndex {
   /// `found` in no stated order.
   void collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const;
 
-  /// Whether `collect` would find anything but `ignored`. Cheaper than asking for the list.
-  bool anyWithin(const Eigen::Vector3d& centre, double radius, Row ignored) const;
-
   /// Entities whose origin is within `radius` of `centre`, by entity number.
   std::vector<Row> within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const;
   /// The same around an entity, without itself.

@@ -75,6 +75,9 @@ class Space {
   Color* ledsOf(Row row) { return &leds[static_cast<std::size_t>(row) * kMaxLeds]; }
   const Color* ledsOf(Row row) const { return &leds[static_cast<std::size_t>(row) * kMaxLeds]; }
 
+  /// Whether a ray of the bundle could meet anything; in doubt, yes. Its segments are not looked at. Far cheaper than
+  /// casting. Thread-safe outside `move`.
+  bool mayMeet(const RayBundle& rays) const;
   /// Casts rays against everything: all engines, and entities in no engine. For each segment the nearest hit.
   /// Thread-safe outside `move`.
   void castRays(const RayBundle& rays, Span<RayHit> hits) const;
