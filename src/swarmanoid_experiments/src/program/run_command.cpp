@@ -1,10 +1,12 @@
 // `swarmanoid run` and `swarmanoid validate`.
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 
 #include "commands.hpp"
+#include "out_folder.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -29,6 +31,7 @@ struct RunOptions {
   std::string hashes;
   bool quiet = false;
   bool profile = false;
+  bool path = false;
 };
 
 std::vector<Override> overridesOf(const RunOptions& options) {
@@ -36,7 +39,7 @@ std::vector<Override> overridesOf(const RunOptions& options) {
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
-      throw ConfigError({}, "--set: found '" + setting + "', allowed: path=value");
+      throw ConfigError({"--set", 0}, "found '" + setting + "', allowed: path=value");
     }
     overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
   }
@@ -110,24 +113,29 @@ int runToEnd(Simulation& simulation, const RunOptions& options) {
     code = kControllerFailed;
   }
   const bool finished = simulation.isFinished();
-  simulation.finish();
-  std::cout << summarise(simulation, finished, wall_s, robot_ticks).dump() << std::endl;
+  try {
+    simulation.finish();
+  } catch (const std::exception& error) {
+    std::cerr << "swarmanoid: " << error.what() << '\n';
+    code = kEngineStopped;
+  }
+  std::cout << toText(summarise(simulation, finished, wall_s, robot_ticks)) << std::endl;
   return code;
 }
 
 int run(const RunOptions& options) {
   RunContext context;
   context.out_folder = options.out;
-  if (!options.out.empty()) {
-    std::filesystem::create_directories(options.out);
-  }
-  Simulation simulation(readExperiment(options), context);
+  Experiment experiment = readExperiment(options);
+  OutFolder out(options.out);
+  Simulation simulation(std::move(experiment), context);
   if (!options.hashes.empty()) {
     addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);
   }
   if (!options.bag.empty()) {
     addFromCommandLine(simulation, context, "rosbag_recorder", "swarmanoid_recording", options.bag);
   }
+  out.keep();
   simulation.setLogSink([&](LogLevel level, const std::string& robot, const std::string& text) {
     if (!options.quiet || level == LogLevel::kError) {
       std::cerr << '\n' << robot << ": " << text << '\n';
@@ -138,9 +146,20 @@ int run(const RunOptions& options) {
   return runToEnd(simulation, options);
 }
 
+/// The option parser would read -1 as the largest number there is, and a larger one as that too.
+std::string refuseWrappedNumber(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && stop == text.data() + text.size();
+  return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
+}
+
 void addCommonOptions(CLI::App& command, RunOptions& options) {
   command.add_option("file", options.file, "an experiment file, or the name of an installed experiment")->required();
   command.add_option("--set", options.settings, "path=value: replaces what the file says (can be given again)");
+  command.add_option("--seed", options.seed, "random seed, instead of the file's")->check(refuseWrappedNumber);
+  command.add_option("--ticks", options.ticks, "ticks at the most, instead of maxclock")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
 }
 
 }  // namespace
@@ -149,9 +168,6 @@ Command addRunCommand(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "run an experiment without ROS");
   addCommonOptions(*command, *options);
-  command->add_option("--seed", options->seed, "random seed, instead of the file's");
-  command->add_option("--ticks", options->ticks, "ticks at the most, instead of maxclock")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
   command->add_option("--threads", options->threads, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "folder for the files that visualisations write");
@@ -166,12 +182,17 @@ Command addValidateCommand(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("validate", "read and build an experiment, and say what is wrong");
   addCommonOptions(*command, *options);
+  command->add_flag("--path", options->path, "only say the file's full name");
   return [options] {
     // outputs of visualisations must not be touched by a mere check
     Experiment experiment = readExperiment(*options);
     experiment.visualisations.clear();
     const std::string file = experiment.file;
     const Simulation simulation(std::move(experiment));
+    if (options->path) {
+      std::cout << std::filesystem::absolute(file).string() << std::flush;
+      return static_cast<int>(kFinished);
+    }
     std::cout << file << ": valid, " << simulation.space().entities.size() << " entities, " << simulation.robotCount()
               << " robots\n";
     return static_cast<int>(kFinished);
