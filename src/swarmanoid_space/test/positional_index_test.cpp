@@ -164,23 +164,6 @@ TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff)
   }
 }
 
-TEST_P(PositionalIndexTest, AnyWithinAgreesWithCollect) {
-  fill(200);
-  std::uniform_real_distribution<double> reach(0.0, 1.0);
-  int answers[2] = {0, 0};
-  for (int i = 0; i < 3000; ++i) {
-    const Vector3d centre = anywhere();
-    const double radius = reach(random);
-    std::vector<Row> found = collected(centre, radius);
-    const Row ignored = i % 2 == 0 || found.empty() ? kNoRow : found[0];
-    found.erase(std::remove(found.begin(), found.end(), ignored), found.end());
-    ASSERT_EQ(index.anyWithin(centre, radius, ignored), !found.empty());
-    ++answers[found.empty() ? 0 : 1];
-  }
-  EXPECT_GT(answers[0], 200);
-  EXPECT_GT(answers[1], 200);
-}
-
 TEST_P(PositionalIndexTest, FollowsWhatMovesComesAndGoes) {
   fill(200);
   for (int round = 0; round < 30; ++round) {
@@ -218,7 +201,6 @@ TEST_P(PositionalIndexTest, ResultsComeByEntityNumberWhateverTheRows) {
 TEST_P(PositionalIndexTest, WithNothingInItFindsNothing) {
   index.rebuild(entities);
   EXPECT_TRUE(index.within(entities, {5.0, 3.0, 0.0}, kEverything).empty());
-  EXPECT_FALSE(index.anyWithin({5.0, 3.0, 0.0}, kEverything, kNoRow));
 }
 
 INSTANTIATE_TEST_SUITE_P(Optimizations, PositionalIndexTest, testing::Values(Optimization::k2D, Optimization::k3D),
