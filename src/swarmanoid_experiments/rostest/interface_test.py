@@ -1,6 +1,8 @@
 #!/usr/bin/python3
-"""Topics, services and types of a launched experiment: users' tools are written against them."""
+"""What a launched experiment offers is what docs/reference/ros_interface.md says, and the other way round."""
 
+import pathlib
+import re
 import sys
 import unittest
 import xmlrpc.client
@@ -15,39 +17,26 @@ import rostest
 
 from space_client import Space
 
-TOPICS = {
-    "/clock": "rosgraph_msgs/Clock",
-    "/tf": "tf2_msgs/TFMessage",
-    "/tf_static": "tf2_msgs/TFMessage",
-    "/diagnostics": "diagnostic_msgs/DiagnosticArray",
-    "/space/world_state": "swarmanoid_msgs/WorldState",
-    "/space/performance": "swarmanoid_msgs/Performance",
-    "/space/events": "swarmanoid_msgs/Event",
-    "/space/markers": "visualization_msgs/MarkerArray",
-    "/space/markers_static": "visualization_msgs/MarkerArray",
-    "/space/result": "swarmanoid_msgs/RunResult",
-    "/eb/camera/blobs": "swarmanoid_msgs/ColorBlobs",
-    "/eb/leds/state": "swarmanoid_msgs/LedArray",
-}
-for robot in ("/fb_1", "/fb_2", "/fb_3"):
-    TOPICS[robot + "/proximity"] = "swarmanoid_msgs/ProximityArray"
-    TOPICS[robot + "/camera/blobs"] = "swarmanoid_msgs/ColorBlobs"
-    TOPICS[robot + "/gripper/state"] = "swarmanoid_msgs/GripperState"
-    TOPICS[robot + "/leds/state"] = "swarmanoid_msgs/LedArray"
+REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
+PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
+ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
 
-SERVICES = {
-    "/space/pause": "std_srvs/Trigger",
-    "/space/resume": "std_srvs/Trigger",
-    "/space/toggle_pause": "std_srvs/Trigger",
-    "/space/step": "swarmanoid_msgs/Step",
-    "/space/reset": "swarmanoid_msgs/Reset",
-    "/space/spawn": "swarmanoid_msgs/Spawn",
-    "/space/delete": "swarmanoid_msgs/Delete",
-    "/space/move": "swarmanoid_msgs/Move",
-    "/swarmanoid/list": "nodelet/NodeletList",
-    "/swarmanoid/load_nodelet": "nodelet/NodeletLoad",
-    "/swarmanoid/unload_nodelet": "nodelet/NodeletUnload",
-}
+
+def section(title):
+    return PAGE.split("\n## " + title + "\n")[1].split("\n## ")[0]
+
+
+def named_in(title):
+    """Names and types of a table whose rows begin with them, placeholders replaced by the robots there are."""
+    found = {}
+    for name, kind in re.findall(r"^\| `(/\S+)` \| `(\S+)` \|", section(title), re.M):
+        for placeholder, robots in ROBOTS.items():
+            if placeholder in name:
+                found.update({name.replace(placeholder, robot): kind for robot in robots})
+                break
+        else:
+            found[name] = kind
+    return found
 
 
 class InterfaceTest(unittest.TestCase):
@@ -57,12 +46,12 @@ class InterfaceTest(unittest.TestCase):
         self.publishers = {topic: nodes for topic, nodes in publishers if not topic.startswith("/rosout")}
         self.services = [name for name, _ in services if "logger" not in name and "/interface" not in name]
 
-    def test_topics_are_the_pinned_ones(self):
+    def test_topics_are_those_of_the_page(self):
         types = dict(rosgraph.Master("/interface_test").getTopicTypes())
-        self.assertEqual(TOPICS, {topic: types[topic] for topic in self.publishers})
+        self.assertEqual(named_in("Topics published"), {topic: types[topic] for topic in self.publishers})
 
-    def test_services_are_the_pinned_ones(self):
-        self.assertEqual(SERVICES, {name: rosservice.get_service_type(name)
+    def test_services_are_those_of_the_page(self):
+        self.assertEqual(named_in("Services"), {name: rosservice.get_service_type(name)
                                     for name in self.services if not name.startswith("/rosout")})
 
     def test_the_manager_publishes_everything(self):
@@ -77,8 +66,20 @@ class InterfaceTest(unittest.TestCase):
         for controller in ("footbot_retrieval", "eyebot_retrieval"):
             self.assertIn(f"lib{controller}_nodelet.so", loaded)
 
+    def test_parameters_are_those_of_the_page(self):
+        source = (REPOSITORY / "src/swarmanoid_space/src/nodelet/space_options.cpp").read_text()
+        read = re.findall(r'reader\.\w+\("([a-z_/]+)"', source)
+        self.assertEqual(sorted(read), sorted(re.findall(r"^\| `([a-z_/]+)` \|", section("Parameters of the space"), re.M)))
+
+    def test_launch_arguments_are_those_of_the_page(self):
+        first, second = section("Launch arguments").split("`launch/play_bag.launch`")
+        for name, text in (("object_retrieval", first), ("play_bag", second.split(".\n")[0])):
+            file = str(REPOSITORY / f"launch/{name}.launch")
+            written = set(re.findall(r"`([a-z_]+)`", text)) - {"stay"}
+            self.assertEqual(set(roslaunch.arg_dump.get_args([file])), written)
+
     def test_launch_files_load_and_explain_their_arguments(self):
-        folder = rospkg.RosPack().get_path("swarmanoid_experiments") + "/../../launch/"
+        folder = str(REPOSITORY / "launch") + "/"
         for name, arguments in (("object_retrieval", ["rviz:=true"]), ("object_retrieval", ["rviz:=false"]),
                                 ("play_bag", ["bag:=/tmp/run.bag", "loop:=true"])):
             config = roslaunch.config.load_config_default([(folder + name + ".launch", arguments)], None)

@@ -13,7 +13,7 @@ import rospy
 import rostest
 from swarmanoid_msgs.msg import RunResult
 
-from space_client import Collector, Space
+from space_client import Collector, Space, run_without_ros
 
 BAG = os.path.join(rospkg.get_ros_home(), "retrieval_test.bag")  # where roslaunch starts nodes
 
@@ -44,10 +44,12 @@ class RetrievalTest(unittest.TestCase):
             counts = {topic: info.message_count for topic, info in bag.get_type_and_topic_info().topics.items()}
             ticks = [m.tick for _, m, _ in bag.read_messages("/space/world_state")]
             stamps = [(m.header.stamp, t) for _, m, t in bag.read_messages("/space/world_state")]
-            last_hash = [m.state_hash for _, m, _ in bag.read_messages("/space/world_state")][-1]
+            hashes = [f"{m.tick} {m.state_hash:016x}" for _, m, _ in bag.read_messages("/space/world_state")]
+            moving = [m.transforms[0].header.stamp for _, m, _ in bag.read_messages("/tf")]
         states = self.result.ticks + 1
         self.assertEqual(list(range(states)), ticks)
-        self.assertEqual(self.result.state_hash, last_hash)
+        self.assertEqual(run_without_ros(self, "object_retrieval", 1), hashes)
+        self.assertEqual([stamp for stamp, _ in stamps], moving)
         for topic in ("/clock", "/tf", "/space/markers"):
             self.assertEqual(states, counts[topic], topic)
         for topic in ("/tf_static", "/space/markers_static", "/space/experiment"):

@@ -1,5 +1,7 @@
 """What the tests of a launched space share."""
 
+import subprocess
+import tempfile
 import threading
 
 import rospy
@@ -39,6 +41,15 @@ def load(name, kind):
         return proxy(NodeletLoadRequest(name=name, type=kind)).success
     except rospy.ServiceException:
         return False
+
+
+def run_without_ros(test, experiment, seed):
+    """The state hash of every tick, as lines."""
+    with tempfile.NamedTemporaryFile("r") as hashes:
+        command = ["swarmanoid", "run", experiment, "--seed", str(seed), "--quiet", "--hashes", hashes.name]
+        done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+        test.assertEqual(0, done.returncode, done.stderr)
+        return hashes.read().splitlines()
 
 
 class Collector:

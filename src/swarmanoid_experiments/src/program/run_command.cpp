@@ -31,6 +31,7 @@ struct RunOptions {
   std::string hashes;
   bool quiet = false;
   bool profile = false;
+  bool path = false;
 };
 
 std::vector<Override> overridesOf(const RunOptions& options) {
@@ -156,6 +157,9 @@ std::string refuseWrappedNumber(const std::string& text) {
 void addCommonOptions(CLI::App& command, RunOptions& options) {
   command.add_option("file", options.file, "an experiment file, or the name of an installed experiment")->required();
   command.add_option("--set", options.settings, "path=value: replaces what the file says (can be given again)");
+  command.add_option("--seed", options.seed, "random seed, instead of the file's")->check(refuseWrappedNumber);
+  command.add_option("--ticks", options.ticks, "ticks at the most, instead of maxclock")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
 }
 
 }  // namespace
@@ -164,12 +168,6 @@ Command addRunCommand(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "run an experiment without ROS");
   addCommonOptions(*command, *options);
-  command
-      ->add_option("--seed", options->seed, "random seed, instead of the file's")
-
-      ->check(refuseWrappedNumber);
-  command->add_option("--ticks", options->ticks, "ticks at the most, instead of maxclock")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
   command->add_option("--threads", options->threads, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "folder for the files that visualisations write");
@@ -184,12 +182,17 @@ Command addValidateCommand(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("validate", "read and build an experiment, and say what is wrong");
   addCommonOptions(*command, *options);
+  command->add_flag("--path", options->path, "only say the file's full name");
   return [options] {
     // outputs of visualisations must not be touched by a mere check
     Experiment experiment = readExperiment(*options);
     experiment.visualisations.clear();
     const std::string file = experiment.file;
     const Simulation simulation(std::move(experiment));
+    if (options->path) {
+      std::cout << std::filesystem::absolute(file).string() << std::flush;
+      return static_cast<int>(kFinished);
+    }
     std::cout << file << ": valid, " << simulation.space().entities.size() << " entities, " << simulation.robotCount()
               << " robots\n";
     return static_cast<int>(kFinished);

@@ -5,20 +5,35 @@
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid {
+namespace {
+
+/// @param parameters named like the visualisation's label
+std::string attach(Simulation& simulation, const RunContext& context, const std::string& id,
+                   const Configuration& parameters) {
+  const auto* entry = Registry::instance().find(PluginKind::kVisualisation, parameters.name());
+  auto visualisation = makePlugin<Visualisation>(*entry);
+  RunContext own_context = context;
+  own_context.experiment = &simulation.experiment();
+  visualisation->configure(id, parameters, own_context);
+  simulation.addVisualisation(visualisation);
+  return std::filesystem::absolute(std::filesystem::path(context.out_folder) / parameters.text("file")).string();
+}
+
+}  // namespace
 
 std::string record(Simulation& simulation, const RunContext& context, const std::string& file,
                    const std::string& space) {
   loadPluginLibrary("swarmanoid_recording", {}, {});
-  const auto* entry = Registry::instance().find(PluginKind::kVisualisation, "rosbag_recorder");
-  auto recorder = makePlugin<Visualisation>(*entry);
   Configuration parameters("rosbag_recorder", "", {});
   parameters.set("file", file);
   parameters.set("node", space.substr(space.find_first_not_of('/')));
-  RunContext own_context = context;
-  own_context.experiment = &simulation.experiment();
-  recorder->configure("record", parameters, own_context);
-  simulation.addVisualisation(recorder);
-  return std::filesystem::absolute(std::filesystem::path(context.out_folder) / file).string();
+  return attach(simulation, context, "record", parameters);
+}
+
+std::string writeHashes(Simulation& simulation, const RunContext& context, const std::string& file) {
+  Configuration parameters("hash_recorder", "", {});
+  parameters.set("file", file);
+  return attach(simulation, context, "hashes", parameters);
 }
 
 }  // namespace swarmanoid

@@ -3,8 +3,10 @@
 #include <ros/init.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <cstdio>
 #include <thread>
 
+#include "exit_code.hpp"
 #include "recorder.hpp"
 #include "run_result.hpp"
 #include "space_diagnostics.hpp"
@@ -42,7 +44,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::unique_ptr<Simulation> build(Experiment experiment);
   void onChange(State state, const std::string& stop_reason);
   void onLoss(PluginKind kind, const std::string& id);
-  void shutDownSoon();
+  void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
   std::vector<AttachmentPoint::Request> parts_;
@@ -91,7 +93,7 @@ void SpaceNodelet::startUp(Experiment experiment) {
   } catch (const std::exception& error) {
     if (ros::ok()) {
       NODELET_FATAL("%s", error.what());
-      shutDownSoon();
+      shutDownSoon(ExitCode::kBadInput);
     }
   }
 }
@@ -120,6 +122,9 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   if (!options_.record.empty()) {
     NODELET_INFO("recording %s", record(*simulation, context, options_.record, getName()).c_str());
   }
+  if (!options_.hashes.empty()) {
+    NODELET_INFO("writing state hashes to %s", writeHashes(*simulation, context, options_.hashes).c_str());
+  }
   simulation->setLogSink(logRobot);
   return simulation;
 }
@@ -138,12 +143,15 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
       runResult(*simulation_, state == State::kFinished, stop_reason, display_->wallTime());
   display_->publish(message);
   const std::string result = describe(message);
-  if (state == State::kFinished || !ros::ok()) {
+  if (!ros::ok()) {
+    std::printf("%s\n", result.c_str());  // ROS logs no more
+  } else if (state == State::kFinished) {
     NODELET_INFO("%s", result.c_str());
   } else {
     NODELET_ERROR("%s", result.c_str());
   }
-  shutDownSoon();
+  const ExitCode code = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
+  shutDownSoon(state == State::kFinished ? code : ExitCode::kStopped);
 }
 
 void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
@@ -153,10 +161,11 @@ void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   thread_->stop(ros::ok() ? std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded" : "shut down");
 }
 
-void SpaceNodelet::shutDownSoon() {
+void SpaceNodelet::shutDownSoon(ExitCode code) {
   if (options_.stays_at_end || !ros::ok()) {
     return;
   }
+  setExitCode(code);
   // not at once: what was published last is still on its way
   constexpr double kDelay = 0.5;  // [s]
   constexpr bool kOnce = true;

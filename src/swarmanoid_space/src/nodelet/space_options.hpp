@@ -22,6 +22,7 @@ struct SpaceOptions {
   std::optional<double> real_time_factor;  ///< instead of the file's; 0: as fast as possible
   bool paused = false;                     ///< before the first tick
   std::string record;                      ///< the bag; "": none
+  std::string hashes;                      ///< file of the state hash of every tick; "": none
   std::string out;                         ///< folder of the files that visualisations write
   std::vector<Override> set;               ///< "path=value", separated by spaces
   std::optional<TransformLevel> tf_level;  ///< nothing: by the number of robots

@@ -1,4 +1,4 @@
-// The part of a space that does not move.
+// What is sent once: the part of a space that does not move, and the bodies that tf moves.
 #include "marker.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
@@ -76,6 +76,7 @@ MarkerArray arenaMarkers(const Space& space) {
       drawEntity(space, row, header, id, markers);
     }
   }
+  addRobotBodies(space, markers);
   return markers;
 }
 

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <visualization_msgs/Marker.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <string>
 
 #include "swarmanoid_interface/color.hpp"
-#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
 
@@ -20,5 +21,11 @@ visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std:
 /// A solid of an entity at `pose`.
 visualization_msgs::Marker shapeMarker(const std_msgs::Header& header, const std::string& space_name, int id,
                                        const CollisionShape& shape, const Pose& pose, const std_msgs::ColorRGBA& color);
+
+/// The bodies of up to Transforms::kFewRobots robots as their URDF describes them, fixed to their frames: tf moves
+/// them.
+void addRobotBodies(const Space& space, visualization_msgs::MarkerArray& markers);
+
+bool hasFewRobots(const Space& space);
 
 }  // namespace swarmanoid

@@ -3,7 +3,6 @@
 
 #include "marker.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
-#include "swarmanoid_space/ros/transforms.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -34,7 +33,10 @@ Eigen::Vector3d inWorld(const Pose& pose, const Eigen::Vector3d& point) {
 }
 
 void drawSwarm(const Canvas& canvas) {
+  constexpr double kLineWidth = 0.03;
   std::map<std::string, Marker> list_of_type;
+  Marker headings = makeMarker(canvas.header, "headings", 0, Marker::LINE_LIST, {kLineWidth, 0.0, 0.0},
+                               rgba(0.9F, 0.45F, 0.05F, 1.0F));
   for (const Row row : canvas.space.entities.order) {
     const EntityModel& model = canvas.modelOf(row);
     if (!model.is_robot) {
@@ -48,29 +50,37 @@ void drawSwarm(const Canvas& canvas) {
     }
     const double middle = 0.5 * (model.lowest + model.highest);
     list->second.points.push_back(toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, middle})));
+    headings.points.push_back(toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, model.highest})));
+    headings.points.push_back(toMessage(inWorld(canvas.poseOf(row), {diameter, 0.0, middle})));
   }
+  canvas.addList(std::move(headings));
   for (auto& [type, list] : list_of_type) {
     canvas.addList(std::move(list));
   }
 }
 
 void drawLabels(const Canvas& canvas) {
-  constexpr double kTextHeight = 0.09;
-  constexpr double kGap = 0.12;
+  constexpr double kTextHeight = 0.1;
+  constexpr double kLineHeight = 1.2 * kTextHeight;
+  constexpr double kGap = 0.2;  // antennas rise above the shapes
   for (const Row row : canvas.space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
     if (!canvas.modelOf(row).is_robot) {
       continue;
     }
     Marker label = makeMarker(canvas.header, "labels", static_cast<int>(canvas.space.entities.number[i]),
-                              Marker::TEXT_VIEW_FACING, {0.0, 0.0, kTextHeight}, rgba(1.0F, 1.0F, 1.0F, 1.0F));
+                              Marker::TEXT_VIEW_FACING, {0.0, 0.0, kTextHeight}, rgba(0.05F, 0.07F, 0.1F, 1.0F));
     label.text = canvas.space.entities.name[i];
+    double lines = 1.0;
     if (const auto& robot = canvas.space.robots[i]) {
       for (const auto& [key, value] : robot->debugValues()) {
         label.text += "\n" + value;
+        lines += 1.0;
       }
     }
-    label.pose.position = toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, canvas.modelOf(row).highest + kGap}));
+    // the position is the middle of the text; its lowest line stands above the robot
+    const double middle = canvas.modelOf(row).highest + kGap + 0.5 * lines * kLineHeight;
+    label.pose.position = toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, middle}));
     canvas.array.markers.push_back(label);
   }
 }
@@ -144,19 +154,11 @@ void drawGrips(const Canvas& canvas) {
   canvas.addList(std::move(grips));
 }
 
-std::size_t robotsIn(const Space& space) {
-  std::size_t count = 0;
-  for (const Row row : space.entities.order) {
-    count += space.entities.model[static_cast<std::size_t>(row)]->is_robot ? 1 : 0;
-  }
-  return count;
-}
-
 }  // namespace
 
 const MarkerArray& MovingMarkers::draw(const Space& space) {
   message_.markers.clear();
-  const Canvas canvas{space, headerOf(space), robotsIn(space) <= Transforms::kFewRobots, message_};
+  const Canvas canvas{space, headerOf(space), hasFewRobots(space), message_};
   if (canvas.has_few_robots) {
     drawLabels(canvas);
   } else {

@@ -1,7 +1,7 @@
 /// What rviz draws of a space: the arena once, moving things as few markers whose ids stay the same.
 ///
-/// Up to Transforms::kFewRobots robots are drawn by rviz itself from their URDF, and have labels here; more of them are
-/// spheres of one list for each type. LEDs, laser beams, laser spots and grips are one list each.
+/// Up to Transforms::kFewRobots robots have the bodies of their URDF, fixed to their frames and sent once, and labels;
+/// more of them are spheres of one list for each type. LEDs, laser beams, laser spots and grips are one list each.
 #pragma once
 
 #include <visualization_msgs/MarkerArray.h>
@@ -14,7 +14,7 @@
 
 namespace swarmanoid {
 
-/// The floor, its patches, and everything that nobody moves. Draws over what was there before.
+/// The floor, its patches, everything that nobody moves, and robots' bodies. Replaces what was there before.
 visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 
 class MovingMarkers {

@@ -1,0 +1,49 @@
+#!/usr/bin/env python3
+"""Makes the figures that the project promises, and writes them as a table. What is not reached stands there as not reached.
+
+Times are of the machine that ran it; the table says which."""
+
+import argparse
+import datetime
+import pathlib
+import subprocess
+
+import benchmarks
+import build_time
+import long_tests
+import simulation
+import under_ros
+from table import ROOT, Table, machine
+
+FIGURES = {
+    "retrieval": lambda table, build: simulation.retrieval(table),
+    "same_bits": lambda table, build: simulation.same_bits(table),
+    "ros_speed": lambda table, build: under_ros.speed(table),
+    "ros_recording": lambda table, build: under_ros.recording(table),
+    "ros_same_bits": lambda table, build: under_ros.same_bits(table),
+    "benchmark": benchmarks.benchmark,
+    "queries": benchmarks.queries,
+    "long_tests": long_tests.long_tests,
+    "start_up": lambda table, build: simulation.start_up(table),
+    "sanitizer": lambda table, build: long_tests.sanitizer(table),
+    "fresh_clone": lambda table, build: build_time.fresh_clone(table),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, required=True, help="build folder, whose devel space is sourced")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the page to write")
+    parser.add_argument("--only", nargs="+", choices=FIGURES, default=list(FIGURES), help="some of them")
+    arguments = parser.parse_args()
+    table = Table()
+    for name in arguments.only:
+        FIGURES[name](table, arguments.build)
+    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, cwd=ROOT).stdout
+    arguments.out.write_text(
+        "# Figures\n\nWritten by `./test --long`; times are of one run on "
+        f"{machine()}, built from {commit.strip()}, {datetime.date.today()}.\n\n{table.text()}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,33 @@
+"""Figures of the benchmarks."""
+
+import json
+import subprocess
+
+
+def benchmark(table, build):
+    binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_simulation_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=3",
+                           "--benchmark_report_aggregates_only=true"], capture_output=True, text=True, check=True)
+    wanted = {"BM_DiffusionSparse/10": 1e6, "BM_DiffusionSparse/1000": 2e6, "BM_DiffusionSparse/10000": 2e6,
+              "BM_DiffusionDense/1000": 5e5, "BM_DiffusionDense/10000": 5e5}
+    names = {"Sparse": "one footbot per 1.6 m2", "Dense": "one footbot per 0.1 m2"}
+    for entry in json.loads(done.stdout)["benchmarks"]:
+        if entry["aggregate_name"] != "median":
+            continue
+        kind, robots = entry["run_name"].replace("BM_Diffusion", "").split("/")
+        least = wanted[entry["run_name"]]
+        speed = entry["items_per_second"]
+        table.add(f"diffusion, {names[kind]}, {int(robots):,} footbots, one thread",
+                  f"at least {least / 1e6:g} million robots x ticks/s", f"{speed / 1e6:.2f} million", speed >= least)
+
+
+def queries(table, build):
+    binary = build / "devel/lib/swarmanoid_space/swarmanoid_space_positional_index_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json"], capture_output=True, text=True, check=True)
+    times = {entry["name"]: entry["real_time"] for entry in json.loads(done.stdout)["benchmarks"]}
+    for kind in ("2D", "3D"):
+        series = [times[f"BM_Query{kind}/{n}"] for n in (100, 1000, 10000, 100000)]
+        growth = series[-1] / series[0]
+        # log(10^5) / log(10^2) is 2.5
+        table.add(f"range query, optimization={kind}, 10^2 to 10^5 entities", "grows as log n or better (at most 2.5 fold)",
+                  ", ".join(f"{t:.0f} ns" for t in series) + f"; {growth:.1f} fold", growth <= 2.5)

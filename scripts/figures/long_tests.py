@@ -1,0 +1,45 @@
+"""Tests that take long, and tests under a sanitizer."""
+
+import os
+import subprocess
+import tempfile
+
+from table import ROOT
+
+
+def last_word(output):
+    last = [line for line in output.splitlines() if "PASSED" in line or "FAILED" in line]
+    return last[0].strip("[ ]").replace("]", ":") if last else "did not run"
+
+
+def long_tests(table, build):
+    environment = dict(os.environ, SWARMANOID_LONG_TESTS="1")
+    binary = build / "devel/lib/swarmanoid_experiments"
+    for name, test, what, figure in (
+            ("motion", "Subclocks/*", "0.1 m/s for 10 s and an arc, subclock 1, 2, 5, 10, 50",
+             "1.000 m within 1e-9; arc within 0.1 %"),
+            ("crowd", "*", "1,000 footbots packed at 0.6 of the area, to one point, then into a wall",
+             "no overlap, ever; equal hash on repeat"),
+            ("repeatability", "LifeCycle*:Failure*", "every second of 1,000 robots deleted, others spawned; failing controllers",
+             "references kept, equal hash on repeat; the robot stops, the others go on")):
+        file = binary / f"swarmanoid_experiments_{name}_test"
+        done = subprocess.run([file, f"--gtest_filter={test}"], capture_output=True, text=True, env=environment)
+        table.add(what, figure, last_word(done.stdout), done.returncode == 0)
+
+
+def sanitizer(table):
+    """Builds what one test needs with the address sanitizer, and runs it."""
+    targets = ["swarmanoid_experiments_repeatability_test", "swarmanoid_devices", "swarmanoid_engines",
+               "swarmanoid_visualisations", "retrieval_monitor", "footbot_retrieval", "eyebot_retrieval"]
+    with tempfile.TemporaryDirectory() as build:
+        subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DBUILD_TESTS_IN_ALL=ON",
+                        "-DSWARMANOID_SANITIZE=address", "-DCMAKE_BUILD_TYPE=RelWithDebInfo"],
+                       check=True, capture_output=True)
+        subprocess.run(["cmake", "--build", build, "--target", *targets], check=True, capture_output=True)
+        environment = dict(os.environ, SWARMANOID_LONG_TESTS="1", ASAN_OPTIONS="detect_leaks=1",
+                           CMAKE_PREFIX_PATH=f"{build}/devel", LD_LIBRARY_PATH=f"{build}/devel/lib")
+        done = subprocess.run([f"{build}/devel/lib/swarmanoid_experiments/swarmanoid_experiments_repeatability_test",
+                               "--gtest_filter=LifeCycle*:Failure*"], capture_output=True, text=True, env=environment)
+        reports = done.stderr.count("ERROR: ")
+        table.add("the same deletions and failures under the address sanitizer", "nothing reported, no leak",
+                  f"{last_word(done.stdout)}; {reports} reports", done.returncode == 0 and reports == 0)

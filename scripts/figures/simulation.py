@@ -1,0 +1,61 @@
+"""Figures of whole runs without ROS."""
+
+import datetime
+import pathlib
+import sys
+import tempfile
+
+from table import ROOT, run
+
+MOST_TICKS = 6000
+
+
+def retrieval(table):
+    runs = []
+    for seed in range(1, 101):
+        print(f"\rseed {seed} of 100", end="", file=sys.stderr, flush=True)
+        runs.append(run("object_retrieval", "--seed", seed))
+    print(file=sys.stderr)
+    good = [r for r in runs if r["success"] and r["ticks"] <= MOST_TICKS]
+    colors = [r["metrics"]["chosen_color"] for r in runs]
+    each = {color: colors.count(color) for color in sorted(set(colors))}
+    table.add("object retrieval, seeds 1-100", f"prey in the nest within {MOST_TICKS} ticks in at least 97",
+              f"{len(good)}, median {sorted(r['ticks'] for r in good)[len(good) // 2]} ticks", len(good) >= 97)
+    table.add("prey chosen", "each in at least 30", ", ".join(f"{k} {v}" for k, v in each.items()),
+              len(each) == 2 and min(each.values()) >= 30)
+    speed = sum(r["ticks"] for r in runs) / sum(r["wall_s"] for r in runs)
+    table.add("object retrieval, headless", "at least 20,000 ticks/s", f"{speed:,.0f} ticks/s", speed >= 20000)
+    return speed
+
+
+def same_bits(table):
+    with tempfile.TemporaryDirectory() as folder:
+        def hashes(name, *arguments):
+            file = pathlib.Path(folder) / name
+            run("object_retrieval", "--seed", 11, "--hashes", file, *arguments)
+            return file.read_text()
+
+        first = hashes("a")
+        variants = {
+            "again": hashes("b"),
+            "2 threads": hashes("c", "--threads", 2),
+            "bag": hashes("e", "--bag", pathlib.Path(folder) / "run.bag"),
+        }
+    ticks = len(first.splitlines())
+    same = [name for name, text in variants.items() if text == first]
+    table.add("same seed: again, on 2 threads, recording a bag", "equal state hash each tick",
+              f"equal over {ticks} states: {', '.join(same)}", len(same) == len(variants))
+
+
+def start_up(table):
+    with tempfile.TemporaryDirectory() as folder:
+        text = (ROOT / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()
+        for old, new in (("12.65,12.65,1", "126.5,126.5,1"), ('quantity="100"', 'quantity="10000"'),
+                         ("12.45, 12.45", "126.3, 126.3")):
+            text = text.replace(old, new)
+        file = pathlib.Path(folder) / "many.xml"
+        file.write_text(text)
+        start = datetime.datetime.now()
+        summary = run(file, "--ticks", 1)
+        seconds = (datetime.datetime.now() - start).total_seconds() - summary["wall_s"]
+        table.add("10,000 footbots", "start in under 2 s", f"{seconds:.2f} s", seconds < 2.0)

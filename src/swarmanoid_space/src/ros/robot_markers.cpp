@@ -1,0 +1,116 @@
+// Robots' bodies from their URDF. They move with their frames, so they are sent only once.
+#include <urdf_model/model.h>
+#include <urdf_parser/urdf_parser.h>
+
+#include <map>
+
+#include "../read_urdf.hpp"
+#include "marker.hpp"
+#include "swarmanoid_space/ros/transforms.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using visualization_msgs::Marker;
+using visualization_msgs::MarkerArray;
+
+/// @return false for what the markers have no shape for
+bool setShape(const urdf::Geometry& geometry, Marker& marker) {
+  switch (geometry.type) {
+    case urdf::Geometry::BOX: {
+      const auto& box = static_cast<const urdf::Box&>(geometry);
+      marker.type = Marker::CUBE;
+      marker.scale.x = box.dim.x;
+      marker.scale.y = box.dim.y;
+      marker.scale.z = box.dim.z;
+      return true;
+    }
+    case urdf::Geometry::CYLINDER: {
+      const auto& cylinder = static_cast<const urdf::Cylinder&>(geometry);
+      marker.type = Marker::CYLINDER;
+      marker.scale.x = 2.0 * cylinder.radius;
+      marker.scale.y = 2.0 * cylinder.radius;
+      marker.scale.z = cylinder.length;
+      return true;
+    }
+    case urdf::Geometry::SPHERE: {
+      const auto& sphere = static_cast<const urdf::Sphere&>(geometry);
+      marker.type = Marker::SPHERE;
+      marker.scale.x = marker.scale.y = marker.scale.z = 2.0 * sphere.radius;
+      return true;
+    }
+    case urdf::Geometry::MESH: {
+      const auto& mesh = static_cast<const urdf::Mesh&>(geometry);
+      marker.type = Marker::MESH_RESOURCE;
+      marker.mesh_resource = mesh.filename;
+      marker.mesh_use_embedded_materials = 1;
+      marker.scale.x = mesh.scale.x;
+      marker.scale.y = mesh.scale.y;
+      marker.scale.z = mesh.scale.z;
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+/// One marker for each visual element, all joints at zero, in the body frame; names and ids are still to be given.
+std::vector<Marker> bodyOf(const EntityModel& model) {
+  std::vector<Marker> body;
+  const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(model.urdf);
+  for (const auto& [name, link] : robot->links_) {
+    for (const urdf::VisualSharedPtr& visual : link->visual_array) {
+      Marker marker = makeMarker({}, "robots", 0, Marker::CUBE, Eigen::Vector3d::Ones(), rgba(0.6F, 0.6F, 0.6F, 1.0F));
+      if (visual->geometry == nullptr || !setShape(*visual->geometry, marker)) {
+        continue;
+      }
+      if (visual->material != nullptr) {
+        const urdf::Color& color = visual->material->color;
+        marker.color = rgba(color.r, color.g, color.b, color.a);
+      }
+      const Mount place = chain(model.mount(name), toMount(visual->origin));
+      marker.pose = toMessage(Pose{place.position, place.orientation});
+      marker.frame_locked = 1;
+      body.push_back(marker);
+    }
+  }
+  return body;
+}
+
+}  // namespace
+
+bool hasFewRobots(const Space& space) {
+  std::size_t count = 0;
+  for (const Row row : space.entities.order) {
+    count += space.entities.model[static_cast<std::size_t>(row)]->is_robot ? 1 : 0;
+  }
+  return count <= Transforms::kFewRobots;
+}
+
+void addRobotBodies(const Space& space, MarkerArray& markers) {
+  if (!hasFewRobots(space)) {
+    return;
+  }
+  std::map<std::string, std::vector<Marker>> bodies;
+  int id = 0;
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    const EntityModel& model = *space.entities.model[i];
+    if (!model.is_robot || model.urdf.empty()) {
+      continue;
+    }
+    const auto [body, is_new] = bodies.try_emplace(model.type);
+    if (is_new) {
+      body->second = bodyOf(model);
+    }
+    for (Marker marker : body->second) {
+      // no stamp: wherever the frame is at the moment
+      marker.header.frame_id = frameOf(space.entities.name[i]);
+      marker.id = id++;
+      markers.markers.push_back(std::move(marker));
+    }
+  }
+}
+
+}  // namespace swarmanoid
