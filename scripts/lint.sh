@@ -5,7 +5,7 @@ set -euo pipefail
 build=$(cd "$1" && pwd)
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp')
+mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'examples/*.cpp' 'examples/*.hpp')
 echo "== clang-format: ${#sources[@]} files" >&2
 clang-format --dry-run --Werror "${sources[@]}"
 echo "== layers and lengths" >&2

@@ -39,8 +39,8 @@ class Finder {
     }
     if (count_ < capacity_) {
       const Eigen::Vector2d offset = (point - view_.position).head<2>();
-      const double bearing = std::remainder(std::atan2(offset.y(), offset.x()) - view_.heading, 2.0 * M_PI);
-      blobs_[count_] = {color, static_cast<float>(bearing), static_cast<float>(offset.norm())};
+      const float bearing = toBearing(std::atan2(offset.y(), offset.x()) - view_.heading);
+      blobs_[count_] = {color, bearing, static_cast<float>(offset.norm())};
     }
     ++count_;
     return true;
@@ -57,6 +57,12 @@ class Finder {
 };
 
 }  // namespace
+
+float toBearing(double angle) {
+  const auto bearing = static_cast<float>(std::remainder(angle, 2.0 * M_PI));
+  constexpr auto kBehind = static_cast<float>(M_PI);
+  return bearing <= -kBehind ? kBehind : bearing;
+}
 
 bool BlobView::inView(const Eigen::Vector3d& point) const {
   const double horizontal = (point - position).head<2>().norm();

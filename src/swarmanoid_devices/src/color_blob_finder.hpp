@@ -10,6 +10,9 @@
 
 namespace swarmanoid::devices {
 
+/// An angle as ColorBlob has it, in (-pi, pi] [rad].
+float toBearing(double angle);
+
 /// One camera of one robot, at this tick.
 struct BlobView {
   Row self = kNoRow;

@@ -1,33 +1,10 @@
 // A steady tick touches no heap: every malloc (and so every new) of this program is counted.
 #include <gtest/gtest.h>
 
-#include <atomic>
-#include <cstdlib>
 #include <vector>
 
+#include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "world.hpp"
-
-// Sanitizers bring a malloc of their own; nothing is counted there.
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define SWARMANOID_COUNTS_ALLOCATIONS 0
-#else
-#define SWARMANOID_COUNTS_ALLOCATIONS 1
-#endif
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-#if SWARMANOID_COUNTS_ALLOCATIONS
-extern "C" {
-void* __libc_malloc(std::size_t size);  // NOLINT(bugprone-reserved-identifier): glibc's own name
-
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-}
-#endif
 
 namespace swarmanoid::kinematics2d {
 namespace {
@@ -70,11 +47,11 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
   for (int i = 0; i < 200; ++i) {
     tick(i);
   }
-  const long before = allocations;
+  const long before = heap_allocations;
   for (int i = 200; i < 500; ++i) {
     tick(i);
   }
-  EXPECT_EQ(allocations - before, 0);
+  EXPECT_EQ(heap_allocations - before, 0);
   EXPECT_EQ(world.space.structure.grippedBy(robots[0]), kNoRow);
   EXPECT_GT(before, 100);  // the counting works
   EXPECT_EQ(world.pose(prey).position.z(), 0.0);

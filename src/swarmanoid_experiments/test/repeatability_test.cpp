@@ -5,30 +5,10 @@
 #include <vector>
 
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
-#include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {
 namespace {
-
-std::vector<std::uint64_t> hashesOf(Simulation& simulation, std::uint64_t ticks) {
-  std::vector<std::uint64_t> hashes;
-  for (std::uint64_t i = 0; i < ticks && !simulation.isFinished(); ++i) {
-    simulation.tick();
-    hashes.push_back(simulation.stateHash());
-  }
-  return hashes;
-}
-
-std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads) {
-  loadBuiltInPlugins();
-  Experiment experiment = readExperiment(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
-  experiment.framework.seed = seed;
-  experiment.framework.threads = threads;
-  auto simulation = std::make_unique<Simulation>(std::move(experiment));
-  simulation->start();
-  return simulation;
-}
 
 /// Robots at random, driven at random, with noise: whatever could depend on order or threads does.
 World busyWorld(int robots, int threads) {
@@ -66,20 +46,6 @@ TEST(RepeatabilityTest, AnyNumberOfThreads) {
     together->start();
     EXPECT_EQ(hashesOf(*together, 100), expected) << threads << " threads";
   }
-}
-
-TEST(RepeatabilityTest, ResetIsAFreshStart) {
-  auto fresh = retrieval(3, 1);
-  const auto expected = hashesOf(*fresh, 200);
-  auto used = retrieval(3, 1);
-  hashesOf(*used, 350);
-  used->remove("fb_2");
-  used->reset();
-  EXPECT_EQ(hashesOf(*used, 200), expected);
-  EXPECT_EQ(used->space().run, 1U);
-  used->reset(9);
-  auto other = retrieval(9, 1);
-  EXPECT_EQ(hashesOf(*used, 200), hashesOf(*other, 200));
 }
 
 TEST(RepeatabilityTest, WatchingChangesNothing) {

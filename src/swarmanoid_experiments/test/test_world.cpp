@@ -7,6 +7,7 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::test {
 namespace {
@@ -98,6 +99,25 @@ const Pose& poseOf(const Simulation& simulation, const std::string& name) {
 
 double headingOf(const Simulation& simulation, const std::string& name) {
   return anglesFromOrientation(poseOf(simulation, name).orientation).z();
+}
+
+std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads) {
+  loadBuiltInPlugins();
+  Experiment experiment = readExperiment(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
+  experiment.framework.seed = seed;
+  experiment.framework.threads = threads;
+  auto simulation = std::make_unique<Simulation>(std::move(experiment));
+  simulation->start();
+  return simulation;
+}
+
+std::vector<std::uint64_t> hashesOf(Simulation& simulation, std::uint64_t ticks) {
+  std::vector<std::uint64_t> hashes;
+  for (std::uint64_t i = 0; i < ticks && !simulation.isFinished(); ++i) {
+    simulation.tick();
+    hashes.push_back(simulation.stateHash());
+  }
+  return hashes;
 }
 
 }  // namespace swarmanoid::test

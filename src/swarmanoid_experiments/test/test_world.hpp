@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "swarmanoid_space/simulation.hpp"
 
@@ -32,5 +33,11 @@ std::string member(const std::string& id);
 const Pose& poseOf(const Simulation& simulation, const std::string& name);
 /// Its heading about z [rad].
 double headingOf(const Simulation& simulation, const std::string& name);
+
+/// The object retrieval experiment, before its first tick.
+std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads);
+
+/// The state hashes of the next ticks.
+std::vector<std::uint64_t> hashesOf(Simulation& simulation, std::uint64_t ticks);
 
 }  // namespace swarmanoid::test

@@ -7,10 +7,7 @@
 #   <exec_depend>nodelet</exec_depend>
 #   <export><nodelet plugin="${prefix}/controller_nodelets.xml"/></export>
 function(swarmanoid_add_controller label)
-  add_library(${label} SHARED ${ARGN})
-  swarmanoid_compile_options(${label})
-  target_link_libraries(${label} ${catkin_LIBRARIES})
-  install(TARGETS ${label} LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  swarmanoid_add_plugins(${label} ${ARGN})
 
   set(SWARMANOID_LABEL ${label})
   set(_source ${CMAKE_CURRENT_BINARY_DIR}/controller_nodelets/${label}_nodelet.cpp)

@@ -9,8 +9,8 @@ function(swarmanoid_add_nodelet_library target)
   find_package(swarmanoid_msgs REQUIRED)
   add_library(${target} SHARED ${ARGN})
   swarmanoid_compile_options(${target})
-  target_include_directories(${target} SYSTEM PRIVATE ${nodelet_INCLUDE_DIRS} ${pluginlib_INCLUDE_DIRS}
-    ${swarmanoid_msgs_INCLUDE_DIRS})
+  target_include_directories(${target} SYSTEM PRIVATE ${swarmanoid_interface_INCLUDE_DIRS} ${nodelet_INCLUDE_DIRS}
+    ${pluginlib_INCLUDE_DIRS} ${swarmanoid_msgs_INCLUDE_DIRS})
   target_link_libraries(${target} ${swarmanoid_interface_ROS_LIBRARIES} ${nodelet_LIBRARIES} ${pluginlib_LIBRARIES})
   target_link_options(${target} PRIVATE LINKER:-z,nodelete)
   if(swarmanoid_msgs_EXPORTED_TARGETS)

@@ -18,3 +18,9 @@ function(swarmanoid_compile_options target)
     target_link_options(${target} PRIVATE -fsanitize=${SWARMANOID_SANITIZE})
   endif()
 endfunction()
+
+# Without a build type CMake optimises nothing, and runs take ten times as long.
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "" FORCE)
+  message(STATUS "${PROJECT_NAME}: no CMAKE_BUILD_TYPE was given, so it is Release")
+endif()

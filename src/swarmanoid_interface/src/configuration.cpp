@@ -1,6 +1,6 @@
 #include "swarmanoid_interface/configuration.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 namespace swarmanoid {
 
@@ -13,14 +13,18 @@ Configuration& Configuration::set(const std::string& name, const std::string& te
   return add(Configuration(name, text, location_));
 }
 
+const Configuration* Configuration::firstOf(std::string_view key) const {
+  const auto child = std::find_if(children_.begin(), children_.end(),
+                                  [&](const Configuration& candidate) { return candidate.name_ == key; });
+  return child == children_.end() ? nullptr : &*child;
+}
+
 const Configuration* Configuration::find(std::string_view key) const {
-  for (const Configuration& child : children_) {
-    if (child.name_ == key) {
-      child.read_ = true;
-      return &child;
-    }
+  const Configuration* child = firstOf(key);
+  if (child != nullptr) {
+    child->read_ = true;
   }
-  return nullptr;
+  return child;
 }
 
 const Configuration& Configuration::require(std::string_view key) const {
@@ -93,6 +97,10 @@ double Configuration::angle(std::string_view key, double fallback_rad, Range ran
 void Configuration::refuseUnread(const std::vector<std::string>& known) const {
   for (const Configuration& child : children_) {
     if (!child.read_) {
+      // only the first of a name is ever read
+      if (const Configuration* first = firstOf(child.name_); first != &child && first->read_) {
+        throw ConfigError(child.location_, "'" + child.name_ + "' stands in <" + name_ + "> twice");
+      }
       throw ConfigError(child.location_, "'" + child.name_ + "' is not known in <" + name_ + ">" +
                                              (known.empty() ? "" : "; allowed: " + joinNames(known)) +
                                              didYouMean(child.name_, known));

@@ -33,7 +33,8 @@ bool Robot::hasActuator(const std::string& type) const {
 }
 
 void Robot::log(LogLevel level, const std::string& text) {
-  if (time_ - log_window_start_ >= std::chrono::seconds(1)) {
+  // a clock that was put back starts a new second too
+  if (time_ < log_window_start_ || time_ - log_window_start_ >= std::chrono::seconds(1)) {
     log_window_start_ = time_;
     logged_in_window_ = 0;
   }
@@ -44,14 +45,17 @@ void Robot::log(LogLevel level, const std::string& text) {
   log_sink_(level, name_, logged_in_window_ > kLogsPerSecond ? "(more in this second is left out)" : text);
 }
 
-void Robot::debug(const std::string& key, const std::string& value) {
+void Robot::debug(std::string_view key, std::string_view value) {
   for (auto& [known, old_value] : debug_values_) {
     if (known == key) {
       old_value = value;
       return;
     }
   }
-  debug_values_.emplace_back(key, value);
+  constexpr std::size_t kRoom = 64;
+  std::string& kept = debug_values_.emplace_back(key, "").second;
+  kept.reserve(kRoom);
+  kept = value;
 }
 
 void Robot::provideSensor(const std::string& type, const void* readings) {

@@ -14,6 +14,12 @@ Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles) {
 
 Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
   const double sine_beta = std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0);
+  constexpr double kUpright = 1.0 - 1e-12;
+  if (std::abs(sine_beta) > kUpright) {
+    // ahead is straight up or down: turns about x and z are turns about the same line, and gamma takes both
+    const double half_gamma = std::atan2(std::copysign(1.0, -sine_beta) * q.x(), q.w());
+    return {0.0, std::copysign(M_PI / 2.0, sine_beta), std::remainder(2.0 * half_gamma, 2.0 * M_PI)};
+  }
   const double alpha = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
   const double gamma = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
   return {alpha, std::asin(sine_beta), gamma};

@@ -111,7 +111,8 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
       return;
     }
   }
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius + largest_small_radius_);
+  constexpr double kRounding = 1e-9;  // m: the cells must hold all that the exact comparison below accepts
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius + largest_small_radius_ + kRounding);
   const Cell low = cellOf(centre - reach);
   const Cell high = cellOf(centre + reach);
   for (int z = low[2]; z <= high[2]; ++z) {

@@ -2,6 +2,7 @@
 #include "swarmanoid_space/simulation.hpp"
 
 #include <chrono>
+#include <exception>
 
 #include "cast.hpp"
 #include "tick/tick.hpp"
@@ -40,8 +41,8 @@ void Simulation::tick() {
     return;
   }
   Stopwatch stopwatch;
-  space_.events.clear();
-  space_.events.swap(pending_events_);
+  space_.events.assign(pending_events_.begin(), pending_events_.end());
+  pending_events_.clear();
 
   phases::sense(space_, cast_->groups, cast_->workers);
   stopwatch.lap(phase_times_.sense);
@@ -105,8 +106,17 @@ bool Simulation::isFinished() const {
 void Simulation::finish() {
   if (!finished_) {
     finished_ = true;
+    // one that cannot complete its file must not keep the others from completing theirs
+    std::exception_ptr first_problem;
     for (const auto& visualisation : cast_->visualisations) {
-      visualisation->finish();
+      try {
+        visualisation->finish();
+      } catch (...) {
+        first_problem = first_problem ? first_problem : std::current_exception();
+      }
+    }
+    if (first_problem) {
+      std::rethrow_exception(first_problem);
     }
   }
 }

@@ -63,6 +63,8 @@ void Simulation::build() {
   space_.time = kEpoch;
   space_.size = experiment_.arena.size;
   space_.floor_patches = experiment_.arena.floor_patches;
+  constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
+  space_.events.reserve(kUsualEvents);
   space_.index.configure(space_.size, experiment_.arena.optimization, entityCount(experiment_));
   buildControllerGroups();
   buildBoundary();

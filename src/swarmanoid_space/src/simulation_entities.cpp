@@ -78,20 +78,19 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   ControllerGroup* group = cast_->findGroup(entity.controller);
   auto robot = std::make_unique<Robot>(entity.id, entity.type, space_.seed);
   robot->setLogSink(log_sink_);
-  for (const auto& sensor : group->sensors) {
-    robot->provideSensor(sensor->type(), sensor->add(space_, row));
-  }
-  for (const auto& actuator : group->actuators) {
-    robot->provideActuator(actuator->type(), actuator->add(space_, row));
-  }
-  Driver driver;
+  Driver& driver = cast_->drivers.emplace_back();  // entity numbers only grow
   driver.row = row;
   driver.robot = robot.get();
   driver.group = group;
-  driver.controller = group->make();
   space_.robots[i] = std::move(robot);
-  cast_->drivers.push_back(driver);  // entity numbers only grow
   try {
+    for (const auto& sensor : group->sensors) {
+      driver.robot->provideSensor(sensor->type(), sensor->add(space_, row));
+    }
+    for (const auto& actuator : group->actuators) {
+      driver.robot->provideActuator(actuator->type(), actuator->add(space_, row));
+    }
+    driver.controller = group->make();
     driver.controller->init(*driver.robot, group->description->parameters);
   } catch (const ConfigError&) {
     throw;
@@ -106,7 +105,9 @@ void Simulation::removeEntity(Row row) {
   const auto driver = std::find_if(cast_->drivers.begin(), cast_->drivers.end(),
                                    [&](const Driver& candidate) { return candidate.row == row; });
   if (driver != cast_->drivers.end()) {
-    driver->controller->destroy();
+    if (driver->controller) {
+      driver->controller->destroy();
+    }
     for (const auto& sensor : driver->group->sensors) {
       sensor->remove(space_, row);
     }

@@ -2,11 +2,53 @@
 #include <algorithm>
 
 #include "cast.hpp"
+#include "swarmanoid_space/entity_type.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
+namespace {
+
+[[noreturn]] void refuseUnknown(const EntityDescription& entity, const std::string& what, const std::string& name,
+                                const std::vector<std::string>& known) {
+  throw ConfigError(entity.location,
+                    what + " '" + name + "' does not exist; there are: " + joinNames(known) + didYouMean(name, known));
+}
+
+/// Every device that the controller uses must be one that such a robot has.
+void checkDevices(const EntityDescription& entity, PluginKind kind, const std::vector<DeviceDescription>& devices) {
+  for (const DeviceDescription& device : devices) {
+    const auto& robots = Registry::instance().find(kind, device.type, device.implementation)->description.robots;
+    if (!robots.empty() && std::find(robots.begin(), robots.end(), entity.type) == robots.end()) {
+      throw ConfigError(entity.location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
+                                             device.type + "', which a " + entity.type +
+                                             " does not have; it is for: " + joinNames(robots));
+    }
+  }
+}
+
+}  // namespace
+
+void Simulation::checkController(const EntityDescription& entity) const {
+  if (entity.controller.empty()) {
+    return;
+  }
+  const ControllerGroup* group = cast_->findGroup(entity.controller);
+  if (group == nullptr) {
+    std::vector<std::string> known;
+    for (const auto& candidate : cast_->groups) {
+      known.push_back(candidate->description->id);
+    }
+    refuseUnknown(entity, "controller", entity.controller, known);
+  }
+  checkDevices(entity, PluginKind::kActuator, group->description->actuators);
+  checkDevices(entity, PluginKind::kSensor, group->description->sensors);
+}
 
 void Simulation::spawn(const EntityDescription& entity, const std::vector<std::string>& engines) {
+  const Registry& registry = Registry::instance();
+  if (registry.find(PluginKind::kEntity, entity.type) == nullptr) {
+    refuseUnknown(entity, "entity type", entity.type, registry.labels(PluginKind::kEntity));
+  }
   std::vector<Seat> seats;
   for (const std::string& id : engines) {
     Engine* engine = cast_->findEngine(id);
@@ -15,19 +57,11 @@ void Simulation::spawn(const EntityDescription& entity, const std::vector<std::s
       for (const auto& candidate : cast_->engines) {
         known.push_back(candidate->id());
       }
-      throw ConfigError(entity.location,
-                        "engine '" + id + "' does not exist; there are: " + joinNames(known) + didYouMean(id, known));
+      refuseUnknown(entity, "engine", id, known);
     }
     seats.push_back({engine, seats.empty() ? Role::kMove : Role::kMirror});
   }
-  if (!entity.controller.empty() && cast_->findGroup(entity.controller) == nullptr) {
-    std::vector<std::string> known;
-    for (const auto& group : cast_->groups) {
-      known.push_back(group->description->id);
-    }
-    throw ConfigError(entity.location, "controller '" + entity.controller + "' does not exist; there are: " +
-                                           joinNames(known) + didYouMean(entity.controller, known));
-  }
+  checkController(entity);
   addEntity(entity, seats);
   space_.index.rebuild(space_.entities);
   pending_events_.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});

@@ -1,4 +1,4 @@
-#include "solid_ray.hpp"
+#include "swarmanoid_space/solid_ray.hpp"
 
 #include <algorithm>
 #include <cmath>

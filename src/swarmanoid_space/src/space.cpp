@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "solid_ray.hpp"
+#include "swarmanoid_space/solid_ray.hpp"
 
 namespace swarmanoid {
 namespace {

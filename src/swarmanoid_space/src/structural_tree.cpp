@@ -7,7 +7,11 @@ namespace swarmanoid {
 void StructuralTree::resize(std::size_t row_count) {
   if (row_count > parent_.size()) {
     parent_.resize(row_count, kNoRow);
+    const std::size_t known = children_.size();
     children_.resize(row_count);
+    constexpr std::size_t kUsualGrippers = 2;  // so that a grip allocates nothing
+    std::for_each(children_.begin() + static_cast<std::ptrdiff_t>(known), children_.end(),
+                  [](std::vector<Row>& grippers) { grippers.reserve(kUsualGrippers); });
   }
 }
 

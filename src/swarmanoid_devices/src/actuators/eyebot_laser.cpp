@@ -27,6 +27,7 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
   void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
 
   void afterMove(Space& space) override {
+    space.laser_spots.reserve(space.laser_spots.size() + seats_.size());
     for (const auto& seat : seats_) {
       if (seat.actuation->on) {
         space.laser_spots.push_back(spotOf(space, seat));

@@ -2,6 +2,7 @@
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
@@ -40,7 +41,11 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
       }
     }
     const double speed = velocity.linear.norm();
-    if (speed > max_speed_) {
+    if (!std::isfinite(speed)) {
+      // finite, but too long for its square to be
+      velocity.linear /= velocity.linear.cwiseAbs().maxCoeff();
+      velocity.linear *= max_speed_ / velocity.linear.norm();
+    } else if (speed > max_speed_) {
       velocity.linear *= max_speed_ / speed;
     }
     velocity.yaw_rate = std::clamp(velocity.yaw_rate, -max_yaw_rate_, max_yaw_rate_);

@@ -96,8 +96,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
     for (std::size_t i = 0; i < seat.readings->blobs.size(); ++i) {
       ColorBlob& blob = seat.buffer[i];
       blob.distance = static_cast<float>(std::max(0.0, blob.distance * seat.random.gaussian(1.0, noise_distance_)));
-      blob.bearing =
-          static_cast<float>(std::remainder(blob.bearing + seat.random.gaussian(0.0, noise_bearing_), 2.0 * M_PI));
+      blob.bearing = toBearing(blob.bearing + seat.random.gaussian(0.0, noise_bearing_));
     }
   }
 

@@ -36,6 +36,8 @@ class EyebotRetrieval final : public Controller {
     flown_ = Sighting{};
     waypoint_ = Sighting{};
     nest_place_.reset();
+    *velocity_ = EyebotVelocity{};
+    *laser_ = EyebotLaser{};
     enter(State::kSearchForPrey);
   }
 

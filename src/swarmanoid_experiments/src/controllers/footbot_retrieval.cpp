@@ -22,21 +22,25 @@ class FootbotRetrieval final : public Controller {
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
     parameters.refuseUnread({"speed"});
+    reset();
+  }
+
+  void reset() override {
+    memory_ = Memory{};
+    *wheels_ = FootbotWheels{};
     enter(State::kSearchForLaser);
   }
 
-  void reset() override { enter(State::kSearchForLaser); }
-
   void step(Time, Duration dt) override {
     dt_ = toSeconds(dt);
-    time_in_state_ += dt_;
+    memory_.time_in_state += dt_;
     spot_ = nearestBlob(*camera_, colors::kRed);
     signaller_ = nearestBlob(*camera_, colors::kBlue);
-    if (wiggle_time_ > 0.0) {
-      wiggle_time_ -= dt_;
-      return DifferentialDrive::drive(*wheels_, wiggle_speed_, wiggle_turn_rate_);
+    if (memory_.wiggle_time > 0.0) {
+      memory_.wiggle_time -= dt_;
+      return DifferentialDrive::drive(*wheels_, memory_.wiggle_speed, memory_.wiggle_turn_rate);
     }
-    switch (state_) {
+    switch (memory_.state) {
       case State::kSearchForLaser:
         return searchForLaser();
       case State::kGoToLaser:
@@ -70,10 +74,10 @@ class FootbotRetrieval final : public Controller {
   }
 
   void enter(State state) {
-    state_ = state;
-    time_in_state_ = 0.0;
-    time_unseen_ = 0.0;
-    retreat_time_ = 0.0;
+    memory_.state = state;
+    memory_.time_in_state = 0.0;
+    memory_.time_unseen = 0.0;
+    memory_.retreat_time = 0.0;
     gripper_->closed = state == State::kGripPrey || state == State::kGoToNest;
     leds_->setAll(state == State::kGoToNest ? colors::kBlue : colors::kBlack);
     robot_->debug("state", nameOf(state));
@@ -83,7 +87,7 @@ class FootbotRetrieval final : public Controller {
     if (signaller_) {
       return enter(State::kAvoidGrippingFootbot);
     }
-    if (time_in_state_ < retreat_time_) {
+    if (memory_.time_in_state < memory_.retreat_time) {
       return retreat();
     }
     if (spot_) {
@@ -95,7 +99,7 @@ class FootbotRetrieval final : public Controller {
   /// Makes room after a failed grip, so that not everybody stands around the prey in everybody's way.
   void retreat() {
     constexpr double kBackwards = 1.0;  // s
-    if (time_in_state_ < kBackwards) {
+    if (memory_.time_in_state < kBackwards) {
       DifferentialDrive::drive(*wheels_, -speed_, 0.0);
     } else {
       wander();
@@ -109,13 +113,13 @@ class FootbotRetrieval final : public Controller {
       return enter(State::kAvoidGrippingFootbot);
     }
     if (!spot_) {
-      time_unseen_ += dt_;
-      if (time_unseen_ > kGiveUp) {
+      memory_.time_unseen += dt_;
+      if (memory_.time_unseen > kGiveUp) {
         return enter(State::kSearchForLaser);
       }
       return wander();
     }
-    time_unseen_ = 0.0;
+    memory_.time_unseen = 0.0;
     if (spot_->distance() < kNearSpot && preyAtSpot()) {
       return enter(State::kGripPrey);
     }
@@ -135,9 +139,9 @@ class FootbotRetrieval final : public Controller {
       return enter(State::kAvoidGrippingFootbot);
     }
     const std::optional<Sighting> prey = preyAtSpot();
-    if (!prey || time_in_state_ > kGiveUp) {
+    if (!prey || memory_.time_in_state > kGiveUp) {
       enter(State::kSearchForLaser);
-      retreat_time_ = robot_->random().uniform(2.0, 10.0);
+      memory_.retreat_time = robot_->random().uniform(2.0, 10.0);
       return;
     }
     const double bearing = prey->bearing();
@@ -156,21 +160,21 @@ class FootbotRetrieval final : public Controller {
       return enter(State::kSearchForLaser);
     }
     if (spot_) {
-      time_unseen_ = 0.0;
-      last_bearing_ = spot_->bearing();
+      memory_.time_unseen = 0.0;
+      memory_.last_bearing = spot_->bearing();
       if (spot_->distance() < kArrived) {
         DifferentialDrive::drive(*wheels_, 0.0, 0.0);
       } else {
-        DifferentialDrive::steer(*wheels_, last_bearing_, 0.6 * speed_);
+        DifferentialDrive::steer(*wheels_, memory_.last_bearing, 0.6 * speed_);
         noticeJam(spot_->distance());
       }
       return;
     }
-    time_unseen_ += dt_;
-    if (time_unseen_ < kBehindPrey && std::abs(last_bearing_) < 0.5) {
+    memory_.time_unseen += dt_;
+    if (memory_.time_unseen < kBehindPrey && std::abs(memory_.last_bearing) < 0.5) {
       DifferentialDrive::drive(*wheels_, 0.3 * speed_, 0.0);
     } else {
-      DifferentialDrive::drive(*wheels_, 0.0, last_bearing_ < 0.0 ? -0.5 : 0.5);
+      DifferentialDrive::drive(*wheels_, 0.0, memory_.last_bearing < 0.0 ? -0.5 : 0.5);
     }
   }
 
@@ -178,13 +182,13 @@ class FootbotRetrieval final : public Controller {
     constexpr double kRoom = 1.0;  // m that the signaller needs
     constexpr double kCalm = 2.0;  // s without blue
     if (!signaller_) {
-      time_unseen_ += dt_;
-      if (time_unseen_ > kCalm) {
+      memory_.time_unseen += dt_;
+      if (memory_.time_unseen > kCalm) {
         return enter(State::kSearchForLaser);
       }
       return wander();
     }
-    time_unseen_ = 0.0;
+    memory_.time_unseen = 0.0;
     if (avoidObstacle()) {
       return;
     }
@@ -218,9 +222,9 @@ class FootbotRetrieval final : public Controller {
     }
     constexpr double kNewHeadingEvery = 3.0;  // s on average
     if (robot_->random().uniform() < dt_ / kNewHeadingEvery) {
-      turn_rate_ = robot_->random().uniform(-0.8, 0.8);
+      memory_.turn_rate = robot_->random().uniform(-0.8, 0.8);
     }
-    DifferentialDrive::drive(*wheels_, speed_, turn_rate_);
+    DifferentialDrive::drive(*wheels_, speed_, memory_.turn_rate);
   }
 
   /// Turns away from what the proximity sensors feel ahead. @return whether there was something
@@ -230,12 +234,12 @@ class FootbotRetrieval final : public Controller {
     constexpr double kJammed = 3.0;    // s: a free robot has turned away by then
     const ObstacleVector obstacle(*proximity_);
     if (obstacle.length() < kThreshold || obstacle.x < 0.0) {
-      time_avoiding_ = 0.0;
+      memory_.time_avoiding = 0.0;
       return false;
     }
-    time_avoiding_ += dt_;
-    if (time_avoiding_ > kJammed) {
-      time_avoiding_ = 0.0;
+    memory_.time_avoiding += dt_;
+    if (memory_.time_avoiding > kJammed) {
+      memory_.time_avoiding = 0.0;
       wiggle();
     }
     DifferentialDrive::drive(*wheels_, 0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
@@ -244,22 +248,22 @@ class FootbotRetrieval final : public Controller {
 
   /// Whatever way, for a moment: how a jam between robots is undone when nobody knows how it holds.
   void wiggle() {
-    wiggle_time_ = robot_->random().uniform(0.5, 1.5);
-    wiggle_speed_ = robot_->random().uniform(-speed_, 0.5 * speed_);
-    wiggle_turn_rate_ = robot_->random().uniform(-1.5, 1.5);
+    memory_.wiggle_time = robot_->random().uniform(0.5, 1.5);
+    memory_.wiggle_speed = robot_->random().uniform(-speed_, 0.5 * speed_);
+    memory_.wiggle_turn_rate = robot_->random().uniform(-1.5, 1.5);
   }
 
   /// While the spot waits and comes no nearer, the way is barred.
   void noticeJam(double spot_distance) {
     constexpr double kNearer = 0.02;  // m
     constexpr double kJammed = 8.0;   // s
-    if (spot_distance < best_distance_ - kNearer || spot_distance > best_distance_ + 0.2) {
-      best_distance_ = spot_distance;
-      time_barred_ = 0.0;
+    if (spot_distance < memory_.best_distance - kNearer || spot_distance > memory_.best_distance + 0.2) {
+      memory_.best_distance = spot_distance;
+      memory_.time_barred = 0.0;
     }
-    time_barred_ += dt_;
-    if (time_barred_ > kJammed) {
-      time_barred_ = 0.0;
+    memory_.time_barred += dt_;
+    if (memory_.time_barred > kJammed) {
+      memory_.time_barred = 0.0;
       wiggle();
     }
   }
@@ -273,19 +277,25 @@ class FootbotRetrieval final : public Controller {
   const FootbotGripperState* gripper_state_ = nullptr;
   double speed_ = 0.0;  // m/s
 
-  State state_ = State::kSearchForLaser;
-  double time_in_state_ = 0.0;     // s
-  double time_unseen_ = 0.0;       // s without what the state looks for
-  double retreat_time_ = 0.0;      // s at the start of Search for Laser in which the spot does not matter
-  double time_avoiding_ = 0.0;     // s of turning away without success
-  double time_barred_ = 0.0;       // s since the spot came nearer
-  double best_distance_ = 0.0;     // m to the spot, since it was last jammed
-  double wiggle_time_ = 0.0;       // s left
-  double wiggle_speed_ = 0.0;      // m/s
-  double wiggle_turn_rate_ = 0.0;  // rad/s
-  double dt_ = 0.0;                // s
-  double turn_rate_ = 0.0;         // rad/s, while wandering
-  double last_bearing_ = 0.0;      // rad, of the spot
+  /// All that steps leave behind for later ones; a reset forgets it.
+  struct Memory {
+    State state = State::kSearchForLaser;
+    double time_in_state = 0.0;     // s
+    double time_unseen = 0.0;       // s without what the state looks for
+    double retreat_time = 0.0;      // s at the start of Search for Laser in which the spot does not matter
+    double time_avoiding = 0.0;     // s of turning away without success
+    double time_barred = 0.0;       // s since the spot came nearer
+    double best_distance = 0.0;     // m to the spot, since it was last jammed
+    double wiggle_time = 0.0;       // s left
+    double wiggle_speed = 0.0;      // m/s
+    double wiggle_turn_rate = 0.0;  // rad/s
+    double turn_rate = 0.0;         // rad/s, while wandering
+    double last_bearing = 0.0;      // rad, of the spot
+  };
+  Memory memory_;
+
+  // of this step
+  double dt_ = 0.0;  // s
   std::optional<Sighting> spot_;
   std::optional<Sighting> signaller_;
 };

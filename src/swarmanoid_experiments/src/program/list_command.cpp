@@ -63,8 +63,8 @@ int list(const std::string& kind_name) {
   }
   const bool all = kind_name.empty();
   if (!all && std::find(allowed.begin(), allowed.end(), kind_name) == allowed.end()) {
-    throw ConfigError(
-        {}, "list: found '" + kind_name + "', allowed: " + joinNames(allowed) + didYouMean(kind_name, allowed));
+    throw ConfigError({"list", 0},
+                      "found '" + kind_name + "', allowed: " + joinNames(allowed) + didYouMean(kind_name, allowed));
   }
   if (all || kind_name == "experiment") {
     std::cout << "experiment\n";

@@ -1,10 +1,12 @@
 // `swarmanoid run` and `swarmanoid validate`.
+#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
 
 #include "commands.hpp"
+#include "out_folder.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -37,7 +39,7 @@ std::vector<Override> overridesOf(const RunOptions& options) {
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
-      throw ConfigError({}, "--set: found '" + setting + "', allowed: path=value");
+      throw ConfigError({"--set", 0}, "found '" + setting + "', allowed: path=value");
     }
     overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
   }
@@ -111,24 +113,29 @@ int runToEnd(Simulation& simulation, const RunOptions& options) {
     code = kControllerFailed;
   }
   const bool finished = simulation.isFinished();
-  simulation.finish();
-  std::cout << summarise(simulation, finished, wall_s, robot_ticks).dump() << std::endl;
+  try {
+    simulation.finish();
+  } catch (const std::exception& error) {
+    std::cerr << "swarmanoid: " << error.what() << '\n';
+    code = kEngineStopped;
+  }
+  std::cout << toText(summarise(simulation, finished, wall_s, robot_ticks)) << std::endl;
   return code;
 }
 
 int run(const RunOptions& options) {
   RunContext context;
   context.out_folder = options.out;
-  if (!options.out.empty()) {
-    std::filesystem::create_directories(options.out);
-  }
-  Simulation simulation(readExperiment(options), context);
+  Experiment experiment = readExperiment(options);
+  OutFolder out(options.out);
+  Simulation simulation(std::move(experiment), context);
   if (!options.hashes.empty()) {
     addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);
   }
   if (!options.bag.empty()) {
     addFromCommandLine(simulation, context, "rosbag_recorder", "swarmanoid_recording", options.bag);
   }
+  out.keep();
   simulation.setLogSink([&](LogLevel level, const std::string& robot, const std::string& text) {
     if (!options.quiet || level == LogLevel::kError) {
       std::cerr << '\n' << robot << ": " << text << '\n';
@@ -139,10 +146,18 @@ int run(const RunOptions& options) {
   return runToEnd(simulation, options);
 }
 
+/// The option parser would read -1 as the largest number there is, and a larger one as that too.
+std::string refuseWrappedNumber(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && stop == text.data() + text.size();
+  return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
+}
+
 void addCommonOptions(CLI::App& command, RunOptions& options) {
   command.add_option("file", options.file, "an experiment file, or the name of an installed experiment")->required();
   command.add_option("--set", options.settings, "path=value: replaces what the file says (can be given again)");
-  command.add_option("--seed", options.seed, "random seed, instead of the file's");
+  command.add_option("--seed", options.seed, "random seed, instead of the file's")->check(refuseWrappedNumber);
   command.add_option("--ticks", options.ticks, "ticks at the most, instead of maxclock")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
 }

@@ -36,4 +36,9 @@ ordered_json summarise(const Simulation& simulation, bool finished, double wall_
   return summary;
 }
 
+std::string toText(const ordered_json& summary) {
+  // texts from controllers may be anything, the summary is UTF-8
+  return summary.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+}
+
 }  // namespace swarmanoid::program

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "swarmanoid_space/simulation.hpp"
 
@@ -12,5 +13,8 @@ enum ExitCode : int { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kEngi
 
 /// @param wall_s spent in ticks [s]; @param robot_ticks robots times ticks, summed over the run
 nlohmann::ordered_json summarise(const Simulation& simulation, bool finished, double wall_s, double robot_ticks);
+
+/// In one line.
+std::string toText(const nlohmann::ordered_json& summary);
 
 }  // namespace swarmanoid::program

@@ -91,10 +91,12 @@ class Configuration {
   /// Degrees in the file. @return radians
   double angle(std::string_view key, double fallback_rad, Range range_deg = {}) const;
 
-  /// @throws ConfigError for the first child that nobody asked for, with the nearest name among `known`
+  /// @throws ConfigError for the first child that nobody asked for, with the nearest name among `known`, or that stands
+  /// there twice
   void refuseUnread(const std::vector<std::string>& known = {}) const;
 
  private:
+  const Configuration* firstOf(std::string_view key) const;
   const Configuration& require(std::string_view key) const;
 
   std::string name_;

@@ -9,6 +9,7 @@
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -59,13 +60,13 @@ class Robot {
   /// The controller's own random numbers: the same for one seed, robot and tick, whatever else runs.
   RandomStream& random() { return random_; }
 
-  /// Prefixed with the robot's name; beyond 10 texts a second of robot time the rest is dropped and counted.
+  /// Prefixed with the robot's name; beyond 10 texts a second of robot time the rest is dropped, and one text says so.
   void log(LogLevel level, const std::string& text);
   void log(const std::string& text) { log(LogLevel::kInfo, text); }
 
   /// A named value for people: in the text table's companion file, on a topic, as text in rviz. Never read by anything
-  /// that moves a robot.
-  void debug(const std::string& key, const std::string& value);
+  /// that moves a robot. Once a key is known, a value of up to 64 letters allocates nothing.
+  void debug(std::string_view key, std::string_view value);
   const std::vector<DebugValue>& debugValues() const { return debug_values_; }
 
   // For providers only.

@@ -35,7 +35,7 @@ class Actuator {
   virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
   /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.
   virtual void afterMove(Space&) {}
-  /// The robot's command becomes "do nothing".
+  /// The robot's command becomes "do nothing", and is carried out at once.
   virtual void stop(Space& space, Row row) = 0;
 
   const char* type() const { return type_; }
@@ -92,11 +92,12 @@ class ActuatorOf : public Actuator {
     }
   }
 
-  void stop(Space&, Row row) override {
+  void stop(Space& space, Row row) override {
     for (Seat& seat : seats_) {
       if (seat.row == row) {
         *seat.command = Device{};
         *seat.actuation = Device{};
+        apply(space, seat);
       }
     }
   }

@@ -40,7 +40,7 @@ struct Twist {
 /// From the Euler angles of experiment files: turns about W's x, then y, then z axis. @param angles [rad]
 Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles);
 
-/// The inverse: alpha and gamma in (-pi, pi], beta in [-pi/2, pi/2] [rad].
+/// The inverse: alpha and gamma from -pi to pi, beta from -pi/2 to pi/2 [rad]; at the ends of beta alpha is 0.
 Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& orientation);
 
 class Entities {

@@ -59,7 +59,8 @@ class Simulation {
   void tick();
   /// maxclock is reached, or a visualisation asked to finish.
   bool isFinished() const;
-  /// Completes what visualisations write. Called by the destructor if it was not.
+  /// Completes what visualisations write, all of them. Called by the destructor if it was not.
+  /// @throws what the first visualisation that fails throws
   void finish();
 
   const Experiment& experiment() const { return experiment_; }
@@ -82,7 +83,7 @@ class Simulation {
   // Interventions: between ticks; they take effect at once and are events of the next tick.
 
   /// Adds an entity to the engines named (the first moves it).
-  /// @throws ConfigError (bad place, overlap, unknown name); then nothing has changed
+  /// @throws ConfigError (bad place, overlap, unknown name, a controller for other robots); then nothing has changed
   void spawn(const EntityDescription& entity, const std::vector<std::string>& engines);
   /// @throws ConfigError if there is no such entity
   void remove(const std::string& name);
@@ -107,6 +108,7 @@ class Simulation {
   std::vector<Seat> seatsOf(const std::string& entity) const;
   void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                       const std::vector<Seat>& seats) const;
+  void checkController(const EntityDescription& entity) const;
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
   void removeEntity(Row row);

@@ -47,7 +47,12 @@ class DebugRender final : public Visualisation {
     known_.clear();
   }
 
-  void finish() override { file_.flush(); }
+  void finish() override {
+    file_.flush();
+    if (!file_) {
+      throw std::runtime_error("debug_render '" + id_ + "': writing " + path_.string() + " failed");
+    }
+  }
 
  private:
   void open(const SourceLocation& location) {

@@ -23,11 +23,8 @@ class HashRecorder final : public Visualisation {
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
     id_ = id;
-    const auto path = std::filesystem::path(context.out_folder) / parameters.text("file");
-    file_.open(path, std::ios::trunc);
-    if (!file_) {
-      throw ConfigError(parameters.location(), "hash_recorder '" + id + "': cannot write " + path.string());
-    }
+    path_ = std::filesystem::path(context.out_folder) / parameters.text("file");
+    open(parameters.location());
   }
 
   void draw(const Space& space) override {
@@ -35,9 +32,27 @@ class HashRecorder final : public Visualisation {
           << '\n';
   }
 
-  void finish() override { file_.flush(); }
+  void reset() override {
+    file_.close();
+    open({});
+  }
+
+  void finish() override {
+    file_.flush();
+    if (!file_) {
+      throw std::runtime_error("hash_recorder '" + id_ + "': writing " + path_.string() + " failed");
+    }
+  }
 
  private:
+  void open(const SourceLocation& location) {
+    file_.open(path_, std::ios::trunc);
+    if (!file_) {
+      throw ConfigError(location, "hash_recorder '" + id_ + "': cannot write " + path_.string());
+    }
+  }
+
+  std::filesystem::path path_;
   std::ofstream file_;
 };
 

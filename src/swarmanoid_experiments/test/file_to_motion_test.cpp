@@ -1,4 +1,5 @@
-// What the kinematic engine promises of motion, seen through whole simulations.
+// From the text of an experiment file to metres: parser, URDF, controller, wheels and engine together. What the engine
+// alone promises is in swarmanoid_engines/test/motion_test.cpp.
 #include <gtest/gtest.h>
 
 #include <cmath>

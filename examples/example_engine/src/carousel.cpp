@@ -1,0 +1,112 @@
+// A carousel: what stands on it goes round a vertical axis at a constant rate. Nothing on it collides.
+#include <algorithm>
+#include <vector>
+
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_space/engine.hpp"
+#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/space.hpp"
+
+using swarmanoid::EntityModel;
+using swarmanoid::Pose;
+using swarmanoid::Row;
+using swarmanoid::Space;
+
+class Carousel final : public swarmanoid::Engine {
+ public:
+  static swarmanoid::PluginDescription describe() {
+    swarmanoid::Parameter axis;
+    axis.name = "axis";
+    axis.type = swarmanoid::Parameter::Type::kVector2;
+    axis.unit = "m";
+    axis.description = "Where the axis stands.";
+    swarmanoid::Parameter rate;
+    rate.name = "rate";
+    rate.type = swarmanoid::Parameter::Type::kNumber;
+    rate.unit = "deg/s";
+    rate.value = "30";
+    rate.description = "How fast it turns, counter-clockwise seen from above.";
+    swarmanoid::PluginDescription description;
+    description.label = "carousel";
+    description.summary = "Takes entities round an axis; no collisions.";
+    description.parameters = {axis, rate};
+    return description;
+  }
+
+  void configure(const std::string& id, const swarmanoid::Configuration& parameters) override {
+    id_ = id;
+    axis_.head<2>() = parameters.vector2("axis");
+    rate_ = parameters.angle("rate", 0.0);
+  }
+
+  std::string refusal(const EntityModel&, const std::vector<std::string>& devices) const override {
+    for (const std::string& device : devices) {
+      if (device == swarmanoid::FootbotWheels::kType || device == swarmanoid::EyebotVelocity::kType) {
+        return "device '" + device + "' cannot be simulated: who stands on a carousel does not drive";
+      }
+    }
+    return "";
+  }
+  std::string misplacement(const EntityModel&, const Pose&) const override { return ""; }
+  Row overlap(const EntityModel&, const Pose&, Row) const override { return swarmanoid::kNoRow; }
+
+  void add(Space& space, Row row, swarmanoid::Role role) override {
+    if (role ==
+        swarmanoid::Role::kMove) {  // a mirror is met by rays in the engine that moves it, and matters to nobody
+      const auto i = static_cast<std::size_t>(row);
+      riders_.push_back({row, space.entities.model[i], space.entities.pose[i]});
+    }
+  }
+  void remove(Space&, Row row) override {
+    const auto is_it = [row](const Rider& rider) { return rider.row == row; };
+    riders_.erase(std::remove_if(riders_.begin(), riders_.end(), is_it), riders_.end());
+  }
+  void place(Space& space, Row row) override {
+    for (Rider& rider : riders_) {
+      rider.pose = rider.row == row ? space.entities.pose[static_cast<std::size_t>(row)] : rider.pose;
+    }
+  }
+  void clear() override { riders_.clear(); }
+
+  void move(Space& space, swarmanoid::Duration dt) override {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(rate_ * swarmanoid::toSeconds(dt), Eigen::Vector3d::UnitZ()));
+    const Eigen::Vector3d spin(0.0, 0.0, rate_);
+    for (Rider& rider : riders_) {
+      if (rider.model->is_movable) {
+        rider.pose.position = axis_ + turn * (rider.pose.position - axis_);
+        rider.pose.orientation = (turn * rider.pose.orientation).normalized();
+        const auto i = static_cast<std::size_t>(rider.row);
+        space.entities.pose[i] = rider.pose;
+        space.entities.twist[i] = {spin.cross(rider.pose.position - axis_), spin};
+      }
+    }
+  }
+  void connect(Space&) override {}
+
+  bool mayMeet(const swarmanoid::RayBundle&) const override { return !riders_.empty(); }
+  void castRays(const swarmanoid::RayBundle& rays, swarmanoid::Span<swarmanoid::RayHit> hits) const override {
+    for (const Rider& rider : riders_) {
+      for (std::size_t k = 0; k < rays.segments.size() && rider.row != rays.ignored && rider.row != rays.also_ignored;
+           ++k) {
+        const double fraction = swarmanoid::firstMeeting(rays.segments[k], *rider.model, rider.pose);
+        if (fraction < hits[k].fraction) {
+          hits[k] = {fraction, rider.row};
+        }
+      }
+    }
+  }
+
+ private:
+  struct Rider {
+    Row row;
+    std::shared_ptr<const EntityModel> model;
+    Pose pose;  // as in the space
+  };
+
+  std::vector<Rider> riders_;
+  Eigen::Vector3d axis_ = Eigen::Vector3d::Zero();  // [m]
+  double rate_ = 0.0;                               // [rad/s]
+};
+
+REGISTER_ENGINE(Carousel)

@@ -1,0 +1,83 @@
+// How far an entity has gone: a line a tick in a file, a result of the run, and the end of the run at a goal.
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+#include "swarmanoid_space/visualisation.hpp"
+
+using swarmanoid::Configuration;
+using swarmanoid::Parameter;
+using swarmanoid::Space;
+
+class Odometer final : public swarmanoid::Visualisation {
+ public:
+  static swarmanoid::PluginDescription describe() {
+    Parameter entity;
+    entity.name = "entity";
+    entity.description = "Whose way is measured.";
+    Parameter file;
+    file.name = "file";
+    file.description = "Where the lines go: tick, metres.";
+    Parameter goal;
+    goal.name = "goal";
+    goal.type = Parameter::Type::kNumber;
+    goal.unit = "m";
+    goal.value = "0";
+    goal.range = {0.0, swarmanoid::kInfinity};
+    goal.description = "The run ends when the entity has gone so far; 0: it does not.";
+    swarmanoid::PluginDescription description;
+    description.label = "odometer";
+    description.summary = "Measures how far an entity goes.";
+    description.parameters = {entity, file, goal};
+    return description;
+  }
+
+  void configure(const std::string& id, const Configuration& parameters,
+                 const swarmanoid::RunContext& context) override {
+    id_ = id;
+    entity_ = parameters.text("entity");
+    goal_ = parameters.number("goal", 0.0);
+    path_ = std::filesystem::path(context.out_folder) / parameters.text("file");
+    file_.open(path_, std::ios::trunc);
+    if (!file_) {
+      throw swarmanoid::ConfigError(parameters.location(), "odometer '" + id + "': cannot write " + path_.string());
+    }
+  }
+
+  void draw(const Space& space) override {
+    const swarmanoid::Row row = space.entities.find(entity_);
+    if (row == swarmanoid::kNoRow) {
+      return;  // deleted, or not there yet
+    }
+    const Eigen::Vector3d& position = space.entities.pose[static_cast<std::size_t>(row)].position;
+    travelled_ += is_under_way_ ? (position - last_position_).norm() : 0.0;
+    last_position_ = position;
+    is_under_way_ = true;
+    char line[64];
+    std::snprintf(line, sizeof line, "%llu %.6f\n", static_cast<unsigned long long>(space.tick), travelled_);
+    file_ << line;
+  }
+
+  bool terminate() const override { return goal_ > 0.0 && travelled_ >= goal_; }
+  void addMetrics(swarmanoid::Metrics& metrics) const override { metrics[id_ + "_m"] = travelled_; }
+
+  void reset() override {
+    file_.close();
+    file_.open(path_, std::ios::trunc);
+    travelled_ = 0.0;
+    is_under_way_ = false;
+  }
+
+  void finish() override { file_.flush(); }
+
+ private:
+  std::string entity_;
+  std::filesystem::path path_;
+  std::ofstream file_;
+  double goal_ = 0.0;       // [m]
+  double travelled_ = 0.0;  // [m]
+  Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();
+  bool is_under_way_ = false;
+};
+
+REGISTER_VISUALISATION(Odometer)

@@ -1,0 +1,226 @@
+#!/usr/bin/python3
+"""docs_test.py BUILD_FOLDER: what the pages say can be done as they say it.
+
+In the pages, a fence of the language sh is shell commands; all those of a page are run one after the other, in one shell,
+in an empty folder with a clone of the repository in it. A comment before a fence says what else it is:
+    <!-- file: NAME -->            the fence is written to that file
+    <!-- same as: NAME, with A as B -->  the fence is that file of the repository, with A put as B
+A text fence is something that the command before it prints. Fences that are whole experiments are validated.
+"""
+
+import concurrent.futures
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+
+from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
+
+# Where the shell commands are run; the workspace's page takes minutes and is in ./test --long
+RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.md", "docs/how-to/add_a_device.md",
+             "docs/how-to/add_a_visualisation.md", "docs/how-to/add_an_engine.md")
+LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
+FENCE = re.compile(r"(?:^<!-- (?P<note>.*?) -->\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
+BUILD_FOLDER = ""
+
+
+def pages():
+    yield "README.md"
+    for folder, _, names in os.walk(os.path.join(REPOSITORY, "docs")):
+        yield from (os.path.relpath(os.path.join(folder, name), REPOSITORY) for name in sorted(names)
+                    if name.endswith(".md"))
+    yield "examples/README.md"
+
+
+def read(page):
+    with open(os.path.join(REPOSITORY, page)) as file:
+        return file.read()
+
+
+def anchors(text):
+    """Names of headings as they stand in links."""
+    headings = re.findall(r"^#+ (.*)$", text, re.M)
+    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+class Newcomer:
+    """A shell that keeps its folder and environment from one fence to the next."""
+
+    def __init__(self, folder, environment):
+        self.folder = folder
+        self.environment = environment
+
+    def do(self, commands, timeout=300):
+        """@return exit code and all that was printed"""
+        state = os.path.join(self.environment["HOME"], "state")
+        script = f"set -e\ntrap 'code=$?; {{ pwd; env -0; }} > {state}; exit $code' EXIT\n{commands}"
+        done = subprocess.run(["bash", "-c", script], cwd=self.folder, env=self.environment, timeout=timeout, text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, check=False)
+        with open(state) as file:
+            self.folder, variables = file.read().split("\n", 1)
+        os.remove(state)
+        self.environment = dict(item.split("=", 1) for item in variables.split("\0") if item)
+        return done.returncode, done.stdout
+
+    def watch(self, command, until, timeout=120):
+        """Starts a program that stays, waits for a text that it prints, and presses Ctrl-C. @return what it printed"""
+        program = subprocess.Popen(["bash", "-c", "exec " + command], cwd=self.folder, env=self.environment, text=True,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        lines = []
+        reader = threading.Thread(target=lambda: lines.extend(iter(program.stdout.readline, "")))
+        reader.start()
+        end = time.monotonic() + timeout
+        while program.poll() is None and time.monotonic() < end and not any(until in line for line in list(lines)):
+            time.sleep(0.1)
+        if program.poll() is None:
+            program.send_signal(signal.SIGINT)
+        program.wait(60)
+        reader.join()
+        program.stdout.close()
+        return "".join(lines)
+
+
+class Display:
+    """A screen for rviz, in memory."""
+
+    def __enter__(self):
+        reader, writer = os.pipe()
+        self.server = subprocess.Popen(["Xvfb", "-displayfd", str(writer), "-screen", "0", "1024x768x24", "-nolisten",
+                                        "tcp"], pass_fds=[writer], stderr=subprocess.DEVNULL)
+        os.close(writer)
+        with os.fdopen(reader) as answer:
+            self.name = ":" + answer.readline().strip()
+        return self
+
+    def __exit__(self, *_):
+        self.server.terminate()
+        self.server.wait(10)
+
+
+class LinksTest(unittest.TestCase):
+    def test_links_lead_somewhere(self):
+        for page in pages():
+            for link in re.findall(r"\]\(([^)\s]+)\)", read(page)):
+                if re.match(r"[a-z]+:", link):
+                    continue
+                with self.subTest(page=page, link=link):
+                    name, _, anchor = link.partition("#")
+                    target = os.path.normpath(os.path.join(os.path.dirname(page), name)) if name else page
+                    self.assertTrue(os.path.exists(os.path.join(REPOSITORY, target)), "there is no such file")
+                    if anchor and target.endswith(".md"):
+                        self.assertIn(anchor, anchors(read(target)))
+
+    def test_every_page_can_be_reached_from_the_readme(self):
+        reached = {"README.md"}
+        new = ["README.md"]
+        while new:
+            page = new.pop()
+            for link in re.findall(r"\]\(([^)\s#]+)", read(page)):
+                target = os.path.normpath(os.path.join(os.path.dirname(page), link))
+                absolute = os.path.join(REPOSITORY, target)
+                found = [os.path.join(target, n) for n in os.listdir(absolute)] if os.path.isdir(absolute) else [target]
+                for name in found:
+                    if name.endswith(".md") and name not in reached and os.path.exists(os.path.join(REPOSITORY, name)):
+                        reached.add(name)
+                        new.append(name)
+        self.assertEqual([], [page for page in pages() if page not in reached])
+
+
+class ListingsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.work = tempfile.mkdtemp(prefix="swarmanoid_docs_")
+        cls.addClassCleanup(shutil.rmtree, cls.work, ignore_errors=True)
+        cls.bare = cls.new_shell("nobody")
+        # what a clone looks like in which ./run has worked once
+        cls.clone = os.path.join(cls.work, "swarmanoid")
+        os.mkdir(cls.clone)
+        for name in os.listdir(REPOSITORY):
+            if not name.startswith("build"):
+                os.symlink(os.path.join(REPOSITORY, name), os.path.join(cls.clone, name))
+        os.symlink(BUILD_FOLDER, os.path.join(cls.clone, "build"))
+
+    @classmethod
+    def new_shell(cls, name):
+        environment = bare(os.path.join(cls.work, "home", name))
+        environment.update({"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"} if compiler_cache() else {})
+        return environment
+
+    def newcomer(self, page):
+        name = os.path.basename(page).removesuffix(".md")
+        folder = os.path.join(self.work, name)
+        os.mkdir(folder)
+        os.symlink(self.clone, os.path.join(folder, "swarmanoid"))
+        return Newcomer(folder, self.new_shell(name))
+
+    def test_experiments_are_valid(self):
+        environment = sourced(self.bare, os.path.join(BUILD_FOLDER, "devel/setup.bash"))
+        for page in pages():
+            for fence in FENCE.finditer(read(page)):
+                if "<ahss-config>" in fence["text"] and page not in RUN_PAGES:  # those need the page's own libraries
+                    with self.subTest(page=page):
+                        path = os.path.join(self.work, "listing.xml")
+                        with open(path, "w") as file:
+                            file.write(fence["text"])
+                        code, _, errors = run(["swarmanoid", "validate", path], environment)
+                        self.assertEqual(0, code, errors)
+
+    def test_listings_are_the_files_they_are_said_to_be(self):
+        for page in pages():
+            for fence in FENCE.finditer(read(page)):
+                same = re.match(r"same as: (\S+)(?:, with (\S+) as (\S+))?$", fence["note"] or "")
+                if same:
+                    with self.subTest(page=page, file=same[1]):
+                        content = read(same[1])
+                        self.assertEqual(content.replace(same[2] or "", same[3] or ""), fence["text"])
+
+    def test_pages_can_be_followed(self):
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            followed = [(page, pool.submit(self.follow, page)) for page in RUN_PAGES]
+        for page, result in followed:
+            with self.subTest(page=page):
+                result.result()
+
+    @unittest.skipUnless("DOCS_TEST_LONG" in os.environ, "takes minutes: it builds the suite anew")
+    def test_long_pages_can_be_followed(self):
+        for page in LONG_PAGES:
+            with self.subTest(page=page):
+                self.follow(page)
+
+    def follow(self, page):
+        newcomer = self.newcomer(page)
+        start = newcomer.folder
+        code, printed = 0, ""
+        commands = ""
+        for fence in FENCE.finditer(read(page)):
+            text = fence["text"]
+            if fence["language"] == "text":
+                for line in text.splitlines():
+                    self.assertIn(line, printed)
+                code = 0  # a mistake that is explained is no mistake
+                continue
+            self.assertEqual(0, code, f"{commands}\n{printed}")
+            if (fence["note"] or "").startswith("file: "):
+                with open(os.path.join(start, fence["note"][6:]), "w") as file:
+                    file.write(text)
+            elif fence["language"] == "sh" and text.startswith("roslaunch"):
+                with Display() as display:
+                    newcomer.environment["DISPLAY"] = display.name
+                    printed = newcomer.watch(text.strip(), ": finished after")
+                self.assertIn(": finished after", printed)
+                self.assertNotIn("process has died", printed)
+            elif fence["language"] == "sh":
+                commands = text
+                code, printed = newcomer.do(text, timeout=1800)
+        self.assertEqual(0, code, f"{commands}\n{printed}")
+
+
+if __name__ == "__main__":
+    BUILD_FOLDER = os.path.abspath(sys.argv.pop(1))
+    unittest.main(verbosity=2)

@@ -1,0 +1,203 @@
+#!/usr/bin/python3
+"""outside_test.py BUILD_FOLDER: packages of somebody else (examples/), built and run against a devel space and an
+install space of this project; and the install space by itself."""
+
+import concurrent.futures
+import glob
+import json
+import math
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
+
+PACKAGES = ("example_controller", "example_engine", "example_sensor", "example_visualisation")
+EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
+OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
+LAUNCH = ["roslaunch", "swarmanoid_experiments", "object_retrieval.launch", "rviz:=false", "real_time_factor:=0"]
+BUILD_FOLDER = ""
+
+
+def walked_lines(last_tick):
+    """What the odometer writes: the patrol's leg takes 20 ticks, its turn 10."""
+    way_a_tick = 5.0 * 0.029 * 0.1  # wheels [rad/s], their radius [m], tick [s]
+    travelled = 0.0
+    lines = ["0 0.000000\n"]
+    for tick in range(1, last_tick + 1):
+        travelled += way_a_tick if (tick - 1) % 30 < 20 else 0.0
+        lines.append(f"{tick} {travelled:.6f}\n")
+    return lines
+
+
+class OutsideTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.mkdtemp(prefix="swarmanoid_outside_")
+        cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
+        cls.bare = bare(os.path.join(cls.folder, "home"))
+        cls.installed = os.path.join(cls.folder, "installed")
+        cls.succeed(["cmake", "--install", BUILD_FOLDER, "--prefix", cls.installed], cls.bare)
+
+    @classmethod
+    def succeed(cls, command, environment, folder=None, timeout=120):
+        code, output, errors = run(command, environment, folder, timeout)
+        if code != 0:
+            raise AssertionError(f"{' '.join(command)} ends with {code}\n{output[-3000:]}\n{errors[-3000:]}")
+        return output
+
+    # --- packages of somebody else
+
+    def build_package(self, name, space, folder):
+        """Copies a package, builds it against a space of this project, and installs it."""
+        source = os.path.join(folder, "src", name)
+        build = os.path.join(folder, "build", name)
+        shutil.copytree(os.path.join(REPOSITORY, "examples", name), source)
+        self.succeed(["cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={space}",
+                      f"-DCMAKE_INSTALL_PREFIX={folder}/installed", "-DSWARMANOID_WARNINGS_AS_ERRORS=ON",
+                      *compiler_cache()], self.bare)
+        self.succeed(["cmake", "--build", build], self.bare)
+        return build
+
+    def build_examples(self, space, folder):
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            builds = list(pool.map(lambda name: self.build_package(name, space, folder), PACKAGES))
+        for name in ("example_controller", "example_sensor"):
+            written = os.path.join(folder, "src", name, "controller_nodelets.xml")
+            committed = os.path.join(REPOSITORY, "examples", name, "controller_nodelets.xml")
+            with open(written) as new, open(committed) as old:
+                self.assertEqual(new.read(), old.read(), "commit controller_nodelets.xml")
+        return builds
+
+    def check_run_headless(self, environment, out):
+        """The experiment of all examples, without ROS."""
+        share = environment["CMAKE_PREFIX_PATH"].split(":")
+        schema = [s for s in (f"{p}/share/swarmanoid_experiments/experiment.xsd" for p in share) if os.path.exists(s)]
+        self.succeed(["xmllint", "--noout", "--schema", schema[0], EXPERIMENT], environment)
+        self.succeed(["swarmanoid", "validate", EXPERIMENT], environment)
+        result = json.loads(self.succeed(["swarmanoid", "run", EXPERIMENT, "--out", out, "--quiet"], environment))
+        self.assertTrue(result["finished"])
+        self.assertEqual(69, result["ticks"], "the goal is reached in the third leg")
+        self.assertAlmostEqual(0.7105, result["metrics"]["walked_m"])
+
+        with open(os.path.join(out, "walked.txt")) as file:
+            self.assertEqual(walked_lines(69), file.readlines())
+        with open(os.path.join(out, "waited.txt")) as file:
+            waited = [float(line.split()[1]) for line in file]
+        self.assertEqual(0.0, waited[5], "it waits for what is on the carousel, which its sensor sees")
+        self.assertGreater(waited[-1], 0.1, "and then goes")
+        with open(os.path.join(out, "table.txt")) as file:
+            rows = [line.split("\t") for line in file]
+        last = {row[3]: [float(value) for value in row[4:]] for row in rows if row[0] == "69"}
+        angle = math.pi + 6.9 * math.radians(9.0)
+        self.assertAlmostEqual(5.0 + math.cos(angle), last["rider"][0], places=4)
+        self.assertAlmostEqual(4.0 + math.sin(angle), last["rider"][1], places=4)
+        self.assertAlmostEqual(90.0, last["scout"][5], places=2)
+        return result
+
+    def check_run_under_ros(self, environment, headless_out, out):
+        """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
+        launch = subprocess.Popen([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"],
+                                  env=environment, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                  stderr=subprocess.STDOUT)
+        try:
+            self.wait_for_space(launch, environment)
+            maps = self.maps_of_manager(launch.pid)
+            for library in ("libpatrol_nodelet.so", "libface_north_nodelet.so", "libcompass.so", "libcarousel.so",
+                            "libodometer.so"):
+                self.assertIn(library, maps)
+            self.succeed(["rosservice", "call", "/space/resume"], environment)
+            output, _ = launch.communicate(timeout=60)
+        finally:
+            if launch.poll() is None:
+                launch.terminate()
+                launch.communicate(timeout=60)
+        self.assertEqual(0, launch.returncode, output)
+        self.assertIn("finished after 69 ticks", output)
+        for name in OUTPUTS:
+            with open(os.path.join(headless_out, name)) as first, open(os.path.join(out, name)) as second:
+                self.assertEqual(first.read(), second.read(), name)
+
+    def wait_for_space(self, launch, environment):
+        """Its services are there when all nodelets are."""
+        while run(["rosservice", "call", "/space/pause"], environment)[0] != 0:
+            self.assertIsNone(launch.poll(), "roslaunch has ended")
+            time.sleep(0.2)
+
+    def maps_of_manager(self, launch_pid):
+        """Files that the nodelet manager started by a roslaunch has in memory."""
+        for status in glob.glob("/proc/[0-9]*/status"):
+            folder = os.path.dirname(status)
+            try:
+                with open(status) as text, open(folder + "/cmdline") as command:
+                    if f"\nPPid:\t{launch_pid}\n" in text.read() and "\0manager\0" in command.read():
+                        with open(folder + "/maps") as maps:
+                            return maps.read()
+            except FileNotFoundError:
+                continue  # a process that has just ended
+        raise AssertionError("there is no nodelet manager")
+
+    def check_examples(self, space, folder, use_installed):
+        builds = self.build_examples(space, folder)
+        if use_installed:
+            for build in builds:
+                self.succeed(["cmake", "--install", build], self.bare)
+            environment = sourced(self.bare, f"{folder}/installed/setup.bash")
+        else:
+            environment = sourced(self.bare, *(f"{build}/devel/setup.bash" for build in builds))
+        headless_out = os.path.join(folder, "headless")
+        ros_out = os.path.join(folder, "ros")
+        os.mkdir(ros_out)
+        result = self.check_run_headless(environment, headless_out)
+        self.check_run_under_ros(environment, headless_out, ros_out)
+        return result["state_hash"]
+
+    def test_examples_build_and_run_against_devel_and_install_space(self):
+        hashes = set()
+        devel = os.path.join(BUILD_FOLDER, "devel")
+        for name, space, use_installed in (("devel", devel, False), ("install", self.installed, True)):
+            with self.subTest(name):
+                hashes.add(self.check_examples(space, os.path.join(self.folder, name), use_installed))
+        self.assertEqual(1, len(hashes), "one experiment, one result")
+
+    def test_what_is_not_there_is_named(self):
+        code, _, errors = run(["swarmanoid", "validate", EXPERIMENT],
+                              sourced(self.bare, f"{self.installed}/setup.bash"))
+        self.assertEqual(2, code)
+        self.assertIn("together.xml:9: library 'patrol': found no libpatrol.so in", errors)
+
+    # --- the install space by itself
+
+    def test_install_space_runs_by_itself(self):
+        environment = sourced(self.bare, f"{self.installed}/setup.bash")
+        self.assertNotIn(BUILD_FOLDER, " ".join(environment.values()))
+        result = json.loads(self.succeed(["swarmanoid", "run", "object_retrieval", "--seed", "1", "--quiet"],
+                                         environment, self.folder))
+        self.assertTrue(result["success"])
+        output = self.succeed([*LAUNCH, "max_ticks:=50"], environment, timeout=60)
+        self.assertIn("after 50 ticks", output)
+
+    def test_install_space_does_not_know_where_it_was_built(self):
+        """Debugging information may name sources; nothing that is read while running may."""
+        for folder, _, names in os.walk(self.installed):
+            for name in names:
+                path = os.path.join(folder, name)
+                if name.endswith(".pyc"):
+                    continue
+                with open(path, "rb") as file:
+                    content = file.read()
+                is_program = content.startswith(b"\x7fELF")
+                self.assertFalse(not is_program and BUILD_FOLDER.encode() in content, f"{path} names {BUILD_FOLDER}")
+                if is_program:
+                    dynamic = self.succeed(["readelf", "-d", path], self.bare)
+                    self.assertIsNone(re.search(r"R(UN)?PATH.*" + re.escape(BUILD_FOLDER), dynamic), path)
+
+
+if __name__ == "__main__":
+    BUILD_FOLDER = os.path.abspath(sys.argv.pop(1))
+    unittest.main(verbosity=2)

@@ -1,0 +1,44 @@
+"""What a newcomer's shell has: for tests that must not lean on whoever started them."""
+
+import os
+import shutil
+import socket
+import subprocess
+import tempfile
+
+REPOSITORY = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+
+
+def bare(home):
+    """An environment without any workspace. @param home where programs may keep their files"""
+    os.makedirs(home, exist_ok=True)
+    with socket.socket() as free:
+        free.bind(("localhost", 0))
+        port = free.getsockname()[1]
+    kept = {name: os.environ[name] for name in ("USER", "LOGNAME", "CCACHE_DIR") if name in os.environ}
+    kept.setdefault("CCACHE_DIR", os.path.join(os.path.expanduser("~"), ".cache/ccache"))
+    # temporary folders have new names each time
+    kept.update(CCACHE_BASEDIR=tempfile.gettempdir(), CCACHE_NOHASHDIR="1")
+    return {**kept, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "C.UTF-8", "HOME": home,
+            "ROS_HOME": os.path.join(home, ".ros"), "ROS_MASTER_URI": f"http://localhost:{port}",
+            "ROS_HOSTNAME": "localhost", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
+
+
+def sourced(environment, *setups):
+    """The environment after `source` of these setup files, one upon the other."""
+    commands = [f"source '{setup}'" + (" --extend" if i > 0 else "") for i, setup in enumerate(setups)]
+    output = subprocess.run(["bash", "-c", " && ".join(commands) + " && env -0"], env=environment, check=True,
+                            cwd=environment["HOME"], stdout=subprocess.PIPE, timeout=60).stdout
+    return dict(item.split("=", 1) for item in output.decode().split("\0") if item)
+
+
+def compiler_cache():
+    """CMake options that let a second build of the same files take no time."""
+    return ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+
+
+def run(command, environment, folder=None, timeout=120):
+    """Runs a program to its end, at home if no folder is given. @return exit code, standard output, standard error"""
+    done = subprocess.run(command, env=environment, cwd=folder or environment["HOME"], timeout=timeout, text=True, stdin=subprocess.DEVNULL,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+    return done.returncode, done.stdout, done.stderr

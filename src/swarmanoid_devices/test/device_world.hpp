@@ -1,0 +1,157 @@
+/// Worlds small enough to compute by hand: a space without engines and controllers, and devices out of the registry.
+/// What is in no engine is seen by rays all the same.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/actuator.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::test {
+
+using Parameters = std::map<std::string, std::string>;
+
+/// A device as an experiment file would ask for it; what is not given has its default.
+template <class Base>
+std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const Parameters& parameters) {
+  loadPluginLibrary("swarmanoid_devices", {}, {});
+  const Registry::Entry& entry = *Registry::instance().find(kind, type);
+  Configuration configuration(type, "", {});
+  for (const Parameter& parameter : entry.description.parameters) {
+    const auto given = parameters.find(parameter.name);
+    configuration.set(parameter.name, given == parameters.end() ? parameter.value.value_or("") : given->second);
+  }
+  auto device = makePlugin<Base>(entry);
+  device->configure(configuration);
+  return device;
+}
+
+class DeviceWorld {
+ public:
+  explicit DeviceWorld(std::uint64_t seed = 1) {
+    space.seed = seed;
+    space.size = {10.0, 10.0, 3.0};
+    space.clocktick = std::chrono::milliseconds(100);
+    space.index.configure(space.size, PositionalIndex::Optimization::k2D, 16);
+  }
+
+  Row add(const std::shared_ptr<const EntityModel>& model, const Eigen::Vector3d& position, double heading = 0.0,
+          Color color = colors::kBlack) {
+    const Pose pose{position, Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))};
+    const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, color);
+    space.fitRows();
+    space.entities_without_engine.push_back(row);
+    return row;
+  }
+  Row addFootbot(double x, double y, double heading = 0.0) { return add(robotModel("footbot"), {x, y, 0.0}, heading); }
+  Row addEyebot(double x, double y, double z, double heading = 0.0) {
+    return add(robotModel("eyebot"), {x, y, z}, heading);
+  }
+  Row addPrey(double x, double y, Color color = colors::kYellow, double radius = 0.06, double height = 0.1) {
+    return add(cylindricPreyModel(radius, height), {x, y, 0.0}, 0.0, color);
+  }
+  /// Stands on the floor. @param centre of its ground
+  Row addWall(const Eigen::Vector3d& size, const Eigen::Vector2d& centre) {
+    return add(blockModel(size), {centre.x(), centre.y(), 0.5 * size.z()});
+  }
+  void remove(Row row) {
+    auto& lone = space.entities_without_engine;
+    lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+    space.entities.remove(row);
+  }
+
+  Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
+
+  /// All seats of a sensor read the space as it is now.
+  void sense(Sensor& sensor) {
+    space.index.rebuild(space.entities);
+    sensor.sense(space, 0, sensor.seatCount());
+    sensor.report(space);
+  }
+
+  /// @return the rows whose commands were faulty
+  std::vector<Row> actuate(Actuator& actuator) {
+    std::vector<Row> faulty;
+    actuator.actuate(space, faulty);
+    return faulty;
+  }
+
+  Space space;
+
+ private:
+  int count_ = 0;
+};
+
+/// One sensor of one robot.
+template <class Device>
+class SensorUnderTest {
+ public:
+  SensorUnderTest(DeviceWorld& world, Row row, const Parameters& parameters = {})
+      : world_(world),
+        sensor(makeDevice<Sensor>(PluginKind::kSensor, Device::kType, parameters)),
+        readings_(static_cast<const Device*>(sensor->add(world.space, row))) {}
+
+  const Device& sense() {
+    world_.sense(*sensor);
+    return *readings_;
+  }
+
+ private:
+  DeviceWorld& world_;
+
+ public:
+  std::shared_ptr<Sensor> sensor;
+
+ private:
+  const Device* readings_;
+};
+
+/// One actuator of one robot.
+template <class Device>
+class ActuatorUnderTest {
+ public:
+  ActuatorUnderTest(DeviceWorld& world, Row row, const Parameters& parameters = {})
+      : world_(world),
+        row_(row),
+        actuator(makeDevice<Actuator>(PluginKind::kActuator, Device::kType, parameters)),
+        command(*static_cast<Device*>(actuator->add(world.space, row))) {}
+
+  /// What is left of the command after this tick's limits and noise.
+  const Device& actuate() {
+    faulty = world_.actuate(*actuator);
+    return *world_.space.actuation.find<Device>(row_);
+  }
+
+ private:
+  DeviceWorld& world_;
+  Row row_;
+
+ public:
+  std::shared_ptr<Actuator> actuator;
+  Device& command;
+  std::vector<Row> faulty;  ///< by the last actuate
+};
+
+/// Mean and standard deviation.
+struct Statistics {
+  double mean = 0.0;
+  double deviation = 0.0;
+
+  explicit Statistics(const std::vector<double>& values) {
+    for (const double value : values) {
+      mean += value / static_cast<double>(values.size());
+    }
+    double sum = 0.0;
+    for (const double value : values) {
+      sum += (value - mean) * (value - mean);
+    }
+    deviation = std::sqrt(sum / static_cast<double>(values.size()));
+  }
+};
+
+}  // namespace swarmanoid::test

@@ -1,0 +1,162 @@
+// The infrared ring: 24 rays from 0.085 m around the axis, 0.06 m above the ground; response (1 - distance / range)^3.
+#include "swarmanoid_interface/devices/footbot_proximity.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "device_world.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+using Ring = SensorUnderTest<FootbotProximity>;
+
+constexpr double kRadius = 0.085;  // m, of the ring
+constexpr double kRange = 0.1;     // m, the default
+
+double response(double distance, double range = kRange) {
+  return distance >= range ? 0.0 : std::pow(1.0 - distance / range, 3.0);
+}
+
+double headings[] = {0.0, 0.7, -2.5};
+
+TEST(FootbotProximityTest, AWallAheadIsReadByEachSensorAtItsOwnDistance) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  world.addWall({0.1, 2.0, 0.5}, {1.0 + kRadius + 0.05 + 0.05, 1.0});  // its face is 5 cm before sensor 0
+  const FootbotProximity& readings = Ring(world, robot).sense();
+  EXPECT_NEAR(readings.value[0], 0.125, 1e-6);
+  for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+    const double cosine = std::cos(FootbotProximity::angle(i));
+    const double distance = cosine > 0.0 ? (kRadius + 0.05) / cosine - kRadius : kRange;
+    EXPECT_NEAR(readings.value[i], response(distance), 1e-6) << "sensor " << i;
+    EXPECT_EQ(readings.value[i] == 0.0F, distance >= kRange) << "sensor " << i;
+  }
+}
+
+TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
+  for (const double range : {0.1, 0.3}) {
+    DeviceWorld world;
+    const Row robot = world.addFootbot(1.0, 1.0);
+    const Row wall = world.addWall({0.1, 2.0, 0.5}, {2.0, 1.0});
+    Ring ring(world, robot, {{"range", std::to_string(range)}});
+    for (const double distance : {0.0, 0.01, 0.05, 0.0999, 0.1, 0.2, 0.299, 0.301, 0.5}) {
+      // to the robot's left, where nothing of its own sticks out
+      world.pose(robot).orientation = Eigen::AngleAxisd(-M_PI / 2.0, Eigen::Vector3d::UnitZ());
+      world.pose(wall).position.x() = 1.0 + kRadius + distance + 0.05;
+      EXPECT_NEAR(ring.sense().value[6], response(distance, range), 1e-6) << distance << " m";
+    }
+  }
+}
+
+TEST(FootbotProximityTest, OnlyTheSensorThatFacesAPoleSeesIt) {
+  for (const double heading : headings) {
+    DeviceWorld world;
+    const Row robot = world.addFootbot(1.0, 1.0, heading);
+    const Row pole = world.addPrey(5.0, 5.0, colors::kBlack, 0.01);
+    Ring ring(world, robot);
+    for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+      const double angle = heading + FootbotProximity::angle(i);
+      const double distance = kRadius + 0.05 + 0.01;
+      world.pose(pole).position = {1.0 + distance * std::cos(angle), 1.0 + distance * std::sin(angle), 0.0};
+      const FootbotProximity& readings = ring.sense();
+      for (std::size_t k = 0; k < FootbotProximity::kCount; ++k) {
+        EXPECT_NEAR(readings.value[k], k == i ? 0.125 : 0.0, 1e-6) << "pole at " << i << ", sensor " << k;
+      }
+    }
+  }
+}
+
+TEST(FootbotProximityTest, SensorsAreEvery15DegreesCounterClockwise) {
+  EXPECT_EQ(FootbotProximity::angle(0), 0.0);
+  EXPECT_NEAR(FootbotProximity::angle(6), M_PI / 2.0, 1e-15);
+  EXPECT_NEAR(FootbotProximity::angle(12), M_PI, 1e-15);
+  EXPECT_NEAR(FootbotProximity::angle(18), -M_PI / 2.0, 1e-15);
+  EXPECT_NEAR(FootbotProximity::angle(23), -M_PI / 12.0, 1e-15);
+}
+
+TEST(FootbotProximityTest, ItsOwnGripperAndWheelsAreNotSeen) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  world.addPrey(1.0 - kRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // so that rays are cast at all
+  const FootbotProximity& readings = Ring(world, robot).sense();
+  EXPECT_NEAR(readings.value[12], 0.125, 1e-6);
+  for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+    EXPECT_EQ(readings.value[i] > 0.0F, i == 12) << "sensor " << i;
+  }
+}
+
+TEST(FootbotProximityTest, AnotherFootbotIsSeenAtItsHull) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0, -M_PI / 2.0);
+  world.addFootbot(1.0 + 2.0 * kRadius + 0.02, 1.0, -M_PI / 2.0);  // left of the first, 2 cm apart
+  EXPECT_NEAR(Ring(world, robot).sense().value[6], response(0.02), 1e-6);
+}
+
+TEST(FootbotProximityTest, WhatIsLowerOrHigherThanTheRingIsNotSeen) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  const double face = 1.0 + kRadius + 0.05;
+  world.add(blockModel({0.1, 1.0, 0.05}), {face + 0.05, 1.0, 0.025});  // up to 5 cm
+  world.add(blockModel({0.1, 1.0, 0.05}), {face + 0.05, 1.0, 0.095});  // from 7 cm
+  Ring ring(world, robot);
+  EXPECT_EQ(ring.sense().value, (std::array<float, FootbotProximity::kCount>{}));
+  world.add(blockModel({0.1, 1.0, 0.02}), {face + 0.05, 1.0, 0.06});
+  EXPECT_NEAR(ring.sense().value[0], 0.125, 1e-6);
+}
+
+TEST(FootbotProximityTest, ReadsNothingAgainWhenTheObstacleIsGone) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  const Row prey = world.addPrey(1.0, 1.0 + kRadius + 0.06 + 0.03);
+  Ring ring(world, robot);
+  EXPECT_GT(ring.sense().value[6], 0.3F);
+  world.remove(prey);
+  EXPECT_EQ(ring.sense().value, (std::array<float, FootbotProximity::kCount>{}));
+}
+
+/// The readings of one robot over some ticks.
+std::vector<std::array<float, FootbotProximity::kCount>> over(int ticks, const std::string& noise, std::uint64_t seed,
+                                                              int bystanders = 0) {
+  DeviceWorld world(seed);
+  const Row robot = world.addFootbot(1.0, 1.0);
+  world.addWall({0.1, 2.0, 0.5}, {1.0 + kRadius + 0.05 + 0.05, 1.0});
+  Ring ring(world, robot, {{"noise", noise}});
+  for (int i = 0; i < bystanders; ++i) {
+    ring.sensor->add(world.space, world.addFootbot(3.0 + i, 5.0));
+  }
+  std::vector<std::array<float, FootbotProximity::kCount>> readings;
+  for (int i = 0; i < ticks; ++i) {
+    readings.push_back(ring.sense().value);
+    ++world.space.tick;
+  }
+  return readings;
+}
+
+TEST(FootbotProximityTest, NoiseIsUniformWithinItsWidthAndReadingsStayBetween0And1) {
+  std::vector<double> seeing;
+  std::vector<double> clear;
+  for (const auto& readings : over(4000, "0.05", 1)) {
+    seeing.push_back(readings[0]);
+    clear.push_back(readings[12]);
+    EXPECT_NEAR(readings[0], 0.125, 0.05 + 1e-6);
+    EXPECT_GE(readings[12], 0.0F);
+    EXPECT_LE(readings[12], 0.05F);
+  }
+  const Statistics of_seeing(seeing);
+  EXPECT_NEAR(of_seeing.mean, 0.125, 5.0 * 0.0289 / std::sqrt(4000.0));
+  EXPECT_NEAR(of_seeing.deviation, 0.05 / std::sqrt(3.0), 0.001);
+  EXPECT_NEAR(Statistics(clear).mean, 0.05 / 4.0, 0.002);  // the lower half is cut off at 0
+}
+
+TEST(FootbotProximityTest, NoiseBelongsToTheSeedAndNotToWhoElseSenses) {
+  EXPECT_EQ(over(50, "0.05", 1), over(50, "0.05", 1, 5));
+  EXPECT_NE(over(50, "0.05", 1), over(50, "0.05", 2));
+  const auto exact = over(50, "0", 1);
+  EXPECT_EQ(exact, over(50, "0", 2));
+  EXPECT_EQ(exact.front(), exact.back());
+}
+
+}  // namespace
+}  // namespace swarmanoid::test

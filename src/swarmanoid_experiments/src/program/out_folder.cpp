@@ -1,0 +1,36 @@
+#include "out_folder.hpp"
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid::program {
+
+namespace fs = std::filesystem;
+
+OutFolder::OutFolder(const std::string& folder) {
+  if (folder.empty()) {
+    return;
+  }
+  std::error_code problem;
+  fs::path missing = fs::absolute(folder, problem).lexically_normal();
+  while (!problem && !missing.empty() && !fs::exists(missing, problem) && missing != missing.parent_path()) {
+    made_.push_back(missing);
+    missing = missing.parent_path();
+  }
+  problem.clear();
+  fs::create_directories(folder, problem);
+  if (!problem && !fs::is_directory(folder)) {
+    problem = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (problem) {
+    throw ConfigError({"--out", 0}, "cannot make the folder '" + folder + "': " + problem.message());
+  }
+}
+
+OutFolder::~OutFolder() {
+  for (const fs::path& folder : made_) {
+    std::error_code ignored;
+    fs::remove(folder, ignored);
+  }
+}
+
+}  // namespace swarmanoid::program

@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+"""The program `swarmanoid`: exit codes, options, summaries, and what is left behind when something is wrong."""
+
+import pathlib
+import re
+import unittest
+import xml.etree.ElementTree
+
+from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, STOPPED, ProgramTest
+
+FIELDS = ["experiment", "seed", "ticks", "finished", "success", "metrics", "failed_controllers", "wall_s",
+          "real_time_factor", "robot_ticks_per_s", "state_hash"]
+
+
+class RunTest(ProgramTest):
+    def test_a_summary_has_the_documented_fields(self):
+        summary = self.run_world()
+        self.assertEqual(list(summary), FIELDS)
+        self.assertEqual(summary["experiment"], "world")
+        self.assertEqual((summary["seed"], summary["ticks"], summary["finished"]), (1, 20, True))
+        self.assertIsNone(summary["success"])
+        self.assertEqual((summary["metrics"], summary["failed_controllers"]), ({}, []))
+        self.assertRegex(summary["state_hash"], "^[0-9a-f]{16}$")
+        self.assertAlmostEqual(summary["real_time_factor"], 2.0 / summary["wall_s"], delta=1e-3 / summary["wall_s"])
+        self.assertAlmostEqual(summary["robot_ticks_per_s"], 20 / summary["wall_s"], delta=1e-2 / summary["wall_s"])
+
+    def test_an_experiment_that_fails_at_its_task_is_finished_all_the_same(self):
+        done = self.call("run", "object_retrieval", "--ticks", 5, "--quiet")
+        self.assertEqual(done.returncode, FINISHED, done.stderr)
+        self.assertIn('"success":false', done.stdout)
+        self.assertIn('"prey_in_nest":""', done.stdout)
+
+    def test_a_failing_controller_is_named_and_the_run_goes_on(self):
+        summary = self.run_world(fail_at=3, code=CONTROLLER_FAILED)
+        self.assertEqual((summary["ticks"], summary["finished"]), (20, True))
+        self.assertEqual(summary["failed_controllers"], [{"robot": "fb", "tick": 3, "reason": "told to, \ufffd"}])
+        self.assertEqual(len((self.out / "table.txt").read_text().splitlines()), 1 + 21 * 2)
+
+    def test_the_seed_is_the_file_s_or_the_option_s(self):
+        hashes = []
+        for options in ([], ["--seed", 1], ["--seed", 18446744073709551615], ["--set", "framework.random_seed=7"]):
+            done = self.call("run", "diffusion", "--ticks", 3, "--quiet", *options)
+            self.assertEqual(done.returncode, FINISHED, done.stderr)
+            hashes.append(re.search('"seed":(\\d+).*"state_hash":"(.*)"', done.stdout).groups())
+        self.assertEqual([seed for seed, _ in hashes], ["1", "1", "18446744073709551615", "7"])
+        self.assertEqual(hashes[0], hashes[1])
+        self.assertEqual(len(set(hashes)), 3)
+
+    def test_threads_change_nothing(self):
+        hashes = set()
+        for threads in (1, 2, 4):
+            done = self.call("run", "diffusion", "--ticks", 50, "--quiet", "--threads", threads)
+            hashes.add(re.search('"state_hash":"(.*)"', done.stdout).group(1))
+        self.assertEqual(len(hashes), 1)
+
+    def test_set_replaces_what_the_file_says(self):
+        summary = self.run_world("--set", "framework.maxclock=7", "--set", "controllers.fc.parameters.fail_at=2",
+                                 code=CONTROLLER_FAILED)
+        self.assertEqual(summary["ticks"], 7)
+        self.assertEqual(summary["failed_controllers"][0]["tick"], 2)
+        self.assertEqual(self.run_world("--set", "framework.maxclock=7", "--ticks", 9)["ticks"], 9)
+
+    def test_hashes_are_those_of_every_state(self):
+        summary = self.run_world("--hashes", "hashes.txt")
+        lines = (self.folder / "hashes.txt").read_text().splitlines()
+        self.assertEqual([line.split()[0] for line in lines], [str(tick) for tick in range(21)])
+        self.assertEqual(lines[-1].split()[1], summary["state_hash"])
+
+    def test_without_quiet_the_progress_goes_to_the_error_stream(self):
+        done = self.call("run", self.world(visualisations=""))
+        self.assertIn("20 of at most 20 ticks", done.stderr)
+        self.assertEqual(done.stdout.count("\n"), 1)
+
+    def test_an_existing_out_folder_is_used_and_its_files_replaced(self):
+        self.out.mkdir()
+        (self.out / "table.txt").write_text("old\n" * 1000)
+        (self.out / "mine.txt").write_text("kept")
+        self.run_world()
+        self.assertTrue((self.out / "table.txt").read_text().startswith("#\tclock"))
+        self.assertEqual((self.out / "mine.txt").read_text(), "kept")
+
+    def test_a_full_disk_is_told_and_the_other_files_are_complete(self):
+        full = '<text_render id="full"><file>/dev/full</file></text_render><text_render id="t"><file>t.txt</file></text_render>'
+        done = self.call("run", self.world(visualisations=full), "--quiet", "--out", self.out)
+        self.assertEqual(done.returncode, STOPPED)
+        self.assertIn("text_render 'full': writing /dev/full failed", done.stderr)
+        self.assertIn('"ticks":20', done.stdout)
+        self.assertEqual(len((self.out / "t.txt").read_text().splitlines()), 1 + 21 * 2)
+
+
+class RefusalTest(ProgramTest):
+    def test_files_that_are_not_there_or_are_none(self):
+        done = self.call("run", "difusion")
+        self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
+        self.assertRegex(done.stderr, "^swarmanoid: difusion: found neither such a file nor an installed experiment of "
+                                      "that name; installed: .*; did you mean 'diffusion'\\?\n$")
+        file = self.world(text="<ahss-config>\n</ahss>")
+        self.assert_refused(file + ":1: found a closing tag that does not match the open element", "run", file)
+
+    def test_mistakes_in_the_file_leave_no_out_folder(self):
+        file = self.world(maxclock=0)
+        self.assert_refused(file + ":2: maxclock: found '0', allowed: a whole number from 1 to 1e+15",
+                            "run", file, "--out", self.out)
+        # found only while the world is built
+        overlapping = self.world()
+        self.assert_refused(overlapping + ":11: block 'wall' in engine 'ground': overlaps 'fb'",
+                            "run", overlapping, "--out", self.out / "deep", "--set", "arena.wall.position=2,3,0.25")
+
+    def test_out_that_cannot_be_a_folder(self):
+        file = self.world()
+        (self.folder / "taken").write_text("")
+        self.assert_refused("--out: cannot make the folder 'taken': Not a directory", "run", file, "--out", "taken")
+        self.assert_refused("--out: cannot make the folder '/dev/null/x': Not a directory",
+                            "run", file, "--out", "/dev/null/x")
+
+    def test_files_that_cannot_be_written(self):
+        self.assert_refused(self.world() + ":15: text_render 'table': cannot write nowhere/table.txt", "run", self.world(),
+                            "--set", "visualisations.table.file=nowhere/table.txt")
+        done = self.call("run", self.world(visualisations=""), "--bag", "/nowhere/run.bag")
+        self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
+        self.assertIn("cannot write", done.stderr)
+
+    def test_malformed_settings(self):
+        file = self.world()
+        for setting, message in (
+                ("maxclock", "--set: found 'maxclock', allowed: path=value"),
+                ("=5", "--set: found '=5', allowed: path=value"),
+                ("maxclock=5", "--set maxclock: allowed: section.name, such as framework.maxclock"),
+                ("framework..maxclock=5",
+                 "--set framework..maxclock: allowed: section.name, such as framework.maxclock"),
+                ("framework.maxclock=many",
+                 "--set framework.maxclock: maxclock: found 'many', allowed: a whole number from 1 to 1e+15")):
+            self.assert_refused(message, "run", file, "--set", setting)
+        done = self.call("run", file, "--set", "framwork.maxclock=5")
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn("did you mean 'framework'?", done.stderr)
+        done = self.call("run", file, "--set", "framework.maxclok=5")
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn("did you mean 'maxclock'?", done.stderr)
+
+    def test_wrong_usage(self):
+        file = self.world()
+        for arguments in ([], ["walk"], ["run"], ["run", file, "--sed", "1"], ["run", file, "--seed", "-1"],
+                          ["run", file, "--seed", "1.5"], ["run", file, "--seed", "18446744073709551616"],
+                          ["run", file, "--ticks", "0"], ["run", file, "--ticks", "-5"], ["run", file, "--ticks", "x"],
+                          ["run", file, "--threads", "0"], ["run", file, "--threads", "1000000"], ["run", file, file]):
+            done = self.call(*arguments)
+            self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""), arguments)
+            self.assertNotEqual(done.stderr, "")
+        self.assertEqual(self.call("--help").returncode, FINISHED)
+        self.assertEqual(self.call("run", "--help").returncode, FINISHED)
+
+
+class OtherCommandsTest(ProgramTest):
+    def test_validate_says_what_is_in_the_file_and_writes_nothing(self):
+        file = self.world()
+        before = sorted(self.folder.rglob("*"))
+        done = self.call("validate", file)
+        self.assertEqual((done.returncode, done.stdout), (FINISHED, file + ": valid, 2 entities, 1 robots\n"))
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+        self.assert_refused(file + ":11: block 'wall' in engine 'ground': overlaps 'fb'",
+                            "validate", file, "--set", "arena.wall.position=2,3,0.25")
+
+    def test_list_names_everything_or_one_kind(self):
+        everything = self.call("list")
+        self.assertEqual(everything.returncode, FINISHED)
+        kinds = [line for line in everything.stdout.splitlines() if not line.startswith(" ")]
+        self.assertEqual(kinds, ["experiment", "controller", "sensor", "actuator", "engine", "visualisation", "entity"])
+        sensors = self.call("list", "sensor").stdout
+        self.assertIn("  footbot_proximity (polynomial): ", sensors)
+        self.assertNotIn("footbot_wheels", sensors)
+        self.assertEqual(self.call("list", "experiment").stdout, "experiment\n  diffusion\n  object_retrieval\n")
+        self.assert_refused("list: found 'sensors', allowed: experiment, controller, sensor, actuator, engine, "
+                            "visualisation, entity; did you mean 'sensor'?", "list", "sensors")
+
+    def test_schema_is_xml_and_names_the_devices(self):
+        done = self.call("schema")
+        self.assertEqual(done.returncode, FINISHED)
+        root = xml.etree.ElementTree.fromstring(done.stdout)
+        self.assertEqual(root.tag, "{http://www.w3.org/2001/XMLSchema}schema")
+        self.assertIn('"footbot_proximity"', done.stdout)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[pathlib.Path(__file__).name, "-v"])

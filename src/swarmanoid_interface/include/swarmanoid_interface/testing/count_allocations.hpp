@@ -1,0 +1,59 @@
+/// For tests that hold code to allocating nothing: counts every malloc of the program, and so every new.
+///
+/// Include it in one source file of the test's executable; it replaces malloc and its relatives there.
+#pragma once
+
+#include <atomic>
+#include <cerrno>
+#include <cstddef>
+
+// Sanitizers bring a malloc of their own; nothing is counted there, and tests skip themselves.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define SWARMANOID_COUNTS_ALLOCATIONS 0
+#else
+#define SWARMANOID_COUNTS_ALLOCATIONS 1
+#endif
+
+namespace swarmanoid {
+
+/// Allocations since the program began, by all threads.
+inline std::atomic<long> heap_allocations{0};
+
+}  // namespace swarmanoid
+
+#if SWARMANOID_COUNTS_ALLOCATIONS
+extern "C" {
+// NOLINTBEGIN(bugprone-reserved-identifier, readability-identifier-naming): glibc's own names
+void* __libc_malloc(std::size_t size);
+void* __libc_calloc(std::size_t count, std::size_t size);
+void* __libc_realloc(void* memory, std::size_t size);
+void* __libc_memalign(std::size_t alignment, std::size_t size);
+// NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
+
+void* malloc(std::size_t size) noexcept {
+  ++swarmanoid::heap_allocations;
+  return __libc_malloc(size);
+}
+
+void* calloc(std::size_t count, std::size_t size) noexcept {
+  ++swarmanoid::heap_allocations;
+  return __libc_calloc(count, size);
+}
+
+void* realloc(void* memory, std::size_t size) noexcept {
+  ++swarmanoid::heap_allocations;
+  return __libc_realloc(memory, size);
+}
+
+void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+  ++swarmanoid::heap_allocations;
+  return __libc_memalign(alignment, size);
+}
+
+int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+  ++swarmanoid::heap_allocations;
+  *memory = __libc_memalign(alignment, size);
+  return *memory == nullptr ? ENOMEM : 0;
+}
+}
+#endif

@@ -1,0 +1,156 @@
+// Entities and what belongs to them: numbers that are never used again, rows that are, addresses that stay.
+#include "swarmanoid_space/entities.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <set>
+
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_space/bank.hpp"
+
+namespace swarmanoid {
+namespace {
+
+Row add(Entities& entities, const std::string& name) { return entities.add(name, lightModel(), {}, colors::kRed); }
+
+TEST(EntitiesTest, NumbersBeginAtOneAndAreNeverUsedAgain) {
+  Entities entities;
+  std::set<EntityNumber> numbers;
+  std::mt19937 random(3);
+  for (int i = 0; i < 5000; ++i) {
+    const Row row = add(entities, "e" + std::to_string(i));
+    EXPECT_TRUE(numbers.insert(entities.number[static_cast<std::size_t>(row)]).second);
+    if (random() % 4 != 0) {
+      entities.remove(entities.order[random() % entities.size()]);
+    }
+  }
+  EXPECT_EQ(*numbers.begin(), 1U);
+  EXPECT_EQ(*numbers.rbegin(), 5000U);
+  EXPECT_LT(entities.rowCount(), 2000U) << "rows are used again";
+}
+
+TEST(EntitiesTest, ANumberOfTheDeadFindsNobodyEvenWhenItsRowLivesAgain) {
+  Entities entities;
+  add(entities, "a");
+  const Row b = add(entities, "b");
+  const EntityNumber number_of_b = entities.number[static_cast<std::size_t>(b)];
+  add(entities, "c");
+  entities.remove(b);
+  EXPECT_EQ(entities.find("b"), kNoRow);
+  EXPECT_EQ(entities.find(number_of_b), kNoRow);
+  EXPECT_FALSE(entities.isAlive(b));
+  const Row again = add(entities, "b");
+  EXPECT_EQ(again, b);
+  EXPECT_EQ(entities.find(number_of_b), kNoRow);
+  EXPECT_EQ(entities.find("b"), again);
+  EXPECT_EQ(entities.find(entities.number[static_cast<std::size_t>(again)]), again);
+  EXPECT_EQ(entities.find(kNobody), kNoRow);
+  EXPECT_EQ(entities.find(EntityNumber{1000}), kNoRow);
+}
+
+TEST(EntitiesTest, OrderIsByNumberWhateverHappened) {
+  Entities entities;
+  std::mt19937 random(5);
+  for (int i = 0; i < 2000; ++i) {
+    const Row row = add(entities, "e" + std::to_string(i));
+    EXPECT_EQ(entities.order.back(), row);
+    if (random() % 2 == 0) {
+      entities.remove(entities.order[random() % entities.size()]);
+    }
+    EntityNumber previous = 0;
+    std::set<Row> rows;
+    for (const Row each : entities.order) {
+      const EntityNumber number = entities.number[static_cast<std::size_t>(each)];
+      ASSERT_GT(number, previous);
+      ASSERT_TRUE(rows.insert(each).second);
+      previous = number;
+    }
+  }
+}
+
+TEST(EntitiesTest, ARowThatLivesAgainRemembersNothing) {
+  Entities entities;
+  const Row row = add(entities, "old");
+  const auto i = static_cast<std::size_t>(row);
+  entities.twist[i].linear.x() = 1.0;
+  entities.remove(row);
+  EXPECT_EQ(entities.model[i], nullptr) << "a model that nobody uses is let go";
+  const Pose pose{{1.0, 2.0, 3.0}, Eigen::Quaterniond::Identity()};
+  ASSERT_EQ(entities.add("new", cylindricPreyModel(0.1, 0.2), pose, colors::kBlue), row);
+  EXPECT_EQ(entities.twist[i].linear, Eigen::Vector3d::Zero());
+  EXPECT_EQ(entities.pose[i].position, pose.position);
+  EXPECT_EQ(entities.color[i], colors::kBlue);
+  EXPECT_EQ(entities.model[i]->type, "cylindric_prey");
+}
+
+TEST(EntitiesTest, ClearingForgetsNumbersToo) {
+  Entities entities;
+  add(entities, "a");
+  entities.clear();
+  EXPECT_EQ(entities.size(), 0U);
+  EXPECT_EQ(entities.rowCount(), 0U);
+  EXPECT_EQ(entities.number[static_cast<std::size_t>(add(entities, "a"))], 1U);
+}
+
+TEST(EntitiesTest, AnglesAreTurnsAboutXThenYThenZ) {
+  const double half = M_PI / 2.0;
+  const Eigen::Quaterniond turn = orientationFromAngles({half, 0.0, half});
+  // ahead: x stays under the turn about x, then goes to y; left: y goes to z, and stays there
+  EXPECT_LT((turn * Eigen::Vector3d::UnitX() - Eigen::Vector3d::UnitY()).norm(), 1e-15);
+  EXPECT_LT((turn * Eigen::Vector3d::UnitY() - Eigen::Vector3d::UnitZ()).norm(), 1e-15);
+}
+
+TEST(EntitiesTest, AnglesComeBackFromTheOrientation) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> full(-M_PI, M_PI);
+  std::uniform_real_distribution<double> half(-1.57, 1.57);
+  for (int i = 0; i < 10000; ++i) {
+    const Eigen::Vector3d angles(full(random), half(random), full(random));
+    EXPECT_LT((anglesFromOrientation(orientationFromAngles(angles)) - angles).norm(), 1e-9);
+  }
+}
+
+TEST(EntitiesTest, UprightBeyondTheVerticalGivesAnglesOfTheSameOrientation) {
+  for (const double beta : {M_PI / 2.0, -M_PI / 2.0}) {
+    const Eigen::Quaterniond before = orientationFromAngles({0.3, beta, 0.5});
+    const Eigen::Vector3d angles = anglesFromOrientation(before);
+    EXPECT_NEAR(angles.y(), beta, 1e-7);
+    EXPECT_LT(orientationFromAngles(angles).angularDistance(before), 1e-6);
+  }
+}
+
+TEST(BankTest, AddressesStayWhileOthersComeAndGo) {
+  Bank<FootbotWheels> bank;
+  std::vector<FootbotWheels*> slots;
+  for (Row row = 0; row < 3000; ++row) {
+    slots.push_back(&bank.add(row));
+    slots.back()->left = row;
+  }
+  EXPECT_EQ(std::set<FootbotWheels*>(slots.begin(), slots.end()).size(), slots.size());
+  for (Row row = 0; row < 3000; row += 2) {
+    bank.remove(row);
+  }
+  for (Row row = 3000; row < 5000; ++row) {
+    EXPECT_EQ(bank.add(row).left, 0.0) << "a slot that is used again has the initial value";
+  }
+  for (Row row = 1; row < 3000; row += 2) {
+    ASSERT_EQ(bank.find(row), slots[static_cast<std::size_t>(row)]);
+    ASSERT_EQ(bank.find(row)->left, row);
+  }
+  EXPECT_EQ(bank.find(0), nullptr);
+  EXPECT_EQ(bank.find(1000000), nullptr);
+}
+
+TEST(BankTest, BanksAreFoundByTheNameOfTheDevice) {
+  Banks banks;
+  EXPECT_EQ(banks.find<FootbotWheels>(0), nullptr);
+  FootbotWheels& wheels = banks.bank<FootbotWheels>().add(0);
+  EXPECT_EQ(banks.find<FootbotWheels>(0), &wheels);
+  EXPECT_EQ(banks.find("footbot_wheels", 0), &wheels);
+  EXPECT_EQ(banks.find("footbot_leds", 0), nullptr);
+}
+
+}  // namespace
+}  // namespace swarmanoid

@@ -1,0 +1,165 @@
+// Spawning and removing from code: what is wrong is refused in words, and then nothing has changed.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "small_world.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// A device that no robot has a place for: taking a seat fails.
+struct TestDevice {
+  static constexpr const char* kType = "test_device";
+  bool isFinite() const { return true; }
+};
+
+class HomelessActuator final : public ActuatorOf<TestDevice> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = TestDevice::kType;
+    description.implementation = "default";
+    description.robots = {"footbot"};
+    return description;
+  }
+  void configure(const Configuration&) override {}
+
+ protected:
+  void takeSeat(const Space& space, BasicActuatorSeat<TestDevice>& seat) override {
+    if (space.entities.name[static_cast<std::size_t>(seat.row)] == "homeless") {
+      space.entities.model[static_cast<std::size_t>(seat.row)]->mount("nowhere");
+    }
+  }
+};
+
+/// Counts its lives; refuses to start for a robot called "unwilling".
+class TestController final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration&) override {
+    robot.actuator<TestDevice>();
+    if (robot.name() == "unwilling") {
+      throw std::runtime_error("does not want to");
+    }
+  }
+  void step(Time, Duration) override {}
+};
+
+std::unique_ptr<Simulation> world() {
+  return std::make_unique<Simulation>(parseExperiment(R"(
+<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>10</maxclock></framework>
+  <controllers>
+    <test_controller id="tc"><actuators><test_device/></actuators></test_controller>
+  </controllers>
+  <arena size="5,5,3" optimization="2D">
+    <footbot id="fb"><position>1, 2, 0</position><orientation>0, 0, 0</orientation><controller>tc</controller></footbot>
+    <eyebot id="eb"><position>2, 2, 2</position><orientation>0, 0, 0</orientation></eyebot>
+  </arena>
+</ahss-config>)",
+                                                      "world.xml"));
+}
+
+EntityDescription description(const std::string& type, const std::string& id, const std::string& controller = "") {
+  EntityDescription entity;
+  entity.type = type;
+  entity.id = id;
+  entity.controller = controller;
+  entity.position = {3.0, 3.0, 0.0};
+  entity.location = {"a test", 0};
+  return entity;
+}
+
+class InterventionTest : public testing::Test {
+ protected:
+  InterventionTest() { simulation->start(); }
+
+  std::string refusal(const EntityDescription& entity) {
+    const std::uint64_t hash = simulation->stateHash();
+    const std::size_t robots = simulation->robotCount();
+    std::string message;
+    try {
+      simulation->spawn(entity, {});
+    } catch (const ConfigError& error) {
+      message = error.what();
+    }
+    EXPECT_EQ(simulation->stateHash(), hash);
+    EXPECT_EQ(simulation->robotCount(), robots);
+    EXPECT_EQ(simulation->space().entities.find("fb"), 0);
+    simulation->tick();
+    return message;
+  }
+
+  std::unique_ptr<Simulation> simulation = world();
+};
+
+TEST_F(InterventionTest, AnUnknownTypeIsRefusedAndTheRightOneNamed) {
+  EXPECT_EQ(refusal(description("fotbot", "x")),
+            "a test: entity type 'fotbot' does not exist; there are: block, cylindric_prey, eyebot, footbot, handbot, "
+            "light; did you mean 'footbot'?");
+}
+
+TEST_F(InterventionTest, AControllerForAnotherRobotIsRefused) {
+  EXPECT_EQ(
+      refusal(description("eyebot", "x", "tc")),
+      "a test: controller 'tc' uses the actuator 'test_device', which a eyebot does not have; it is for: footbot");
+  EXPECT_EQ(refusal(description("light", "x", "tc")),
+            "a test: controller 'tc' uses the actuator 'test_device', which a light does not have; it is for: footbot");
+}
+
+TEST_F(InterventionTest, AnUnknownControllerIsRefusedAndTheRightOneNamed) {
+  EXPECT_EQ(refusal(description("footbot", "x", "tcc")),
+            "a test: controller 'tcc' does not exist; there are: tc; did you mean 'tc'?");
+}
+
+TEST_F(InterventionTest, ANameThatIsTakenIsRefused) {
+  EXPECT_EQ(refusal(description("footbot", "fb")), "a test: an entity 'fb' exists already");
+}
+
+TEST_F(InterventionTest, ADeviceThatFindsNoPlaceLeavesNothingBehind) {
+  EXPECT_NE(refusal(description("footbot", "homeless", "tc")).find("nowhere"), std::string::npos);
+  // the row is free again, and so are the seats: the next one gets the same slot
+  simulation->spawn(description("footbot", "next", "tc"), {});
+  EXPECT_EQ(simulation->robotCount(), 2U);
+  simulation->tick();
+  simulation->remove("next");
+  simulation->tick();
+}
+
+TEST_F(InterventionTest, AControllerThatDoesNotStartLeavesNothingBehind) {
+  EXPECT_EQ(refusal(description("footbot", "unwilling", "tc")),
+            "world.xml:5: controller 'tc' of 'unwilling' does not start: does not want to");
+  EXPECT_EQ(simulation->space().commands.find<TestDevice>(2), nullptr);
+}
+
+TEST_F(InterventionTest, EventsTellWhatHappenedInTheNextTick) {
+  simulation->spawn(description("footbot", "x", "tc"), {});
+  simulation->move("x", {{4.0, 4.0, 0.0}, Eigen::Quaterniond(2.0, 0.0, 0.0, 0.0)});
+  EXPECT_EQ(simulation->space().entities.pose[2].orientation.norm(), 1.0);
+  simulation->remove("x");
+  simulation->tick();
+  std::string told;
+  for (const Event& event : simulation->space().events) {
+    told += std::string(toString(event.kind)) + " " + event.entity + "; ";
+  }
+  EXPECT_EQ(told, "spawned x; moved x; deleted x; ");
+  simulation->tick();
+  EXPECT_TRUE(simulation->space().events.empty());
+}
+
+TEST_F(InterventionTest, RemovingWhatIsNotThereIsRefused) {
+  try {
+    simulation->remove("nobody");
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(), "(no file): there is no entity 'nobody'");
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid
+
+REGISTER_ACTUATOR(swarmanoid::HomelessActuator)
+REGISTER_CONTROLLER(swarmanoid::TestController, "test_controller")

@@ -1,0 +1,230 @@
+// Range queries give what a look at every entity gives, in 2D and 3D, wherever the entities are.
+#include "swarmanoid_space/positional_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::Vector3d;
+using Optimization = PositionalIndex::Optimization;
+
+constexpr double kEverything = 1e6;
+
+class PositionalIndexTest : public testing::TestWithParam<Optimization> {
+ protected:
+  void SetUp() override { index.configure({10.0, 6.0, 3.0}, GetParam(), 200); }
+
+  Row add(const std::shared_ptr<const EntityModel>& model, const Vector3d& position) {
+    return entities.add("e" + std::to_string(++count_), model, {position, Eigen::Quaterniond::Identity()}, {});
+  }
+
+  /// In the arena, on its border, and far outside of it.
+  Vector3d anywhere() {
+    std::uniform_real_distribution<double> inside(-1.0, 11.0);
+    std::uniform_real_distribution<double> far(-100.0, 100.0);
+    auto& place = std::uniform_int_distribution<int>(0, 9)(random) == 0 ? far : inside;
+    return {place(random), place(random), place(random)};
+  }
+
+  /// Preys, lamps (without a body), and walls that are wider than a cell.
+  void fill(int quantity) {
+    for (int i = 0; i < quantity; ++i) {
+      add(i % 5 == 0 ? lightModel() : cylindricPreyModel(0.02 + 0.001 * (i % 50), 0.1 + 0.01 * (i % 30)), anywhere());
+    }
+    add(blockModel({8.0, 0.1, 1.0}), {5.0, 3.0, 0.5});
+    add(blockModel({0.1, 5.0, 2.0}), {-3.0, 2.0, 0.5});
+    index.rebuild(entities);
+  }
+
+  /// Origins within the radius, by looking at each, in the order of entity numbers.
+  std::vector<Row> byLookingAtEach(const Vector3d& centre, double radius, Row but = kNoRow) const {
+    std::vector<Row> found;
+    for (const Row row : entities.order) {
+      if (row != but &&
+          (entities.pose[static_cast<std::size_t>(row)].position - centre).squaredNorm() <= radius * radius) {
+        found.push_back(row);
+      }
+    }
+    return found;
+  }
+
+  /// Whether the entity's bounds surely meet the sphere, or surely do not; between the two either answer is right.
+  enum class Meeting { kSure, kMaybe, kNever };
+  Meeting meeting(Row row, const Vector3d& centre, double radius) const {
+    const auto i = static_cast<std::size_t>(row);
+    const EntityModel& model = *entities.model[i];
+    const double distance = (entities.pose[i].position - centre).norm();
+    const bool is_round = model.horizontal_radius < 0.2;  // no wall
+    if (is_round && distance > radius + model.bounding_radius + model.highest + radius) {
+      return Meeting::kNever;
+    }
+    if (distance > radius + model.bounding_radius + 10.0) {
+      return Meeting::kNever;
+    }
+    return distance <= radius ? Meeting::kSure : Meeting::kMaybe;
+  }
+
+  std::vector<Row> collected(const Vector3d& centre, double radius) const {
+    std::vector<Row> found;
+    index.collect(centre, radius, found);
+    std::sort(found.begin(), found.end());
+    return found;
+  }
+
+  std::mt19937 random{20260101};
+  Entities entities;
+  PositionalIndex index;
+
+ private:
+  int count_ = 0;
+};
+
+TEST_P(PositionalIndexTest, FindsAroundAPointWhatALookAtEachFinds) {
+  fill(500);
+  std::uniform_real_distribution<double> reach(0.0, 4.0);
+  std::size_t found = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vector3d centre = anywhere();
+    const double radius = reach(random);
+    const std::vector<Row> expected = byLookingAtEach(centre, radius);
+    ASSERT_EQ(index.within(entities, centre, radius), expected) << centre.transpose() << " radius " << radius;
+    found += expected.size();
+  }
+  EXPECT_GT(found, 10000U);
+}
+
+TEST_P(PositionalIndexTest, FindsAroundAnEntityAllButItself) {
+  fill(500);
+  std::uniform_real_distribution<double> reach(0.0, 4.0);
+  for (const Row row : entities.order) {
+    const double radius = reach(random);
+    ASSERT_EQ(index.within(entities, row, radius),
+              byLookingAtEach(entities.pose[static_cast<std::size_t>(row)].position, radius, row));
+  }
+}
+
+TEST_P(PositionalIndexTest, AnOriginExactlyAtTheRadiusIsFoundAcrossCellBorders) {
+  // lamps have no extent, so nothing but the origin can bring them into the query
+  for (int x = -8; x <= 108; ++x) {
+    for (int y = -2; y <= 8; ++y) {
+      add(lightModel(), {0.1 * x, 0.1 * y, 0.1 * (y % 3)});
+    }
+  }
+  index.rebuild(entities);
+  for (int i = 0; i < 3000; ++i) {
+    std::uniform_int_distribution<int> tenth(-10, 110);
+    const Vector3d centre(0.1 * tenth(random), 0.1 * (tenth(random) % 8), 0.1 * (tenth(random) % 3));
+    const double radius = 0.1 * (tenth(random) % 10);
+    ASSERT_EQ(index.within(entities, centre, std::abs(radius)), byLookingAtEach(centre, std::abs(radius)))
+        << centre.transpose() << " radius " << radius;
+  }
+}
+
+TEST_P(PositionalIndexTest, RoundingAtACellBorderLosesNothing) {
+  index.configure({8.0, 8.0, 8.0}, GetParam(), GetParam() == Optimization::k2D ? 256 : 4096);  // cells of half a metre
+  const double below_border = std::nextafter(0.5, 0.0);
+  const Row row = add(lightModel(), {below_border, 1.0, 1.0});
+  index.rebuild(entities);
+  const double radius = 1.0 - below_border;  // rounds to 0.5, and 1 - 0.5 is in the next cell
+  EXPECT_EQ(index.within(entities, {1.0, 1.0, 1.0}, radius), std::vector<Row>{row});
+}
+
+TEST_P(PositionalIndexTest, NoRadiusFindsWhatIsExactlyThereAndAHugeOneFindsAll) {
+  fill(300);
+  const Row twin = add(lightModel(), entities.pose[7].position);
+  index.rebuild(entities);
+  EXPECT_EQ(index.within(entities, entities.pose[7].position, 0.0), (std::vector<Row>{7, twin}));
+  EXPECT_EQ(index.within(entities, 7, 0.0), std::vector<Row>{twin});
+  for (const double radius : {kEverything, 1e200, std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(index.within(entities, {5.0, 3.0, 0.0}, radius), entities.order);
+    EXPECT_EQ(collected({5.0, 3.0, 0.0}, radius).size(), entities.size());
+  }
+}
+
+TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff) {
+  fill(500);
+  std::uniform_real_distribution<double> reach(0.0, 2.0);
+  for (int i = 0; i < 2000; ++i) {
+    const Vector3d centre = anywhere();
+    const double radius = reach(random);
+    const std::vector<Row> found = collected(centre, radius);
+    ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "found twice";
+    for (const Row row : entities.order) {
+      const bool is_found = std::binary_search(found.begin(), found.end(), row);
+      const Meeting expected = meeting(row, centre, radius);
+      ASSERT_FALSE(expected == Meeting::kSure && !is_found &&
+                   !entities.model[static_cast<std::size_t>(row)]->shapes.empty());
+      ASSERT_FALSE(expected == Meeting::kNever && is_found);
+    }
+  }
+}
+
+TEST_P(PositionalIndexTest, AnyWithinAgreesWithCollect) {
+  fill(200);
+  std::uniform_real_distribution<double> reach(0.0, 1.0);
+  int answers[2] = {0, 0};
+  for (int i = 0; i < 3000; ++i) {
+    const Vector3d centre = anywhere();
+    const double radius = reach(random);
+    std::vector<Row> found = collected(centre, radius);
+    const Row ignored = i % 2 == 0 || found.empty() ? kNoRow : found[0];
+    found.erase(std::remove(found.begin(), found.end(), ignored), found.end());
+    ASSERT_EQ(index.anyWithin(centre, radius, ignored), !found.empty());
+    ++answers[found.empty() ? 0 : 1];
+  }
+  EXPECT_GT(answers[0], 200);
+  EXPECT_GT(answers[1], 200);
+}
+
+TEST_P(PositionalIndexTest, FollowsWhatMovesComesAndGoes) {
+  fill(200);
+  for (int round = 0; round < 30; ++round) {
+    for (int i = 0; i < 20; ++i) {
+      const Row row = entities.order[static_cast<std::size_t>(random() % entities.size())];
+      switch (random() % 3) {
+        case 0:
+          entities.remove(row);
+          break;
+        case 1:
+          entities.pose[static_cast<std::size_t>(row)].position = anywhere();
+          break;
+        default:
+          add(cylindricPreyModel(0.05, 0.1), anywhere());
+      }
+    }
+    index.rebuild(entities);
+    for (int i = 0; i < 50; ++i) {
+      const Vector3d centre = anywhere();
+      ASSERT_EQ(index.within(entities, centre, 2.0), byLookingAtEach(centre, 2.0));
+    }
+  }
+}
+
+TEST_P(PositionalIndexTest, ResultsComeByEntityNumberWhateverTheRows) {
+  const Row first = add(lightModel(), {1.0, 1.0, 0.0});
+  const Row second = add(lightModel(), {1.1, 1.0, 0.0});
+  entities.remove(first);
+  const Row third = add(lightModel(), {0.9, 1.0, 0.0});
+  ASSERT_EQ(third, first) << "the row is used again";
+  index.rebuild(entities);
+  EXPECT_EQ(index.within(entities, {1.0, 1.0, 0.0}, 0.5), (std::vector<Row>{second, third}));
+}
+
+TEST_P(PositionalIndexTest, WithNothingInItFindsNothing) {
+  index.rebuild(entities);
+  EXPECT_TRUE(index.within(entities, {5.0, 3.0, 0.0}, kEverything).empty());
+  EXPECT_FALSE(index.anyWithin({5.0, 3.0, 0.0}, kEverything, kNoRow));
+}
+
+INSTANTIATE_TEST_SUITE_P(Optimizations, PositionalIndexTest, testing::Values(Optimization::k2D, Optimization::k3D),
+                         [](const auto& optimization) {
+                           return optimization.param == Optimization::k2D ? "In2D" : "In3D";
+                         });
+
+}  // namespace
+}  // namespace swarmanoid
