@@ -50,9 +50,7 @@ class LaunchTest(unittest.TestCase):
         for argument, reason in (("experiment:=object_retrievl", "did you mean 'object_retrieval'?"),
                                  ("experiment:=/nowhere/run.xml", "/nowhere/run.xml"),
                                  ("seed:=one", "one"),
-                                 ("max_ticks:=0", "0"),
                                  ("set:=framework.maxclok=3", "did you mean 'maxclock'?"),
-                                 ("paused:=perhaps", "perhaps"),
                                  ("real_time_factor:=fast", "fast")):
             code, output = self.output_of(argument)
             self.assertNotEqual(0, code, output)
@@ -62,11 +60,16 @@ class LaunchTest(unittest.TestCase):
     def test_what_only_the_space_can_tell_ends_the_launch(self):
         for argument, reason in (("device_topics:=fb_9", "~device_topics: found 'fb_9', allowed: all, none, fb_1"),
                                  ("tf_level:=most", "~tf/level: found 'most', allowed: auto, none, base, full"),
-                                 ("real_time_factor:=-1", "~real_time_factor: found '-1"),
                                  ("record:=/nowhere/run.bag", "cannot write")):
             _, output = self.output_of(argument)
             self.assertIn(reason, output)
             self.assertRegex(output, r"process has died|exit code [1-9]", "roslaunch is not told of it")
+
+    def test_a_failed_controller_is_in_the_exit_code(self):
+        experiment = LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/test/data/failing_controller.xml"
+        _, output = self.output_of(f"experiment:={experiment}", "real_time_factor:=0")
+        self.assertIn("the controller of fb_2 failed", output)
+        self.assertIn("exit code 3", output)
 
     def test_a_file_is_found_from_where_roslaunch_is_started(self):
         text = (LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()

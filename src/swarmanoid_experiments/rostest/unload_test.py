@@ -4,6 +4,7 @@
 import sys
 import unittest
 
+import rosgraph
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray
@@ -13,6 +14,11 @@ from space_client import Collector, Space, load, unload
 
 
 class UnloadTest(unittest.TestCase):
+    @staticmethod
+    def robot_topics():
+        published = rosgraph.Master("/unload_test").getSystemState()[0]
+        return [topic for topic, _ in published if topic.startswith("/fb_1/")]
+
     def test_1_a_part_without_a_space_does_not_load(self):
         self.assertFalse(load("/lonely", "swarmanoid_engines/EngineNodelet"))
         self.assertFalse(load("/lonely", "swarmanoid_experiments/diffusion"))
@@ -26,7 +32,9 @@ class UnloadTest(unittest.TestCase):
 
     def test_3_the_run_does_not_depend_on_who_looks_at_it(self):
         space = Space()
+        self.assertTrue(self.robot_topics())
         self.assertTrue(unload("/fb_1/devices"))
+        self.assertFalse(self.robot_topics())
         self.assertTrue(space.step(3).success)
 
     def test_4_without_an_engine_the_run_stops(self):

@@ -102,11 +102,7 @@ void SpaceDisplay::draw(const Space& space) {
 void SpaceDisplay::flush() {
   const Space& space = simulation_->space();
   const Moment moment{space.run, space.tick};
-  const bool has_changed = changes_.look(space);
-  if (has_changed) {
-    tf_static_publisher_.publish(transforms_.fixed(space));
-    markers_static_publisher_.publish(arenaMarkers(space));
-  }
+  const bool has_changed = publishFixed(space);
   if (clock_moment_ != moment) {
     publishClock(space);
   }
@@ -154,11 +150,13 @@ void SpaceDisplay::publishWorldState(const Space& space) {
   world_state_moment_ = {space.run, space.tick};
 }
 
-void SpaceDisplay::publishFixed(const Space& space) {
-  if (changes_.look(space)) {
+bool SpaceDisplay::publishFixed(const Space& space) {
+  const bool has_changed = changes_.look(space);
+  if (has_changed) {
     tf_static_publisher_.publish(transforms_.fixed(space));
     markers_static_publisher_.publish(arenaMarkers(space));
   }
+  return has_changed;
 }
 
 void SpaceDisplay::publishEvents(const Space& space) {

@@ -59,7 +59,8 @@ class SpaceDisplay final : public Visualisation {
   void publishTransforms(const Space& space);
   void publishMarkers(const Space& space);
   void publishWorldState(const Space& space);
-  void publishFixed(const Space& space);
+  /// @return whether entities came, went or were put elsewhere
+  bool publishFixed(const Space& space);
   void publishEvents(const Space& space);
   void measure(const Space& space, Pace::Clock::time_point now);
 

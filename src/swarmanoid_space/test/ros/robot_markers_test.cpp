@@ -1,0 +1,75 @@
+// Robots' bodies in rviz.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "../small_world.hpp"
+#include "swarmanoid_space/ros/markers.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using visualization_msgs::Marker;
+
+std::vector<Marker> bodies(const Space& space) {
+  std::vector<Marker> found;
+  for (const Marker& marker : arenaMarkers(space).markers) {
+    if (marker.ns == "robots") {
+      found.push_back(marker);
+    }
+  }
+  return found;
+}
+
+TEST(RobotMarkersTest, MoveWithTheirFrames) {
+  const auto simulation = test::smallWorld();
+  simulation->start();
+  std::set<std::string> frames;
+  std::set<int> ids;
+  for (const Marker& marker : bodies(simulation->space())) {
+    EXPECT_TRUE(marker.frame_locked);
+    EXPECT_TRUE(marker.header.stamp.isZero());  // else rviz would wait for a transform of that time
+    frames.insert(marker.header.frame_id);
+    EXPECT_TRUE(ids.insert(marker.id).second);
+    EXPECT_GT(marker.scale.x, 0.0);
+    EXPECT_GT(marker.color.a, 0.0F);
+  }
+  std::set<std::string> expected;
+  for (const Row row : simulation->space().entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    if (simulation->space().entities.model[i]->is_robot) {
+      expected.insert(simulation->space().entities.name[i] + "/base_link");
+    }
+  }
+  EXPECT_EQ(expected, frames);
+}
+
+TEST(RobotMarkersTest, StandOnTheGround) {
+  const auto simulation = test::smallWorld();
+  simulation->start();
+  for (const Marker& marker : bodies(simulation->space())) {
+    if (marker.type == Marker::SPHERE) {
+      EXPECT_GT(marker.pose.position.z, 0.0);
+    }
+    EXPECT_LT(std::abs(marker.pose.position.x), 0.5);
+    EXPECT_GT(marker.pose.position.z, -0.05);
+  }
+}
+
+TEST(RobotMarkersTest, AreLeftOutWhenTheirRobotIs) {
+  const auto simulation = test::smallWorld();
+  simulation->start();
+  const std::size_t before = bodies(simulation->space()).size();
+  std::string robot;
+  for (const Row row : simulation->space().entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    if (simulation->space().entities.model[i]->is_robot) {
+      robot = simulation->space().entities.name[i];
+    }
+  }
+  simulation->remove(robot);
+  EXPECT_LT(bodies(simulation->space()).size(), before);
+}
+
+}  // namespace
+}  // namespace swarmanoid
