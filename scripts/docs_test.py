@@ -193,6 +193,19 @@ class ListingsTest(unittest.TestCase):
             with self.subTest(page=page):
                 self.follow(page)
 
+    def launch(self, newcomer, command):
+        """With rviz, which now and then (once in about ten times) crashes in a display in memory while it makes its first
+        window: it may try again."""
+        for last_trial in (False, True):
+            with Display() as display:
+                newcomer.environment.update(DISPLAY=display.name, LIBGL_ALWAYS_SOFTWARE="1", QT_X11_NO_MITSHM="1")
+                printed = newcomer.watch(command, ": finished after")
+            self.assertIn(": finished after", printed)
+            dead = re.findall(r"\[(\S+)\] process has died", printed)
+            if last_trial or not dead or not all(name.startswith("rviz") for name in dead):
+                self.assertEqual([], dead, printed)
+                return printed
+
     def follow(self, page):
         newcomer = self.newcomer(page)
         start = newcomer.folder
@@ -210,11 +223,7 @@ class ListingsTest(unittest.TestCase):
                 with open(os.path.join(start, fence["note"][6:]), "w") as file:
                     file.write(text)
             elif fence["language"] == "sh" and text.startswith("roslaunch"):
-                with Display() as display:
-                    newcomer.environment["DISPLAY"] = display.name
-                    printed = newcomer.watch(text.strip(), ": finished after")
-                self.assertIn(": finished after", printed)
-                self.assertNotIn("process has died", printed)
+                printed = self.launch(newcomer, text.strip())
             elif fence["language"] == "sh":
                 commands = text
                 code, printed = newcomer.do(text, timeout=1800)

@@ -110,6 +110,33 @@ TEST_F(OcclusionTest, FollowsWhatIsMovedAndForgetsWhatIsRemoved) {
   EXPECT_EQ(met(from, to).first, "");
 }
 
+TEST_F(OcclusionTest, WhoeverCouldBeMetIsAnnouncedAndNobodyFarOff) {
+  const auto mayMeet = [&](const Vector3d& centre, double radius, Row ignored = kNoRow, Row also_ignored = kNoRow) {
+    RayBundle rays;
+    rays.centre = centre;
+    rays.radius = radius;
+    rays.ignored = ignored;
+    rays.also_ignored = also_ignored;
+    return space.mayMeet(rays);
+  };
+  int meetings = 0;
+  for (int i = 0; i < 4000; ++i) {
+    // all over the arena, by steps that never fall together
+    const Vector3d centre(std::fmod(i * 0.377, 10.0), std::fmod(i * 0.731, 10.0), std::fmod(i * 0.113, 2.5));
+    const double radius = 0.05 + std::fmod(i * 0.0717, 0.6);
+    const Vector3d way = radius * Vector3d(std::cos(i), std::sin(i), 0.0);
+    if (space.castRay({centre - way, centre + way}).row != kNoRow) {
+      ++meetings;
+      ASSERT_TRUE(mayMeet(centre, radius)) << centre.transpose() << " radius " << radius;
+    }
+  }
+  EXPECT_GT(meetings, 50);
+  EXPECT_FALSE(mayMeet({8.0, 1.5, 0.1}, 1.0));
+  EXPECT_TRUE(mayMeet({3.0, 5.0, 0.1}, 0.5));
+  EXPECT_FALSE(mayMeet({3.0, 5.0, 0.1}, 0.5, row("prey")));
+  EXPECT_FALSE(mayMeet({8.0, 5.0, 0.1}, 0.5, kNoRow, row("free")));
+}
+
 TEST_F(OcclusionTest, ABundleMeetsWhatItsRaysMeetOneByOne) {
   std::vector<Segment> segments;
   for (int i = 0; i < 360; ++i) {
