@@ -122,7 +122,7 @@ TEST_F(OcclusionTest, WhoeverCouldBeMetIsAnnouncedAndNobodyFarOff) {
   int meetings = 0;
   for (int i = 0; i < 4000; ++i) {
     // all over the arena, by steps that never fall together
-    const Vector3d centre(std::fmod(i * 0.377, 10.0), std::fmod(i * 0.731, 10.0), std::fmod(i * 0.113, 2.5));
+    const Vector3d centre(std::fmod(i * 0.377, 10.0), std::fmod(i * 0.731, 10.0), std::fmod(i * 0.113, 1.0));
     const double radius = 0.05 + std::fmod(i * 0.0717, 0.6);
     const Vector3d way = radius * Vector3d(std::cos(i), std::sin(i), 0.0);
     if (space.castRay({centre - way, centre + way}).row != kNoRow) {
