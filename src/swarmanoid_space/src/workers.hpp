@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
@@ -16,6 +17,9 @@ class Workers {
  public:
   explicit Workers(int threads) {
     if (threads > 1) {
+      // without this there would be no more threads than cores, whatever was asked for
+      limit_ = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                     static_cast<std::size_t>(threads));
       arena_ = std::make_unique<tbb::task_arena>(threads);
     }
   }
@@ -34,6 +38,7 @@ class Workers {
   }
 
  private:
+  std::unique_ptr<tbb::global_control> limit_;
   std::unique_ptr<tbb::task_arena> arena_;
 };
 

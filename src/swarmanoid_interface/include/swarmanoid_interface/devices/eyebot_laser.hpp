@@ -12,7 +12,7 @@ struct EyebotLaser {
 
   bool on = false;
   double pan = 0.0;   ///< in the robot's frame [rad], counter-clockwise from ahead
-  double tilt = 0.0;  ///< from straight down [rad], 0 to 0.8
+  double tilt = 0.0;  ///< from straight down [rad], limited to 0.8 either way
 
   bool isFinite() const { return std::isfinite(pan) && std::isfinite(tilt); }
 };
