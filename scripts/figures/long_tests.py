@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 import tempfile
 
 from table import ROOT
@@ -40,6 +41,8 @@ def sanitizer(table):
                            CMAKE_PREFIX_PATH=f"{build}/devel", LD_LIBRARY_PATH=f"{build}/devel/lib")
         done = subprocess.run([f"{build}/devel/lib/swarmanoid_experiments/swarmanoid_experiments_repeatability_test",
                                "--gtest_filter=LifeCycle*:Failure*"], capture_output=True, text=True, env=environment)
+        if done.returncode != 0:
+            print(done.stdout[-4000:], done.stderr[-8000:], file=sys.stderr)
         reports = done.stderr.count("ERROR: ")
         table.add("the same deletions and failures under the address sanitizer", "nothing reported, no leak",
                   f"{last_word(done.stdout)}; {reports} reports", done.returncode == 0 and reports == 0)
