@@ -1,6 +1,7 @@
 """Tests that take long, and tests under a sanitizer."""
 
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -32,8 +33,9 @@ def sanitizer(table):
     """Builds what one test needs with the address sanitizer, and runs it."""
     targets = ["swarmanoid_experiments_repeatability_test", "swarmanoid_devices", "swarmanoid_engines",
                "swarmanoid_visualisations", "retrieval_monitor", "footbot_retrieval", "eyebot_retrieval"]
+    cache = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     with tempfile.TemporaryDirectory() as build:
-        subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DBUILD_TESTS_IN_ALL=ON",
+        subprocess.run(["cmake", *cache, "-S", ROOT, "-B", build, "-G", "Ninja", "-DBUILD_TESTS_IN_ALL=ON",
                         "-DSWARMANOID_SANITIZE=address", "-DCMAKE_BUILD_TYPE=RelWithDebInfo"],
                        check=True, capture_output=True)
         subprocess.run(["cmake", "--build", build, "--target", *targets], check=True, capture_output=True)
