@@ -1,7 +1,9 @@
 """Tests that take long, and tests under a sanitizer."""
 
 import os
+import shutil
 import subprocess
+import sys
 import tempfile
 
 from table import ROOT
@@ -31,8 +33,9 @@ def sanitizer(table):
     """Builds what one test needs with the address sanitizer, and runs it."""
     targets = ["swarmanoid_experiments_repeatability_test", "swarmanoid_devices", "swarmanoid_engines",
                "swarmanoid_visualisations", "retrieval_monitor", "footbot_retrieval", "eyebot_retrieval"]
+    cache = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
     with tempfile.TemporaryDirectory() as build:
-        subprocess.run(["cmake", "-S", ROOT, "-B", build, "-G", "Ninja", "-DBUILD_TESTS_IN_ALL=ON",
+        subprocess.run(["cmake", *cache, "-S", ROOT, "-B", build, "-G", "Ninja", "-DBUILD_TESTS_IN_ALL=ON",
                         "-DSWARMANOID_SANITIZE=address", "-DCMAKE_BUILD_TYPE=RelWithDebInfo"],
                        check=True, capture_output=True)
         subprocess.run(["cmake", "--build", build, "--target", *targets], check=True, capture_output=True)
@@ -40,6 +43,8 @@ def sanitizer(table):
                            CMAKE_PREFIX_PATH=f"{build}/devel", LD_LIBRARY_PATH=f"{build}/devel/lib")
         done = subprocess.run([f"{build}/devel/lib/swarmanoid_experiments/swarmanoid_experiments_repeatability_test",
                                "--gtest_filter=LifeCycle*:Failure*"], capture_output=True, text=True, env=environment)
+        if done.returncode != 0:
+            print(done.stdout[-4000:], done.stderr[-8000:], file=sys.stderr)
         reports = done.stderr.count("ERROR: ")
         table.add("the same deletions and failures under the address sanitizer", "nothing reported, no leak",
                   f"{last_word(done.stdout)}; {reports} reports", done.returncode == 0 and reports == 0)

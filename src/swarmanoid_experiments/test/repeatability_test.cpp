@@ -12,14 +12,16 @@ namespace {
 
 /// Robots at random, driven at random, with noise: whatever could depend on order or threads does.
 World busyWorld(int robots, int threads) {
+  const int side = robots <= 400 ? 8 : 14;  // [m]; fuller than that, no free place is found for the last ones
+  const std::string most = std::to_string(side - 0.3);
   World world;
-  world.size = "8,8,2";
+  world.size = std::to_string(side) + "," + std::to_string(side) + ",2";
   world.bounded = true;
   world.ticks = 300;
   world.framework = "<threads>" + std::to_string(threads) + "</threads><random_seed>5</random_seed>";
   world.entities = "<distribute quantity=\"" + std::to_string(robots) +
-                   "\" layout=\"uniform\"><minimum>0.3,0.3,0</minimum><maximum>7.7,7.7,0</maximum><footbot id=\"fb\">"
-                   "<controller>drive</controller></footbot></distribute>";
+                   "\" layout=\"uniform\"><minimum>0.3,0.3,0</minimum><maximum>" + most + "," + most +
+                   ",0</maximum><footbot id=\"fb\"><controller>drive</controller></footbot></distribute>";
   world.members = member("fb");
   world.drive = "<left>0</left><right>0</right><random>true</random>";
   return world;
