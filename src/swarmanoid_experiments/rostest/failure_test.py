@@ -19,10 +19,8 @@ class FailureTest(unittest.TestCase):
         events = Collector("/space/events", Event)
         results = Collector("/space/result", RunResult)
         diagnostics = Collector("/diagnostics", DiagnosticArray)
-        # both are served while it is paused: then they miss nothing
-        states.wait_for(lambda state: True)
-        space.step(1)
-        states.wait_for(lambda state: state.tick == 1)
+        for collector in (states, events, results):
+            collector.wait_for_publisher()
         space.step(10**6)
 
         failure = events.wait_for(lambda event: event.kind == Event.CONTROLLER_FAILED)

@@ -36,6 +36,8 @@ class ServicesTest(unittest.TestCase):
         cls.states = Collector("/space/world_state", WorldState)
         cls.clocks = Collector("/clock", Clock)
         cls.events = Collector("/space/events", Event)
+        for collector in (cls.states, cls.clocks, cls.events):
+            collector.wait_for_publisher()
 
     def setUp(self):
         self.run_number = self.space.restart().run

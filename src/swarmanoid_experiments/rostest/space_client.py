@@ -3,6 +3,7 @@
 import subprocess
 import tempfile
 import threading
+import time
 
 import rospy
 from nodelet.srv import NodeletLoad, NodeletLoadRequest, NodeletUnload, NodeletUnloadRequest
@@ -64,6 +65,13 @@ class Collector:
         with self._changed:
             self._messages.append(message)
             self._changed.notify_all()
+
+    def wait_for_publisher(self):
+        """From now on nothing is missed."""
+        until = time.monotonic() + TIMEOUT
+        while self._subscriber.get_num_connections() == 0 and time.monotonic() < until:
+            time.sleep(0.01)
+        time.sleep(0.1)  # the publisher's side of it
 
     def messages(self):
         with self._changed:
