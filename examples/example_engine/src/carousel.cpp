@@ -52,8 +52,8 @@ class Carousel final : public swarmanoid::Engine {
   Row overlap(const EntityModel&, const Pose&, Row) const override { return swarmanoid::kNoRow; }
 
   void add(Space& space, Row row, swarmanoid::Role role) override {
-    if (role ==
-        swarmanoid::Role::kMove) {  // a mirror is met by rays in the engine that moves it, and matters to nobody
+    // a mirror is met by rays in the engine that moves it, and matters to nobody here
+    if (role == swarmanoid::Role::kMove) {
       const auto i = static_cast<std::size_t>(row);
       riders_.push_back({row, space.entities.model[i], space.entities.pose[i]});
     }

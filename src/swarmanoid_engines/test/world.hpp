@@ -119,6 +119,7 @@ class World {
   void step(int ticks = 1) {
     for (int i = 0; i < ticks; ++i) {
       space.events.clear();
+      engine.readMirrors(space);
       engine.move(space, std::chrono::milliseconds(100));
       engine.connect(space);
     }

@@ -36,6 +36,7 @@ class Kinematics2d final : public Engine {
     bodies_.clear();
     is_somebody_new_ = true;
   }
+  void readMirrors(const Space& space) override;
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
   bool mayMeet(const RayBundle& rays) const override;
@@ -67,6 +68,7 @@ class Kinematics2d final : public Engine {
   std::vector<PlanarShape> relative_shapes_;  // scratch of modelsOverlap
 
   // Bounds on how far any body moves: most bodies then need not look around in most steps (see Clearance).
+  double mirrors_moved_ = 0.0;    // by at most, before this tick [m]
   double stride_ = 0.0;           // in one step of this tick [m]
   double travelled_ = 0.0;        // up to the end of the step under way [m]
   bool is_somebody_new_ = false;  // clearances hold no longer: a body came, or was put elsewhere

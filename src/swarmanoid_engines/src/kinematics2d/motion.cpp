@@ -24,6 +24,20 @@ PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, d
                         planar::wrapAngle(start.heading + turn));
 }
 
+void Kinematics2d::readMirrors(const Space& space) {
+  mirrors_moved_ = 0.0;
+  for (const BodyIndex index : bodies_.order()) {
+    const Body& body = bodies_[index];
+    if (body.role == Role::kMirror && body.is_movable) {
+      const Eigen::Vector2d position = body.pose.position;
+      const double radius = body.model->radius;
+      bodies_.place(space, index);
+      const double growth = std::max(0.0, body.model->radius - radius);
+      mirrors_moved_ = std::max(mirrors_moved_, (body.pose.position - position).norm() + growth);
+    }
+  }
+}
+
 void Kinematics2d::move(Space& space, Duration dt) {
   const double step = toSeconds(dt) / subclock_;
   startTick(space, step);
@@ -39,16 +53,8 @@ void Kinematics2d::move(Space& space, Duration dt) {
 void Kinematics2d::startTick(const Space& space, double step) {
   bodies_.findLateDevices(space);
   double fastest_squared = 0.0;
-  double farthest_mirror = 0.0;
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
-    if (body.role == Role::kMirror && body.is_movable) {
-      const Eigen::Vector2d position = body.pose.position;
-      const double radius = body.model->radius;
-      bodies_.place(space, index);
-      const double growth = std::max(0.0, body.model->radius - radius);
-      farthest_mirror = std::max(farthest_mirror, (body.pose.position - position).norm() + growth);
-    }
     body.pose_at_start = body.pose;
     body.has_moved = false;
     if (body.role == Role::kMirror || (body.wheels == nullptr && body.flight == nullptr)) {
@@ -64,7 +70,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
     }
   }
   stride_ = std::sqrt(fastest_squared) * step;
-  travelled_ += farthest_mirror;
+  travelled_ += mirrors_moved_;
   constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
   if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
     for (const BodyIndex index : bodies_.order()) {

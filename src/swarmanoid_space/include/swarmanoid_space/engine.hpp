@@ -5,7 +5,7 @@
 /// dimension; what it reads from the space and writes to it is in W. It may read anything in the space, and writes only
 /// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
 ///
-/// Phases   configure, add, remove, place, clear: between ticks. move, connect: the phases of these names.
+/// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect: `connect`.
 ///          mayMeet, castRays: any time but during `move`.
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
@@ -52,6 +52,10 @@ class Engine {
   /// Gives everything back.
   virtual void clear() = 0;
 
+  /// Puts mirrors where the space says that they are. All engines do so before the first of them moves anything:
+  /// whatever the order and the threads, a mirror is where its entity was when the tick began. An engine that makes
+  /// nothing of mirrors leaves it as it is.
+  virtual void readMirrors(const Space& /*space*/) {}
   /// One tick of `dt`, in as many steps as the engine's subclock says.
   virtual void move(Space& space, Duration dt) = 0;
   /// Makes and breaks grips from the actuation of this tick.

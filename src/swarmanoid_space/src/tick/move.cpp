@@ -6,6 +6,11 @@ namespace swarmanoid::phases {
 void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers) {
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
+      engines[i]->readMirrors(space);
+    }
+  });
+  workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
       engines[i]->move(space, space.clocktick);
     }
   });
