@@ -32,4 +32,5 @@ def fresh_clone(table):
         seconds, used = time.monotonic() - start, processor_time() - start_used
         good = done.returncode == 0 and '"success":true' in done.stdout
         table.add("git clone and ./run --headless, after apt, without a compiler cache", "done in under 6 minutes",
-                  f"{seconds / 60:.1f} minutes, {used / 60:.1f} core minutes" if good else f"failed: {done.stderr[-200:]}", good and seconds < MOST_SECONDS)
+                  f"{seconds / 60:.1f} minutes, {used / 60:.1f} core minutes" if good else f"failed: {done.stderr[-200:]}",
+                  good and seconds < MOST_SECONDS)

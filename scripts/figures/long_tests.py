@@ -16,15 +16,15 @@ def last_word(output):
 
 def long_tests(table, build):
     environment = dict(os.environ, SWARMANOID_LONG_TESTS="1")
-    binary = build / "devel/lib/swarmanoid_experiments"
-    for name, test, what, figure in (
-            ("motion", "Subclocks/*", "0.1 m/s for 10 s and an arc, subclock 1, 2, 5, 10, 50",
+    for package, name, test, what, figure in (
+            ("experiments", "file_to_motion", "Subclocks/*", "0.1 m/s for 10 s and an arc, subclock 1, 2, 5, 10, 50",
              "1.000 m within 1e-9; arc within 0.1 %"),
-            ("crowd", "*", "1,000 footbots packed at 0.6 of the area, to one point, then into a wall",
+            ("engines", "crowd", "*", "1,000 footbots packed at 0.6 of the area, to one point, then into a wall",
              "no overlap, ever; equal hash on repeat"),
-            ("repeatability", "LifeCycle*:Failure*", "every second of 1,000 robots deleted, others spawned; failing controllers",
+            ("experiments", "repeatability", "LifeCycle*:Failure*",
+             "every second of 1,000 robots deleted, others spawned; failing controllers",
              "references kept, equal hash on repeat; the robot stops, the others go on")):
-        file = binary / f"swarmanoid_experiments_{name}_test"
+        file = build / f"devel/lib/swarmanoid_{package}/swarmanoid_{package}_{name}_test"
         done = subprocess.run([file, f"--gtest_filter={test}"], capture_output=True, text=True, env=environment)
         table.add(what, figure, last_word(done.stdout), done.returncode == 0)
 

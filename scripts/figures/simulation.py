@@ -56,6 +56,7 @@ def start_up(table):
         file = pathlib.Path(folder) / "many.xml"
         file.write_text(text)
         start = datetime.datetime.now()
-        summary = run(file, "--ticks", 1)
-        seconds = (datetime.datetime.now() - start).total_seconds() - summary["wall_s"]
-        table.add("10,000 footbots", "start in under 2 s", f"{seconds:.2f} s", seconds < 2.0)
+        run(file, "--ticks", 1)
+        seconds = (datetime.datetime.now() - start).total_seconds()
+        table.add("10,000 footbots, from the command to the end of the first tick", "start in under 2 s",
+                  f"{seconds:.2f} s", seconds < 2.0)
