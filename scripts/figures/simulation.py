@@ -56,7 +56,8 @@ def start_up(table):
         file = pathlib.Path(folder) / "many.xml"
         file.write_text(text)
         start = datetime.datetime.now()
-        run(file, "--ticks", 1)
+        summary = run(file, "--ticks", 1)
         seconds = (datetime.datetime.now() - start).total_seconds()
-        table.add("10,000 footbots, from the command to the end of the first tick", "start in under 2 s",
-                  f"{seconds:.2f} s", seconds < 2.0)
+        robots = round(summary["robot_ticks_per_s"] * summary["wall_s"])
+        table.add(f"{robots:,} footbots, from the command to the end of the first tick", "start in under 2 s",
+                  f"{seconds:.2f} s", seconds < 2.0 and robots == 10000)
