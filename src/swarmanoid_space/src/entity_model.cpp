@@ -78,6 +78,21 @@ void EntityModel::measureShapes() {
   }
 }
 
+void EntityModel::addMass(double added, const Vector3d& centre, const Eigen::Matrix3d& its_inertia) {
+  // both moments are brought to the common centre (parallel axes)
+  const auto atDistance = [](double m, const Vector3d& r) -> Eigen::Matrix3d {
+    return m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  };
+  const double total = mass + added;
+  if (!(total > 0.0)) {
+    return;
+  }
+  const Vector3d common = (mass * centre_of_mass + added * centre) / total;
+  inertia += its_inertia + atDistance(mass, centre_of_mass - common) + atDistance(added, centre - common);
+  centre_of_mass = common;
+  mass = total;
+}
+
 const Mount& EntityModel::mount(const std::string& name) const {
   const auto found = mounts.find(name);
   if (found == mounts.end()) {
@@ -86,7 +101,7 @@ const Mount& EntityModel::mount(const std::string& name) const {
   return found->second;
 }
 
-std::shared_ptr<const EntityModel> blockModel(const Vector3d& size) {
+std::shared_ptr<const EntityModel> blockModel(const Vector3d& size, double mass) {
   auto model = std::make_shared<EntityModel>();
   model->type = "block";
   model->title = "Block";
@@ -95,10 +110,15 @@ std::shared_ptr<const EntityModel> blockModel(const Vector3d& size) {
   box.half_extent = size / 2.0;
   model->shapes.push_back(box);
   model->measureShapes();
+  model->is_movable = mass > 0.0;
+  model->origin_height = size.z() / 2.0;
+  const Vector3d square = size.cwiseProduct(size) / 12.0;
+  const Vector3d moments(square.y() + square.z(), square.x() + square.z(), square.x() + square.y());
+  model->addMass(mass, Vector3d::Zero(), mass * moments.asDiagonal().toDenseMatrix());
   return model;
 }
 
-std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height) {
+std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass) {
   auto model = std::make_shared<EntityModel>();
   model->type = "cylindric_prey";
   model->title = "CylindricPrey";  // one word: tools that read the text table split it at white space
@@ -111,6 +131,9 @@ std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double heig
   model->gripping_radius = radius;
   model->led_positions.push_back(middle);
   model->measureShapes();
+  const double across = radius * radius / 4.0 + height * height / 12.0;
+  const Vector3d moments(across, across, radius * radius / 2.0);
+  model->addMass(mass, middle, mass * moments.asDiagonal().toDenseMatrix());
   return model;
 }
 

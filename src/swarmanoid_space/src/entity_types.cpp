@@ -23,6 +23,12 @@ Parameter parameter(const std::string& name, Parameter::Type type, const std::st
   return result;
 }
 
+Parameter mass(const std::string& value, double least, const std::string& description) {
+  Parameter result = parameter("mass", Parameter::Type::kNumber, "kg", description, value);
+  result.range = {least, 1e6};
+  return result;
+}
+
 /// Models of equal parameters are one object, which keeps memory small and comparisons cheap.
 template <class Key, class Make>
 std::shared_ptr<const EntityModel> shared(std::map<Key, std::weak_ptr<const EntityModel>>& known, const Key& key,
@@ -80,7 +86,8 @@ class BlockType final : public EntityType {
     description.label = "block";
     description.summary = "A brick: a wall, an obstacle, a table. Its position is its centre.";
     description.parameters = {
-        parameter("size", Parameter::Type::kVector3, "m", "Lengths along the brick's own x, y, z.")};
+        parameter("size", Parameter::Type::kVector3, "m", "Lengths along the brick's own x, y, z."),
+        mass("0", 0.0, "Of the brick; 0: it is fixed to the ground.")};
     return description;
   }
 
@@ -90,9 +97,10 @@ class BlockType final : public EntityType {
       throw ConfigError(parameters.find("size")->location(),
                         "size: found '" + parameters.text("size") + "', allowed: three numbers greater than 0");
     }
-    using Key = std::array<double, 3>;
+    const double mass = parameters.number("mass", 0.0);
+    using Key = std::array<double, 4>;
     static std::map<Key, std::weak_ptr<const EntityModel>> known;
-    return shared(known, Key{size.x(), size.y(), size.z()}, [&] { return blockModel(size); });
+    return shared(known, Key{size.x(), size.y(), size.z(), mass}, [&] { return blockModel(size, mass); });
   }
 };
 
@@ -104,16 +112,18 @@ class CylindricPreyType final : public EntityType {
     description.summary = "A target object with a gripping strip. Its position is the middle of its lower face.";
     description.parameters = {parameter("radius", Parameter::Type::kNumber, "m", "Of the cylinder."),
                               parameter("height", Parameter::Type::kNumber, "m", "Of the cylinder."),
+                              mass("0.3", 1e-3, "Of the prey."),
                               parameter("color", Parameter::Type::kColor, "", "As cameras see it.", "white")};
     return description;
   }
 
   std::shared_ptr<const EntityModel> makeModel(const Configuration& parameters) const override {
-    using Key = std::array<double, 2>;
+    using Key = std::array<double, 3>;
     static std::map<Key, std::weak_ptr<const EntityModel>> known;
     const double radius = parameters.number("radius");
     const double height = parameters.number("height");
-    return shared(known, Key{radius, height}, [&] { return cylindricPreyModel(radius, height); });
+    const double mass = parameters.number("mass", kPreyMass);
+    return shared(known, Key{radius, height, mass}, [&] { return cylindricPreyModel(radius, height, mass); });
   }
 };
 

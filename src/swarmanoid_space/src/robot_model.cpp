@@ -56,7 +56,7 @@ class RobotReader {
   void readLink(const urdf::Link& link, const Mount& frame) {
     model_->mounts[link.name] = frame;
     if (link.inertial != nullptr) {
-      model_->mass += link.inertial->mass;
+      addInertial(*link.inertial, frame);
     }
     for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
       const CollisionShape shape = readShape(link.name, *collision, frame);
@@ -73,6 +73,16 @@ class RobotReader {
       const Mount child = chain(frame, toMount(joint->parent_to_joint_origin_transform));
       readLink(*urdf_.robot->getLink(joint->child_link_name), child);
     }
+  }
+
+  void addInertial(const urdf::Inertial& inertial, const Mount& frame) {
+    const Mount place = chain(frame, toMount(inertial.origin));
+    Eigen::Matrix3d inertia;
+    inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
+        inertial.ixy, inertial.iyy, inertial.iyz,         //
+        inertial.ixz, inertial.iyz, inertial.izz;
+    const Eigen::Matrix3d turn = place.orientation.toRotationMatrix();
+    model_->addMass(inertial.mass, place.position, turn * inertia * turn.transpose());
   }
 
   CollisionShape readShape(const std::string& link, const urdf::Collision& collision, const Mount& frame) const {

@@ -34,6 +34,27 @@ TEST(EntityModelTest, BlockHasItsOriginAtItsCentre) {
   EXPECT_FALSE(block->gripping_radius.has_value());
 }
 
+TEST(EntityModelTest, BlockWithAMassCanBeMoved) {
+  const auto block = blockModel({0.6, 0.3, 0.2}, 12.0);
+  EXPECT_TRUE(block->is_movable);
+  EXPECT_EQ(block->mass, 12.0);
+  EXPECT_EQ(block->centre_of_mass, Vector3d::Zero());
+  EXPECT_DOUBLE_EQ(block->origin_height, 0.1);
+  EXPECT_TRUE(block->inertia.diagonal().isApprox(Vector3d(0.09 + 0.04, 0.36 + 0.04, 0.36 + 0.09), 1e-12));
+  EXPECT_EQ(blockModel({0.6, 0.3, 0.2})->mass, 0.0);
+}
+
+TEST(EntityModelTest, PartsAddUpToOneMass) {
+  EntityModel model;
+  const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
+  model.addMass(1.0, {0.0, 0.0, 1.0}, none);
+  model.addMass(3.0, {0.4, 0.0, 1.0}, none);
+  EXPECT_DOUBLE_EQ(model.mass, 4.0);
+  EXPECT_TRUE(model.centre_of_mass.isApprox(Vector3d(0.3, 0.0, 1.0), 1e-12));
+  // two points 0.4 m apart: reduced mass times distance squared, across the line between them
+  EXPECT_TRUE(model.inertia.isApprox(Vector3d(0.0, 0.12, 0.12).asDiagonal().toDenseMatrix(), 1e-12));
+}
+
 TEST(EntityModelTest, PreyStandsOnItsOriginAndCanBeGripped) {
   const auto prey = cylindricPreyModel(0.1, 0.16);
   EXPECT_EQ(prey->type, "cylindric_prey");
@@ -46,6 +67,10 @@ TEST(EntityModelTest, PreyStandsOnItsOriginAndCanBeGripped) {
   EXPECT_TRUE(prey->is_movable);
   EXPECT_FALSE(prey->is_robot);
   EXPECT_EQ(prey->gripping_radius, 0.1);
+  EXPECT_EQ(prey->mass, kPreyMass);
+  EXPECT_EQ(prey->origin_height, 0.0);
+  EXPECT_TRUE(prey->centre_of_mass.isApprox(Vector3d(0.0, 0.0, 0.08)));
+  EXPECT_DOUBLE_EQ(prey->inertia(2, 2), kPreyMass * 0.1 * 0.1 / 2.0);
   ASSERT_EQ(prey->led_positions.size(), 1U);
   EXPECT_EQ(prey->led_positions[0], Vector3d(0.0, 0.0, 0.08));
 }

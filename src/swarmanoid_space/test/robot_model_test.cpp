@@ -44,6 +44,11 @@ TEST(RobotModelTest, FootbotIsBodyTwoWheelsAndGripper) {
   EXPECT_NEAR(footbot->highest, 0.146, kTight);
   EXPECT_NEAR(footbot->bounding_radius, std::hypot(0.085, 0.146), kTight);
   EXPECT_NEAR(footbot->mass, 1.8, kTight);
+  EXPECT_NEAR(footbot->centre_of_mass.head<2>().norm(), 0.0, kTight);
+  EXPECT_NEAR(footbot->centre_of_mass.z(), (1.6 * 0.07 + 0.2 * 0.029) / 1.8, kTight);
+  // a cylinder of 1.6 kg, and two wheels of 0.1 kg that roll at 7 cm from the middle
+  const double wheel = 0.1 * (0.029 * 0.029 / 4.0 + 0.02 * 0.02 / 12.0 + 0.07 * 0.07);
+  EXPECT_NEAR(footbot->inertia(2, 2), 1.6 * 0.075 * 0.075 / 2.0 + 2.0 * wheel, 1e-8);
   EXPECT_EQ(footbot->urdf.rfind("<?xml", 0), 0U);
 }
 

@@ -77,12 +77,14 @@ std::string Kinematics2d::misplacement(const EntityModel& model, const Pose& pos
   constexpr double kInPlane = 1e-6;  // m
   const planar::Plane& plane = bodies_.plane();
   const double along = plane.along(pose.position);
-  if (!model.is_movable || std::abs(along - plane.distance()) <= kInPlane) {
+  // what has its origin above its base stands on the plane
+  const double height = model.origin_height * plane.along(pose.orientation * Eigen::Vector3d::UnitZ());
+  if (!model.is_movable || std::abs(along - height - plane.distance()) <= kInPlane) {
     return "";
   }
   std::ostringstream text;
   text << "found at " << plane.axisName() << " = " << along << ", allowed: in the engine's plane, " << plane.axisName()
-       << " = " << plane.distance();
+       << " = " << plane.distance() + height;
   return text.str();
 }
 

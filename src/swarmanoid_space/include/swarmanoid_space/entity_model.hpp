@@ -42,10 +42,15 @@ struct EntityModel {
   double highest = 0.0;            ///< of the shapes, along body z [m]
   double bounding_radius = 0.0;    ///< of a sphere around the body's origin that holds all shapes [m]
   double horizontal_radius = 0.0;  ///< of a circle around body z that holds all shapes seen from above [m]
-  double mass = 0.0;               ///< [kg]; 0: not known
+
+  // How it resists; of no meaning to engines without forces, and for what is not movable.
+  double mass = 0.0;                                         ///< [kg]
+  Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();         ///< about the centre of mass, along body axes [kg m2]
 
   bool is_robot = false;
   bool is_movable = false;                ///< may be moved by an engine
+  double origin_height = 0.0;             ///< of the body's origin over what it stands on [m]
   std::optional<double> gripping_radius;  ///< there is a gripping strip, at this distance around body z [m]
 
   /// Differential drive: wheels on the body's y axis.
@@ -70,6 +75,9 @@ struct EntityModel {
   /// Fills `lowest`, `highest` and the two radii from `shapes`.
   void measureShapes();
 
+  /// Joins a part to what the model weighs so far. @param inertia about the part's centre, along body axes [kg m2]
+  void addMass(double mass, const Eigen::Vector3d& centre, const Eigen::Matrix3d& inertia);
+
   /// @throws std::out_of_range naming the mount and the type
   const Mount& mount(const std::string& name) const;
 };
@@ -87,12 +95,15 @@ std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const
 /// @throws ConfigError if there is no such robot
 std::shared_ptr<const EntityModel> robotModel(const std::string& type);
 
-/// An upright box with the origin at its centre. @param size lengths along x, y, z [m]
-std::shared_ptr<const EntityModel> blockModel(const Eigen::Vector3d& size);
+/// A solid upright box with the origin at its centre. @param size lengths along x, y, z [m]
+/// @param mass [kg]; 0: it is fixed to the ground
+std::shared_ptr<const EntityModel> blockModel(const Eigen::Vector3d& size, double mass = 0.0);
 
-/// An upright cylinder with the origin at the centre of its lower face and a gripping strip around it.
+constexpr double kPreyMass = 0.3;  ///< what a prey weighs that the experiment file says nothing about [kg]
+
+/// A solid upright cylinder with the origin at the centre of its lower face and a gripping strip around it.
 /// Its one LED position, at the middle, is where cameras see its colour. @param radius, height [m]
-std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height);
+std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass = kPreyMass);
 
 /// A lamp: no shape, one LED position at its origin.
 std::shared_ptr<const EntityModel> lightModel();
