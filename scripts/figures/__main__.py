@@ -10,6 +10,7 @@ import subprocess
 
 import benchmarks
 import build_time
+import engines
 import long_tests
 import simulation
 import under_ros
@@ -24,6 +25,9 @@ FIGURES = {
     "benchmark": benchmarks.benchmark,
     "queries": benchmarks.queries,
     "long_tests": long_tests.long_tests,
+    "mappings": lambda table, build: engines.mappings(table),
+    "dynamics2d": engines.dynamics2d,
+    "oracles": engines.oracles,
     "start_up": lambda table, build: simulation.start_up(table),
     "sanitizer": lambda table, build: long_tests.sanitizer(table),
     "fresh_clone": lambda table, build: build_time.fresh_clone(table),

@@ -1,0 +1,93 @@
+"""Figures of the engines: one experiment in each of them, and dynamics against the libraries alone."""
+
+import itertools
+import json
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from long_tests import last_word
+from table import ROOT, run
+
+SEEDS = range(1, 101)
+GROUND = """<kinematics2d id="ground">
+      <distance>0</distance>
+    </kinematics2d>"""
+SKY = """<kinematics2d id="sky">
+      <distance>2</distance>
+    </kinematics2d>"""
+ENGINES = {
+    "ground": {"kinematics2d": GROUND,
+               "dynamics2d": '<dynamics2d id="ground"><subclock>4</subclock></dynamics2d>',
+               "dynamics3d": '<dynamics3d id="ground"><subclock>10</subclock></dynamics3d>'},
+    "sky": {"kinematics2d": SKY, "dynamics3d": '<dynamics3d id="sky"><subclock>10</subclock></dynamics3d>'},
+}
+
+
+def known_engines():
+    listed = subprocess.run(["swarmanoid", "list", "engine"], capture_output=True, text=True, check=True).stdout
+    return {line.split()[0].rstrip(':') for line in listed.splitlines() if line.strip()}
+
+
+def mappings(table):
+    """The retrieval experiment, with nothing changed but who moves what."""
+    text = (ROOT / "src/swarmanoid_experiments/experiments/object_retrieval.xml").read_text()
+    known = known_engines()
+    for ground, sky in itertools.product(ENGINES["ground"], ENGINES["sky"]):
+        what = f"object retrieval, footbots in {ground}, eyebot in {sky}, seeds 1-100"
+        if not {ground, sky} <= known:
+            table.add(what, "at least 95", "no such engine yet", False)
+            continue
+        mapped = text.replace(GROUND, ENGINES["ground"][ground]).replace(SKY, ENGINES["sky"][sky])
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "mapped.xml"
+            file.write_text(mapped)
+            runs = []
+            for seed in SEEDS:
+                print(f"\r{ground} / {sky}: seed {seed}", end="", file=sys.stderr, flush=True)
+                done = subprocess.run(["swarmanoid", "run", file, "--seed", str(seed), "--quiet"], capture_output=True,
+                                      text=True)
+                if done.returncode != 0:
+                    break
+                runs.append(json.loads(done.stdout))
+            print(file=sys.stderr)
+        good = sum(bool(r["success"]) for r in runs)
+        speed = sum(r["ticks"] for r in runs) / sum(r["wall_s"] for r in runs) if runs else 0.0
+        seen = f"{good}; {speed:,.0f} ticks/s" if len(runs) == len(SEEDS) else done.stderr.strip().splitlines()[-1]
+        table.add(what, "at least 95", seen, good >= 95)
+
+
+def against_library(table, build, engine, least):
+    """Whole ticks of diffusion against the library alone, stepping the same bodies with the same forces."""
+    binary = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_min_time=2"], capture_output=True, text=True,
+                          check=True)
+    for entry in json.loads(done.stdout)["benchmarks"]:
+        robots, subclock = (int(part.split(":")[1]) for part in entry["name"].split("/")[1:3])
+        promised = least.get((robots, subclock))
+        seen = entry["against_library"]
+        table.add(f"{engine}, diffusion, {robots:,} footbots, {subclock} steps a tick: whole tick against the library alone",
+                  f"at least {promised}" if promised else "reported",
+                  f"{seen:.2f}; {entry['items_per_second'] / 1e3:,.0f} thousand robots x ticks/s",
+                  promised is None or seen >= promised)
+
+
+def dynamics2d(table, build):
+    against_library(table, build, "dynamics2d", {(10, 4): 0.5, (1000, 4): 0.8, (10000, 4): 0.8})
+
+
+def oracles(table, build):
+    """Tests that hold an engine against what physics says."""
+    environment = dict(os.environ, SWARMANOID_LONG_TESTS="1")
+    for engine, test, what, figure in (
+            ("dynamics2d", "motion", "0.1 m/s for 10 s, an arc and a turn on the spot, subclock 1 to 50, up to 50 m from the origin",
+             "1 mm; 1 %"),
+            ("dynamics2d", "force", "pushing force and slip limit of a footbot", "5 % below and above the limit"),
+            ("dynamics2d", "gripping", "grips: chains, ten pull what one cannot, tearing", "tear at the stated force within 5 %"),
+            ("dynamics2d", "collision", "collisions: momentum and energy; crowds, walls, mirrors",
+             "momentum 1e-6, energy 0.1 %; speeds bounded, nobody through a wall")):
+        file = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_{test}_test"
+        done = subprocess.run([file], capture_output=True, text=True, env=environment)
+        table.add(f"{engine}: {what}", figure, last_word(done.stdout), done.returncode == 0)
