@@ -86,8 +86,10 @@ def oracles(table, build):
              "1 mm; 1 %"),
             ("dynamics2d", "force", "pushing force and slip limit of a footbot", "5 % below and above the limit"),
             ("dynamics2d", "gripping", "grips: chains, ten pull what one cannot, tearing", "tear at the stated force within 5 %"),
-            ("dynamics2d", "collision", "collisions: momentum and energy; crowds, walls, mirrors",
-             "momentum 1e-6, energy 0.1 %; speeds bounded, nobody through a wall")):
+            ("dynamics2d", "crowd", "a crowd in a box: command steps, grips torn, a mirror put upon them, 10^6 ticks",
+             "speeds bounded, nobody through a wall; equal bits on repeat"),
+            ("dynamics2d", "collision", "collisions: momentum and energy; walls, mirrors",
+             "momentum 1e-6, energy 0.1 %")):
         file = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_{test}_test"
         done = subprocess.run([file], capture_output=True, text=True, env=environment)
         table.add(f"{engine}: {what}", figure, last_word(done.stdout), done.returncode == 0)
