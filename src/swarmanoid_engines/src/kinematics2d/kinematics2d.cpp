@@ -88,7 +88,7 @@ std::string Kinematics2d::misplacement(const EntityModel& model, const Pose& pos
   return text.str();
 }
 
-Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignored) const {
+Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const {
   const planar::Plane& plane = bodies_.plane();
   PlanarModel projected;
   planar::projectModel(model, plane, plane.baseOf(pose.orientation), projected);
@@ -99,7 +99,8 @@ Row Kinematics2d::overlap(const EntityModel& model, const Pose& pose, Row ignore
   bodies_.visitNear(placed.position, projected.radius, [&](BodyIndex index) {
     const Body& body = bodies_[index];
     const bool is_older = found == kNoBody || body.number < bodies_[found].number;
-    if (body.row != ignored && is_older && modelsOverlap(projected, placed, along, body, scratch)) {
+    const bool is_ignored = std::find(ignored.begin(), ignored.end(), body.row) != ignored.end();
+    if (!is_ignored && is_older && modelsOverlap(projected, placed, along, body, scratch)) {
       found = index;
     }
     return true;

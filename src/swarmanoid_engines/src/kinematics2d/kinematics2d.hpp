@@ -28,7 +28,8 @@ class Kinematics2d final : public Engine {
   void configure(const std::string& id, const Configuration& parameters) override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
-  Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const override;
+  using Engine::overlap;
+  Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
   void place(Space& space, Row row) override;
