@@ -69,13 +69,24 @@ void changeSeats(std::vector<Seat>& seats, const Engine* former, Engine& target)
 
 }  // namespace
 
+void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, Engine& engine) {
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    for (const Seat& seat : seats[i]) {
+      if (seat.engine == &engine && seat.role == Role::kMirror && space.entities.model[i]->is_movable) {
+        engine.place(space, row);
+      }
+    }
+  }
+}
+
 std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers, const std::vector<Row>& members,
                             Row row, const Engine& engine) {
   for (const Row member : members) {
     const std::string problem = problemOf(space, drivers, members, member, engine);
     if (!problem.empty()) {
       const auto i = static_cast<std::size_t>(member);
-      const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "' ";
+      const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "': ";
       return member == row ? problem : "connected " + who + problem;
     }
   }

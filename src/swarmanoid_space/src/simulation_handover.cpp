@@ -50,6 +50,7 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
     return;
   }
   const std::vector<Row> members = space_.structure.members(row);
+  refreshMirrors(space_, cast_->seats, *engine);
   const std::string problem = handoverProblem(space_, cast_->drivers, members, row, *engine);
   if (!problem.empty()) {
     throw ConfigError({}, space_.entities.model[i]->type + " '" + name + "' cannot be handed over to engine '" +

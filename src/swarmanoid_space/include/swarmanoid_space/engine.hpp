@@ -60,7 +60,8 @@ class Engine {
   /// Gives an entity back; its pose and twist in the space are already what they should be. Grips in `structure` stay,
   /// for whoever gets it next.
   virtual void remove(Space& space, Row row) = 0;
-  /// The entity's pose in the space was set from outside. @pre no misplacement, no overlap
+  /// The entity's pose in the space was set from outside; or it is a mirror, and a handover to this engine is to be
+  /// decided by where it is now. @pre no misplacement, no overlap, unless it is a mirror
   virtual void place(Space& space, Row row) = 0;
   /// Gives everything back.
   virtual void clear() = 0;

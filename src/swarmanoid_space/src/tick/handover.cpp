@@ -13,6 +13,7 @@ void attempt(Space& space, const std::vector<Driver>& drivers, HandoverWatch& wa
     return;
   }
   const std::vector<Row> members = space.structure.members(watch.row);
+  refreshMirrors(space, seats, *watch.engine);
   const std::string problem = handoverProblem(space, drivers, members, watch.row, *watch.engine);
   if (problem.empty()) {
     commitHandover(space, seats, members, *watch.engine, space.events);
