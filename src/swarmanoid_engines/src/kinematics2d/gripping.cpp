@@ -1,7 +1,6 @@
 // Phase `connect`: footbots grip preys and let go of them.
-#include <cmath>
-
 #include "kinematics2d/kinematics2d.hpp"
+#include "planar/gripper_reach.hpp"
 
 namespace swarmanoid::kinematics2d {
 
@@ -12,10 +11,10 @@ void Kinematics2d::connect(Space& space) {
       continue;
     }
     if (!body.gripper->closed) {
-      if (body.gripped != kNoBody) {
+      if (motion(index).gripped != kNoBody) {
         release(space, index);
       }
-    } else if (body.gripped == kNoBody) {
+    } else if (motion(index).gripped == kNoBody) {
       const BodyIndex prey = findPrey(index);
       if (prey != kNoBody) {
         grip(space, index, prey);
@@ -24,36 +23,11 @@ void Kinematics2d::connect(Space& space) {
   }
 }
 
-BodyIndex Kinematics2d::findPrey(BodyIndex gripper_index) const {
-  constexpr double kReach = 0.02;  // m from the gripper's tip to the gripping strip
-  const Body& gripper = bodies_[gripper_index];
-  const EntityModel::Gripper& geometry = *gripper.entity->gripper;
-  const planar::Plane& plane = bodies_.plane();
-  const Eigen::Vector3d arm = bodies_.details(gripper_index).base * Eigen::Vector3d(geometry.tip, 0.0, geometry.height);
-  const Eigen::Vector2d tip = gripper.pose.position + gripper.pose.rotated(plane.toLocal(arm));
-  const double height = gripper.along + plane.along(arm);
-  BodyIndex nearest = kNoBody;
-  double nearest_distance = kReach;
-  bodies_.visitNear(tip, kReach, [&](BodyIndex index) {
+BodyIndex Kinematics2d::findPrey(BodyIndex gripper) const {
+  return planar::findInReach(bodies_, gripper, [&](BodyIndex index) {
     const Body& prey = bodies_[index];
-    const EntityModel& entity = *prey.entity;
-    const bool is_free_prey = entity.gripping_radius && !entity.is_robot && entity.is_movable &&
-                              prey.role == Role::kMove && prey.gripped_by == kNoBody;
-    // a strip around a prey that lies is no circle in the plane
-    if (!is_free_prey || !plane.isUpright(bodies_.details(index).base) || height < prey.along + prey.model->band.low ||
-        height > prey.along + prey.model->band.high) {
-      return true;
-    }
-    const double distance = std::abs((prey.pose.position - tip).norm() - *entity.gripping_radius);
-    const bool is_nearer = distance < nearest_distance || (nearest != kNoBody && distance == nearest_distance &&
-                                                           prey.number < bodies_[nearest].number);
-    if (is_nearer) {
-      nearest = index;
-      nearest_distance = distance;
-    }
-    return true;
+    return !prey.entity->is_robot && prey.is_movable && prey.role == Role::kMove && motion(index).gripped_by == kNoBody;
   });
-  return nearest;
 }
 
 void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_index) {
@@ -69,15 +43,12 @@ void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_in
 }
 
 void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
-  Body& gripper = bodies_[gripper_index];
-  Body& prey = bodies_[prey_index];
-  gripper.gripped = prey_index;
-  prey.gripped_by = gripper_index;
-  PlanarPose& place = bodies_.details(prey_index).place_in_gripper;
-  const Eigen::Vector2d way = prey.pose.position - gripper.pose.position;
-  place.position = {gripper.pose.cosine * way.x() + gripper.pose.sine * way.y(),
-                    -gripper.pose.sine * way.x() + gripper.pose.cosine * way.y()};
-  place.heading = prey.pose.heading - gripper.pose.heading;
+  motion(gripper_index).gripped = prey_index;
+  motion(prey_index).gripped_by = gripper_index;
+  const PlacedPose& gripper = bodies_[gripper_index].pose;
+  const PlacedPose& prey = bodies_[prey_index].pose;
+  motion(prey_index).place_in_gripper = {gripper.unrotated(prey.position - gripper.position),
+                                         prey.heading - gripper.heading};
 }
 
 void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
@@ -85,7 +56,7 @@ void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
   const auto take = [&](BodyIndex gripper, BodyIndex prey) {
     const bool both_here = gripper != kNoBody && prey != kNoBody && bodies_[gripper].role == Role::kMove &&
                            bodies_[prey].role == Role::kMove;
-    if (both_here && bodies_[gripper].gripped == kNoBody && bodies_[prey].gripped_by == kNoBody) {
+    if (both_here && motion(gripper).gripped == kNoBody && motion(prey).gripped_by == kNoBody) {
       join(gripper, prey);
     }
   };
@@ -99,24 +70,25 @@ void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
 }
 
 void Kinematics2d::release(Space& space, BodyIndex gripper_index) {
-  Body& gripper = bodies_[gripper_index];
+  const Row gripper = bodies_[gripper_index].row;
+  const BodyIndex prey = motion(gripper_index).gripped;
   const auto& names = space.entities.name;
-  space.events.push_back({Event::Kind::kReleased, names[static_cast<std::size_t>(gripper.row)],
-                          names[static_cast<std::size_t>(bodies_[gripper.gripped].row)], ""});
-  space.structure.release(gripper.row);
-  bodies_[gripper.gripped].gripped_by = kNoBody;
-  gripper.gripped = kNoBody;
+  space.events.push_back({Event::Kind::kReleased, names[static_cast<std::size_t>(gripper)],
+                          names[static_cast<std::size_t>(bodies_[prey].row)], ""});
+  space.structure.release(gripper);
+  motion(prey).gripped_by = kNoBody;
+  motion(gripper_index).gripped = kNoBody;
 }
 
 void Kinematics2d::forgetGrips(BodyIndex index) {
-  Body& body = bodies_[index];
-  if (body.gripped != kNoBody) {
-    bodies_[body.gripped].gripped_by = kNoBody;
-    body.gripped = kNoBody;
+  Motion& its = motion(index);
+  if (its.gripped != kNoBody) {
+    motion(its.gripped).gripped_by = kNoBody;
+    its.gripped = kNoBody;
   }
-  if (body.gripped_by != kNoBody) {
-    bodies_[body.gripped_by].gripped = kNoBody;
-    body.gripped_by = kNoBody;
+  if (its.gripped_by != kNoBody) {
+    motion(its.gripped_by).gripped = kNoBody;
+    its.gripped_by = kNoBody;
   }
 }
 

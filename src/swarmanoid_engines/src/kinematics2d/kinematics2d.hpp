@@ -15,26 +15,47 @@
 
 #include <vector>
 
-#include "kinematics2d/bodies.hpp"
-#include "planar/planar_ray.hpp"
-#include "swarmanoid_space/engine.hpp"
+#include "planar/placed_pose.hpp"
+#include "planar/planar_engine.hpp"
 
 namespace swarmanoid::kinematics2d {
 
-class Kinematics2d final : public Engine {
+using planar::Body;
+using planar::BodyIndex;
+using planar::kNoBody;
+using planar::PlacedPose;
+
+/// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
+/// body can have moved since the engine began, as Kinematics2d counts them.
+struct Clearance {
+  static constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
+
+  double free_until = -1.0;            ///< up to this distance nothing can have come near
+  double look_ahead = kMostLookAhead;  ///< how far the next look goes [m]
+  bool at_all_heights = false;         ///< also nothing above or below
+};
+
+/// What this engine knows of a body beside where it is.
+struct Motion {
+  planar::PlanarPose pose_at_start;  ///< of the tick
+  Clearance clearance;
+
+  // Gripping: a gripped body goes where its gripper goes.
+  BodyIndex gripped = kNoBody;
+  BodyIndex gripped_by = kNoBody;
+  planar::PlanarPose place_in_gripper;  ///< in the gripper's frame, from the moment of gripping
+};
+
+class Kinematics2d final : public planar::PlanarEngine {
  public:
   static PluginDescription describe();
 
-  void configure(const std::string& id, const Configuration& parameters) override;
-  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
-  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
-  using Engine::overlap;
-  Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
   void place(Space& space, Row row) override;
   void clear() override {
     bodies_.clear();
+    motions_.clear();
     is_somebody_new_ = true;
   }
   void readMirrors(const Space& space) override;
@@ -46,15 +67,14 @@ class Kinematics2d final : public Engine {
  private:
   // motion.cpp
   void startTick(const Space& space, double step);
-  void readCommands(Body& body);
   void moveBody(BodyIndex index, double dt);
   bool tryPose(BodyIndex index, const PlacedPose& pose);
   bool isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner, Clearance& clearance);
   void finishTick(Space& space, double dt);
 
-  // rays.cpp
   bool areAllOutOfReach(const RayBundle& rays) const;
-  void meetBody(const planar::PlanarRay& ray, const Body& body, RayHit& hit) const;
+  Motion& motion(BodyIndex index) { return motions_[static_cast<std::size_t>(index)]; }
+  const Motion& motion(BodyIndex index) const { return motions_[static_cast<std::size_t>(index)]; }
 
   // gripping.cpp
   BodyIndex findPrey(BodyIndex gripper) const;
@@ -64,9 +84,8 @@ class Kinematics2d final : public Engine {
   void release(Space& space, BodyIndex gripper);
   void forgetGrips(BodyIndex index);
 
-  Bodies bodies_;
-  int subclock_ = 1;
-  std::vector<PlanarShape> relative_shapes_;  // scratch of modelsOverlap
+  std::vector<Motion> motions_;                       // by body
+  std::vector<planar::PlanarShape> relative_shapes_;  // scratch of modelsOverlap
 
   // Bounds on how far any body moves: most bodies then need not look around in most steps (see Clearance).
   double mirrors_moved_ = 0.0;    // by at most, before this tick [m]
@@ -74,13 +93,5 @@ class Kinematics2d final : public Engine {
   double travelled_ = 0.0;        // up to the end of the step under way [m]
   bool is_somebody_new_ = false;  // clearances hold no longer: a body came, or was put elsewhere
 };
-
-/// Whether a model at a pose overlaps a body, heights considered. `scratch` keeps its memory between calls.
-bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                   std::vector<PlanarShape>& scratch);
-
-/// Where a velocity, constant in the body's frame while it turns, takes a body: exactly along the arc.
-/// @param velocity [m/s]; @param turn_rate [rad/s]; @param dt [s]
-PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt);
 
 }  // namespace swarmanoid::kinematics2d

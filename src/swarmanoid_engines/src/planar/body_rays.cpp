@@ -1,15 +1,13 @@
-// Rays against the bodies, extruded to their heights.
+#include "planar/body_rays.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "kinematics2d/kinematics2d.hpp"
 #include "planar/planar_ray.hpp"
 
-namespace swarmanoid::kinematics2d {
+namespace swarmanoid::planar {
 namespace {
-
-using planar::PlanarRay;
 
 /// Some rays of a bundle in the plane's frame, column by column so that all are compared with a body at once.
 class PlanarRays {
@@ -19,7 +17,7 @@ class PlanarRays {
   PlanarRays() {}  // the columns are left as they are: most bundles meet nobody
   bool isEmpty() const { return count_ == 0; }
 
-  void assign(const planar::Plane& plane, Span<const Segment> segments) {
+  void assign(const Plane& plane, Span<const Segment> segments) {
     count_ = segments.size();
     for (std::size_t k = 0; k < count_; ++k) {
       const Eigen::Vector2d from = plane.toLocal(segments[k].from);
@@ -92,31 +90,39 @@ bool isVisibleTo(const RayBundle& rays, const Body& body) {
   return body.row != rays.ignored && body.row != rays.also_ignored && !body.is_seen_elsewhere;
 }
 
+void meetBody(const Bodies& bodies, const PlanarRay& ray, const Body& body, RayHit& hit) {
+  for (const PlanarShape& shape : body.model->shapes) {
+    const double fraction = meeting(ray, shape, body.along);
+    if (fraction > hit.fraction) {
+      continue;
+    }
+    // between surfaces at the same distance the older entity is met, whatever the order of the look-up
+    const BodyIndex rival = hit.row == kNoRow ? kNoBody : bodies.find(hit.row);
+    if (fraction < hit.fraction || (rival != kNoBody && body.number < bodies[rival].number)) {
+      hit = {fraction, body.row};
+    }
+  }
+}
+
 }  // namespace
 
-bool Kinematics2d::mayMeet(const RayBundle& rays) const {
-  if (areAllOutOfReach(rays)) {
-    return false;
-  }
+bool mayMeet(const Bodies& bodies, const RayBundle& rays) {
   bool may_meet = false;
-  bodies_.visitNear(bodies_.plane().toLocal(rays.centre), rays.radius, [&](BodyIndex index) {
-    may_meet = isVisibleTo(rays, bodies_[index]);
+  bodies.visitNear(bodies.plane().toLocal(rays.centre), rays.radius, [&](BodyIndex index) {
+    may_meet = isVisibleTo(rays, bodies[index]);
     return !may_meet;
   });
   return may_meet;
 }
 
-void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
-  if (areAllOutOfReach(rays)) {
-    return;
-  }
-  const planar::Plane& plane = bodies_.plane();
+void castRays(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
+  const Plane& plane = bodies.plane();
   const Eigen::Vector2d centre = plane.toLocal(rays.centre);
   for (std::size_t first = 0; first < rays.segments.size(); first += PlanarRays::kMost) {
     const std::size_t count = std::min(PlanarRays::kMost, rays.segments.size() - first);
     PlanarRays planar_rays;
-    bodies_.visitNear(centre, rays.radius, [&](BodyIndex index) {
-      const Body& body = bodies_[index];
+    bodies.visitNear(centre, rays.radius, [&](BodyIndex index) {
+      const Body& body = bodies[index];
       if (!isVisibleTo(rays, body)) {
         return true;
       }
@@ -126,37 +132,11 @@ void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
       const std::size_t near = planar_rays.findNear(body.pose.position, body.model->radius);
       for (std::size_t i = 0; i < near; ++i) {
         const std::size_t k = planar_rays.near()[i];
-        meetBody(planar_rays.relativeTo(body.pose, k), body, hits[first + k]);
+        meetBody(bodies, planar_rays.relativeTo(body.pose, k), body, hits[first + k]);
       }
       return true;
     });
   }
 }
 
-bool Kinematics2d::areAllOutOfReach(const RayBundle& rays) const {
-  // a robot that casts rays knows from moving how far away everybody is
-  const BodyIndex caster = rays.ignored == kNoRow || is_somebody_new_ ? kNoBody : bodies_.find(rays.ignored);
-  if (caster == kNoBody) {
-    return false;
-  }
-  const Body& body = bodies_[caster];
-  const double room = body.model->radius + 2.0 * (body.clearance.free_until - travelled_) - rays.radius;
-  const Eigen::Vector2d centre = bodies_.plane().toLocal(rays.centre);
-  return body.clearance.at_all_heights && room > 0.0 && (centre - body.pose.position).squaredNorm() < room * room;
-}
-
-void Kinematics2d::meetBody(const PlanarRay& ray, const Body& body, RayHit& hit) const {
-  for (const PlanarShape& shape : body.model->shapes) {
-    const double fraction = planar::meeting(ray, shape, body.along);
-    if (fraction > hit.fraction) {
-      continue;
-    }
-    // between surfaces at the same distance the older entity is met, whatever the order of the look-up
-    const BodyIndex rival = hit.row == kNoRow ? kNoBody : bodies_.find(hit.row);
-    if (fraction < hit.fraction || (rival != kNoBody && body.number < bodies_[rival].number)) {
-      hit = {fraction, body.row};
-    }
-  }
-}
-
-}  // namespace swarmanoid::kinematics2d
+}  // namespace swarmanoid::planar

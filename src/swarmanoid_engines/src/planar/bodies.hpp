@@ -1,4 +1,4 @@
-/// The bodies of a kinematic engine: where they are, what they look like in the plane, what is near what.
+/// The bodies of a planar engine: where they are, what they look like in the plane, what is near what.
 ///
 /// A body's index stays as long as it is in the engine. Threads: const functions may run at once.
 #pragma once
@@ -8,49 +8,22 @@
 #include <vector>
 
 #include "planar/cell_grid.hpp"
+#include "planar/placed_pose.hpp"
 #include "planar/planar_model.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/space.hpp"
 
-namespace swarmanoid::kinematics2d {
-
-using planar::PlanarModel;
-using planar::PlanarPose;
-using planar::PlanarShape;
+namespace swarmanoid::planar {
 
 using BodyIndex = std::int32_t;
 constexpr BodyIndex kNoBody = -1;
 
-/// A pose with the heading's cosine and sine at hand.
-struct PlacedPose {
-  Eigen::Vector2d position = Eigen::Vector2d::Zero();
-  double heading = 0.0;
-  double cosine = 1.0;
-  double sine = 0.0;
-
-  static PlacedPose at(const Eigen::Vector2d& position, double heading);
-  Eigen::Vector2d rotated(const Eigen::Vector2d& p) const {
-    return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};
-  }
-};
-
-/// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
-/// body can have moved since the engine began, as Kinematics2d counts them.
-struct Clearance {
-  static constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
-
-  double free_until = -1.0;            ///< up to this distance nothing can have come near
-  double look_ahead = kMostLookAhead;  ///< how far the next look goes [m]
-  bool at_all_heights = false;         ///< also nothing above or below
-};
-
 /// What is looked at in every step; kept small, since there may be many.
 struct Body {
   PlacedPose pose;
-  PlacedPose pose_at_start;  ///< of the tick
-  double along = 0.0;        ///< of the origin, along the plane's normal [m]
+  double along = 0.0;  ///< of the origin, along the plane's normal [m]
   const PlanarModel* model = nullptr;
   const EntityModel* entity = nullptr;
   EntityNumber number = kNobody;
@@ -61,15 +34,9 @@ struct Body {
   const EyebotVelocity* flight = nullptr;
   const FootbotGripper* gripper = nullptr;
 
-  // Gripping: a gripped body goes where its gripper goes.
-  BodyIndex gripped = kNoBody;
-  BodyIndex gripped_by = kNoBody;
-
-  // What it does in this tick.
+  // What it is told to do in this tick, by wheels or flight: see readCommands.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
   double turn_rate = 0.0;                              ///< [rad/s]
-
-  Clearance clearance;
 
   Role role = Role::kMove;
   bool is_movable = false;
@@ -85,12 +52,11 @@ struct BodyDetails {
   std::shared_ptr<const PlanarModel> shared_model;  ///< of all bodies with that entity model and base
   std::unique_ptr<PlanarModel> own_model;           ///< once the base has changed
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
-  PlanarPose place_in_gripper;  ///< in its gripper's frame, from the moment of gripping
 };
 
 class Bodies {
  public:
-  void configure(const planar::Plane& plane) { plane_ = plane; }
+  void configure(const Plane& plane) { plane_ = plane; }
 
   BodyIndex add(const Space& space, Row row, Role role);
   void remove(BodyIndex index);
@@ -109,7 +75,7 @@ class Bodies {
   const Body& operator[](BodyIndex index) const { return bodies_[static_cast<std::size_t>(index)]; }
   /// Living bodies, by entity number.
   const std::vector<BodyIndex>& order() const { return order_; }
-  const planar::Plane& plane() const { return plane_; }
+  const Plane& plane() const { return plane_; }
 
   BodyDetails& details(BodyIndex index) { return details_[static_cast<std::size_t>(index)]; }
   const BodyDetails& details(BodyIndex index) const { return details_[static_cast<std::size_t>(index)]; }
@@ -165,7 +131,7 @@ class Bodies {
   void findDevices(const Space& space, BodyIndex index);
   void refreshBounds(BodyIndex index);
 
-  planar::Plane plane_;
+  Plane plane_;
   std::vector<Body> bodies_;
   std::vector<BodyDetails> details_;  // by body
   std::vector<Circle> circles_;       // by body
@@ -176,8 +142,8 @@ class Bodies {
   std::vector<Large> large_;
   std::vector<PlanarShape> placed_shapes_;  // scratch of refreshBounds
   std::vector<Projection> projections_;
-  planar::CellGrid grid_;
+  CellGrid grid_;
   double largest_radius_ = 0.0;  // of bodies in the grid
 };
 
-}  // namespace swarmanoid::kinematics2d
+}  // namespace swarmanoid::planar

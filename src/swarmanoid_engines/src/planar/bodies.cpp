@@ -1,18 +1,14 @@
-#include "kinematics2d/bodies.hpp"
+#include "planar/bodies.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace swarmanoid::kinematics2d {
+namespace swarmanoid::planar {
 namespace {
 constexpr double kLargeRadius = 0.4;  // m: what is wider would make every look into the grid wide
 
 bool areSame(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) { return a.coeffs() == b.coeffs(); }
 }  // namespace
-
-PlacedPose PlacedPose::at(const Eigen::Vector2d& position, double heading) {
-  return {position, heading, std::cos(heading), std::sin(heading)};
-}
 
 std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const EntityModel>& entity,
                                                    const Eigen::Quaterniond& base) {
@@ -27,7 +23,7 @@ std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const E
                                     [](const Projection& projection) { return projection.model.expired(); }),
                      projections_.end());
   auto model = std::make_shared<PlanarModel>();
-  planar::projectModel(*entity, plane_, base, *model);
+  projectModel(*entity, plane_, base, *model);
   projections_.push_back({entity, base, model});
   return model;
 }
@@ -109,7 +105,7 @@ void Bodies::place(const Space& space, BodyIndex index) {
     if (!its.own_model) {
       its.own_model = std::make_unique<PlanarModel>();
     }
-    planar::projectModel(*its.entity, plane_, base, *its.own_model);
+    projectModel(*its.entity, plane_, base, *its.own_model);
     body.model = its.own_model.get();
     circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
     largest_radius_ = std::max(largest_radius_, body.is_large ? 0.0 : body.model->radius);
@@ -144,7 +140,7 @@ void Bodies::refreshBounds(BodyIndex index) {
     bounds.extend(pose.position - extent).extend(pose.position + extent);
     return;
   }
-  planar::placeShapes(model, pose.position, pose.cosine, pose.sine, placed_shapes_);
+  placeShapes(model, pose.position, pose.cosine, pose.sine, placed_shapes_);
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const PlanarShape& shape = placed_shapes_[i];
     const Eigen::Vector2d extent = Eigen::Vector2d::Constant(shape.isCircle() ? shape.radius : 0.0);
@@ -183,4 +179,4 @@ void Bodies::clear() {
   largest_radius_ = 0.0;
 }
 
-}  // namespace swarmanoid::kinematics2d
+}  // namespace swarmanoid::planar

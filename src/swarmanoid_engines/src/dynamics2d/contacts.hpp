@@ -1,0 +1,46 @@
+/// Which bodies may touch, and who touches anybody.
+#pragma once
+
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+#include <box2d/b2_world_callbacks.h>
+
+#include <vector>
+
+#include "dynamics2d/rigid_body.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+/// Shapes whose bands of heights do not meet pass over each other. The body's number is in Box2D's user data, and that
+/// of the shape in its fixtures'.
+class Contacts final : public b2ContactFilter, public b2ContactListener {
+ public:
+  Contacts(const planar::Bodies& bodies, std::vector<RigidBody>& rigid_bodies)
+      : bodies_(bodies), rigid_bodies_(rigid_bodies) {}
+
+  bool ShouldCollide(b2Fixture* a, b2Fixture* b) override {
+    const Body& mine = bodies_[indexOf(a)];
+    const Body& its = bodies_[indexOf(b)];
+    return shapeOf(mine, a).band.meets(shapeOf(its, b).band, mine.along, its.along);
+  }
+  void BeginContact(b2Contact* contact) override { count(*contact, 1); }
+  void EndContact(b2Contact* contact) override { count(*contact, -1); }
+
+ private:
+  static BodyIndex indexOf(b2Fixture* fixture) {
+    return static_cast<BodyIndex>(fixture->GetBody()->GetUserData().pointer);
+  }
+  static const planar::PlanarShape& shapeOf(const Body& body, b2Fixture* fixture) {
+    return body.model->shapes[fixture->GetUserData().pointer];
+  }
+  void count(b2Contact& contact, int change) {
+    for (b2Fixture* fixture : {contact.GetFixtureA(), contact.GetFixtureB()}) {
+      rigid_bodies_[static_cast<std::size_t>(indexOf(fixture))].touching += change;
+    }
+  }
+
+  const planar::Bodies& bodies_;
+  std::vector<RigidBody>& rigid_bodies_;
+};
+
+}  // namespace swarmanoid::dynamics2d

@@ -1,0 +1,123 @@
+// What drives robots: treels that push on the ground, and flight.
+//
+// A robot that touches nobody gets in each step the force that brings it to the commanded velocity within that step, as
+// far as the ground holds. What else pushes it would come a step too late in that sum, so a robot that touches or holds
+// anything is driven by joints instead, which Box2D solves together with the contacts.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics2d/dynamics2d.hpp"
+
+namespace swarmanoid::dynamics2d {
+namespace {
+
+constexpr double kFlightAcceleration = 4.0;       // m/s2
+constexpr double kFlightTurnAcceleration = 20.0;  // rad/s2
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+Eigen::Vector2d limited(const Eigen::Vector2d& force, double most) {
+  const double squared = force.squaredNorm();
+  return squared > most * most ? Eigen::Vector2d(force * (most / std::sqrt(squared))) : force;
+}
+
+/// Where a treel touches the ground, at heading 0. @param side 1: left, -1: right
+Eigen::Vector2d treelPosition(const Body& body, double side) {
+  return side * 0.5 * body.entity->wheels->separation * body.model->left;
+}
+
+Eigen::Vector2d toBodyFrame(const b2Rot& turn, const b2Vec2& velocity) { return toMetres(b2MulT(turn, velocity)); }
+
+}  // namespace
+
+void Dynamics2d::prepareDrive(BodyIndex index, double step) {
+  const Body& body = bodies_[index];
+  RigidBody& its = rigid(index);
+  const planar::PlacedPose end = planar::integrate(planar::PlacedPose{}, body.velocity, body.turn_rate, step);
+  its.origin_advance = end.position;
+  its.centre_advance = end.position + end.rotated(its.arm) - its.arm;
+}
+
+void Dynamics2d::drive(BodyIndex index, double step) {
+  const Body& body = bodies_[index];
+  RigidBody& its = rigid(index);
+  if (body.flight != nullptr) {
+    fly(its, body.turn_rate, step);
+  } else if (body.wheels == nullptr) {
+    return;
+  } else if (its.belt.body != nullptr) {
+    moveBelt(body, its, step);
+  } else if (its.isFree()) {
+    driveTreels(body, its, step);
+  } else {
+    makeBelt(body, its);
+    moveBelt(body, its, step);
+  }
+}
+
+void Dynamics2d::driveTreels(const Body& body, RigidBody& its, double step) {
+  const b2Rot& turn = its.body->GetTransform().q;
+  const Eigen::Vector2d velocity = toBodyFrame(turn, its.body->GetLinearVelocity());
+  Eigen::Vector2d force = its.mass / step * (its.centre_advance / step - velocity);
+  double torque = its.inertia / step * (body.turn_rate - its.body->GetAngularVelocity());
+  // both treels carry half of it, and push in opposite directions to turn
+  const PlanarModel& model = *body.model;
+  const double separation = body.entity->wheels->separation;
+  const double opposite = (torque + cross(its.arm, force)) / (separation * cross(model.left, model.ahead));
+  const double most = 0.5 * material_.treel_friction * its.mass * material_.gravity;
+  const Eigen::Vector2d left = limited(0.5 * force + opposite * model.ahead, most);
+  const Eigen::Vector2d right = limited(0.5 * force - opposite * model.ahead, most);
+  force = left + right;
+  torque = cross(treelPosition(body, 1.0) - its.arm, left) + cross(treelPosition(body, -1.0) - its.arm, right);
+  push(its, force, torque);
+}
+
+void Dynamics2d::fly(RigidBody& its, double turn_rate, double step) {
+  const Eigen::Vector2d velocity = toBodyFrame(its.body->GetTransform().q, its.body->GetLinearVelocity());
+  const Eigen::Vector2d force =
+      limited(its.mass / step * (its.centre_advance / step - velocity), its.mass * kFlightAcceleration);
+  const double most = its.inertia * kFlightTurnAcceleration;
+  push(its, force, std::clamp(its.inertia / step * (turn_rate - its.body->GetAngularVelocity()), -most, most));
+}
+
+void Dynamics2d::push(RigidBody& its, const Eigen::Vector2d& force, double torque) {
+  const b2Vec2 pushed = b2Mul(its.body->GetTransform().q, toUnits(force));
+  const auto turned = static_cast<float>(torque * kSquareUnits);
+  its.body->ApplyForceToCenter(pushed, false);
+  its.body->ApplyTorque(turned, false);
+  if (recorded_pushes_ != nullptr) {
+    recorded_pushes_->push_back({pushed, turned});
+  }
+}
+
+void Dynamics2d::makeBelt(const Body& body, RigidBody& its) {
+  b2BodyDef definition;
+  definition.type = b2_kinematicBody;
+  definition.position = its.body->GetPosition();
+  definition.angle = its.body->GetAngle();
+  its.belt.body = world_->CreateBody(&definition);
+  for (std::size_t i = 0; i < its.belt.treels.size(); ++i) {
+    b2FrictionJointDef treel;
+    treel.bodyA = its.belt.body;
+    treel.bodyB = its.body;
+    treel.localAnchorA = toUnits(treelPosition(body, i == 0 ? 1.0 : -1.0));
+    treel.localAnchorB = treel.localAnchorA;
+    treel.maxForce = static_cast<float>(0.5 * material_.treel_friction * its.mass * material_.gravity * kUnitsPerMetre);
+    its.belt.treels[i] = static_cast<b2FrictionJoint*>(world_->CreateJoint(&treel));
+  }
+}
+
+void Dynamics2d::moveBelt(const Body& body, RigidBody& its, double step) {
+  its.belt.body->SetTransform(its.body->GetPosition(), its.body->GetAngle());
+  its.belt.body->SetLinearVelocity(b2Mul(its.body->GetTransform().q, toUnits(its.origin_advance / step)));
+  its.belt.body->SetAngularVelocity(static_cast<float>(body.turn_rate));
+}
+
+void Dynamics2d::dropBelt(RigidBody& its) {
+  if (its.belt.body != nullptr) {
+    world_->DestroyBody(its.belt.body);  // and its joints
+    its.belt = Belt{};
+  }
+}
+
+}  // namespace swarmanoid::dynamics2d

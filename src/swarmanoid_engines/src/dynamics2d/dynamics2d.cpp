@@ -1,0 +1,198 @@
+// What the engine is told between ticks.
+#include "dynamics2d/dynamics2d.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid::dynamics2d {
+namespace {
+
+constexpr Range kForceRange{0.0, 1e6};
+constexpr Range kFrictionRange{0.0, 10.0};
+constexpr Range kFractionRange{0.0, 1.0};
+constexpr Range kIterationsRange{1.0, 1000.0};
+constexpr std::int64_t kIterations = 8;
+
+Parameter number(const std::string& name, const std::string& unit, const std::string& value, Range range,
+                 const std::string& description) {
+  Parameter parameter;
+  parameter.name = name;
+  parameter.type = Parameter::Type::kNumber;
+  parameter.unit = unit;
+  parameter.value = value;
+  parameter.range = range;
+  parameter.description = description;
+  return parameter;
+}
+
+/// Box2D cannot hold shapes without extent, and integrates nothing without mass.
+std::string problemWithModel(const EntityModel& model) {
+  if (model.is_movable && !(model.mass > 0.0 && model.inertia.diagonal().minCoeff() > 0.0)) {
+    return "has no mass or no inertia, so forces cannot move it";
+  }
+  for (const CollisionShape& shape : model.shapes) {
+    if (shape.half_extent.minCoeff() < 0.5 * kThinnest) {
+      return "has a shape thinner than 1 mm, which Box2D cannot hold";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+Dynamics2d::Dynamics2d() { makeWorld(); }
+
+PluginDescription Dynamics2d::describe() {
+  PluginDescription description;
+  description.label = "dynamics2d";
+  description.summary = "Two-dimensional rigid bodies on Box2D: masses, friction, force-limited drives, any grips.";
+  description.parameters = placementParameters();
+  Parameter iterations;
+  iterations.name = "iterations";
+  iterations.type = Parameter::Type::kInteger;
+  iterations.value = std::to_string(kIterations);
+  iterations.range = kIterationsRange;
+  iterations.description = "Of the solver of contacts and joints, in each step.";
+  description.parameters.push_back(iterations);
+  const std::vector<Parameter> material = {
+      number("gravity", "m/s2", "9.81", kForceRange, "Presses bodies on the plane."),
+      number("ground_friction", "", "0.4", kFrictionRange, "Coefficient of what slides on the plane."),
+      number("treel_friction", "", "0.9", kFrictionRange, "Coefficient of treels on the plane: beyond it they slip."),
+      number("contact_friction", "", "0.3", kFrictionRange, "Coefficient between bodies."),
+      number("restitution", "", "0", kFractionRange, "Part of the speed that bodies bounce back with."),
+      number("grip_strength", "N", "50", kForceRange, "A grip tears beyond this force.")};
+  description.parameters.insert(description.parameters.end(), material.begin(), material.end());
+  return description;
+}
+
+void Dynamics2d::configure(const std::string& id, const Configuration& parameters) {
+  PlanarEngine::configure(id, parameters);
+  velocity_iterations_ = static_cast<int>(parameters.integer("iterations", kIterations, kIterationsRange));
+  const Material standard;
+  material_.gravity = parameters.number("gravity", standard.gravity, kForceRange);
+  material_.ground_friction = parameters.number("ground_friction", standard.ground_friction, kFrictionRange);
+  material_.treel_friction = parameters.number("treel_friction", standard.treel_friction, kFrictionRange);
+  material_.contact_friction = parameters.number("contact_friction", standard.contact_friction, kFrictionRange);
+  material_.restitution = parameters.number("restitution", standard.restitution, kFractionRange);
+  material_.grip_strength = parameters.number("grip_strength", standard.grip_strength, kForceRange);
+}
+
+std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
+  const std::string problem = PlanarEngine::refusal(model, devices);
+  return problem.empty() ? problemWithModel(model) : problem;
+}
+
+std::string Dynamics2d::misplacement(const EntityModel& model, const Pose& pose) const {
+  const std::string problem = PlanarEngine::misplacement(model, pose);
+  if (problem.empty() && model.wheels && !bodies_.plane().isUpright(pose.orientation)) {
+    return "found tilted, allowed: standing on its treels, its z axis along " + bodies_.plane().axisName();
+  }
+  return problem;
+}
+
+void Dynamics2d::makeWorld() {
+  world_ = std::make_unique<b2World>(b2Vec2(0.0F, 0.0F));
+  world_->SetContactFilter(&contacts_);
+  world_->SetContactListener(&contacts_);
+  // a sleeping body would forget its last bit of speed, and sleep depends on more than the state that is handed over
+  world_->SetAllowSleeping(false);
+  const b2BodyDef ground;
+  ground_ = world_->CreateBody(&ground);
+}
+
+void Dynamics2d::add(Space& space, Row row, Role role) {
+  const BodyIndex index = bodies_.add(space, row, role);
+  rigid_bodies_.resize(std::max(rigid_bodies_.size(), static_cast<std::size_t>(index) + 1));
+  rigid(index) = RigidBody{};
+  makeBody(index);
+  putBody(space, index);
+  if (role == Role::kMove && bodies_[index].is_movable) {
+    const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };
+    movers_.insert(std::upper_bound(movers_.begin(), movers_.end(), index, older), index);
+    newcomers_.push_back(index);
+  }
+  takeOverGrips(space, index);
+}
+
+void Dynamics2d::makeBody(BodyIndex index) {
+  const Body& body = bodies_[index];
+  RigidBody& its = rigid(index);
+  b2BodyDef definition;
+  definition.userData.pointer = static_cast<uintptr_t>(index);
+  if (body.is_movable) {
+    definition.type = body.role == Role::kMove ? b2_dynamicBody : b2_kinematicBody;
+  }
+  its.body = world_->CreateBody(&definition);
+  makeFixtures(index);
+}
+
+void Dynamics2d::makeFixtures(BodyIndex index) {
+  const Body& body = bodies_[index];
+  RigidBody& its = rigid(index);
+  while (its.body->GetFixtureList() != nullptr) {
+    its.body->DestroyFixture(its.body->GetFixtureList());
+  }
+  addFixtures(*its.body, *body.model, static_cast<float>(material_.contact_friction),
+              static_cast<float>(material_.restitution));
+  if (its.body->GetType() != b2_dynamicBody) {
+    return;
+  }
+  const planar::Plane& plane = bodies_.plane();
+  const Eigen::Matrix3d base = bodies_.details(index).base.toRotationMatrix();
+  its.mass = body.entity->mass;
+  its.inertia = plane.along(base * body.entity->inertia * base.transpose() * plane.normal());
+  its.arm = plane.toLocal(base * body.entity->centre_of_mass);
+  b2MassData mass;
+  mass.mass = static_cast<float>(its.mass);
+  mass.center = toUnits(its.arm);
+  mass.I = static_cast<float>((its.inertia + its.mass * its.arm.squaredNorm()) * kSquareUnits);
+  its.body->SetMassData(&mass);
+}
+
+void Dynamics2d::putBody(const Space& space, BodyIndex index) {
+  const Body& body = bodies_[index];
+  RigidBody& its = rigid(index);
+  const planar::Plane& plane = bodies_.plane();
+  its.heading = body.pose.heading;
+  its.centre = body.pose.position + body.pose.rotated(its.arm);
+  its.writeTransform();
+  const Twist& twist = space.entities.twist[static_cast<std::size_t>(body.row)];
+  const double turn_rate = plane.along(twist.angular);
+  const Eigen::Vector2d arm = body.pose.rotated(its.arm);
+  const Eigen::Vector2d velocity = plane.toLocal(twist.linear) + turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
+  its.body->SetLinearVelocity(toUnits(velocity));
+  its.body->SetAngularVelocity(static_cast<float>(turn_rate));
+}
+
+void Dynamics2d::remove(Space&, Row row) {
+  const BodyIndex index = bodies_.find(row);
+  forgetGrips(index);
+  dropBelt(rigid(index));
+  world_->DestroyBody(rigid(index).body);
+  rigid(index) = RigidBody{};
+  for (std::vector<BodyIndex>* list : {&movers_, &newcomers_}) {
+    list->erase(std::remove(list->begin(), list->end(), index), list->end());
+  }
+  bodies_.remove(index);
+}
+
+void Dynamics2d::place(Space& space, Row row) {
+  const BodyIndex index = bodies_.find(row);
+  forgetGrips(index);
+  bodies_.place(space, index);
+  makeFixtures(index);
+  putBody(space, index);
+}
+
+void Dynamics2d::clear() {
+  bodies_.clear();
+  rigid_bodies_.clear();
+  movers_.clear();
+  newcomers_.clear();
+  grippers_.clear();
+  makeWorld();
+}
+
+}  // namespace swarmanoid::dynamics2d
+
+REGISTER_ENGINE(swarmanoid::dynamics2d::Dynamics2d)

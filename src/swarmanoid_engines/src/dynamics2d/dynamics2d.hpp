@@ -1,0 +1,109 @@
+/// The two-dimensional dynamic engine (thesis 3.5.2), on Box2D: rigid bodies on a plane, with mass, friction with the
+/// ground, collisions and grips.
+///
+/// Gravity presses bodies on the plane; in it nothing pulls them. Preys and blocks slide with Coulomb friction. Treels
+/// drive a footbot with the force that their commanded speeds ask for, up to what the ground holds: beyond, they slip.
+/// Flight pushes an eyebot towards its commanded velocity with limited acceleration. What would lead out of the plane
+/// is dropped. A gripper holds anything with a gripping strip (preys, footbots, handbots), as a rigid joint that tears
+/// at a stated force; several may hold one object, and chains are allowed, as far as the structural tree is
+/// (thesis 3.4).
+///
+/// Bodies may sink into each other by up to 0.6 mm, which is Box2D's tolerance here. The positions of entities are
+/// integrated in double precision from Box2D's velocities, so small steps far from the origin lose nothing.
+///
+/// A mirror is a body that nothing pushes: it is where the space says, and moves through the tick with its last twist.
+#pragma once
+
+#include <box2d/b2_world.h>
+
+#include <memory>
+#include <vector>
+
+#include "dynamics2d/contacts.hpp"
+#include "dynamics2d/rigid_body.hpp"
+#include "planar/planar_engine.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+/// Parameters of the engine; SI units.
+struct Material {
+  double gravity = 9.81;          ///< that presses on the plane [m/s2]
+  double ground_friction = 0.4;   ///< of what slides
+  double treel_friction = 0.9;    ///< of treels
+  double contact_friction = 0.3;  ///< between bodies
+  double restitution = 0.0;       ///< between bodies
+  double grip_strength = 50.0;    ///< a grip tears beyond it [N]
+};
+
+class Dynamics2d final : public planar::PlanarEngine {
+ public:
+  Dynamics2d();
+  static PluginDescription describe();
+
+  void configure(const std::string& id, const Configuration& parameters) override;
+  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
+  void add(Space& space, Row row, Role role) override;
+  void remove(Space& space, Row row) override;
+  void place(Space& space, Row row) override;
+  void clear() override;
+  void readMirrors(const Space& space) override;
+  void move(Space& space, Duration dt) override;
+  void connect(Space& space) override;
+
+  /// The force and torque of treels or flight on each driven body in a step, for comparisons with Box2D alone.
+  struct Push {
+    b2Vec2 force;
+    float torque;
+  };
+  /// Notes every push from now on, in the order of steps and entity numbers; null: no longer.
+  void record(std::vector<Push>* pushes) { recorded_pushes_ = pushes; }
+  const b2World& world() const { return *world_; }
+
+ private:
+  RigidBody& rigid(BodyIndex index) { return rigid_bodies_[static_cast<std::size_t>(index)]; }
+
+  // dynamics2d.cpp
+  void makeWorld();
+  void makeBody(BodyIndex index);
+  void makeFixtures(BodyIndex index);
+  void putBody(const Space& space, BodyIndex index);
+
+  // motion.cpp
+  void startTick(const Space& space, double step);
+  void meetGround(BodyIndex index);
+  void moveMirror(const Space& space, BodyIndex index);
+  void finishTick(Space& space);
+
+  // drive.cpp
+  void prepareDrive(BodyIndex index, double step);
+  void drive(BodyIndex index, double step);
+  void push(RigidBody& its, const Eigen::Vector2d& force, double torque);
+  void driveTreels(const Body& body, RigidBody& its, double step);
+  void fly(RigidBody& its, double turn_rate, double step);
+  void makeBelt(const Body& body, RigidBody& its);
+  void moveBelt(const Body& body, RigidBody& its, double step);
+  void dropBelt(RigidBody& its);
+
+  // gripping.cpp
+  BodyIndex findGrippable(const Space& space, BodyIndex gripper) const;
+  void hold(BodyIndex gripper, BodyIndex gripped);
+  void letGo(BodyIndex gripper);
+  void forgetGrips(BodyIndex index);
+  void takeOverGrips(const Space& space, BodyIndex index);
+  void tearGrips(double step);
+  void report(Space& space, Event::Kind kind, BodyIndex gripper, BodyIndex gripped, const char* text) const;
+
+  Material material_;
+  int velocity_iterations_ = 8;
+  std::vector<RigidBody> rigid_bodies_;  // by body
+  std::vector<BodyIndex> movers_;        // what Box2D moves, by entity number
+  std::vector<BodyIndex> newcomers_;     // since the last tick
+  std::vector<BodyIndex> grippers_;      // that hold something, by entity number
+  Contacts contacts_{bodies_, rigid_bodies_};
+  std::unique_ptr<b2World> world_;
+  b2Body* ground_ = nullptr;
+  std::vector<Push>* recorded_pushes_ = nullptr;
+};
+
+}  // namespace swarmanoid::dynamics2d

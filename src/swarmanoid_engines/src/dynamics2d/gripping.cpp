@@ -1,0 +1,126 @@
+// Grips: rigid joints that tear. They are made and reported in phase `connect`, and tear in any step of `move`.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics2d/dynamics2d.hpp"
+#include "planar/gripper_reach.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+void Dynamics2d::connect(Space& space) {
+  for (const BodyIndex index : movers_) {
+    const Body& body = bodies_[index];
+    if (body.gripper == nullptr) {
+      continue;
+    }
+    Grip& grip = rigid(index).grip;
+    if (grip.is_torn) {
+      report(space, Event::Kind::kReleased, index, grip.gripped, "torn off");
+      space.structure.release(body.row);
+      grip = Grip{};
+      grip.must_open = true;
+    }
+    if (!body.gripper->closed) {
+      grip.must_open = false;
+      if (grip.joint != nullptr) {
+        report(space, Event::Kind::kReleased, index, grip.gripped, "");
+        space.structure.release(body.row);
+        letGo(index);
+      }
+    } else if (grip.joint == nullptr && !grip.must_open) {
+      const BodyIndex found = findGrippable(space, index);
+      if (found != kNoBody && space.structure.connect(body.row, bodies_[found].row)) {
+        hold(index, found);
+        report(space, Event::Kind::kAttached, index, found, "");
+      }
+    }
+  }
+}
+
+void Dynamics2d::report(Space& space, Event::Kind kind, BodyIndex gripper, BodyIndex gripped, const char* text) const {
+  const auto& names = space.entities.name;
+  space.events.push_back({kind, names[static_cast<std::size_t>(bodies_[gripper].row)],
+                          names[static_cast<std::size_t>(bodies_[gripped].row)], text});
+}
+
+BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const {
+  const Row own_structure = space.structure.root(bodies_[gripper].row);
+  return planar::findInReach(bodies_, gripper, [&](BodyIndex index) {
+    const Body& body = bodies_[index];
+    // what is in its own structure would close a loop
+    return body.is_movable && body.role == Role::kMove && space.structure.root(body.row) != own_structure;
+  });
+}
+
+void Dynamics2d::hold(BodyIndex gripper_index, BodyIndex gripped_index) {
+  RigidBody& gripper = rigid(gripper_index);
+  RigidBody& gripped = rigid(gripped_index);
+  const Body& body = bodies_[gripper_index];
+  const Eigen::Vector2d tip = body.pose.rotated(body.entity->gripper->tip * body.model->ahead) + body.pose.position;
+  b2WeldJointDef definition;
+  definition.Initialize(gripper.body, gripped.body, toUnits(tip));
+  gripper.grip.joint = static_cast<b2WeldJoint*>(world_->CreateJoint(&definition));
+  gripper.grip.gripped = gripped_index;
+  ++gripped.held_by;
+  const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };
+  grippers_.insert(std::upper_bound(grippers_.begin(), grippers_.end(), gripper_index, older), gripper_index);
+}
+
+void Dynamics2d::letGo(BodyIndex gripper) {
+  Grip& grip = rigid(gripper).grip;
+  if (grip.joint != nullptr) {
+    world_->DestroyJoint(grip.joint);
+    --rigid(grip.gripped).held_by;
+    grippers_.erase(std::find(grippers_.begin(), grippers_.end(), gripper));
+  }
+  grip.joint = nullptr;
+  grip.gripped = kNoBody;
+  grip.is_torn = false;
+}
+
+void Dynamics2d::forgetGrips(BodyIndex index) {
+  letGo(index);
+  if (rigid(index).held_by > 0) {
+    const std::vector<BodyIndex> grippers = grippers_;
+    for (const BodyIndex gripper : grippers) {
+      if (rigid(gripper).grip.gripped == index) {
+        letGo(gripper);
+      }
+    }
+  }
+}
+
+void Dynamics2d::takeOverGrips(const Space& space, BodyIndex index) {
+  const auto take = [&](BodyIndex gripper, BodyIndex gripped) {
+    const auto is_here = [&](BodyIndex i) { return i != kNoBody && bodies_[i].role == Role::kMove; };
+    if (is_here(gripper) && is_here(gripped) && bodies_[gripper].entity->gripper &&
+        rigid(gripper).grip.joint == nullptr) {
+      hold(gripper, gripped);
+    }
+  };
+  const Row row = bodies_[index].row;
+  if (const Row gripped = space.structure.grippedBy(row); gripped != kNoRow) {
+    take(index, bodies_.find(gripped));
+  }
+  for (const Row gripper : space.structure.grippersOf(row)) {
+    take(bodies_.find(gripper), index);
+  }
+}
+
+void Dynamics2d::tearGrips(double step) {
+  for (std::size_t i = 0; i < grippers_.size();) {
+    Grip& grip = rigid(grippers_[i]).grip;
+    const double force = grip.joint->GetReactionForce(static_cast<float>(1.0 / step)).Length() / kUnitsPerMetre;
+    if (force <= material_.grip_strength) {
+      ++i;
+      continue;
+    }
+    world_->DestroyJoint(grip.joint);
+    --rigid(grip.gripped).held_by;
+    grip.joint = nullptr;
+    grip.is_torn = true;
+    grippers_.erase(grippers_.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+}
+
+}  // namespace swarmanoid::dynamics2d

@@ -1,0 +1,111 @@
+// Phase `move`: Box2D steps the bodies; the space gets their poses in double precision.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics2d/dynamics2d.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+void Dynamics2d::readMirrors(const Space& space) {
+  for (const BodyIndex index : bodies_.order()) {
+    const Body& body = bodies_[index];
+    if (body.role == Role::kMirror && body.is_movable) {
+      moveMirror(space, index);
+    }
+  }
+}
+
+void Dynamics2d::moveMirror(const Space& space, BodyIndex index) {
+  const Eigen::Quaterniond base = bodies_.details(index).base;
+  const double along = bodies_[index].along;
+  bodies_.place(space, index);
+  if (bodies_.details(index).base.coeffs() != base.coeffs()) {
+    makeFixtures(index);
+  } else if (bodies_[index].along != along) {
+    for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      fixture->Refilter();  // at another height it may pass over others, or no longer
+    }
+  }
+  putBody(space, index);
+}
+
+void Dynamics2d::move(Space& space, Duration dt) {
+  constexpr int kPositionIterations = 3;
+  const double step = toSeconds(dt) / subclock_;
+  startTick(space, step);
+  for (const BodyIndex index : movers_) {
+    drive(index, step);
+  }
+  for (int i = 1; i <= subclock_; ++i) {
+    world_->Step(static_cast<float>(step), velocity_iterations_, kPositionIterations);
+    for (const BodyIndex index : movers_) {
+      rigid(index).readStep(step);
+      if (i < subclock_) {
+        drive(index, step);
+      }
+    }
+    tearGrips(step);
+  }
+  finishTick(space);
+}
+
+void Dynamics2d::startTick(const Space& space, double step) {
+  bodies_.findLateDevices(space);
+  for (const BodyIndex index : newcomers_) {
+    meetGround(index);
+  }
+  newcomers_.clear();
+  for (const BodyIndex index : movers_) {
+    Body& body = bodies_[index];
+    RigidBody& its = rigid(index);
+    its.heading_before = body.pose.heading;
+    if (its.belt.body != nullptr && its.isFree()) {
+      dropBelt(its);
+    }
+    if (body.wheels != nullptr || body.flight != nullptr) {
+      readCommands(body);
+      prepareDrive(index, step);
+    }
+  }
+}
+
+void Dynamics2d::meetGround(BodyIndex index) {
+  const Body& body = bodies_[index];
+  RigidBody& its = rigid(index);
+  if (body.wheels != nullptr || body.flight != nullptr) {
+    return;
+  }
+  // pressed evenly on a disc that is as wide as the body, friction resists turning on two thirds of its radius
+  const double force = material_.ground_friction * its.mass * material_.gravity;
+  b2FrictionJointDef definition;
+  definition.bodyA = ground_;
+  definition.bodyB = its.body;
+  definition.localAnchorA = its.body->GetWorldCenter();
+  definition.localAnchorB = its.body->GetLocalCenter();
+  definition.maxForce = static_cast<float>(force * kUnitsPerMetre);
+  definition.maxTorque = static_cast<float>(force * 2.0 / 3.0 * body.model->radius * kSquareUnits);
+  definition.collideConnected = true;
+  its.ground = static_cast<b2FrictionJoint*>(world_->CreateJoint(&definition));
+}
+
+void Dynamics2d::finishTick(Space& space) {
+  const planar::Plane& plane = bodies_.plane();
+  for (const BodyIndex index : movers_) {
+    RigidBody& its = rigid(index);
+    const planar::PlacedPose pose = its.pose();
+    Twist& twist = space.entities.twist[static_cast<std::size_t>(bodies_[index].row)];
+    const Eigen::Vector2d arm = pose.rotated(its.arm);
+    const double turn_rate = its.body->GetAngularVelocity();
+    const Eigen::Vector2d velocity =
+        toMetres(its.body->GetLinearVelocity()) - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
+    twist.linear = plane.toGlobal(velocity, 0.0);
+    twist.angular = plane.normal() * turn_rate;
+    const planar::PlacedPose& before = bodies_[index].pose;
+    if (pose.position != before.position || pose.heading != before.heading) {
+      bodies_.setPose(index, pose);
+      writePose(space, index, its.heading_before);
+    }
+  }
+}
+
+}  // namespace swarmanoid::dynamics2d

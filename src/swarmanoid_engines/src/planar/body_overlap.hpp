@@ -1,0 +1,18 @@
+/// Whether bodies overlap: the shapes of figure 3.9 against each other, heights considered.
+#pragma once
+
+#include <vector>
+
+#include "planar/bodies.hpp"
+
+namespace swarmanoid::planar {
+
+/// Whether a model at a pose overlaps a body. `scratch` keeps its memory between calls.
+/// @param along of the model's origin, along the plane's normal [m]
+bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                   std::vector<PlanarShape>& scratch);
+
+/// The oldest body that an entity at a pose would overlap; kNoBody if there is none.
+BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored);
+
+}  // namespace swarmanoid::planar

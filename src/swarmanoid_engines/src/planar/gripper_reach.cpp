@@ -1,0 +1,25 @@
+#include "planar/gripper_reach.hpp"
+
+#include <limits>
+
+namespace swarmanoid::planar {
+
+GripperTip gripperTip(const Bodies& bodies, BodyIndex index) {
+  const Body& body = bodies[index];
+  const EntityModel::Gripper& gripper = *body.entity->gripper;
+  const Plane& plane = bodies.plane();
+  const Eigen::Vector3d arm = bodies.details(index).base * Eigen::Vector3d(gripper.tip, 0.0, gripper.height);
+  return {body.pose.position + body.pose.rotated(plane.toLocal(arm)), body.along + plane.along(arm)};
+}
+
+double distanceToStrip(const Bodies& bodies, BodyIndex index, const GripperTip& tip) {
+  const Body& body = bodies[index];
+  const bool is_at_height =
+      tip.along >= body.along + body.model->band.low && tip.along <= body.along + body.model->band.high;
+  if (!body.entity->gripping_radius || !is_at_height || !bodies.plane().isUpright(bodies.details(index).base)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::abs((body.pose.position - tip.position).norm() - *body.entity->gripping_radius);
+}
+
+}  // namespace swarmanoid::planar

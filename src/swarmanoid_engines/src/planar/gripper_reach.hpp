@@ -1,0 +1,44 @@
+/// What a footbot's gripper reaches: a gripping strip within two centimetres of its tip.
+#pragma once
+
+#include <cmath>
+
+#include "planar/bodies.hpp"
+
+namespace swarmanoid::planar {
+
+/// The tip of a gripper, in the plane and along its normal.
+struct GripperTip {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
+  double along = 0.0;                                  ///< [m]
+};
+
+/// @pre the body has a gripper
+GripperTip gripperTip(const Bodies& bodies, BodyIndex gripper);
+
+/// Distance from the tip to the strip around a body, seen along the normal; infinite where there is none for it: no
+/// strip, one that is no circle in the plane, or at another height [m].
+double distanceToStrip(const Bodies& bodies, BodyIndex body, const GripperTip& tip);
+
+/// The body nearest to the gripper's tip among those within reach for which `may_be_gripped(index)` is true; of equal
+/// ones the oldest. kNoBody if there is none.
+template <class Filter>
+BodyIndex findInReach(const Bodies& bodies, BodyIndex gripper, Filter may_be_gripped) {
+  constexpr double kReach = 0.02;  // m
+  const GripperTip tip = gripperTip(bodies, gripper);
+  BodyIndex nearest = kNoBody;
+  double nearest_distance = kReach;
+  bodies.visitNear(tip.position, kReach, [&](BodyIndex index) {
+    const double distance = distanceToStrip(bodies, index, tip);
+    const bool is_nearer = distance < nearest_distance || (nearest != kNoBody && distance == nearest_distance &&
+                                                           bodies[index].number < bodies[nearest].number);
+    if (is_nearer && index != gripper && may_be_gripped(index)) {
+      nearest = index;
+      nearest_distance = distance;
+    }
+    return true;
+  });
+  return nearest;
+}
+
+}  // namespace swarmanoid::planar

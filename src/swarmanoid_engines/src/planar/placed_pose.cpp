@@ -1,0 +1,21 @@
+#include "planar/placed_pose.hpp"
+
+namespace swarmanoid::planar {
+
+PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
+  const double turn = turn_rate * dt;
+  if (turn == 0.0) {
+    PlacedPose end = start;
+    end.position += dt * start.rotated(velocity);
+    return end;
+  }
+  // the chord of an arc: as long as the arc times sin(a)/a, turned by a, with a half the turn
+  const double half = 0.5 * turn;
+  const double cosine = std::cos(half);
+  const double sine = std::sin(half);
+  const double shortening = std::abs(half) < 1e-4 ? 1.0 - half * half / 6.0 : sine / half;
+  const Eigen::Vector2d chord(cosine * velocity.x() - sine * velocity.y(), sine * velocity.x() + cosine * velocity.y());
+  return PlacedPose::at(start.position + dt * shortening * start.rotated(chord), wrapAngle(start.heading + turn));
+}
+
+}  // namespace swarmanoid::planar

@@ -1,0 +1,31 @@
+/// A planar pose that things are placed by, and where a constant velocity takes it.
+#pragma once
+
+#include "planar/plane.hpp"
+
+namespace swarmanoid::planar {
+
+/// A pose with the heading's cosine and sine at hand.
+struct PlacedPose {
+  Eigen::Vector2d position = Eigen::Vector2d::Zero();
+  double heading = 0.0;
+  double cosine = 1.0;
+  double sine = 0.0;
+
+  static PlacedPose at(const Eigen::Vector2d& position, double heading) {
+    return {position, heading, std::cos(heading), std::sin(heading)};
+  }
+  Eigen::Vector2d rotated(const Eigen::Vector2d& p) const {
+    return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};
+  }
+  /// The inverse of `rotated`.
+  Eigen::Vector2d unrotated(const Eigen::Vector2d& p) const {
+    return {cosine * p.x() + sine * p.y(), cosine * p.y() - sine * p.x()};
+  }
+};
+
+/// Where a velocity, constant in the body's frame while it turns, takes a body: exactly along the arc.
+/// @param velocity [m/s]; @param turn_rate [rad/s]; @param dt [s]
+PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt);
+
+}  // namespace swarmanoid::planar

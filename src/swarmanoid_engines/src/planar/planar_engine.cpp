@@ -1,0 +1,116 @@
+#include "planar/planar_engine.hpp"
+
+#include <cmath>
+#include <sstream>
+
+#include "planar/body_overlap.hpp"
+#include "planar/body_rays.hpp"
+
+namespace swarmanoid::planar {
+namespace {
+constexpr Range kSubclockRange{1.0, 10000.0};
+}
+
+std::vector<Parameter> PlanarEngine::placementParameters() {
+  Parameter subclock;
+  subclock.name = "subclock";
+  subclock.type = Parameter::Type::kInteger;
+  subclock.value = "1";
+  subclock.range = kSubclockRange;
+  subclock.description = "Steps of the engine in each tick.";
+  Parameter axis;
+  axis.name = "perpendicular_axis";
+  axis.type = Parameter::Type::kChoice;
+  axis.value = "z";
+  axis.choices = {"x", "y", "z"};
+  axis.description = "The axis that the engine's plane is perpendicular to.";
+  Parameter distance;
+  distance.name = "distance";
+  distance.type = Parameter::Type::kNumber;
+  distance.unit = "m";
+  distance.value = "0";
+  distance.description = "Signed distance of the plane from the origin.";
+  return {subclock, axis, distance};
+}
+
+void PlanarEngine::configure(const std::string& id, const Configuration& parameters) {
+  id_ = id;
+  subclock_ = static_cast<int>(parameters.integer("subclock", std::int64_t{1}, kSubclockRange));
+  const std::string axis = parameters.text("perpendicular_axis", "z");
+  if (axis != "x" && axis != "y" && axis != "z") {
+    throw ConfigError(parameters.location(), "perpendicular_axis: found '" + axis + "', allowed: x, y, z");
+  }
+  bodies_.configure(Plane(axis[0], parameters.number("distance", 0.0)));
+}
+
+std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
+  if (model.shapes.empty()) {
+    return "has no shape, so this engine has nothing to hold";
+  }
+  const auto lacks = [](const std::string& device, const char* part) {
+    return "device '" + device + "' cannot be simulated: a robot of this type has no " + part;
+  };
+  bool is_driven = false;
+  for (const std::string& device : devices) {
+    if (device == FootbotWheels::kType && !model.wheels) {
+      return lacks(device, "wheels");
+    }
+    if (device == FootbotGripper::kType && !model.gripper) {
+      return lacks(device, "gripper");
+    }
+    const bool is_drive = device == FootbotWheels::kType || device == EyebotVelocity::kType;
+    if (is_drive && is_driven) {
+      return "device '" + device + "' cannot be simulated: another device drives the robot already";
+    }
+    is_driven = is_driven || is_drive;
+  }
+  return "";
+}
+
+std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pose) const {
+  constexpr double kInPlane = 1e-6;  // m
+  const Plane& plane = bodies_.plane();
+  const double along = plane.along(pose.position);
+  // what has its origin above its base stands on the plane
+  const double height = model.origin_height * plane.along(pose.orientation * Eigen::Vector3d::UnitZ());
+  if (!model.is_movable || std::abs(along - height - plane.distance()) <= kInPlane) {
+    return "";
+  }
+  std::ostringstream text;
+  text << "found at " << plane.axisName() << " = " << along << ", allowed: in the engine's plane, " << plane.axisName()
+       << " = " << plane.distance() + height;
+  return text.str();
+}
+
+Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const {
+  const BodyIndex found = findOverlap(bodies_, model, pose, ignored);
+  return found == kNoBody ? kNoRow : bodies_[found].row;
+}
+
+bool PlanarEngine::mayMeet(const RayBundle& rays) const { return planar::mayMeet(bodies_, rays); }
+
+void PlanarEngine::castRays(const RayBundle& rays, Span<RayHit> hits) const { planar::castRays(bodies_, rays, hits); }
+
+void PlanarEngine::readCommands(Body& body) {
+  const PlanarModel& model = *body.model;
+  if (body.wheels != nullptr) {
+    const EntityModel::Wheels& geometry = *body.entity->wheels;
+    body.velocity = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius * model.ahead;
+    body.turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation * model.turn;
+  } else {
+    const Eigen::Vector3d& linear = body.flight->linear;
+    body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
+    body.turn_rate = body.flight->yaw_rate * model.turn;
+  }
+}
+
+void PlanarEngine::writePose(Space& space, BodyIndex index, double heading_before) const {
+  const Body& body = bodies_[index];
+  Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
+  pose.position = bodies_.plane().toGlobal(body.pose.position, body.along);
+  if (body.pose.heading != heading_before) {
+    pose.orientation = bodies_.plane().orientation(body.pose.heading, bodies_.details(index).base);
+  }
+}
+
+}  // namespace swarmanoid::planar

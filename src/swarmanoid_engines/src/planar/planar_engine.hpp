@@ -1,0 +1,36 @@
+/// What engines that work in a plane have in common (thesis 3.5.1, figure 3.8): where the plane is, the bodies in it,
+/// what may stand there, and the rays against them.
+#pragma once
+
+#include <vector>
+
+#include "planar/bodies.hpp"
+#include "swarmanoid_space/engine.hpp"
+
+namespace swarmanoid::planar {
+
+class PlanarEngine : public Engine {
+ public:
+  void configure(const std::string& id, const Configuration& parameters) override;
+  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
+  using Engine::overlap;
+  Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
+  bool mayMeet(const RayBundle& rays) const override;
+  void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+
+ protected:
+  /// subclock, perpendicular_axis and distance.
+  static std::vector<Parameter> placementParameters();
+
+  /// From what wheels or flight are told to `velocity` and `turn_rate`. @pre the body has one of them
+  static void readCommands(Body& body);
+
+  /// Writes where a body is now, if it has moved in this tick. What did not turn keeps its orientation to the bit.
+  void writePose(Space& space, BodyIndex index, double heading_before) const;
+
+  Bodies bodies_;
+  int subclock_ = 1;
+};
+
+}  // namespace swarmanoid::planar
