@@ -47,7 +47,7 @@ double twiceArea(const PlanarShape& shape) {
 }
 
 TEST(PlanarModelTest, AFootbotIsThreeCirclesAndASquare) {
-  const PlanarModel model = projected(*kinematics2d::footbotModel(), Plane('z', 0.0), Quaterniond::Identity());
+  const PlanarModel model = projected(*footbotModel(), Plane('z', 0.0), Quaterniond::Identity());
   ASSERT_EQ(model.shapes.size(), 4U);
   EXPECT_TRUE(model.shapes[0].isCircle());
   EXPECT_EQ(model.shapes[0].radius, 0.085);
@@ -108,7 +108,7 @@ TEST(PlanarModelTest, SpheresAreCirclesFromEverywhere) {
 TEST(PlanarModelTest, AxesSayWhereTheBodyIsAheadInThePlane) {
   const Plane wall('x', 0.0);
   const Quaterniond feet_on_wall(AngleAxisd(M_PI / 2.0, Vector3d::UnitY()));  // body z along W's x
-  const PlanarModel model = projected(*kinematics2d::footbotModel(), wall, feet_on_wall);
+  const PlanarModel model = projected(*footbotModel(), wall, feet_on_wall);
   EXPECT_TRUE(model.ahead.isApprox(Vector2d(0.0, -1.0)));  // down the wall
   EXPECT_TRUE(model.left.isApprox(Vector2d(1.0, 0.0)));
   EXPECT_NEAR(model.turn, 1.0, 1e-12);
@@ -123,7 +123,7 @@ TEST(PlanarModelTest, BandsThatTouchDoNotMeet) {
 }
 
 TEST(PlanarModelTest, PlacedShapesTurnAndShift) {
-  const PlanarModel model = projected(*kinematics2d::footbotModel(), Plane('z', 0.0), Quaterniond::Identity());
+  const PlanarModel model = projected(*footbotModel(), Plane('z', 0.0), Quaterniond::Identity());
   std::vector<PlanarShape> placed;
   placeShapes(model, {1.0, 2.0}, 0.0, 1.0, placed);
   EXPECT_TRUE(placed[1].centre.isApprox(Vector2d(0.93, 2.0)));
