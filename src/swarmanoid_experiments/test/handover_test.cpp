@@ -366,6 +366,45 @@ TEST(HandoverDynamicsTest, KinematicsAndRigidBodiesTakeOverFromEachOtherWithWhat
   EXPECT_TRUE(simulation->failures().empty());
 }
 
+/// Handed over from rigid bodies to kinematics. @return why not
+std::string refusalOnGround(Simulation& simulation, const std::string& name) {
+  const std::uint64_t hash = simulation.stateHash();
+  std::string message = "(accepted)";
+  try {
+    simulation.handover(name, "ground");
+  } catch (const ConfigError& error) {
+    message = error.what();
+    EXPECT_EQ(simulation.stateHash(), hash);
+  }
+  return message;
+}
+
+TEST(HandoverDynamicsTest, GripsThatTheTargetCannotHoldAreRefused) {
+  World world = carrierWorld();
+  world.members = "";
+  world.engines = "<dynamics2d id=\"solid\"/>";
+  world.drive = "<left>0</left><right>0</right><close_at>0</close_at>";
+  // one footbot behind the other; two more with a prey between them
+  world.entities = footbot("fb", 5, 5, 90) + footbot("gb", 5, 5.196, 90) + prey("prey", 2, 2) +
+                   footbot("left", 2 - 0.171, 2, 0) + footbot("right", 2 + 0.171, 2, 180);
+  world.physics = "<engine id=\"solid\">" + member("fb") + member("gb") + member("prey") + member("left") +
+                  member("right") + "</engine>";
+  auto simulation = started(world);
+  tick(*simulation, 3);
+  const Space& space = simulation->space();
+  ASSERT_EQ(space.structure.grippedBy(space.entities.find("fb")), space.entities.find("gb"));
+  ASSERT_EQ(space.structure.grippersOf(space.entities.find("prey")).size(), 2U);
+  EXPECT_EQ(refusalOnGround(*simulation, "fb"),
+            "(no file): footbot 'fb' cannot be handed over to engine 'ground': grips the robot 'gb', which this engine "
+            "cannot hold");
+  EXPECT_EQ(refusalOnGround(*simulation, "prey"),
+            "(no file): cylindric_prey 'prey' cannot be handed over to engine 'ground': connected footbot 'left': is "
+            "not alone in gripping 'prey', which this engine cannot hold");
+  simulation->remove("right");
+  EXPECT_EQ(refusalOnGround(*simulation, "prey"), "(accepted)");
+  EXPECT_EQ(moverOf(*simulation, "left"), "ground");
+}
+
 TEST(HandoverLifeTest, WhatWasHandedOverCanBePutElsewhereDeletedAndSpawnedAnew) {
   auto simulation = started(carrierWorld());
   tick(*simulation, 5);

@@ -23,6 +23,9 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
   if (problem.empty()) {
     problem = engine.refusal(model, devicesOf(groupOf(drivers, row)));
   }
+  if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
+    problem = engine.gripRefusal(space, row);
+  }
   if (problem.empty()) {
     const Row other = engine.overlap(model, pose, members);
     problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[static_cast<std::size_t>(other)] + "'";

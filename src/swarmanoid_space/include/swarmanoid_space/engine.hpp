@@ -12,9 +12,9 @@
 ///
 /// Handover  (thesis chapter 5) an entity changes the engine that moves it, with all that it is connected to:
 /// `refusal`,
-///          `misplacement` and `overlap` decide, without any change; then the old engine gets `remove` for each member
-///          and the new one `add`, parents before children. The space keeps pose, twist, grips, devices and everything
-///          else meanwhile, so what an engine knows beyond them, it makes anew from them.
+///          `misplacement`, `overlap` and `gripRefusal` decide, without any change; then the old engine gets `remove`
+///          for each member and the new one `add`, parents before children. The space keeps pose, twist, grips, devices
+///          and everything else meanwhile, so what an engine knows beyond them, it makes anew from them.
 ///
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
 #pragma once
@@ -52,6 +52,12 @@ class Engine {
   virtual Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const = 0;
   Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const {
     return overlap(model, pose, Span<const Row>(&ignored, 1));
+  }
+
+  /// Why this engine could not hold the grip that `gripper` has in `structure`, if it moved the whole structure; "" if
+  /// it can. Asked before a handover. An engine that does not say otherwise holds no grips.
+  virtual std::string gripRefusal(const Space& /*space*/, Row /*gripper*/) const {
+    return "grips, and this engine holds no grips";
   }
 
   /// Takes charge of an entity at the pose, and with the twist, that it has in the space. As soon as both ends of a
