@@ -1,19 +1,13 @@
 // Rules of the experiment file by which entities change the engine that moves them (thesis chapter 5).
 #include <gtest/gtest.h>
 
-#include "glide_engine.hpp"
+#include "handover_world.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
-#include "test_world.hpp"
 
 REGISTER_ENGINE(swarmanoid::test::GlideEngine)
 
 namespace swarmanoid::test {
 namespace {
-
-std::string prey(const std::string& id, double x, double y) {
-  return "<cylindric_prey id=\"" + id + "\"><position>" + std::to_string(x) + "," + std::to_string(y) +
-         ",0</position><orientation>0,0,0</orientation><radius>0.06</radius><height>0.1</height></cylindric_prey>";
-}
 
 std::string rule(const std::string& entity, const std::string& to, const std::string& condition) {
   return "<handover entity=\"" + entity + "\" to=\"" + to + "\">" + condition + "</handover>";
