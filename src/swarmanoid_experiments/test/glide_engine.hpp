@@ -1,5 +1,5 @@
-/// An engine for tests of handover: what it is given glides on with the twist that it came with. No collisions, no
-/// wheels.
+/// An engine for tests of handover: what it is given glides on with the twist that it came with. It is so narrow that
+/// everything is in everybody's way. It knows nothing of wheels, unless told to take robots with wheels too.
 #pragma once
 
 #include <algorithm>
@@ -16,26 +16,42 @@ class GlideEngine final : public Engine {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "glide";
+    Parameter wheels;
+    wheels.name = "takes_wheels";
+    wheels.type = Parameter::Type::kBoolean;
+    wheels.value = "false";
+    description.parameters = {wheels};
     return description;
   }
-  void configure(const std::string& id, const Configuration&) override { id_ = id; }
+  void configure(const std::string& id, const Configuration& parameters) override {
+    id_ = id;
+    takes_wheels_ = parameters.boolean("takes_wheels", false);
+  }
   std::string refusal(const EntityModel&, const std::vector<std::string>& devices) const override {
     const bool has_wheels = std::find(devices.begin(), devices.end(), FootbotWheels::kType) != devices.end();
-    return has_wheels ? "device 'footbot_wheels' cannot be simulated" : "";
+    return has_wheels && !takes_wheels_ ? "device 'footbot_wheels' cannot be simulated" : "";
   }
   std::string misplacement(const EntityModel&, const Pose&) const override { return ""; }
-  Row overlap(const EntityModel&, const Pose&, Span<const Row>) const override { return kNoRow; }
-  void add(Space&, Row row, Role role) override {
-    if (role == Role::kMove) {
-      rows_.push_back(row);
-    }
+  Row overlap(const EntityModel&, const Pose&, Span<const Row> ignored) const override {
+    const auto found = std::find_if(held_.begin(), held_.end(), [&](const Held& held) {
+      return std::find(ignored.begin(), ignored.end(), held.row) == ignored.end();
+    });
+    return found == held_.end() ? kNoRow : found->row;
   }
-  void remove(Space&, Row row) override { rows_.erase(std::remove(rows_.begin(), rows_.end(), row), rows_.end()); }
+  std::string gripRefusal(const Space&, Row) const override { return ""; }
+  void add(Space&, Row row, Role role) override { held_.push_back({row, role}); }
+  void remove(Space&, Row row) override {
+    const auto is_it = [row](const Held& held) { return held.row == row; };
+    held_.erase(std::remove_if(held_.begin(), held_.end(), is_it), held_.end());
+  }
   void place(Space&, Row) override {}
-  void clear() override { rows_.clear(); }
+  void clear() override { held_.clear(); }
   void move(Space& space, Duration dt) override {
-    for (const Row row : rows_) {
-      const auto i = static_cast<std::size_t>(row);
+    for (const Held& held : held_) {
+      if (held.role == Role::kMirror) {
+        continue;
+      }
+      const auto i = static_cast<std::size_t>(held.row);
       Pose& pose = space.entities.pose[i];
       const Twist& twist = space.entities.twist[i];
       pose.position += twist.linear * toSeconds(dt);
@@ -50,7 +66,13 @@ class GlideEngine final : public Engine {
   void castRays(const RayBundle&, Span<RayHit>) const override {}
 
  private:
-  std::vector<Row> rows_;
+  struct Held {
+    Row row;
+    Role role;
+  };
+
+  std::vector<Held> held_;
+  bool takes_wheels_ = false;
 };
 
 }  // namespace swarmanoid::test

@@ -105,5 +105,30 @@ TEST(HandoverDynamicsTest, GripsThatTheTargetCannotHoldAreRefused) {
   EXPECT_EQ(moverOf(*simulation, "left"), "ground");
 }
 
+TEST(HandoverTest, TheMembersOfAStructureAreNotInEachOthersWay) {
+  World world = carrierWorld();
+  world.engines += "<glide id=\"lift\"><takes_wheels>true</takes_wheels></glide>";
+  world.physics = "<engine id=\"lift\">" + member("fb") + "</engine>";
+  auto simulation = started(world);
+  tick(*simulation, 10);
+  EXPECT_NO_THROW(simulation->handover("prey", "lift"));
+  EXPECT_EQ(moverOf(*simulation, "fb"), "lift");
+  simulation->handover("prey", "twin");
+  EXPECT_NO_THROW(simulation->handover("prey", "lift")) << "mirrors of the members neither";
+}
+
+TEST(HandoverTest, WhatElseIsThereIsInTheWayMoverOrMirror) {
+  World world = obstructedWorld();
+  world.engines += "<glide id=\"lift\"><takes_wheels>true</takes_wheels></glide>";
+  world.physics += "<engine id=\"lift\">" + member("other") + "</engine>";
+  auto simulation = started(world);
+  tick(*simulation);
+  EXPECT_THROW(simulation->handover("prey", "lift"), ConfigError);
+  EXPECT_NO_THROW(simulation->handover("other", "lift"));
+  EXPECT_THROW(simulation->handover("prey", "lift"), ConfigError);
+  simulation->remove("other");
+  EXPECT_NO_THROW(simulation->handover("prey", "lift"));
+}
+
 }  // namespace
 }  // namespace swarmanoid::test

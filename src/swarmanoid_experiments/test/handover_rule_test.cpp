@@ -241,6 +241,7 @@ TEST(HandoverRuleLoadTest, WhatTheTargetCanNeverTakeIsRefusedAtLoad) {
             "test.xml:1: handover of cylindric_prey 'prey' to engine 'twin': has no controller, so it has no debug "
             "values");
   world = crowd(1);
+  world.bounded = false;  // no room for walls on the ice
   world.engines += "<glide id=\"ice\"/>";
   world.physics = rule("swarm", "ice", "<attached/>");
   EXPECT_EQ(refusalOf(world),
