@@ -1,10 +1,14 @@
 // Judges the object retrieval experiment: it is over when a prey lies in the nest, and a success if that is the prey
-// which the eyebot chose.
+// which the eyebot chose, where one chooses.
 #include <string>
 
 #include "swarmanoid_space/visualisation.hpp"
 
 namespace swarmanoid {
+
+namespace {
+constexpr const char* kNobodyChooses = "none";
+}
 
 class RetrievalMonitor final : public Visualisation {
  public:
@@ -19,7 +23,7 @@ class RetrievalMonitor final : public Visualisation {
     Parameter chooser = nest;
     chooser.name = "chooser";
     chooser.value = "eb";
-    chooser.description = "Id of the robot whose debug value 'prey' names the right colour.";
+    chooser.description = "Id of the robot whose debug value 'prey' names the right colour; none: any prey is right.";
     description.parameters = {nest, chooser};
     return description;
   }
@@ -49,7 +53,9 @@ class RetrievalMonitor final : public Visualisation {
   }
 
   bool terminate() const override { return !delivered_.empty(); }
-  std::optional<bool> success() const override { return !delivered_.empty() && delivered_color_ == chosen_; }
+  std::optional<bool> success() const override {
+    return !delivered_.empty() && (chooser_ == kNobodyChooses || delivered_color_ == chosen_);
+  }
 
   void addMetrics(Metrics& metrics) const override {
     metrics["prey_in_nest"] = delivered_;

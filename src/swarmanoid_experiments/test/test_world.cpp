@@ -108,11 +108,14 @@ double headingOf(const Simulation& simulation, const std::string& name) {
   return anglesFromOrientation(poseOf(simulation, name).orientation).z();
 }
 
-std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads) {
+std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads, const GroundEngine& ground) {
   loadBuiltInPlugins();
   Experiment experiment = readExperiment(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
   experiment.framework.seed = seed;
   experiment.framework.threads = threads;
+  EngineDescription& engine = experiment.engines.front();
+  engine.label = ground.label;
+  engine.parameters.set("subclock", std::to_string(ground.subclock));
   auto simulation = std::make_unique<Simulation>(std::move(experiment));
   simulation->start();
   return simulation;

@@ -36,8 +36,14 @@ const Pose& poseOf(const Simulation& simulation, const std::string& name);
 /// Its heading about z [rad].
 double headingOf(const Simulation& simulation, const std::string& name);
 
+/// An engine for the ground of the object retrieval experiment.
+struct GroundEngine {
+  std::string label = "kinematics2d";
+  int subclock = 1;
+};
+
 /// The object retrieval experiment, before its first tick.
-std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads);
+std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads, const GroundEngine& ground = {});
 
 /// The state hashes of the next ticks.
 std::vector<std::uint64_t> hashesOf(Simulation& simulation, std::uint64_t ticks);

@@ -41,10 +41,14 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
 void Dynamics2d::drive(BodyIndex index, double step) {
   const Body& body = bodies_[index];
   RigidBody& its = rigid(index);
+  if (body.flight == nullptr && body.wheels == nullptr) {
+    return;
+  }
+  if (recorded_pushes_ != nullptr) {
+    recorded_pushes_->emplace_back();
+  }
   if (body.flight != nullptr) {
     fly(its, body.turn_rate, step);
-  } else if (body.wheels == nullptr) {
-    return;
   } else if (its.belt.body != nullptr) {
     moveBelt(body, its, step);
   } else if (its.isFree()) {
@@ -86,7 +90,7 @@ void Dynamics2d::push(RigidBody& its, const Eigen::Vector2d& force, double torqu
   its.body->ApplyForceToCenter(pushed, false);
   its.body->ApplyTorque(turned, false);
   if (recorded_pushes_ != nullptr) {
-    recorded_pushes_->push_back({pushed, turned});
+    recorded_pushes_->back() = {pushed, turned};
   }
 }
 
@@ -111,6 +115,25 @@ void Dynamics2d::moveBelt(const Body& body, RigidBody& its, double step) {
   its.belt.body->SetTransform(its.body->GetPosition(), its.body->GetAngle());
   its.belt.body->SetLinearVelocity(b2Mul(its.body->GetTransform().q, toUnits(its.origin_advance / step)));
   its.belt.body->SetAngularVelocity(static_cast<float>(body.turn_rate));
+}
+
+void Dynamics2d::recordBelts(double step) {
+  auto push = recorded_pushes_->end();
+  const auto frequency = static_cast<float>(1.0 / step);
+  for (auto index = movers_.rbegin(); index != movers_.rend(); ++index) {
+    const Body& body = bodies_[*index];
+    if (body.wheels == nullptr && body.flight == nullptr) {
+      continue;
+    }
+    --push;
+    for (b2FrictionJoint* treel : rigid(*index).belt.treels) {
+      if (treel != nullptr) {
+        const b2Vec2 force = treel->GetReactionForce(frequency);
+        push->force += force;
+        push->torque += b2Cross(treel->GetAnchorB() - treel->GetBodyB()->GetWorldCenter(), force);
+      }
+    }
+  }
 }
 
 void Dynamics2d::dropBelt(RigidBody& its) {

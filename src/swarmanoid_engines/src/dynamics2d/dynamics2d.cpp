@@ -139,6 +139,10 @@ void Dynamics2d::makeFixtures(BodyIndex index) {
   }
   const planar::Plane& plane = bodies_.plane();
   const Eigen::Matrix3d base = bodies_.details(index).base.toRotationMatrix();
+  its.thickness = 0.0;
+  for (const CollisionShape& shape : body.entity->shapes) {
+    its.thickness = std::max(its.thickness, shape.half_extent.minCoeff());
+  }
   its.mass = body.entity->mass;
   its.inertia = plane.along(base * body.entity->inertia * base.transpose() * plane.normal());
   its.arm = plane.toLocal(base * body.entity->centre_of_mass);

@@ -52,12 +52,13 @@ class Dynamics2d final : public planar::PlanarEngine {
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
 
-  /// The force and torque of treels or flight on each driven body in a step, for comparisons with Box2D alone.
+  /// The force and torque about the centre of mass of what drives a robot, in a step, in Box2D's units: for comparisons
+  /// with Box2D alone.
   struct Push {
-    b2Vec2 force;
-    float torque;
+    b2Vec2 force{0.0F, 0.0F};
+    float torque = 0.0F;
   };
-  /// Notes every push from now on, in the order of steps and entity numbers; null: no longer.
+  /// Notes the push of every driven robot from now on, by step and entity number; null: no longer.
   void record(std::vector<Push>* pushes) { recorded_pushes_ = pushes; }
   const b2World& world() const { return *world_; }
 
@@ -73,6 +74,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   // motion.cpp
   void startTick(const Space& space, double step);
   void meetGround(BodyIndex index);
+  bool mayTunnel(BodyIndex index, double step);
   void moveMirror(const Space& space, BodyIndex index);
   void finishTick(Space& space);
 
@@ -85,6 +87,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void makeBelt(const Body& body, RigidBody& its);
   void moveBelt(const Body& body, RigidBody& its, double step);
   void dropBelt(RigidBody& its);
+  void recordBelts(double step);
 
   // gripping.cpp
   BodyIndex findGrippable(const Space& space, BodyIndex gripper) const;

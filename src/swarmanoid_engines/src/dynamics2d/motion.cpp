@@ -38,6 +38,9 @@ void Dynamics2d::move(Space& space, Duration dt) {
   }
   for (int i = 1; i <= subclock_; ++i) {
     world_->Step(static_cast<float>(step), velocity_iterations_, kPositionIterations);
+    if (recorded_pushes_ != nullptr) {
+      recordBelts(step);
+    }
     for (const BodyIndex index : movers_) {
       rigid(index).readStep(step);
       if (i < subclock_) {
@@ -55,6 +58,7 @@ void Dynamics2d::startTick(const Space& space, double step) {
     meetGround(index);
   }
   newcomers_.clear();
+  bool may_tunnel = false;
   for (const BodyIndex index : movers_) {
     Body& body = bodies_[index];
     RigidBody& its = rigid(index);
@@ -66,7 +70,18 @@ void Dynamics2d::startTick(const Space& space, double step) {
       readCommands(body);
       prepareDrive(index, step);
     }
+    may_tunnel = may_tunnel || mayTunnel(index, step);
   }
+  // times of impact are dear, and only what moves far in a step needs them
+  world_->SetContinuousPhysics(may_tunnel);
+}
+
+bool Dynamics2d::mayTunnel(BodyIndex index, double step) {
+  constexpr double kSafe = 0.25;  // of the thickness: a push on top of it is still safe
+  RigidBody& its = rigid(index);
+  const double most = kSafe * its.thickness;
+  const double way_squared = toMetres(its.body->GetLinearVelocity()).squaredNorm() * step * step;
+  return std::max(way_squared, its.centre_advance.squaredNorm()) > most * most;
 }
 
 void Dynamics2d::meetGround(BodyIndex index) {

@@ -44,6 +44,7 @@ struct RigidBody {
 
   double mass = 0.0;                              ///< [kg]
   double inertia = 0.0;                           ///< about the centre of mass [kg m2]
+  double thickness = 0.0;                         ///< half the thickness of the thickest shape [m]
   Eigen::Vector2d arm = Eigen::Vector2d::Zero();  ///< from the origin to the centre of mass, at heading 0 [m]
   b2FrictionJoint* ground = nullptr;              ///< what slides on the ground
   Belt belt;

@@ -116,6 +116,14 @@ TEST(CollisionTest, NobodyLeavesThroughAWallAndNothingExplodes) {
   EXPECT_LT(fastest, 0.6);
 }
 
+TEST(CollisionTest, WhatIsFastDoesNotPassThroughThinWalls) {
+  World world({10.0, 10.0, 2.0}, 1);
+  world.addBlock({0.002, 2.0, 0.5}, {2.0, 1.0, 0.25});
+  const Row puck = addPuck(world, 1.0, 1.0, {8.0, 0.0, 0.0}, 1.0);
+  world.step(10);
+  EXPECT_LT(world.pose(puck).position.x(), 1.91);
+}
+
 TEST(CollisionTest, AMirrorThatIsPutUponAFootbotPushesItGentlyAway) {
   World world({10.0, 10.0, 2.0}, 10);
   const Row footbot = world.addFootbot(flatPose(1.0, 1.0));
