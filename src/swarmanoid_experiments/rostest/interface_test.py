@@ -14,6 +14,7 @@ import rospkg
 import rospy
 import rosservice
 import rostest
+from visualization_msgs.msg import Marker, MarkerArray
 
 from space_client import Space
 
@@ -53,6 +54,13 @@ class InterfaceTest(unittest.TestCase):
     def test_services_are_those_of_the_page(self):
         self.assertEqual(named_in("Services"), {name: rosservice.get_service_type(name)
                                     for name in self.services if not name.startswith("/rosout")})
+
+    def test_engines_show_what_they_work_with(self):
+        markers = {m.ns: m for m in rospy.wait_for_message("/space/engine_markers", MarkerArray, timeout=10).markers}
+        self.assertEqual({f"engines/{engine}/{kind}" for engine in ("ground", "sky")
+                          for kind in ("shapes", "contacts", "joints", "forces")}, set(markers))
+        self.assertGreater(len(markers["engines/ground/shapes"].points), 100)
+        self.assertEqual(Marker.DELETE, markers["engines/sky/joints"].action)
 
     def test_the_manager_publishes_everything(self):
         for topic, nodes in self.publishers.items():

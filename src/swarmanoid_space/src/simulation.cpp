@@ -1,29 +1,15 @@
 // The tick, on one screen, and the life of a run around it.
 #include "swarmanoid_space/simulation.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <exception>
 
 #include "cast.hpp"
+#include "stopwatch.hpp"
 #include "tick/tick.hpp"
 
 namespace swarmanoid {
-namespace {
-
-/// Measures phase after phase.
-class Stopwatch {
- public:
-  void lap(double& seconds) {
-    const auto now = std::chrono::steady_clock::now();
-    seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
-
-}  // namespace
 
 PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
   sense += other.sense;
@@ -33,6 +19,10 @@ PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
   connect += other.connect;
   index += other.index;
   show += other.show;
+  engines.resize(std::max(engines.size(), other.engines.size()), 0.0);
+  for (std::size_t i = 0; i < other.engines.size(); ++i) {
+    engines[i] += other.engines[i];
+  }
   return *this;
 }
 
@@ -51,7 +41,7 @@ void Simulation::tick() {
   phases::actuate(space_, cast_->groups, cast_->faulty);
   stopFailedRobots();
   stopwatch.lap(phase_times_.actuate);
-  phases::move(space_, cast_->engines, cast_->workers);
+  phases::move(space_, cast_->engines, cast_->workers, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
   phases::connect(space_, cast_->engines, cast_->groups);
   phases::handOver(space_, cast_->drivers, cast_->watches, cast_->seats);

@@ -87,6 +87,7 @@ void Dynamics2d::fly(RigidBody& its, double turn_rate, double step) {
 void Dynamics2d::push(RigidBody& its, const Eigen::Vector2d& force, double torque) {
   const b2Vec2 pushed = b2Mul(its.body->GetTransform().q, toUnits(force));
   const auto turned = static_cast<float>(torque * kSquareUnits);
+  its.last_push = pushed;
   its.body->ApplyForceToCenter(pushed, false);
   its.body->ApplyTorque(turned, false);
   if (recorded_pushes_ != nullptr) {

@@ -51,6 +51,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void readMirrors(const Space& space) override;
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
+  void draw(EngineDrawing& drawing) const override;
 
   /// The force and torque about the centre of mass of what drives a robot, in a step, in Box2D's units: for comparisons
   /// with Box2D alone.
@@ -63,6 +64,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   const b2World& world() const { return *world_; }
 
  private:
+  const RigidBody& rigid(BodyIndex index) const { return rigid_bodies_[static_cast<std::size_t>(index)]; }
   RigidBody& rigid(BodyIndex index) { return rigid_bodies_[static_cast<std::size_t>(index)]; }
 
   // dynamics2d.cpp
@@ -89,6 +91,10 @@ class Dynamics2d final : public planar::PlanarEngine {
   void dropBelt(RigidBody& its);
   void recordBelts(double step);
 
+  // drawing.cpp
+  void drawContacts(EngineDrawing& drawing) const;
+  void drawForces(BodyIndex index, EngineDrawing& drawing) const;
+
   // gripping.cpp
   BodyIndex findGrippable(const Space& space, BodyIndex gripper) const;
   void hold(BodyIndex gripper, BodyIndex gripped);
@@ -100,6 +106,7 @@ class Dynamics2d final : public planar::PlanarEngine {
 
   Material material_;
   int velocity_iterations_ = 8;
+  double last_step_ = 0.1;               // [s]
   std::vector<RigidBody> rigid_bodies_;  // by body
   std::vector<BodyIndex> movers_;        // what Box2D moves, by entity number
   std::vector<BodyIndex> newcomers_;     // since the last tick

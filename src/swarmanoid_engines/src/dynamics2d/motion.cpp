@@ -32,6 +32,7 @@ void Dynamics2d::moveMirror(const Space& space, BodyIndex index) {
 void Dynamics2d::move(Space& space, Duration dt) {
   constexpr int kPositionIterations = 3;
   const double step = toSeconds(dt) / subclock_;
+  last_step_ = step;
   startTick(space, step);
   for (const BodyIndex index : movers_) {
     drive(index, step);

@@ -56,7 +56,8 @@ struct RigidBody {
   Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();
   Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();
 
-  double heading_before = 0.0;  ///< of the tick, as the body had it
+  b2Vec2 last_push{0.0F, 0.0F};  ///< of plain forces in the last step, in Box2D's units
+  double heading_before = 0.0;   ///< of the tick, as the body had it
 
   bool isConnected() const { return grip.joint != nullptr || held_by > 0; }
   bool isFree() const { return touching == 0 && !isConnected(); }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "planar/draw_bodies.hpp"
+
 namespace swarmanoid::kinematics2d {
 
 PluginDescription Kinematics2d::describe() {
@@ -42,6 +44,16 @@ bool Kinematics2d::mayMeet(const RayBundle& rays) const {
 void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   if (!areAllOutOfReach(rays)) {
     PlanarEngine::castRays(rays, hits);
+  }
+}
+
+void Kinematics2d::draw(EngineDrawing& drawing) const {
+  PlanarEngine::draw(drawing);
+  for (const BodyIndex index : bodies_.order()) {
+    if (const BodyIndex gripped = motion(index).gripped; gripped != kNoBody) {
+      planar::drawLine(bodies_, index, EngineDrawing::Kind::kJoint, bodies_[index].pose.position,
+                       bodies_[gripped].pose.position, drawing);
+    }
   }
 }
 

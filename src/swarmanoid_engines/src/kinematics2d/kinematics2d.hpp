@@ -64,6 +64,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   void connect(Space& space) override;
   bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+  void draw(EngineDrawing& drawing) const override;
 
  private:
   // motion.cpp

@@ -5,6 +5,7 @@
 
 #include "planar/body_overlap.hpp"
 #include "planar/body_rays.hpp"
+#include "planar/draw_bodies.hpp"
 
 namespace swarmanoid::planar {
 namespace {
@@ -90,6 +91,8 @@ Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const
 bool PlanarEngine::mayMeet(const RayBundle& rays) const { return planar::mayMeet(bodies_, rays); }
 
 void PlanarEngine::castRays(const RayBundle& rays, Span<RayHit> hits) const { planar::castRays(bodies_, rays, hits); }
+
+void PlanarEngine::draw(EngineDrawing& drawing) const { drawShapes(bodies_, drawing); }
 
 void PlanarEngine::readCommands(Body& body) {
   const PlanarModel& model = *body.model;

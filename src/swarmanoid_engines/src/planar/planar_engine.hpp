@@ -18,6 +18,7 @@ class PlanarEngine : public Engine {
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+  void draw(EngineDrawing& drawing) const override;
 
  protected:
   /// subclock, perpendicular_axis and distance.

@@ -74,13 +74,19 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
 }
 
 /// Where the wall time went, phase by phase.
-void printProfile(const PhaseTimes& total, std::uint64_t ticks) {
+void printProfile(const PhaseTimes& total, const Space& space) {
   const std::pair<const char*, double> phases[] = {
       {"sense", total.sense},     {"control", total.control}, {"actuate", total.actuate}, {"move", total.move},
       {"connect", total.connect}, {"index", total.index},     {"show", total.show}};
+  const auto print = [&](const std::string& name, double seconds) {
+    std::fprintf(stderr, "%-8s %10.3f ms, %8.3f us a tick\n", name.c_str(), seconds * 1e3,
+                 space.tick > 0 ? seconds * 1e6 / static_cast<double>(space.tick) : 0.0);
+  };
   for (const auto& [name, seconds] : phases) {
-    std::fprintf(stderr, "%-8s %10.3f ms, %8.3f us a tick\n", name, seconds * 1e3,
-                 ticks > 0 ? seconds * 1e6 / static_cast<double>(ticks) : 0.0);
+    print(name, seconds);
+  }
+  for (std::size_t i = 0; i < total.engines.size(); ++i) {
+    print("engine '" + space.engines[i]->id() + "'", total.engines[i]);
   }
 }
 
@@ -105,7 +111,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options) {
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   bar.finish(simulation.space().tick);
   if (options.profile) {
-    printProfile(total, simulation.space().tick);
+    printProfile(total, simulation.space());
   }
   if (code == kFinished && interrupted != 0) {
     code = kInterrupted;

@@ -6,7 +6,7 @@
 /// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
 ///
 /// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect: `connect`.
-///          mayMeet, castRays: any time but during `move`.
+///          mayMeet, castRays, draw: any time but during `move`.
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
@@ -26,6 +26,7 @@
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_interface/time.hpp"
+#include "swarmanoid_space/engine_drawing.hpp"
 #include "swarmanoid_space/experiment.hpp"
 #include "swarmanoid_space/ray.hpp"
 
@@ -86,6 +87,9 @@ class Engine {
   virtual bool mayMeet(const RayBundle& rays) const = 0;
   /// For each segment: if it meets an entity of this engine nearer than `hits` says so far, that hit replaces it.
   virtual void castRays(const RayBundle& rays, Span<RayHit> hits) const = 0;
+
+  /// Shows people what the engine works with. Allocates; called on request only.
+  virtual void draw(EngineDrawing& /*drawing*/) const {}
 
   const std::string& id() const { return id_; }
 

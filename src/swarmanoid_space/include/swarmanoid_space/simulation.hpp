@@ -27,6 +27,7 @@ struct PhaseTimes {
   double connect = 0.0;  ///< and handover
   double index = 0.0;
   double show = 0.0;
+  std::vector<double> engines;  ///< of `move`: each engine by itself, in the order of Space::engines
 
   PhaseTimes& operator+=(const PhaseTimes& other);
 };

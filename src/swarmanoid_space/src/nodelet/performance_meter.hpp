@@ -15,13 +15,7 @@ class PerformanceMeter {
 
   /// After each tick.
   void add(const PhaseTimes& phases, std::size_t robots) {
-    sum_.sense += phases.sense;
-    sum_.control += phases.control;
-    sum_.actuate += phases.actuate;
-    sum_.move += phases.move;
-    sum_.connect += phases.connect;
-    sum_.index += phases.index;
-    sum_.show += phases.show;
+    sum_ += phases;
     robot_ticks_ += static_cast<double>(robots);
     ticks_ += 1.0;
   }
@@ -48,6 +42,12 @@ class PerformanceMeter {
       message.connect = sum_.connect / ticks_;
       message.index = sum_.index / ticks_;
       message.show = sum_.show / ticks_;
+      for (std::size_t i = 0; i < sum_.engines.size(); ++i) {
+        swarmanoid_msgs::EngineTime engine;
+        engine.engine = space.engines[i]->id();
+        engine.move = sum_.engines[i] / ticks_;
+        message.engines.push_back(engine);
+      }
     }
     return message;
   }

@@ -41,6 +41,8 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
   markers_publisher_ = advertise<visualization_msgs::MarkerArray>(
       "markers", 1, [](const Space& space, const auto& newcomer) { newcomer.publish(MovingMarkers().draw(space)); });
   markers_static_publisher_ = own_.advertise<visualization_msgs::MarkerArray>("markers_static", 1, kLatched);
+  engine_markers_publisher_ = advertise<visualization_msgs::MarkerArray>(
+      "engine_markers", 1, [](const Space& space, const auto& newcomer) { newcomer.publish(engineMarkers(space)); });
   performance_publisher_ = own_.advertise<swarmanoid_msgs::Performance>("performance", 10);
   events_publisher_ = own_.advertise<swarmanoid_msgs::Event>("events", 1000);
   result_publisher_ = own_.advertise<swarmanoid_msgs::RunResult>("result", 1, kLatched);
@@ -70,9 +72,9 @@ void SpaceDisplay::serveNewcomers(SimulationThread* thread) {
 
 void SpaceDisplay::shutdown() {
   serveNewcomers(nullptr);
-  for (ros::Publisher* publisher :
-       {&clock_publisher_, &tf_publisher_, &tf_static_publisher_, &world_state_publisher_, &performance_publisher_,
-        &events_publisher_, &markers_publisher_, &markers_static_publisher_, &result_publisher_}) {
+  for (ros::Publisher* publisher : {&clock_publisher_, &tf_publisher_, &tf_static_publisher_, &world_state_publisher_,
+                                    &performance_publisher_, &events_publisher_, &markers_publisher_,
+                                    &markers_static_publisher_, &engine_markers_publisher_, &result_publisher_}) {
     publisher->shutdown();
   }
 }
@@ -138,6 +140,9 @@ void SpaceDisplay::publishTransforms(const Space& space) {
 void SpaceDisplay::publishMarkers(const Space& space) {
   if (markers_publisher_.getNumSubscribers() > 0) {
     markers_publisher_.publish(markers_.draw(space));
+  }
+  if (engine_markers_publisher_.getNumSubscribers() > 0) {
+    engine_markers_publisher_.publish(engineMarkers(space));
   }
   markers_moment_ = {space.run, space.tick};
 }

@@ -96,6 +96,7 @@ class SpaceDisplay final : public Visualisation {
   ros::Publisher events_publisher_;
   ros::Publisher markers_publisher_;
   ros::Publisher markers_static_publisher_;
+  ros::Publisher engine_markers_publisher_;
   ros::Publisher result_publisher_;
 };
 

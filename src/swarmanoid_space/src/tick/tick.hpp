@@ -17,8 +17,9 @@ void control(const Space& space, std::vector<Driver>& drivers, const Workers& wo
 /// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
 
-/// Every engine moves what it is in charge of.
-void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers);
+/// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.
+void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers,
+          std::vector<double>& seconds);
 
 /// Grips are made and broken; what depends on the new poses follows.
 void connect(Space& space, const std::vector<std::shared_ptr<Engine>>& engines,

@@ -17,6 +17,10 @@ namespace swarmanoid {
 /// The floor, its patches, everything that nobody moves, and robots' bodies. Replaces what was there before.
 visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 
+/// What the engines work with: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine and
+/// kind; those without lines are deleted.
+visualization_msgs::MarkerArray engineMarkers(const Space& space);
+
 class MovingMarkers {
  public:
   /// Valid until the next call. What was drawn the last time and is no more is deleted.

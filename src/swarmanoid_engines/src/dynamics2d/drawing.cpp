@@ -1,0 +1,60 @@
+// What Box2D sees, as lines.
+#include <box2d/b2_contact.h>
+
+#include "dynamics2d/dynamics2d.hpp"
+#include "planar/draw_bodies.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+using Kind = EngineDrawing::Kind;
+
+void Dynamics2d::draw(EngineDrawing& drawing) const {
+  PlanarEngine::draw(drawing);
+  drawContacts(drawing);
+  for (const BodyIndex index : movers_) {
+    const RigidBody& its = rigid(index);
+    if (its.grip.joint != nullptr) {
+      const Eigen::Vector2d tip = toMetres(its.grip.joint->GetAnchorA());
+      planar::drawLine(bodies_, index, Kind::kJoint, bodies_[index].pose.position, tip, drawing);
+      planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[its.grip.gripped].pose.position, drawing);
+    }
+    drawForces(index, drawing);
+  }
+}
+
+void Dynamics2d::drawContacts(EngineDrawing& drawing) const {
+  constexpr double kLength = 0.05;  // m
+  for (b2Contact* contact = world_->GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+    if (!contact->IsTouching()) {
+      continue;
+    }
+    b2WorldManifold manifold;
+    contact->GetWorldManifold(&manifold);
+    const auto body = static_cast<BodyIndex>(contact->GetFixtureA()->GetBody()->GetUserData().pointer);
+    for (int i = 0; i < contact->GetManifold()->pointCount; ++i) {
+      const Eigen::Vector2d point = toMetres(manifold.points[i]);
+      const Eigen::Vector2d normal(manifold.normal.x, manifold.normal.y);
+      planar::drawLine(bodies_, body, Kind::kContact, point, point + kLength * normal, drawing);
+    }
+  }
+}
+
+void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
+  const RigidBody& its = rigid(index);
+  const auto line = [&](const Eigen::Vector2d& from, const b2Vec2& force) {
+    planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * toMetres(force),
+                     drawing);
+  };
+  const bool is_driven = bodies_[index].wheels != nullptr || bodies_[index].flight != nullptr;
+  if (is_driven && its.belt.body == nullptr) {
+    line(its.centre, its.last_push);
+  }
+  if (its.belt.body == nullptr) {
+    return;
+  }
+  for (b2FrictionJoint* treel : its.belt.treels) {
+    line(toMetres(treel->GetAnchorB()), treel->GetReactionForce(static_cast<float>(1.0 / last_step_)));
+  }
+}
+
+}  // namespace swarmanoid::dynamics2d
