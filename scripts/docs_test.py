@@ -24,7 +24,8 @@ from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 
 # Where the shell commands are run; the workspace's page takes minutes and is in ./test --long
 RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.md", "docs/how-to/add_a_device.md",
-             "docs/how-to/add_a_visualisation.md", "docs/how-to/add_an_engine.md")
+             "docs/how-to/add_a_visualisation.md", "docs/how-to/add_an_engine.md",
+             "docs/how-to/hand_over_between_engines.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
 FENCE = re.compile(r"(?:^<!-- (?P<note>.*?) -->\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
 BUILD_FOLDER = ""

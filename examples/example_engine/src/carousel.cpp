@@ -49,7 +49,9 @@ class Carousel final : public swarmanoid::Engine {
     return "";
   }
   std::string misplacement(const EntityModel&, const Pose&) const override { return ""; }
-  Row overlap(const EntityModel&, const Pose&, Row) const override { return swarmanoid::kNoRow; }
+  Row overlap(const EntityModel&, const Pose&, swarmanoid::Span<const Row>) const override {
+    return swarmanoid::kNoRow;
+  }
 
   void add(Space& space, Row row, swarmanoid::Role role) override {
     // a mirror is met by rays in the engine that moves it, and matters to nobody here

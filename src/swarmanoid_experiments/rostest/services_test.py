@@ -141,6 +141,41 @@ class ServicesTest(unittest.TestCase):
         self.assertNotIn("fb_9", self.state_after(4).names)
         self.assertTrue(self.space.spawn([footbot("fb_9", 4.5, 4.5)]).success, "a name is free after its entity")
 
+    def test_handed_over(self):
+        def engine_of(name, state):
+            return state.engines[state.names.index(name)]
+
+        lonely = footbot("fb_9", 4.5, 4.5)
+        lonely.engines = []
+        self.assertTrue(self.space.spawn([lonely]).success)
+        self.space.step(1)
+        state = self.state_after(1)
+        self.assertEqual(("", "ground"), (engine_of("fb_9", state), engine_of("fb_1", state)))
+        answer = self.space.handover(["fb_9", "fb_1"], "ground")  # fb_1 is there already
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual((2, 1), (answer.count, answer.tick))
+        self.space.step(1)
+        self.assertEqual("ground", engine_of("fb_9", self.state_after(2)))
+        event = self.events.wait_for(lambda e: e.kind == Event.HANDED_OVER)
+        self.assertEqual(("fb_9", "from no engine to ground"), (event.entity, event.text))
+        self.assertIsNotNone(self.events.wait_for(lambda e: e.kind == Event.INTERVENTION and e.entity == "fb_9"))
+
+    def test_a_handover_that_cannot_be_changes_nothing(self):
+        self.space.step(5)
+        before = self.state_after(5)
+        answer = self.space.handover(["fb_1", "fb_2"], "sky")
+        self.assertFalse(answer.success)
+        self.assertEqual(0, answer.count)
+        self.assertIn("footbot 'fb_1' cannot be handed over to engine 'sky': found at z = 0", answer.message)
+        self.assertIn("did you mean 'fb_1'?", self.space.handover(["fb_11"], "ground").message)
+        self.assertIn("there are: ground, sky", self.space.handover(["fb_1"], "gruond").message)
+        self.space.step(1)
+        after = self.state_after(6).state_hash
+        self.run_number = self.space.reset(scope=0, keep_seed=True).run
+        self.space.step(6)
+        self.assertEqual(before.state_hash, self.state_after(5).state_hash)
+        self.assertEqual(after, self.state_after(6).state_hash)
+
     def test_reset_undoes_interventions(self):
         self.space.spawn([footbot("fb_9", 4.5, 4.5)])
         self.space.delete(["prey_yellow"])

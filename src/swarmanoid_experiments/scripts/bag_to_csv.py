@@ -20,7 +20,7 @@ import rosbag  # noqa: E402
 
 
 KINDS = ("attached", "released", "controller_failed", "left_arena", "overflow", "spawned", "deleted", "moved",
-         "intervention", "finished")
+         "intervention", "finished", "handed_over", "handover_refused")
 
 
 def yaw(q):

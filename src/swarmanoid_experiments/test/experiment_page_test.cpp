@@ -65,6 +65,15 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
   }
 }
 
+TEST(ExperimentPageTest, NamesAllOfARuleForHandover) {
+  for (const char* name : {"inside", "outside", "attached", "released", "debug", "minimum", "maximum", "key"}) {
+    EXPECT_NE(page().find("`" + std::string(name) + "`"), std::string::npos) << name;
+  }
+  for (const char* text : {"`<handover entity=\"...\" to=\"...\">`", "`as=\"gripper\"`", "`as=\"gripped\"`"}) {
+    EXPECT_NE(page().find(text), std::string::npos) << text;
+  }
+}
+
 TEST(ThesisListingTest, LoadsUnderItsOldNames) {
   loadBuiltInPlugins();
   takeExperimentWarnings();

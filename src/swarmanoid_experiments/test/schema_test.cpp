@@ -88,6 +88,26 @@ TEST(SchemaTest, AcceptsSectionsInAnyOrder) {
   EXPECT_NO_THROW(parseExperiment(text, "order.xml"));
 }
 
+TEST(SchemaTest, AcceptsRulesForHandover) {
+  std::string text = test::readTestData("good.xml");
+  text.insert(text.find("  <arena_physics>") + std::string("  <arena_physics>").size(),
+              "<handover entity=\"fb\" to=\"ground\" id=\"first\"><inside><maximum>1,2,3</maximum>"
+              "<minimum>0,0,0</minimum></inside></handover>");
+  text.insert(text.find("  </arena_physics>"),
+              "<handover entity=\"fc\" to=\"ground\"><released as=\"gripped\"/></handover>"
+              "<handover entity=\"fb\" to=\"ground\"><debug key=\"state of mind\"> lost </debug></handover>");
+  EXPECT_TRUE(schemaAccepts(writeFile("handover.xml", text)));
+  const Experiment experiment = parseExperiment(text, "handover.xml");
+  ASSERT_EQ(experiment.handovers.size(), 3U);
+  EXPECT_EQ(experiment.handovers[0].id, "first");
+  EXPECT_EQ(experiment.handovers[0].maximum, Eigen::Vector3d(1, 2, 3));
+  EXPECT_EQ(experiment.handovers[1].condition, HandoverDescription::Condition::kReleased);
+  EXPECT_EQ(experiment.handovers[1].end, HandoverDescription::End::kGripped);
+  EXPECT_EQ(experiment.handovers[1].entity, "fc");
+  EXPECT_EQ(experiment.handovers[2].key, "state of mind");
+  EXPECT_EQ(experiment.handovers[2].value, "lost");
+}
+
 TEST(SchemaTest, LetsThroughPluginsThatItDoesNotKnow) {
   std::string text = test::readTestData("good.xml");
   text.insert(text.find("  </visualisations>"),
@@ -116,9 +136,11 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
     }
   }
   for (const char* name :
-       {"clocktick",    "maxclock",       "controller_path", "random_seed", "threads",  "real_time_factor", "size",
-        "optimization", "bounded",        "floor_patch",     "distribute",  "quantity", "layout",           "minimum",
-        "maximum",      "random_heading", "max_trials",      "controller",  "role",     "library"}) {
+       {"clocktick", "maxclock",     "controller_path", "random_seed",    "threads",    "real_time_factor",
+        "size",      "optimization", "bounded",         "floor_patch",    "distribute", "quantity",
+        "layout",    "minimum",      "maximum",         "random_heading", "max_trials", "controller",
+        "role",      "library",      "handover",        "entity",         "to",         "inside",
+        "outside",   "attached",     "released",        "debug",          "as",         "key"}) {
     expect_name(name);
   }
 }

@@ -12,7 +12,8 @@
 namespace swarmanoid::test {
 namespace {
 
-/// Wheel speeds as the parameters say [rad/s]; can be told to close the gripper, throw, or command NaN at a tick.
+/// Wheel speeds as the parameters say [rad/s]; can be told to close the gripper, say "done", throw, or command NaN at a
+/// tick.
 class TestDrive final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
@@ -23,6 +24,7 @@ class TestDrive final : public Controller {
     right_ = parameters.number("right");
     close_at_ = parameters.integer("close_at", std::int64_t{-1});
     open_at_ = parameters.integer("open_at", std::int64_t{-1});
+    say_at_ = parameters.integer("say_at", std::int64_t{-1});
     throw_at_ = parameters.integer("throw_at", std::int64_t{-1});
     nan_at_ = parameters.integer("nan_at", std::int64_t{-1});
     only_ = parameters.text("only", "");
@@ -42,6 +44,9 @@ class TestDrive final : public Controller {
     if (tick == open_at_) {
       gripper_->open();
     }
+    if (tick == say_at_) {
+      robot_->debug("state", "done");
+    }
     const bool is_meant = only_.empty() || only_ == robot_->name();
     if (is_meant && tick == throw_at_) {
       throw std::runtime_error("told to");
@@ -59,6 +64,7 @@ class TestDrive final : public Controller {
   double right_ = 0.0;
   std::int64_t close_at_ = -1;
   std::int64_t open_at_ = -1;
+  std::int64_t say_at_ = -1;
   std::int64_t throw_at_ = -1;
   std::int64_t nan_at_ = -1;
   std::int64_t tick_ = 0;
@@ -75,8 +81,9 @@ std::string World::xml() const {
          "<footbot_gripper/><footbot_leds/></actuators><sensors><footbot_proximity/></sensors><parameters>" +
          drive + "</parameters></test_drive></controllers><arena size=\"" + size + "\" optimization=\"2D\" bounded=\"" +
          (bounded ? "true" : "false") + "\">" + entities + "</arena><engines><kinematics2d id=\"ground\">" +
-         engine_parameters + "</kinematics2d></engines><arena_physics><engine id=\"ground\">" + members +
-         "</engine></arena_physics><visualisations>" + visualisations + "</visualisations></ahss-config>";
+         engine_parameters + "</kinematics2d>" + engines + "</engines><arena_physics><engine id=\"ground\">" + members +
+         "</engine>" + physics + "</arena_physics><visualisations>" + visualisations +
+         "</visualisations></ahss-config>";
 }
 
 std::unique_ptr<Simulation> World::make() const {

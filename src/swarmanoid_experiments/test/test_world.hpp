@@ -16,6 +16,8 @@ struct World {
   std::string drive = "<left>0</left><right>0</right>";  ///< parameters of the controller "drive"
   std::string engine_parameters;                         ///< elements of <kinematics2d>
   std::string framework;                                 ///< more elements of <framework>
+  std::string engines;                                   ///< more elements of <engines>
+  std::string physics;                                   ///< more elements of <arena_physics>
   std::string visualisations;                            ///< elements of <visualisations>
   std::string size = "10,10,2";
   bool bounded = false;

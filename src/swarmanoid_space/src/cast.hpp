@@ -25,6 +25,9 @@ struct ControllerGroup {
   std::function<std::shared_ptr<Controller>()> make;
 };
 
+/// Types of its devices; none without a group.
+std::vector<std::string> devicesOf(const ControllerGroup* group);
+
 /// One robot with its controller.
 struct Driver {
   Row row = kNoRow;
@@ -35,9 +38,23 @@ struct Driver {
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };
 
-struct Simulation::Seat {
+/// One engine that holds an entity, and its role there.
+struct Seat {
   Engine* engine = nullptr;
   Role role = Role::kMove;
+  bool is_listed =
+      true;  ///< by the experiment file, or whoever spawned it; else it is there for as long as it is moved
+};
+
+/// A rule for one entity, and how far it has come.
+struct HandoverWatch {
+  const HandoverDescription* rule = nullptr;
+  Engine* engine = nullptr;
+  Row row = kNoRow;
+  EntityNumber number = kNobody;
+  bool was_true = false;    ///< the condition, at the end of the last tick
+  bool is_due = false;      ///< it became true, is still true, and nothing has come of it yet
+  bool is_refused = false;  ///< since then; that has been told
 };
 
 struct Simulation::Cast {
@@ -46,8 +63,9 @@ struct Simulation::Cast {
   Workers workers;
   std::vector<std::shared_ptr<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
-  std::vector<Driver> drivers;                       ///< by entity number
-  std::vector<std::vector<Simulation::Seat>> seats;  ///< by entity row
+  std::vector<Driver> drivers;           ///< by entity number
+  std::vector<std::vector<Seat>> seats;  ///< by entity row
+  std::vector<HandoverWatch> watches;    ///< by entity number, then as in the file
   std::vector<std::shared_ptr<Visualisation>> visualisations;
   std::vector<Row> faulty;  ///< scratch of `actuate`
 

@@ -24,6 +24,10 @@ const char* toString(Event::Kind kind) {
       return "intervention";
     case Event::Kind::kFinished:
       return "finished";
+    case Event::Kind::kHandedOver:
+      return "handed_over";
+    case Event::Kind::kHandoverRefused:
+      return "handover_refused";
   }
   return "event";
 }

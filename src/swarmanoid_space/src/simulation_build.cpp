@@ -69,6 +69,7 @@ void Simulation::build() {
   buildControllerGroups();
   buildBoundary();
   buildEntities();
+  buildWatches();
 }
 
 void Simulation::buildControllerGroups() {
@@ -137,7 +138,7 @@ void Simulation::buildEntities() {
   }
 }
 
-std::vector<Simulation::Seat> Simulation::seatsOf(const std::string& entity) const {
+std::vector<Seat> Simulation::seatsOf(const std::string& entity) const {
   std::vector<Seat> seats;
   bool has_mover = false;
   for (const MappingDescription& mapping : experiment_.mappings) {

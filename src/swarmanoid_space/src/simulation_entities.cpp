@@ -7,10 +7,9 @@
 
 namespace swarmanoid {
 
-void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                                const std::vector<Seat>& seats) const {
+std::vector<std::string> devicesOf(const ControllerGroup* group) {
   std::vector<std::string> devices;
-  if (const ControllerGroup* group = cast_->findGroup(entity.controller)) {
+  if (group != nullptr) {
     for (const auto& sensor : group->sensors) {
       devices.emplace_back(sensor->type());
     }
@@ -18,6 +17,12 @@ void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityMod
       devices.emplace_back(actuator->type());
     }
   }
+  return devices;
+}
+
+void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                                const std::vector<Seat>& seats) const {
+  const std::vector<std::string> devices = devicesOf(cast_->findGroup(entity.controller));
   for (const Seat& seat : seats) {
     const std::string in_engine = "' in engine '" + seat.engine->id() + "': ";
     std::string problem = seat.engine->misplacement(model, pose);
@@ -138,6 +143,7 @@ void Simulation::unbuild() {
   }
   cast_->groups.clear();
   cast_->seats.clear();
+  cast_->watches.clear();
   space_.entities.clear();
   space_.structure.clear();
   space_.leds.clear();

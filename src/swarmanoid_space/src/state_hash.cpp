@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <string>
 
 #include "swarmanoid_space/space.hpp"
 
@@ -24,6 +25,10 @@ class Hasher {
   void add(const Eigen::Quaterniond& q) {
     const std::array<double, 4> values{q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0};
     XXH3_64bits_update(state_.get(), values.data(), sizeof(values));
+  }
+  void add(const std::string& text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    XXH3_64bits_update(state_.get(), text.data(), text.size());
   }
   void add(const Color* colors, std::size_t count) {
     static_assert(sizeof(Color) == 3, "colours have no padding");
@@ -54,6 +59,11 @@ std::uint64_t stateHash(const Space& space) {
     hasher.add(space.ledsOf(row), Space::kMaxLeds);
     const Row gripped = space.structure.grippedBy(row);
     hasher.add(gripped == kNoRow ? kNobody : entities.number[static_cast<std::size_t>(gripped)]);
+    // Two runs that differ only in who moves an entity go apart later: the hash tells it in the tick in which they
+    // begin to. Walls may be in several engines, and none of them moves them.
+    if (entities.model[i]->is_movable) {
+      hasher.add(space.mover[i] == nullptr ? std::string() : space.mover[i]->id());
+    }
   }
   for (const LaserSpot& spot : space.laser_spots) {
     hasher.add(spot.owner);

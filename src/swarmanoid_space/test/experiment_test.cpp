@@ -234,6 +234,27 @@ TEST_F(ExperimentTest, OverridesReplaceAttributes) {
   EXPECT_EQ(experiment.mappings[0].members[0].role, Role::kMirror);
 }
 
+TEST_F(ExperimentTest, OverridesReachRulesForHandover) {
+  std::string text = kFile;
+  text.insert(text.find("  </arena_physics>"),
+              "<handover id=\"climb\" entity=\"fb\" to=\"sky\"><attached/></handover>"
+              "<handover id=\"lost\" entity=\"fb\" to=\"ground\"><debug key=\"state\">lost</debug></handover>"
+              "<handover id=\"up\" entity=\"prey\" to=\"sky\">"
+              "<inside><minimum>1,1,0</minimum><maximum>2,2,1</maximum></inside></handover>");
+  const auto rules = [&](const std::string& path, const std::string& value) {
+    return parseExperiment(text, "some.xml", {{path, value}}).handovers;
+  };
+  EXPECT_EQ(rules("arena_physics.climb.to", "ground")[0].engine, "ground");
+  EXPECT_EQ(rules("arena_physics.climb.attached.as", "gripped")[0].end, HandoverDescription::End::kGripped);
+  EXPECT_EQ(rules("arena_physics.lost.debug", "found")[1].value, "found");
+  EXPECT_EQ(rules("arena_physics.lost.debug.key", "mind")[1].key, "mind");
+  EXPECT_EQ(rules("arena_physics.up.inside.maximum", "3,3,1")[2].maximum, Eigen::Vector3d(3, 3, 1));
+  EXPECT_EQ(refusal({{"arena_physics.climb.attached.as", "hand"}}, text),
+            "--set arena_physics.climb.attached.as: as: found the value 'hand', allowed: gripper, gripped");
+  EXPECT_EQ(refusal({{"arena_physics.up.to", "sly"}}, text),
+            "--set arena_physics.up.to: found the engine 'sly', allowed: ground, sky; did you mean 'sky'?");
+}
+
 TEST_F(ExperimentTest, MistakesInOverridesNameTheOverride) {
   EXPECT_EQ(refusal({{"framework.maxclock", "many"}}),
             "--set framework.maxclock: maxclock: found 'many', allowed: a whole number from 1 to 1e+15");

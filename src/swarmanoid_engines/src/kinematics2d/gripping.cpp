@@ -51,6 +51,16 @@ void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
                                          prey.heading - gripper.heading};
 }
 
+std::string Kinematics2d::gripRefusal(const Space& space, Row gripper) const {
+  const Row gripped = space.structure.grippedBy(gripper);
+  const auto i = static_cast<std::size_t>(gripped);
+  if (space.entities.model[i]->is_robot) {
+    return "grips the robot '" + space.entities.name[i] + "', which this engine cannot hold";
+  }
+  const bool is_shared = space.structure.grippersOf(gripped).size() > 1;
+  return is_shared ? "is not alone in gripping '" + space.entities.name[i] + "', which this engine cannot hold" : "";
+}
+
 void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
   const Row row = bodies_[index].row;
   const auto take = [&](BodyIndex gripper, BodyIndex prey) {

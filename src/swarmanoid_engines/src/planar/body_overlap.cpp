@@ -1,5 +1,7 @@
 #include "planar/body_overlap.hpp"
 
+#include <algorithm>
+
 #include "planar/planar_overlap.hpp"
 
 namespace swarmanoid::planar {
@@ -26,7 +28,7 @@ bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double alon
   return false;
 }
 
-BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Row ignored) {
+BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored) {
   const Plane& plane = bodies.plane();
   PlanarModel projected;
   projectModel(model, plane, plane.baseOf(pose.orientation), projected);
@@ -37,7 +39,8 @@ BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose
   bodies.visitNear(placed.position, projected.radius, [&](BodyIndex index) {
     const Body& body = bodies[index];
     const bool is_older = found == kNoBody || body.number < bodies[found].number;
-    if (body.row != ignored && is_older && modelsOverlap(projected, placed, along, body, scratch)) {
+    const bool is_ignored = std::find(ignored.begin(), ignored.end(), body.row) != ignored.end();
+    if (!is_ignored && is_older && modelsOverlap(projected, placed, along, body, scratch)) {
       found = index;
     }
     return true;

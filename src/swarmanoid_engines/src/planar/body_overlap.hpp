@@ -13,6 +13,6 @@ bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double alon
                    std::vector<PlanarShape>& scratch);
 
 /// The oldest body that an entity at a pose would overlap; kNoBody if there is none.
-BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Row ignored);
+BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored);
 
 }  // namespace swarmanoid::planar

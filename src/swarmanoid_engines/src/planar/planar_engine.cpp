@@ -83,7 +83,7 @@ std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pos
   return text.str();
 }
 
-Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Row ignored) const {
+Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const {
   const BodyIndex found = findOverlap(bodies_, model, pose, ignored);
   return found == kNoBody ? kNoRow : bodies_[found].row;
 }

@@ -14,7 +14,8 @@ class PlanarEngine : public Engine {
   void configure(const std::string& id, const Configuration& parameters) override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
-  Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const override;
+  using Engine::overlap;
+  Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;

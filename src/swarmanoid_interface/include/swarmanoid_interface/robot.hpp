@@ -64,8 +64,9 @@ class Robot {
   void log(LogLevel level, const std::string& text);
   void log(const std::string& text) { log(LogLevel::kInfo, text); }
 
-  /// A named value for people: in the text table's companion file, on a topic, as text in rviz. Never read by anything
-  /// that moves a robot. Once a key is known, a value of up to 64 letters allocates nothing.
+  /// A named value for people: in the text table's companion file, on a topic, as text in rviz. Moves no robot;
+  /// at most, a rule for handover in the experiment file waits for it. Once a key is known, a value of up to 64 letters
+  /// allocates nothing.
   void debug(std::string_view key, std::string_view value);
   const std::vector<DebugValue>& debugValues() const { return debug_values_; }
 

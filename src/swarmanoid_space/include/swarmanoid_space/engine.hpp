@@ -10,6 +10,12 @@
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
+/// Handover  (thesis chapter 5) an entity changes the engine that moves it, with all that it is connected to:
+/// `refusal`,
+///          `misplacement`, `overlap` and `gripRefusal` decide, without any change; then the old engine gets `remove`
+///          for each member and the new one `add`, parents before children. The space keeps pose, twist, grips, devices
+///          and everything else meanwhile, so what an engine knows beyond them, it makes anew from them.
+///
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
 #pragma once
 
@@ -18,6 +24,7 @@
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/engine_drawing.hpp"
 #include "swarmanoid_space/experiment.hpp"
@@ -42,13 +49,26 @@ class Engine {
   virtual std::string misplacement(const EntityModel& model, const Pose& pose) const = 0;
 
   /// An entity of this engine that a new one at that pose would overlap; kNoRow if there is none.
-  virtual Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const = 0;
+  /// @param ignored entities that it may overlap, such as itself and what it is connected to
+  virtual Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const = 0;
+  Row overlap(const EntityModel& model, const Pose& pose, Row ignored) const {
+    return overlap(model, pose, Span<const Row>(&ignored, 1));
+  }
 
-  /// Takes charge of an entity at the pose it has in the space. @pre no misplacement, no overlap
+  /// Why this engine could not hold the grip that `gripper` has in `structure`, if it moved the whole structure; "" if
+  /// it can. Asked before a handover. An engine that does not say otherwise holds no grips.
+  virtual std::string gripRefusal(const Space& /*space*/, Row /*gripper*/) const {
+    return "grips, and this engine holds no grips";
+  }
+
+  /// Takes charge of an entity at the pose, and with the twist, that it has in the space. As soon as both ends of a
+  /// grip in `structure` are moved here, the grip holds here. @pre no misplacement, no overlap
   virtual void add(Space& space, Row row, Role role) = 0;
-  /// Gives an entity back; its pose and twist in the space are already what they should be.
+  /// Gives an entity back; its pose and twist in the space are already what they should be. Grips in `structure` stay,
+  /// for whoever gets it next.
   virtual void remove(Space& space, Row row) = 0;
-  /// The entity's pose in the space was set from outside. @pre no misplacement, no overlap
+  /// The entity's pose in the space was set from outside; or it is a mirror, and a handover to this engine is to be
+  /// decided by where it is now. @pre no misplacement, no overlap, unless it is a mirror
   virtual void place(Space& space, Row row) = 0;
   /// Gives everything back.
   virtual void clear() = 0;

@@ -19,7 +19,9 @@ struct Event {
     kDeleted,
     kMoved,         ///< put elsewhere from outside
     kIntervention,  ///< anything else that came from outside
-    kFinished
+    kFinished,
+    kHandedOver,      ///< another engine moves `entity` from now on; the text says which
+    kHandoverRefused  ///< a rule asked for it, and `entity` stays where it is; the text says why
   };
 
   Kind kind;

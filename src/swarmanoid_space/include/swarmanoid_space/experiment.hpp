@@ -120,6 +120,30 @@ struct MappingDescription {
   SourceLocation location;
 };
 
+/// One <handover> of <arena_physics>: when its condition becomes true, an engine takes the entity over.
+struct HandoverDescription {
+  enum class Condition {
+    kInside,    ///< the entity's origin is in the box
+    kOutside,   ///< it is not
+    kAttached,  ///< the entity grips something, or is gripped
+    kReleased,  ///< it does not
+    kDebug      ///< the controller's debug value `key` is `value`
+  };
+  /// Which end of a grip counts.
+  enum class End { kAny, kGripper, kGripped };
+
+  std::string id;      ///< "" for none
+  std::string entity;  ///< an entity's id, or that of a distributed group: then for each of them
+  std::string engine;  ///< that takes it over
+  Condition condition = Condition::kInside;
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();  ///< of the box, in W, borders included [m]
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
+  End end = End::kAny;
+  std::string key;
+  std::string value;
+  SourceLocation location;
+};
+
 struct VisualisationDescription {
   std::string label;  ///< never an alias
   std::string id;
@@ -137,6 +161,7 @@ struct Experiment {
   ArenaDescription arena;
   std::vector<EngineDescription> engines;
   std::vector<MappingDescription> mappings;
+  std::vector<HandoverDescription> handovers;
   std::vector<VisualisationDescription> visualisations;
 };
 

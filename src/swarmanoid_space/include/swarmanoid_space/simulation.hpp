@@ -24,7 +24,7 @@ struct PhaseTimes {
   double control = 0.0;
   double actuate = 0.0;
   double move = 0.0;
-  double connect = 0.0;
+  double connect = 0.0;  ///< and handover
   double index = 0.0;
   double show = 0.0;
   std::vector<double> engines;  ///< of `move`: each engine by itself, in the order of Space::engines
@@ -44,6 +44,8 @@ struct SuppliedParts {
   std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
   std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
 };
+
+struct Seat;  // one engine that holds an entity, and its role there (src/cast.hpp)
 
 class Simulation {
  public:
@@ -90,8 +92,15 @@ class Simulation {
   void remove(const std::string& name);
   /// @throws ConfigError (unknown name, bad place, overlap); then nothing has changed
   void move(const std::string& name, const Pose& pose);
-  /// Back to the state before tick 0, spawned and deleted entities included. `seed` replaces the experiment's if given.
-  /// Space::time_before_reset grows so that ROS time keeps rising, unless `rewind` sets it back to 0.
+  /// Another engine moves the entity from now on, and all that is connected to it: poses, twists, grips, devices,
+  /// commands and readings stay as they are. An engine that gives an entity up keeps a mirror of it if the experiment
+  /// file (or whoever spawned it) lists the entity there. Nothing happens if that engine moves it already.
+  /// @throws ConfigError (unknown name, or one of them is fixed, misplaced, in the way of something else or beyond what
+  /// the engine can simulate); then nothing has changed
+  void handover(const std::string& name, const std::string& engine);
+  /// Back to the state before tick 0: spawned, deleted and handed over entities included. `seed` replaces the
+  /// experiment's if given. Space::time_before_reset grows so that ROS time keeps rising, unless `rewind` sets it back
+  /// to 0.
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:
@@ -102,10 +111,10 @@ class Simulation {
   void buildControllerGroups();
   void buildEntities();
   void buildBoundary();
+  void buildWatches();
   void distribute(const EntityDescription& group);
   void stopFailedRobots();
   void unbuild();
-  struct Seat;  // one engine that holds an entity, and its role there
   std::vector<Seat> seatsOf(const std::string& entity) const;
   void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                       const std::vector<Seat>& seats) const;

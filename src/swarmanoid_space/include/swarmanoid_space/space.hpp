@@ -93,7 +93,8 @@ class Space {
   std::vector<Row> entities_without_engine;
 };
 
-/// A hash of all named state, in the order of entity numbers (XXH3): clock, poses, twists, LEDs, grips, laser spots.
+/// A hash of all named state, in the order of entity numbers (XXH3): clock, poses, twists, LEDs, grips, laser spots,
+/// and which engine moves whom.
 /// Equal hashes each tick mean equal runs; -0 counts as 0.
 std::uint64_t stateHash(const Space& space);
 

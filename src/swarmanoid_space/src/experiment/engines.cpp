@@ -47,7 +47,7 @@ MappingDescription::Member readMember(const XmlElement& element, const std::vect
 
 void readArenaPhysics(const XmlElement& section, Reader& reader) {
   section.allowAttributes({});
-  section.allowChildren({"engine"});
+  section.allowChildren({"engine", "handover"});
   std::vector<std::string> engines;
   for (const EngineDescription& engine : reader.experiment.engines) {
     engines.push_back(engine.id);
@@ -59,6 +59,10 @@ void readArenaPhysics(const XmlElement& section, Reader& reader) {
   std::set<std::string> moved;
   std::set<std::string> mapped;
   for (const XmlElement& element : section.children()) {
+    if (element.name() == "handover") {
+      readHandover(element, entities, engines, reader);
+      continue;
+    }
     element.allowAttributes({"id"});
     element.allowChildren({"entity"});
     MappingDescription mapping;

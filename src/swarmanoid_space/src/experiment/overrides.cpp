@@ -86,6 +86,12 @@ bool isAttribute(const XMLElement* element, const std::string& name) {
   if (hasTag(element, "entity") && parent_tag == "engine") {
     return among(memberAttributes());
   }
+  if (hasTag(element, "handover") && parent_tag == "arena_physics") {
+    return among(handoverAttributes());
+  }
+  if (parent_tag == "handover") {
+    return among(hasTag(element, "debug") ? debugAttributes() : gripAttributes());
+  }
   const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "visualisations" ||
                          parent_tag == "visualizations";
   const bool is_device = parent_tag == "actuators" || parent_tag == "sensors";

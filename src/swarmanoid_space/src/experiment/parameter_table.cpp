@@ -124,6 +124,14 @@ const std::vector<Parameter>& distributeParameters() {
   return table;
 }
 
+const std::vector<Parameter>& boxParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("minimum", Type::kVector3, "m", std::nullopt, {}, "Smallest coordinates of the entity's origin."),
+      makeParameter("maximum", Type::kVector3, "m", std::nullopt, {}, "Largest coordinates of the entity's origin.")};
+  return table;
+}
+
 const std::vector<std::string>& layouts() {
   static const std::vector<std::string> names{"uniform", "grid"};
   return names;
@@ -156,6 +164,31 @@ const std::vector<std::string>& distributeAttributes() {
 
 const std::vector<std::string>& memberAttributes() {
   static const std::vector<std::string> names{"id", "role"};
+  return names;
+}
+
+const std::vector<std::string>& handoverAttributes() {
+  static const std::vector<std::string> names{"id", "entity", "to"};
+  return names;
+}
+
+const std::vector<std::string>& conditions() {
+  static const std::vector<std::string> names{"inside", "outside", "attached", "released", "debug"};
+  return names;
+}
+
+const std::vector<std::string>& gripAttributes() {
+  static const std::vector<std::string> names{"as"};
+  return names;
+}
+
+const std::vector<std::string>& gripEnds() {
+  static const std::vector<std::string> names{"gripper", "gripped"};
+  return names;
+}
+
+const std::vector<std::string>& debugAttributes() {
+  static const std::vector<std::string> names{"key"};
   return names;
 }
 

@@ -30,6 +30,8 @@ std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_d
 const std::vector<Parameter>& floorPatchParameters();
 /// Of <distribute>; quantity and layout are attributes.
 const std::vector<Parameter>& distributeParameters();
+/// Of <inside> and <outside> in <handover>.
+const std::vector<Parameter>& boxParameters();
 
 // Attributes, and what they may be.
 constexpr Range kQuantityRange{1.0, 1e7};
@@ -40,6 +42,13 @@ const std::vector<std::string>& arenaAttributes();
 const std::vector<std::string>& pluginAttributes();
 const std::vector<std::string>& distributeAttributes();
 const std::vector<std::string>& memberAttributes();
+const std::vector<std::string>& handoverAttributes();
+/// Of <handover>, by HandoverDescription::Condition.
+const std::vector<std::string>& conditions();
+/// Of <attached> and <released>, and what `as` may be.
+const std::vector<std::string>& gripAttributes();
+const std::vector<std::string>& gripEnds();
+const std::vector<std::string>& debugAttributes();
 /// The sections of <ahss-config>; the last is an alias.
 const std::vector<std::string>& sections();
 

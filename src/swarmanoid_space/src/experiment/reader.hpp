@@ -15,10 +15,11 @@ namespace swarmanoid::experiment {
 /// The experiment under construction, and what its parts must not collide with.
 struct Reader {
   Experiment experiment;
-  std::map<std::string, SourceLocation> ids;  ///< of controllers, entities, patches, engines, visualisations, by kind
+  std::map<std::string, SourceLocation>
+      ids;  ///< of controllers, entities, patches, engines, handovers, visualisations, by kind
   std::vector<std::string> warnings;
 
-  /// @throws ConfigError if the id is taken within its kind ("controller", "entity", "engine", "visualisation")
+  /// @throws ConfigError if the id is taken within its kind ("controller", "entity", "engine", ...)
   void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
 
   /// The registry's entry for a tag; loads `library` first if it is not empty.
@@ -31,6 +32,9 @@ void readControllers(const XmlElement& section, Reader& reader);
 void readArena(const XmlElement& section, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
+/// @param entities, engines the ids that there are
+void readHandover(const XmlElement& element, const std::vector<std::string>& entities,
+                  const std::vector<std::string>& engines, Reader& reader);
 void readVisualisations(const XmlElement& section, Reader& reader);
 
 /// Ids that end up in file names, topics and frames: letters, digits and _, a letter first.

@@ -66,9 +66,49 @@ void writeArena(SchemaWriter& out) {
   out.closeElement();
 }
 
+void writeConditions(SchemaWriter& out) {
+  for (const std::string& name : conditions()) {
+    if (name == "debug") {
+      out.openElement(name, true);
+      out.open("simpleContent");
+      out.open("extension", {{"base", "text"}});
+      for (const std::string& attribute : debugAttributes()) {
+        out.attribute(attribute, "text", true);
+      }
+      out.close();
+      out.close();
+      out.closeElement();
+    } else if (name == "attached" || name == "released") {
+      out.openElement(name, true);
+      for (const std::string& attribute : gripAttributes()) {
+        out.choiceAttribute(attribute, gripEnds(), false);
+      }
+      out.closeElement();
+    } else {
+      out.openElement(name, true);
+      out.open("all");
+      out.parameters(boxParameters());
+      out.close();
+      out.closeElement();
+    }
+  }
+}
+
+void writeHandover(SchemaWriter& out) {
+  out.openElement("handover", true, "An engine takes the entity over when the condition becomes true.");
+  out.open("choice");
+  writeConditions(out);
+  out.close();
+  for (const std::string& name : handoverAttributes()) {
+    out.attribute(name, "name", name != "id");
+  }
+  out.closeElement();
+}
+
 void writeArenaPhysics(SchemaWriter& out) {
   out.openElement("arena_physics", false);
-  out.open("sequence");
+  out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
+  writeHandover(out);
   out.openRepeatedElement("engine");
   out.open("sequence");
   out.openRepeatedElement("entity");
@@ -90,13 +130,15 @@ void writeIdentities(SchemaWriter& out) {
   }
   out.identity("unique", "id_in_arena", "arena/*|arena/distribute/*");
   out.identity("unique", "engine_of_mapping", "arena_physics/engine");
+  out.identity("unique", "id_of_handover", "arena_physics/handover");
   std::string bodies;
   for (const std::string& tag : tagsOf(PluginKind::kEntity)) {
     bodies += (bodies.empty() ? "arena/" : "|arena/") + tag;
     bodies += "|arena/distribute/" + tag;
   }
   out.identity("key", "mapped_entity", bodies);
-  out.reference("mapping", "mapped_entity", "arena_physics/engine/entity");
+  out.reference("mapping", "mapped_entity", "arena_physics/engine/entity", "@id");
+  out.reference("handed_over", "mapped_entity", "arena_physics/handover", "@entity");
 }
 
 void writeRoot(SchemaWriter& out) {

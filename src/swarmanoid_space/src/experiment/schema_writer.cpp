@@ -62,6 +62,7 @@ SchemaWriter::SchemaWriter() {
   }
   pattern("color", "xs:token", color);
   pattern("name", "xs:token", "[A-Za-z][A-Za-z0-9_]*");
+  pattern("text", "xs:token", ".+");
 }
 
 void SchemaWriter::open(const std::string& tag, const Attributes& attributes) {
@@ -155,10 +156,11 @@ void SchemaWriter::identity(const std::string& kind, const std::string& name, co
   close();
 }
 
-void SchemaWriter::reference(const std::string& name, const std::string& key, const std::string& selector) {
+void SchemaWriter::reference(const std::string& name, const std::string& key, const std::string& selector,
+                             const std::string& field) {
   open("keyref", {{"name", name}, {"refer", key}});
   leaf("selector", {{"xpath", selector}});
-  leaf("field", {{"xpath", "@id"}});
+  leaf("field", {{"xpath", field}});
   close();
 }
 

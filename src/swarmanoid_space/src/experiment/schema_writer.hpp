@@ -42,8 +42,9 @@ class SchemaWriter {
   void numberAttribute(const std::string& name, Range range, bool required);
   /// No two elements of `selector` have the same id. `kind`: unique or key; key also asks for the id.
   void identity(const std::string& kind, const std::string& name, const std::string& selector);
-  /// Every element of `selector` has the id of an element of the key.
-  void reference(const std::string& name, const std::string& key, const std::string& selector);
+  /// `field` of every element of `selector`, such as "@entity", is the id of an element of the key.
+  void reference(const std::string& name, const std::string& key, const std::string& selector,
+                 const std::string& field);
   /// Any elements: checked if the schema knows their tags, else let through.
   void anyElements(const std::string& process_contents);
 

@@ -62,7 +62,8 @@ SpaceServices::SpaceServices(ros::NodeHandle own, SimulationThread& thread) : th
               own.advertiseService("reset", &SpaceServices::reset, this),
               own.advertiseService("spawn", &SpaceServices::spawn, this),
               own.advertiseService("delete", &SpaceServices::remove, this),
-              own.advertiseService("move", &SpaceServices::move, this)};
+              own.advertiseService("move", &SpaceServices::move, this),
+              own.advertiseService("handover", &SpaceServices::handover, this)};
 }
 
 bool SpaceServices::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -120,6 +121,13 @@ bool SpaceServices::remove(swarmanoid_msgs::Delete::Request& request, swarmanoid
 bool SpaceServices::move(swarmanoid_msgs::Move::Request& request, swarmanoid_msgs::Move::Response& response) {
   return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& entity) {
     simulation.move(entity.name, fromMessage(entity.pose.header, entity.pose.pose));
+  });
+}
+
+bool SpaceServices::handover(swarmanoid_msgs::Handover::Request& request,
+                             swarmanoid_msgs::Handover::Response& response) {
+  return intervene(thread_, request.names, response, [&request](Simulation& simulation, const std::string& name) {
+    simulation.handover(name, request.engine);
   });
 }
 

@@ -1,4 +1,4 @@
-/// The services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move.
+/// The services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover.
 ///
 /// Each answers when what was asked for is done. Several may be under way at once, so that a pause ends a long step.
 #pragma once
@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <std_srvs/Trigger.h>
 #include <swarmanoid_msgs/Delete.h>
+#include <swarmanoid_msgs/Handover.h>
 #include <swarmanoid_msgs/Move.h>
 #include <swarmanoid_msgs/Reset.h>
 #include <swarmanoid_msgs/Spawn.h>
@@ -31,6 +32,7 @@ class SpaceServices {
   bool spawn(swarmanoid_msgs::Spawn::Request& request, swarmanoid_msgs::Spawn::Response& response);
   bool remove(swarmanoid_msgs::Delete::Request& request, swarmanoid_msgs::Delete::Response& response);
   bool move(swarmanoid_msgs::Move::Request& request, swarmanoid_msgs::Move::Response& response);
+  bool handover(swarmanoid_msgs::Handover::Request& request, swarmanoid_msgs::Handover::Response& response);
 
   SimulationThread& thread_;
   std::vector<ros::ServiceServer> servers_;

@@ -143,6 +143,8 @@ void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& m
   static_assert(static_cast<int>(Event::Kind::kMoved) == Message::MOVED);
   static_assert(static_cast<int>(Event::Kind::kIntervention) == Message::INTERVENTION);
   static_assert(static_cast<int>(Event::Kind::kFinished) == Message::FINISHED);
+  static_assert(static_cast<int>(Event::Kind::kHandedOver) == Message::HANDED_OVER);
+  static_assert(static_cast<int>(Event::Kind::kHandoverRefused) == Message::HANDOVER_REFUSED);
   message.header = headerOf(space);
   message.tick = space.tick;
   message.run = space.run;

@@ -25,6 +25,10 @@ void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, con
 void connect(Space& space, const std::vector<std::shared_ptr<Engine>>& engines,
              const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
+/// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
+void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverWatch>& watches,
+              std::vector<std::vector<Seat>>& seats);
+
 /// The positional index learns the new poses; who has left the arena is noted.
 void index(Space& space);
 

@@ -1,0 +1,78 @@
+/// An engine for tests of handover: what it is given glides on with the twist that it came with. It is so narrow that
+/// everything is in everybody's way. It knows nothing of wheels, unless told to take robots with wheels too.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::test {
+
+class GlideEngine final : public Engine {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "glide";
+    Parameter wheels;
+    wheels.name = "takes_wheels";
+    wheels.type = Parameter::Type::kBoolean;
+    wheels.value = "false";
+    description.parameters = {wheels};
+    return description;
+  }
+  void configure(const std::string& id, const Configuration& parameters) override {
+    id_ = id;
+    takes_wheels_ = parameters.boolean("takes_wheels", false);
+  }
+  std::string refusal(const EntityModel&, const std::vector<std::string>& devices) const override {
+    const bool has_wheels = std::find(devices.begin(), devices.end(), FootbotWheels::kType) != devices.end();
+    return has_wheels && !takes_wheels_ ? "device 'footbot_wheels' cannot be simulated" : "";
+  }
+  std::string misplacement(const EntityModel&, const Pose&) const override { return ""; }
+  Row overlap(const EntityModel&, const Pose&, Span<const Row> ignored) const override {
+    const auto found = std::find_if(held_.begin(), held_.end(), [&](const Held& held) {
+      return std::find(ignored.begin(), ignored.end(), held.row) == ignored.end();
+    });
+    return found == held_.end() ? kNoRow : found->row;
+  }
+  std::string gripRefusal(const Space&, Row) const override { return ""; }
+  void add(Space&, Row row, Role role) override { held_.push_back({row, role}); }
+  void remove(Space&, Row row) override {
+    const auto is_it = [row](const Held& held) { return held.row == row; };
+    held_.erase(std::remove_if(held_.begin(), held_.end(), is_it), held_.end());
+  }
+  void place(Space&, Row) override {}
+  void clear() override { held_.clear(); }
+  void move(Space& space, Duration dt) override {
+    for (const Held& held : held_) {
+      if (held.role == Role::kMirror) {
+        continue;
+      }
+      const auto i = static_cast<std::size_t>(held.row);
+      Pose& pose = space.entities.pose[i];
+      const Twist& twist = space.entities.twist[i];
+      pose.position += twist.linear * toSeconds(dt);
+      const double turn = twist.angular.norm() * toSeconds(dt);
+      if (turn > 0.0) {
+        pose.orientation = Eigen::AngleAxisd(turn, twist.angular.normalized()) * pose.orientation;
+      }
+    }
+  }
+  void connect(Space&) override {}
+  bool mayMeet(const RayBundle&) const override { return false; }
+  void castRays(const RayBundle&, Span<RayHit>) const override {}
+
+ private:
+  struct Held {
+    Row row;
+    Role role;
+  };
+
+  std::vector<Held> held_;
+  bool takes_wheels_ = false;
+};
+
+}  // namespace swarmanoid::test

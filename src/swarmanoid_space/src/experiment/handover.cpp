@@ -1,0 +1,90 @@
+// <handover> in <arena_physics>: when an entity changes the engine that moves it.
+#include <algorithm>
+
+#include "reader.hpp"
+
+namespace swarmanoid::experiment {
+namespace {
+
+using Condition = HandoverDescription::Condition;
+using End = HandoverDescription::End;
+
+void readBox(const XmlElement& element, HandoverDescription& rule) {
+  element.allowAttributes({});
+  const Configuration values = readParameters(element, boxParameters());
+  rule.minimum = values.vector3("minimum");
+  rule.maximum = values.vector3("maximum");
+  if (!((rule.maximum - rule.minimum).minCoeff() >= 0.0)) {
+    element.child("maximum")->refuse("maximum: found '" + values.text("maximum") +
+                                     "', allowed: nothing below minimum, '" + values.text("minimum") + "'");
+  }
+}
+
+void readEnd(const XmlElement& element, HandoverDescription& rule) {
+  element.allowAttributes(gripAttributes());
+  element.allowChildren({});
+  if (const auto given = element.attribute("as")) {
+    Parameter choice = makeParameter("as", Parameter::Type::kChoice, "", std::nullopt, {}, "");
+    choice.choices = gripEnds();
+    checkValue(choice, *given, element.attributeLocation("as"));
+    rule.end = *given == "gripper" ? End::kGripper : End::kGripped;
+  }
+}
+
+void readDebug(const XmlElement& element, HandoverDescription& rule) {
+  element.allowAttributes(debugAttributes());
+  rule.key = element.requireAttribute("key");
+  rule.value = element.text();
+  if (rule.value.empty()) {
+    element.refuse("<debug> needs a text: the value to wait for");
+  }
+}
+
+void readCondition(const XmlElement& element, HandoverDescription& rule) {
+  const auto& names = conditions();
+  rule.condition = static_cast<Condition>(std::find(names.begin(), names.end(), element.name()) - names.begin());
+  switch (rule.condition) {
+    case Condition::kInside:
+    case Condition::kOutside:
+      return readBox(element, rule);
+    case Condition::kAttached:
+    case Condition::kReleased:
+      return readEnd(element, rule);
+    case Condition::kDebug:
+      return readDebug(element, rule);
+  }
+}
+
+std::string requireName(const XmlElement& element, const char* attribute, const std::string& what,
+                        const std::vector<std::string>& known) {
+  std::string name = element.requireAttribute(attribute);
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    throw ConfigError(element.attributeLocation(attribute), unknownName(what, name, known));
+  }
+  return name;
+}
+
+}  // namespace
+
+void readHandover(const XmlElement& element, const std::vector<std::string>& entities,
+                  const std::vector<std::string>& engines, Reader& reader) {
+  element.allowAttributes(handoverAttributes());
+  element.allowChildren(conditions());
+  HandoverDescription rule;
+  rule.location = element.location();
+  if (element.attribute("id")) {
+    rule.id = element.requireAttribute("id");
+    reader.takeId("handover", rule.id, element);
+  }
+  rule.entity = requireName(element, "entity", "the entity", entities);
+  rule.engine = requireName(element, "to", "the engine", engines);
+  const std::vector<XmlElement> found = element.children();
+  if (found.size() != 1) {
+    element.refuse("found " + std::to_string(found.size()) + " conditions in <handover>, allowed: one of " +
+                   joinNames(conditions()));
+  }
+  readCondition(found[0], rule);
+  reader.experiment.handovers.push_back(std::move(rule));
+}
+
+}  // namespace swarmanoid::experiment

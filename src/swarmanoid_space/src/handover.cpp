@@ -1,0 +1,157 @@
+#include "handover.hpp"
+
+#include <algorithm>
+
+namespace swarmanoid {
+namespace {
+
+const ControllerGroup* groupOf(const std::vector<Driver>& drivers, Row row) {
+  const auto driver =
+      std::find_if(drivers.begin(), drivers.end(), [row](const Driver& candidate) { return candidate.row == row; });
+  return driver == drivers.end() ? nullptr : driver->group;
+}
+
+std::string problemOf(const Space& space, const std::vector<Driver>& drivers, const std::vector<Row>& members, Row row,
+                      const Engine& engine) {
+  const auto i = static_cast<std::size_t>(row);
+  const EntityModel& model = *space.entities.model[i];
+  const Pose& pose = space.entities.pose[i];
+  if (!model.is_movable) {
+    return "is fixed, no engine moves it";
+  }
+  std::string problem = engine.misplacement(model, pose);
+  if (problem.empty()) {
+    problem = engine.refusal(model, devicesOf(groupOf(drivers, row)));
+  }
+  if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
+    problem = engine.gripRefusal(space, row);
+  }
+  if (problem.empty()) {
+    const Row other = engine.overlap(model, pose, members);
+    problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[static_cast<std::size_t>(other)] + "'";
+  }
+  return problem;
+}
+
+/// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
+Engine* takeOut(Space& space, const std::vector<Seat>& seats, Row row, const Engine& target) {
+  Engine*& mover = space.mover[static_cast<std::size_t>(row)];
+  for (const Seat& seat : seats) {
+    if (seat.engine == mover || seat.engine == &target) {
+      seat.engine->remove(space, row);
+    }
+  }
+  if (seats.empty()) {
+    auto& lone = space.entities_without_engine;
+    lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+  }
+  Engine* former = mover;
+  mover = nullptr;
+  return former;
+}
+
+/// The roles in which the engines hold the entity from now on.
+void changeSeats(std::vector<Seat>& seats, const Engine* former, Engine& target) {
+  const auto find = [&seats](const Engine* engine) {
+    return std::find_if(seats.begin(), seats.end(), [engine](const Seat& seat) { return seat.engine == engine; });
+  };
+  const auto left = find(former);
+  if (left != seats.end()) {
+    left->role = Role::kMirror;
+    if (!left->is_listed) {
+      seats.erase(left);
+    }
+  }
+  const auto taken = find(&target);
+  if (taken != seats.end()) {
+    taken->role = Role::kMove;
+  } else {
+    seats.push_back({&target, Role::kMove, false});
+  }
+}
+
+}  // namespace
+
+void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, Engine& engine) {
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    for (const Seat& seat : seats[i]) {
+      if (seat.engine == &engine && seat.role == Role::kMirror && space.entities.model[i]->is_movable) {
+        engine.place(space, row);
+      }
+    }
+  }
+}
+
+std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers, const std::vector<Row>& members,
+                            Row row, const Engine& engine) {
+  for (const Row member : members) {
+    const std::string problem = problemOf(space, drivers, members, member, engine);
+    if (!problem.empty()) {
+      const auto i = static_cast<std::size_t>(member);
+      const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "': ";
+      return member == row ? problem : "connected " + who + problem;
+    }
+  }
+  return "";
+}
+
+void commitHandover(Space& space, std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members,
+                    Engine& engine, std::vector<Event>& events) {
+  std::vector<Engine*> former;
+  former.reserve(members.size());
+  for (const Row row : members) {
+    former.push_back(takeOut(space, seats[static_cast<std::size_t>(row)], row, engine));
+  }
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const auto i = static_cast<std::size_t>(members[k]);
+    changeSeats(seats[i], former[k], engine);
+    space.mover[i] = &engine;
+    engine.add(space, members[k], Role::kMove);
+    events.push_back({Event::Kind::kHandedOver, space.entities.name[i], "",
+                      "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id()});
+  }
+  // only now, so that nobody takes half a structure for a mirror and the other half for its own
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    for (const Seat& seat : seats[static_cast<std::size_t>(members[k])]) {
+      if (seat.engine == former[k]) {
+        former[k]->add(space, members[k], Role::kMirror);
+      }
+    }
+  }
+}
+
+bool holds(const HandoverDescription& rule, const Space& space, Row row) {
+  using Condition = HandoverDescription::Condition;
+  using End = HandoverDescription::End;
+  const auto i = static_cast<std::size_t>(row);
+  const auto isInside = [&] {
+    const Eigen::Vector3d& p = space.entities.pose[i].position;
+    return (p.array() >= rule.minimum.array()).all() && (p.array() <= rule.maximum.array()).all();
+  };
+  const auto isAttached = [&] {
+    return (rule.end != End::kGripped && space.structure.grippedBy(row) != kNoRow) ||
+           (rule.end != End::kGripper && !space.structure.grippersOf(row).empty());
+  };
+  const auto isShown = [&] {
+    const auto& values = space.robots[i]->debugValues();
+    return std::any_of(values.begin(), values.end(), [&rule](const Robot::DebugValue& shown) {
+      return shown.first == rule.key && shown.second == rule.value;
+    });
+  };
+  switch (rule.condition) {
+    case Condition::kInside:
+      return isInside();
+    case Condition::kOutside:
+      return !isInside();
+    case Condition::kAttached:
+      return isAttached();
+    case Condition::kReleased:
+      return !isAttached();
+    case Condition::kDebug:
+      return isShown();
+  }
+  return false;
+}
+
+}  // namespace swarmanoid

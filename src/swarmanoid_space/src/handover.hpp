@@ -1,0 +1,29 @@
+/// How entities change the engine that moves them (thesis chapter 5): decide, then commit.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cast.hpp"
+
+namespace swarmanoid {
+
+/// Puts the engine's mirrors where their entities are now, else it would decide by where they were a tick ago.
+void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, Engine& engine);
+
+/// Why the engine cannot take charge of the members of a structure where they stand; "" if it can. Whether the members
+/// overlap each other is not looked at: they stood like this, and grip each other, in the engine that they come from.
+/// @pre its mirrors are refreshed
+/// @param row the member that it is about; what hinders another one is told with that one's name
+std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers, const std::vector<Row>& members,
+                            Row row, const Engine& engine);
+
+/// Lets the engine take charge of them. @param members parents before children @param events get one for each of them
+/// @pre no problem
+void commitHandover(Space& space, std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members,
+                    Engine& engine, std::vector<Event>& events);
+
+/// Whether the condition of a rule is true for an entity now.
+bool holds(const HandoverDescription& rule, const Space& space, Row row);
+
+}  // namespace swarmanoid
