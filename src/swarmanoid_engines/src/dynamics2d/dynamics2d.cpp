@@ -78,12 +78,12 @@ void Dynamics2d::configure(const std::string& id, const Configuration& parameter
 }
 
 std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  const std::string problem = PlanarEngine::refusal(model, devices);
+  std::string problem = PlanarEngine::refusal(model, devices);
   return problem.empty() ? problemWithModel(model) : problem;
 }
 
 std::string Dynamics2d::misplacement(const EntityModel& model, const Pose& pose) const {
-  const std::string problem = PlanarEngine::misplacement(model, pose);
+  std::string problem = PlanarEngine::misplacement(model, pose);
   if (problem.empty() && model.wheels && !bodies_.plane().isUpright(pose.orientation)) {
     return "found tilted, allowed: standing on its treels, its z axis along " + bodies_.plane().axisName();
   }
