@@ -1,0 +1,51 @@
+/// Finds who touches whom, and makes ODE's contact joints of it.
+///
+/// Pairs are gone through in the order of entity numbers and solids, so a run does not depend on memory addresses.
+/// Surfaces are looked at before they meet (kMargin): they may come together by no more than their gap in a step.
+/// Friction follows Coulomb in the direction in which surfaces slide, or would without friction.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "dynamics3d/body.hpp"
+#include "dynamics3d/bounds.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+class Contacts {
+ public:
+  /// @pre a Turn is held
+  void configure(dWorldID world, const Settings& settings);
+  /// Gives everything back to ODE. @pre a Turn is held
+  void release();
+
+  void add(Body& body) { near_.add(&body, boundsNow(body)); }
+  void remove(Body& body) { near_.remove(&body); }
+
+  /// Makes the joints of one step. @param bodies by entity number; @param step [s]
+  void make(const std::vector<Body*>& bodies, double step);
+  /// Forgets them again.
+  void clear() { dJointGroupEmpty(joints_); }
+
+ private:
+  static Eigen::AlignedBox3d boundsNow(const Body& body);
+  void meetGround(Body& body);
+  void meetPair(Body& a, Body& b);
+  void meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
+  void makeJoint(const Body& a, const Solid& solid_a, const Body* b, dContactGeom geometry);
+  double tieBreaker();
+  void chooseFriction(const Body& a, const Body* b, dContact& contact) const;
+  Eigen::Vector3d expectedVelocity(const Body* body, const dReal* point) const;
+
+  Settings settings_;
+  dWorldID world_ = nullptr;
+  dJointGroupID joints_ = nullptr;
+  Solid ground_;
+  double step_ = 0.0;
+  int joints_made_ = 0;  // in this step
+  SortedBounds<Body*> near_;
+  std::vector<std::pair<int, int>> pairs_;  // ranks
+};
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,75 @@
+#include "dynamics3d/cylinders.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+struct Cylinder {
+  explicit Cylinder(dGeomID geom) : centre(toVector(dGeomGetPosition(geom))) {
+    const dReal* rotation = dGeomGetRotation(geom);
+    axis = {rotation[2], rotation[6], rotation[10]};
+    dReal length = 0.0;
+    dGeomCylinderGetParams(geom, &radius, &length);
+    half_length = length / 2.0;
+  }
+  /// The point of the axis at a height along another axis.
+  Eigen::Vector3d at(double height, const Eigen::Vector3d& along) const {
+    return centre + (height - along.dot(centre)) / along.dot(axis) * axis;
+  }
+
+  Eigen::Vector3d centre;
+  Eigen::Vector3d axis;
+  double radius = 0.0;
+  double half_length = 0.0;
+};
+
+}  // namespace
+
+int collideSides(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
+  constexpr double kParallel = 0.98;  // cosine of 11 degrees
+  constexpr double kFacing = 2e-3;    // m: those that face each other along less touch with their edges
+  if (dGeomGetClass(geom_a) != dCylinderClass || dGeomGetClass(geom_b) != dCylinderClass) {
+    return 0;
+  }
+  const Cylinder a(geom_a);
+  const Cylinder b(geom_b);
+  const double cosine = a.axis.dot(b.axis);
+  if (std::abs(cosine) < kParallel) {
+    return 0;
+  }
+  const Eigen::Vector3d along = (a.axis + std::copysign(1.0, cosine) * b.axis).normalized();
+  const double height_a = along.dot(a.centre);
+  const double height_b = along.dot(b.centre);
+  const double low = std::max(height_a - a.half_length, height_b - b.half_length);
+  const double high = std::min(height_a + a.half_length, height_b + b.half_length);
+  if (high - low < kFacing) {
+    return 0;
+  }
+  const double reach = a.radius + b.radius;
+  const Eigen::Vector3d between_centres = a.at(0.5 * (low + high), along) - b.at(0.5 * (low + high), along);
+  if (reach - between_centres.norm() > high - low) {
+    return 0;  // one stands on the other
+  }
+  int count = 0;
+  for (const double height : {low, high}) {
+    const Eigen::Vector3d on_a = a.at(height, along);
+    const Eigen::Vector3d way = on_a - b.at(height, along);
+    const double distance = way.norm();
+    if (distance >= reach || distance == 0.0) {
+      continue;
+    }
+    dContactGeom& contact = found[count++];
+    contact = {};
+    const Eigen::Vector3d normal = way / distance;
+    contact.depth = reach - distance;
+    Eigen::Map<Eigen::Vector3d>(contact.normal) = normal;
+    Eigen::Map<Eigen::Vector3d>(contact.pos) = on_a - (a.radius - 0.5 * contact.depth) * normal;
+    contact.g1 = geom_a;
+    contact.g2 = geom_b;
+  }
+  return count;
+}
+
+}  // namespace swarmanoid::dynamics3d
