@@ -1,5 +1,7 @@
 #include "dynamics3d/body.hpp"
 
+#include <algorithm>
+
 #include "dynamics3d/solids.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -49,6 +51,30 @@ void Body::setTwist(const Twist& twist) {
   const Eigen::Vector3d linear = twist.linear + twist.angular.cross(arm);
   dBodySetLinearVel(rigid, linear.x(), linear.y(), linear.z());
   dBodySetAngularVel(rigid, twist.angular.x(), twist.angular.y(), twist.angular.z());
+}
+
+void Body::saveState() {
+  if (rigid == nullptr) {
+    return;
+  }
+  std::copy_n(dBodyGetPosition(rigid), 3, saved_.position);
+  std::copy_n(dBodyGetQuaternion(rigid), 4, saved_.orientation);
+  std::copy_n(dBodyGetLinearVel(rigid), 3, saved_.linear);
+  std::copy_n(dBodyGetAngularVel(rigid), 3, saved_.angular);
+  std::copy_n(dBodyGetForce(rigid), 3, saved_.force);
+  std::copy_n(dBodyGetTorque(rigid), 3, saved_.torque);
+}
+
+void Body::restoreState() {
+  if (rigid == nullptr) {
+    return;
+  }
+  dBodySetPosition(rigid, saved_.position[0], saved_.position[1], saved_.position[2]);
+  dBodySetQuaternion(rigid, saved_.orientation);
+  dBodySetLinearVel(rigid, saved_.linear[0], saved_.linear[1], saved_.linear[2]);
+  dBodySetAngularVel(rigid, saved_.angular[0], saved_.angular[1], saved_.angular[2]);
+  dBodySetForce(rigid, saved_.force[0], saved_.force[1], saved_.force[2]);
+  dBodySetTorque(rigid, saved_.torque[0], saved_.torque[1], saved_.torque[2]);
 }
 
 std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role role) {

@@ -87,6 +87,21 @@ struct Body {
   void setPose(const Pose& pose);
   /// @pre rigid
   void setTwist(const Twist& twist);
+
+  /// Of ODE's body, for a step that may have to be done again.
+  void saveState();
+  void restoreState();
+
+ private:
+  struct State {
+    dVector3 position;
+    dQuaternion orientation;
+    dVector3 linear;
+    dVector3 angular;
+    dVector3 force;
+    dVector3 torque;
+  };
+  State saved_ = {};
 };
 
 /// Makes the body and its solids at the entity's pose in the space.

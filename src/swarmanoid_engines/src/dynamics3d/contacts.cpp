@@ -58,8 +58,9 @@ Eigen::AlignedBox3d Contacts::boundsNow(const Body& body) {
   return bounds;
 }
 
-void Contacts::make(const std::vector<Body*>& bodies, double step) {
+void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
   step_ = step;
+  attempt_ = attempt;
   joints_made_ = 0;
   near_.update([](const Body* body) { return boundsNow(*body); });
   pairs_.clear();
@@ -148,19 +149,26 @@ void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, dCo
     }
   }
   contact.surface.mode |= dContactMotionN;
-  contact.surface.motionN = std::min(geometry.depth, 0.0) / step_ - tieBreaker();
+  contact.surface.motionN = std::min(geometry.depth, 0.0) / step_;
   if (solid_a.kind == Solid::Kind::kPlain || !driveContact(a, solid_a, settings_, step_, contact)) {
     chooseFriction(a, b, contact);
   }
+  breakTies(contact.surface);
   dJointAttach(dJointCreateContact(world_, joints_, &contact), a.rigid, b == nullptr ? nullptr : b->rigid);
 }
 
-double Contacts::tieBreaker() {
+void Contacts::breakTies(dSurfaceParameters& surface) {
   // The exact solver gives up where contacts tie, as those of a symmetric robot at rest do. These speeds are all
   // different, and far too small to be seen.
-  constexpr double kMost = 1e-9;              // m/s
+  constexpr double kMost = 1e-9;          // m/s
+  constexpr double kMostFriction = 1e-6;  // of the coefficient
   constexpr double kGoldenRatio = 0.618033988749895;
-  return kMost * std::fmod(++joints_made_ * kGoldenRatio, 1.0);
+  constexpr int kOtherNumbers = 997;
+  const double number = std::fmod((++joints_made_ + kOtherNumbers * attempt_) * kGoldenRatio, 1.0);
+  surface.motionN -= (1 + attempt_) * kMost * number;
+  if (attempt_ > 0) {
+    surface.mu *= 1.0 - kMostFriction * number;
+  }
 }
 
 Eigen::Vector3d Contacts::expectedVelocity(const Body* body, const dReal* point) const {

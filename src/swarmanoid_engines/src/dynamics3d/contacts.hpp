@@ -24,7 +24,8 @@ class Contacts {
   void remove(Body& body) { near_.remove(&body); }
 
   /// Makes the joints of one step. @param bodies by entity number; @param step [s]
-  void make(const std::vector<Body*>& bodies, double step);
+  /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
+  void make(const std::vector<Body*>& bodies, double step, int attempt);
   /// Forgets them again.
   void clear() { dJointGroupEmpty(joints_); }
 
@@ -34,7 +35,7 @@ class Contacts {
   void meetPair(Body& a, Body& b);
   void meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
   void makeJoint(const Body& a, const Solid& solid_a, const Body* b, dContactGeom geometry);
-  double tieBreaker();
+  void breakTies(dSurfaceParameters& surface);
   void chooseFriction(const Body& a, const Body* b, dContact& contact) const;
   Eigen::Vector3d expectedVelocity(const Body* body, const dReal* point) const;
 
@@ -44,6 +45,7 @@ class Contacts {
   Solid ground_;
   double step_ = 0.0;
   int joints_made_ = 0;  // in this step
+  int attempt_ = 0;
   SortedBounds<Body*> near_;
   std::vector<std::pair<int, int>> pairs_;  // ranks
 };

@@ -60,6 +60,7 @@ class Dynamics3d final : public Engine {
 
   // motion.cpp
   void stepOnce(double step);
+  bool solveExactly(double step);
   void finishTick(Space& space);
 
   // gripping.cpp

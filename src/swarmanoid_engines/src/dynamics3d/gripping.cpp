@@ -19,6 +19,7 @@ double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
 }  // namespace
 
 void Dynamics3d::connect(Space& space) {
+  const Turn turn(seed_);
   for (Body* body : order_) {
     if (body->gripper == nullptr || !body->is_dynamic) {
       continue;
@@ -79,7 +80,6 @@ void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
 }
 
 void Dynamics3d::join(Body& robot, Body& object) {
-  const Turn turn(seed_);
   Grip& grip = robot.grip;
   grip = Grip{};
   grip.gripped = &object;

@@ -48,14 +48,33 @@ void Dynamics3d::stepOnce(double step) {
       fly(*body, settings_.gravity, step);
     }
   }
-  contacts_.make(order_, step);
-  if (settings_.solver == Settings::Solver::kExact) {
-    dWorldStep(world_, step);
-  } else {
+  if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
+    contacts_.make(order_, step, 0);
     dWorldQuickStep(world_, step);
+    contacts_.clear();
   }
-  contacts_.clear();
   feelGrips(step);
+}
+
+bool Dynamics3d::solveExactly(double step) {
+  constexpr int kMostAttempts = 3;
+  for (Body* body : order_) {
+    body->saveState();
+  }
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    const long failures = solverFailures();
+    contacts_.make(order_, step, attempt);
+    dWorldStep(world_, step);
+    contacts_.clear();
+    if (solverFailures() == failures) {
+      return true;
+    }
+    // what is left then is a step in which some contacts hold nothing
+    for (Body* body : order_) {
+      body->restoreState();
+    }
+  }
+  return false;
 }
 
 void Dynamics3d::finishTick(Space& space) {

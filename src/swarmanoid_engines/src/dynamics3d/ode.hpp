@@ -29,6 +29,9 @@ class Turn {
   unsigned long& seed_;
 };
 
+/// How often the exact solver has given up in this process, which ODE only prints. @pre a Turn is held
+long solverFailures();
+
 inline Eigen::Vector3d toVector(const dReal* v) { return {v[0], v[1], v[2]}; }
 inline Eigen::Quaterniond toQuaternion(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
 

@@ -3,6 +3,9 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
+// Where a treel's balls are: a footbot that pushes as hard as it can must not rear, and yet they lie under its body.
+constexpr double kSupportReach = 1.75;     // of a wheel's radius, ahead and behind
+constexpr double kSupportSpan = 0.7;       // of the wheels' separation
 constexpr double kBallSize = 0.3;          // of a wheel's radius
 constexpr double kGroundClearance = 5e-3;  // m: how far shapes end above what the balls stand on
 constexpr double kOnGround = 2e-3;         // m: shapes that come nearer to it are cut short
@@ -36,12 +39,14 @@ void addBalls(Body& body) {
   const double radius = kBallSize * wheels.radius;
   for (int side = 0; side < 2; ++side) {
     const double y = (side == 0 ? 0.5 : -0.5) * wheels.separation;
-    for (const double x : {0.0, wheels.radius, -wheels.radius}) {
+    for (const double place : {0.0, kSupportReach, -kSupportReach}) {
+      const bool is_wheel = place == 0.0;
       Solid solid;
       solid.geom = dCreateSphere(nullptr, radius + kMargin / 2.0);
-      solid.kind = x == 0.0 ? Solid::Kind::kWheel : Solid::Kind::kSupport;
+      solid.kind = is_wheel ? Solid::Kind::kWheel : Solid::Kind::kSupport;
       solid.side = side;
-      addSolid(body, solid, {x, y, radius}, Eigen::Quaterniond::Identity());
+      addSolid(body, solid, {place * wheels.radius, is_wheel ? y : kSupportSpan * y, radius},
+               Eigen::Quaterniond::Identity());
     }
   }
 }

@@ -35,10 +35,8 @@ bool driveContact(const Body& robot, const Solid& solid, const Settings& setting
   if (solid.kind == Solid::Kind::kSupport) {
     const double both = step * kSupportStiffness + kSupportDamping;
     surface.mode |= dContactSoftERP | dContactSoftCFM;
-    surface.mu = 0.0;
     surface.soft_erp = step * kSupportStiffness / both;
     surface.soft_cfm = 1.0 / both;
-    return true;
   }
   ahead /= across;
   // along the middle of the step's arc: its start would lead out of a curve

@@ -1,9 +1,9 @@
 /// How a footbot's treels drive it: what stands under a wheel is pushed backwards, as by a moving belt, with no more
 /// than Coulomb's friction; beyond, the treel slips. Sideways the same friction holds.
 ///
-/// The wheels' balls carry the robot. The balls before and behind them are soft and without friction; they carry only
-/// what would tip it. Since the whole belt drives, what they carry is not lost to the wheels: limits come from the
-/// weight on level ground.
+/// The wheels' balls carry the robot. The balls before and behind them are soft: on level ground they carry next to
+/// nothing, so that they do not hinder turning, and otherwise what would tip the robot. They drive as the wheels do, since
+/// the belt runs around them all.
 #pragma once
 
 #include "dynamics3d/body.hpp"

@@ -32,15 +32,13 @@ TEST_P(DrivingTest, StraightOnForTenSeconds) {
   const Row footbot = world.addFootbot(flatPose(2.0, 3.0, heading));
   world.drive(footbot, 0.1);
   world.step(100);
-  const Vector3d way = Eigen::AngleAxisd(-heading, Vector3d::UnitZ()) *
-                       (world.pose(footbot).position - Vector3d(2.0, 3.0, 0.0));
+  const Vector3d way =
+      Eigen::AngleAxisd(-heading, Vector3d::UnitZ()) * (world.pose(footbot).position - Vector3d(2.0, 3.0, 0.0));
   EXPECT_NEAR(way.x(), 1.0, 5e-3);
   EXPECT_NEAR(way.y(), 0.0, 5e-3);
   EXPECT_NEAR(way.z(), 0.0, 2e-5);
   EXPECT_NEAR(headingOf(world.pose(footbot)), heading, 0.5 * kDegree);
   EXPECT_NEAR(world.twist(footbot).linear.norm(), 0.1, 1e-4);
-  printf("straight %s: along %.3f mm across %.4f mm z %.5f mm heading %.5f deg\n", GetParam(), 1e3 * (way.x() - 1.0),
-         1e3 * way.y(), 1e3 * way.z(), (headingOf(world.pose(footbot)) - heading) / kDegree);
 }
 
 TEST_P(DrivingTest, TurnsOnTheSpot) {
@@ -55,8 +53,6 @@ TEST_P(DrivingTest, TurnsOnTheSpot) {
     turned += std::remainder(now - heading, 2.0 * M_PI);
     heading = now;
   }
-  printf("turn %s: %.4f of 10 rad, moved %.4f mm\n", GetParam(), turned,
-         1e3 * (world.pose(footbot).position - Vector3d(2.0, 3.0, 0.0)).norm());
   EXPECT_NEAR(turned, 10.0, 0.1);
   EXPECT_NEAR(world.twist(footbot).angular.z(), 1.0, 0.01);
   EXPECT_LT((world.pose(footbot).position - Vector3d(2.0, 3.0, 0.0)).norm(), 2e-3);
@@ -70,14 +66,14 @@ TEST_P(DrivingTest, DrivesACircle) {
   world.drive(footbot, speed, turn_rate);
   world.step(20);  // it is up to speed
   const Pose& pose = world.pose(footbot);
-  const auto centre = [&] { return Vector3d(pose.position + pose.orientation * Vector3d(0.0, speed / turn_rate, 0.0)); };
+  const auto centre = [&] {
+    return Vector3d(pose.position + pose.orientation * Vector3d(0.0, speed / turn_rate, 0.0));
+  };
   const Vector3d first_centre = centre();
   for (int i = 0; i < 100; ++i) {
     world.step();
     ASSERT_LT((centre() - first_centre).norm(), 0.01 * speed / turn_rate) << "tick " << i;
   }
-  printf("circle %s: centre moved %.4f mm, turn rate %.5f\n", GetParam(), 1e3 * (centre() - first_centre).norm(),
-         world.twist(footbot).angular.z());
   EXPECT_NEAR(world.twist(footbot).angular.z(), turn_rate, 0.01 * turn_rate);
   EXPECT_NEAR(world.twist(footbot).linear.norm(), speed, 0.01 * speed);
 }
