@@ -47,7 +47,7 @@ struct Grip {
   Body* gripped = nullptr;
   dJointID joint = nullptr;
   dJointFeedback feedback = {};
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the gripper, without the noise of single steps [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the gripper, in B, without the noise of single steps [N]
   bool is_broken = false;                           ///< in this tick; `connect` tells everybody
   bool must_open = false;                           ///< it broke, and was not opened since
 };
@@ -67,7 +67,7 @@ struct Body {
   dBodyID rigid = nullptr;  ///< null: fixed in the world
   bool is_dynamic = false;  ///< forces move it; otherwise it is fixed or a mirror
   std::vector<Solid> solids;
-  Eigen::Vector3d pull = Eigen::Vector3d::Zero();  ///< by grippers, as of the last step [N]
+  Eigen::Vector3d pull = Eigen::Vector3d::Zero();  ///< by grips, as of late [N]
 
   Pose pose;                       ///< of B, as of the end of the last tick: what rays meet
   bool is_seen_elsewhere = false;  ///< a mirror; rays meet the entity in the engine that moves it

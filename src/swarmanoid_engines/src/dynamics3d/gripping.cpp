@@ -142,10 +142,10 @@ void Dynamics3d::feelGrips(double step) {
     if (grip.joint == nullptr) {
       continue;
     }
-    const Eigen::Vector3d force = toVector(grip.feedback.f1);
-    grip.force += share * (force - grip.force);
-    body->pull += force;
-    grip.gripped->pull -= force;
+    const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(body->rigid));
+    grip.force += share * (turn.conjugate() * toVector(grip.feedback.f1) - grip.force);
+    body->pull += turn * grip.force;
+    grip.gripped->pull -= turn * grip.force;
     if (grip.force.norm() > settings_.grip_strength) {
       dJointDestroy(grip.joint);
       grip.joint = nullptr;

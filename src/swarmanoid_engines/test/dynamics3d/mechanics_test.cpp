@@ -44,8 +44,6 @@ TEST_P(SlopeTest, ABlockSlidesFromTheFrictionAngleOn) {
     const double expected = 0.5 * kGravity * (std::sin(angle) - 0.5 * std::cos(angle));
     EXPECT_NEAR(above.way().dot(above.down), expected, 0.05 * expected + 0.01 * expected);
     EXPECT_LT((above.way() - above.way().dot(above.down) * above.down).norm(), 0.02 * expected);
-    printf("slope %g %s: below %.6f mm; above %.4f expected %.4f\n", GetParam(), subclock, 1e3 * below.way().norm(),
-           above.way().dot(above.down), expected);
   }
 }
 
