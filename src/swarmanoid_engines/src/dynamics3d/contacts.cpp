@@ -113,7 +113,8 @@ void Contacts::meetPair(Body& a, Body& b) {
 
 void Contacts::meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b) {
   std::array<dContactGeom, kMostFound> found;
-  int count = collideSides(solid_a.geom, solid_b.geom, found.data());
+  int count = b == nullptr ? meetPlane(solid_a.geom, solid_b.geom, found.data())
+                           : collideSides(solid_a.geom, solid_b.geom, found.data());
   if (count == 0) {
     count = dCollide(solid_a.geom, solid_b.geom, kMostFound, found.data(), sizeof(dContactGeom));
   }

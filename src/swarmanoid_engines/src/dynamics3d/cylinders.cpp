@@ -27,6 +27,44 @@ struct Cylinder {
 
 }  // namespace
 
+int meetPlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
+  constexpr double kFlat = 0.9;        // of the axis along the normal: it stands, or is about to
+  constexpr double kLookAhead = 4e-3;  // m above the plane
+  if (dGeomGetClass(geom) != dCylinderClass) {
+    return 0;
+  }
+  const Cylinder cylinder(geom);
+  dVector4 equation;
+  dGeomPlaneGetParams(plane, equation);
+  const Eigen::Vector3d normal = toVector(equation);
+  const double along = normal.dot(cylinder.axis);
+  const Eigen::Vector3d face = -std::copysign(cylinder.half_length, along) * cylinder.axis;  // the lower one
+  Eigen::Vector3d down = along * cylinder.axis - normal;
+  const double slant = down.norm();
+  down = slant > 1e-9 ? Eigen::Vector3d(down / slant) : cylinder.axis.unitOrthogonal();
+  const double radius = cylinder.radius;
+  const bool is_flat = std::abs(along) > kFlat;
+  const Eigen::Vector3d across = radius * cylinder.axis.cross(down);
+  const Eigen::Vector3d other_end =
+      is_flat ? Eigen::Vector3d(face - radius * down) : Eigen::Vector3d(radius * down - face);
+  const Eigen::Vector3d points[4] = {face + radius * down, other_end, face + across, face - across};
+  int count = 0;
+  for (int i = 0; i < (is_flat ? 4 : 2); ++i) {
+    const Eigen::Vector3d point = cylinder.centre + points[i];
+    const double depth = equation[3] - normal.dot(point);
+    if (depth > -kLookAhead) {
+      dContactGeom& contact = found[count++];
+      contact = {};
+      contact.depth = depth;
+      Eigen::Map<Eigen::Vector3d>(contact.normal) = normal;
+      Eigen::Map<Eigen::Vector3d>(contact.pos) = point;
+      contact.g1 = geom;
+      contact.g2 = plane;
+    }
+  }
+  return count;
+}
+
 int collideSides(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
   constexpr double kParallel = 0.98;  // cosine of 11 degrees
   constexpr double kFacing = 2e-3;    // m: those that face each other along less touch with their edges

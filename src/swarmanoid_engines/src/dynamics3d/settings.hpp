@@ -22,7 +22,7 @@ struct Settings {
 constexpr double kLongestStep = 0.01;  // s
 
 /// Surfaces nearer than this are looked at in a step, so that they meet without sinking in: what rests on something
-/// keeps its contacts although it is rounded to a hair above it.
-constexpr double kMargin = 5e-4;  // m
+/// keeps its contacts although it rocks a little, and what comes at a footbot's speed is stopped at the surface.
+constexpr double kMargin = 2e-3;  // m
 
 }  // namespace swarmanoid::dynamics3d

@@ -2,8 +2,8 @@
 /// than Coulomb's friction; beyond, the treel slips. Sideways the same friction holds.
 ///
 /// The wheels' balls carry the robot. The balls before and behind them are soft: on level ground they carry next to
-/// nothing, so that they do not hinder turning, and otherwise what would tip the robot. They drive as the wheels do, since
-/// the belt runs around them all.
+/// nothing, so that they do not hinder turning, and otherwise what would tip the robot. They drive as the wheels do,
+/// since the belt runs around them all.
 #pragma once
 
 #include "dynamics3d/body.hpp"
