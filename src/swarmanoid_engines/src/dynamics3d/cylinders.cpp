@@ -67,6 +67,7 @@ int meetPlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
 
 int collideSides(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
   constexpr double kParallel = 0.98;  // cosine of 11 degrees
+  constexpr double kStanding = 0.02;  // m: what sinks in deeper came from the side, or was put there
   constexpr double kFacing = 2e-3;    // m: those that face each other along less touch with their edges
   if (dGeomGetClass(geom_a) != dCylinderClass || dGeomGetClass(geom_b) != dCylinderClass) {
     return 0;
@@ -87,7 +88,7 @@ int collideSides(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
   }
   const double reach = a.radius + b.radius;
   const Eigen::Vector3d between_centres = a.at(0.5 * (low + high), along) - b.at(0.5 * (low + high), along);
-  if (reach - between_centres.norm() > high - low) {
+  if (high - low < kStanding && reach - between_centres.norm() > high - low) {
     return 0;  // one stands on the other
   }
   int count = 0;
