@@ -169,7 +169,7 @@ class OtherCommandsTest(ProgramTest):
         sensors = self.call("list", "sensor").stdout
         self.assertIn("  footbot_proximity (polynomial): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)
-        self.assertEqual(self.call("list", "experiment").stdout, "experiment\n  diffusion\n  object_retrieval\n")
+        self.assertEqual(self.call("list", "experiment").stdout, "experiment\n  diffusion\n  object_retrieval\n  object_retrieval_3d\n")
         self.assert_refused("list: found 'sensors', allowed: experiment, controller, sensor, actuator, engine, "
                             "visualisation, entity; did you mean 'sensor'?", "list", "sensors")
 

@@ -101,9 +101,9 @@ double headingOf(const Simulation& simulation, const std::string& name) {
   return anglesFromOrientation(poseOf(simulation, name).orientation).z();
 }
 
-std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads) {
+std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads, const std::string& name) {
   loadBuiltInPlugins();
-  Experiment experiment = readExperiment(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
+  Experiment experiment = readExperiment(findShared("swarmanoid_experiments", "experiments/" + name + ".xml"));
   experiment.framework.seed = seed;
   experiment.framework.threads = threads;
   auto simulation = std::make_unique<Simulation>(std::move(experiment));

@@ -34,8 +34,8 @@ const Pose& poseOf(const Simulation& simulation, const std::string& name);
 /// Its heading about z [rad].
 double headingOf(const Simulation& simulation, const std::string& name);
 
-/// The object retrieval experiment, before its first tick.
-std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads);
+/// The object retrieval experiment, before its first tick. @param name "object_retrieval", or one with other engines
+std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads, const std::string& name = "object_retrieval");
 
 /// The state hashes of the next ticks.
 std::vector<std::uint64_t> hashesOf(Simulation& simulation, std::uint64_t ticks);

@@ -36,7 +36,7 @@ struct Treels {
 /// What an eyebot's flight controller remembers.
 struct Flight {
   bool is_holding = false;
-  Eigen::Vector3d held = Eigen::Vector3d::Zero();  ///< where it would be, had it flown as told [m]
+  Eigen::Vector3d held = Eigen::Vector3d::Zero();  ///< where its centre of mass would be, had it flown as told [m]
   double heading = 0.0;                            ///< likewise [rad]
 };
 
