@@ -78,6 +78,38 @@ TEST_P(DrivingTest, DrivesACircle) {
   EXPECT_NEAR(world.twist(footbot).linear.norm(), speed, 0.01 * speed);
 }
 
+TEST(RampTest, AFootbotClimbsAndStands) {
+  for (const double degrees : {5.0, 10.0, 20.0}) {
+    World world;
+    const Eigen::Quaterniond tilt(Eigen::AngleAxisd(-degrees * kDegree, Vector3d::UnitY()));
+    // its upper face leaves the ground at x = 2.5
+    world.addBlock({2.0, 1.0, 0.2}, 0.0, {Vector3d(2.5, 2.0, 0.0) + tilt * Vector3d(1.0, 0.0, -0.1), tilt});
+    const Row footbot = world.addFootbot(flatPose(2.0, 2.0));
+    world.drive(footbot, 0.1);
+    world.step(120);
+    const Vector3d on_ramp = world.pose(footbot).position - Vector3d(2.5, 2.0, 0.0);
+    EXPECT_NEAR(on_ramp.norm(), 0.7, 0.03) << degrees;
+    EXPECT_NEAR(on_ramp.z(), on_ramp.x() * std::tan(degrees * kDegree), 1e-3) << degrees;
+    EXPECT_NEAR(tiltOf(world.pose(footbot)), degrees * kDegree, 0.3 * kDegree) << degrees;
+    world.drive(footbot, 0.0);
+    world.step(5);
+    const Vector3d stopped = world.pose(footbot).position;
+    world.step(20);
+    EXPECT_LT((world.pose(footbot).position - stopped).norm(), 1e-4) << degrees;
+  }
+}
+
+TEST(RampTest, BeyondTheFrictionAngleItCannotStay) {
+  World world({{"treel_friction", "0.3"}});
+  const Eigen::Quaterniond tilt(Eigen::AngleAxisd(-20.0 * kDegree, Vector3d::UnitY()));
+  world.addBlock({2.0, 1.0, 0.2}, 0.0, {Vector3d(2.5, 2.0, 0.0) + tilt * Vector3d(1.0, 0.0, -0.1), tilt});
+  const Row footbot = world.addFootbot({Vector3d(2.5, 2.0, 0.0) + tilt * Vector3d(1.0, 0.0, 0.0), tilt});
+  world.step(5);
+  const double expected = 0.5 * kGravity * (std::sin(20.0 * kDegree) - 0.3 * std::cos(20.0 * kDegree)) * 0.25;
+  EXPECT_NEAR((tilt.conjugate() * (world.pose(footbot).position - Vector3d(2.5, 2.0, 0.0))).x(), 1.0 - expected,
+              0.1 * expected);
+}
+
 INSTANTIATE_TEST_SUITE_P(Subclock, DrivingTest, testing::Values("10", "20", "50"));
 
 }  // namespace
