@@ -9,6 +9,9 @@
 /// ODE's bodies have their origin in the centre of mass; poses and twists in the space are of the entities' origins.
 /// Entities at rest on the ground keep their height to a few micrometres.
 ///
+/// ODE's exact solver gives up now and then where contacts tie. Such a step is done again with ties broken otherwise, a
+/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing.
+///
 /// Rays meet the entities' shapes as they were after the last tick; a mirror is not met, the engine that moves it
 /// answers for it. ODE itself is not asked, so any number of threads may cast rays.
 #pragma once
@@ -60,6 +63,7 @@ class Dynamics3d final : public Engine {
 
   // motion.cpp
   void stepOnce(double step);
+  /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
   void finishTick(Space& space);
 
