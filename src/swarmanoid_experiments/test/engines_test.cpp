@@ -15,7 +15,7 @@ class EnginesTest : public testing::TestWithParam<GroundEngine> {
 
 TEST_P(EnginesTest, ThePreyThatWasChosenEndsInTheNest) {
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    auto simulation = start(seed);
+    const auto simulation = start(seed);
     while (!simulation->isFinished()) {
       simulation->tick();
     }
@@ -39,8 +39,23 @@ TEST_P(EnginesTest, AResetIsAFreshStart) {
 
 std::string nameOf(const testing::TestParamInfo<GroundEngine>& info) { return info.param.label; }
 
+TEST(EngineStepsTest, StepsThatAreTooLongAreRefusedAtLoad) {
+  try {
+    retrieval(1, 1, {"dynamics3d", 5});
+    FAIL() << "it was not refused";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("dynamics3d 'ground': subclock: found 5 with ticks of 100 ms, which makes steps of 20 ms; "
+                        "allowed: steps of at most 10 ms, here a subclock from 10"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, EnginesTest,
-                         testing::Values(GroundEngine{"kinematics2d", 1}, GroundEngine{"dynamics2d", 4}), nameOf);
+                         testing::Values(GroundEngine{"kinematics2d", 1}, GroundEngine{"dynamics2d", 4},
+                                         GroundEngine{"dynamics3d", 10}),
+                         nameOf);
 
 }  // namespace
 }  // namespace swarmanoid::test

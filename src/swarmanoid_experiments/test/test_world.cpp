@@ -115,6 +115,7 @@ std::unique_ptr<Simulation> retrieval(std::uint64_t seed, int threads, const Gro
   experiment.framework.threads = threads;
   EngineDescription& engine = experiment.engines.front();
   engine.label = ground.label;
+  engine.parameters = Configuration(ground.label, "", engine.location);
   engine.parameters.set("subclock", std::to_string(ground.subclock));
   auto simulation = std::make_unique<Simulation>(std::move(experiment));
   simulation->start();

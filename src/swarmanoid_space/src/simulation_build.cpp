@@ -53,6 +53,10 @@ void Simulation::buildEngines() {
       engine->configure(description.id, description.parameters);
       cast_->engines.push_back(std::move(engine));
     }
+    const std::string problem = cast_->engines.back()->clocktickRefusal(experiment_.framework.clocktick);
+    if (!problem.empty()) {
+      throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
+    }
     space_.engines.push_back(cast_->engines.back().get());
   }
 }

@@ -41,6 +41,9 @@ class Engine {
   /// @throws ConfigError
   virtual void configure(const std::string& id, const Configuration& parameters) = 0;
 
+  /// Why this engine cannot run with ticks of that length; "" if it can. Asked once, before entities are added.
+  virtual std::string clocktickRefusal(Duration /*clocktick*/) const { return ""; }
+
   /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
   /// the device or the property. @param devices types of the controller's devices
   virtual std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const = 0;

@@ -1,0 +1,204 @@
+#include "dynamics3d/contacts.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "dynamics3d/cylinders.hpp"
+#include "dynamics3d/treels.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+constexpr int kMostFound = 16;         // contacts between two solids
+constexpr int kMostUsed = 4;           // of them: three hold a surface on another
+constexpr double kBounceSpeed = 0.02;  // m/s: what comes slower does not bounce
+
+bool areJoined(const Body& a, const Body& b) { return a.grip.gripped == &b || b.grip.gripped == &a; }
+
+bool areApart(dGeomID a, dGeomID b) {
+  dReal box_a[6];
+  dReal box_b[6];
+  dGeomGetAABB(a, box_a);
+  dGeomGetAABB(b, box_b);
+  return box_a[0] > box_b[1] || box_b[0] > box_a[1] || box_a[2] > box_b[3] || box_b[2] > box_a[3] ||
+         box_a[4] > box_b[5] || box_b[4] > box_a[5];
+}
+
+}  // namespace
+
+void Contacts::configure(dWorldID world, const Settings& settings) {
+  settings_ = settings;
+  world_ = world;
+  joints_ = dJointGroupCreate(0);
+  if (settings.has_ground) {
+    ground_.geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, settings.ground_height + kMargin / 2.0);
+  }
+}
+
+void Contacts::release() {
+  if (joints_ != nullptr) {
+    dJointGroupDestroy(joints_);
+    joints_ = nullptr;
+  }
+  if (ground_.geom != nullptr) {
+    dGeomDestroy(ground_.geom);
+    ground_.geom = nullptr;
+  }
+  near_.clear();
+}
+
+Eigen::AlignedBox3d Contacts::boundsNow(const Body& body) {
+  Eigen::AlignedBox3d bounds;
+  for (const Solid& solid : body.solids) {
+    dReal box[6];
+    dGeomGetAABB(solid.geom, box);
+    bounds.extend(Eigen::Vector3d(box[0], box[2], box[4])).extend(Eigen::Vector3d(box[1], box[3], box[5]));
+  }
+  return bounds;
+}
+
+void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
+  step_ = step;
+  attempt_ = attempt;
+  joints_made_ = 0;
+  points_.clear();
+  near_.update([](const Body* body) { return boundsNow(*body); });
+  pairs_.clear();
+  near_.visitPairs([&](const Body* a, const Body* b) {
+    if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b)) {
+      pairs_.emplace_back(std::min(a->rank, b->rank), std::max(a->rank, b->rank));
+    }
+  });
+  std::sort(pairs_.begin(), pairs_.end());
+  if (ground_.geom != nullptr) {
+    for (Body* body : bodies) {
+      if (body->is_dynamic) {
+        meetGround(*body);
+      }
+    }
+  }
+  for (const auto& [first, second] : pairs_) {
+    meetPair(*bodies[static_cast<std::size_t>(first)], *bodies[static_cast<std::size_t>(second)]);
+  }
+}
+
+void Contacts::meetGround(Body& body) {
+  const double reach = settings_.ground_height + kMargin / 2.0;
+  for (const Solid& solid : body.solids) {
+    dReal box[6];
+    dGeomGetAABB(solid.geom, box);
+    if (box[4] <= reach) {
+      meetSolids(body, solid, nullptr, ground_);
+    }
+  }
+}
+
+void Contacts::meetPair(Body& a, Body& b) {
+  for (const Solid& solid_a : a.solids) {
+    for (const Solid& solid_b : b.solids) {
+      const bool are_both_balls = solid_a.kind != Solid::Kind::kPlain && solid_b.kind != Solid::Kind::kPlain;
+      if (are_both_balls || areApart(solid_a.geom, solid_b.geom)) {
+        continue;
+      }
+      // who drives, and who has a rigid body, comes first: ODE takes surface motion as that of its first body
+      const bool swaps = solid_b.kind != Solid::Kind::kPlain || (solid_a.kind == Solid::Kind::kPlain && !a.is_dynamic);
+      if (swaps) {
+        meetSolids(b, solid_b, &a, solid_a);
+      } else {
+        meetSolids(a, solid_a, &b, solid_b);
+      }
+    }
+  }
+}
+
+void Contacts::meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b) {
+  std::array<dContactGeom, kMostFound> found;
+  int count = b == nullptr ? meetPlane(solid_a.geom, solid_b.geom, found.data())
+                           : collideSides(solid_a.geom, solid_b.geom, found.data());
+  if (count == 0) {
+    count = dCollide(solid_a.geom, solid_b.geom, kMostFound, found.data(), sizeof(dContactGeom));
+  }
+  // of many, as around a cylinder's face, those that are spread evenly
+  const int used = std::min(count, kMostUsed);
+  for (int i = 0; i < used; ++i) {
+    makeJoint(a, solid_a, b, found[static_cast<std::size_t>(i * count / used)]);
+  }
+}
+
+void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, dContactGeom geometry) {
+  geometry.depth -= kMargin;  // below 0: a gap
+  dContact contact = {};
+  contact.geom = geometry;
+  contact.surface.mode = dContactApprox1;
+  contact.surface.mu = settings_.friction;
+  const Eigen::Vector3d normal = toVector(geometry.normal);
+  if (settings_.restitution > 0.0) {
+    dVector3 velocity_a = {};
+    dVector3 velocity_b = {};
+    dBodyGetPointVel(a.rigid, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_a);
+    if (b != nullptr && b->rigid != nullptr) {
+      dBodyGetPointVel(b->rigid, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_b);
+    }
+    const double approach = -normal.dot(toVector(velocity_a) - toVector(velocity_b));
+    if (approach > kBounceSpeed) {
+      if (geometry.depth < 0.0) {
+        return;  // slowed down to the gap it would not bounce as high
+      }
+      contact.surface.mode |= dContactBounce;
+      contact.surface.bounce = settings_.restitution;
+      contact.surface.bounce_vel = kBounceSpeed;
+    }
+  }
+  contact.surface.mode |= dContactMotionN;
+  contact.surface.motionN = std::min(geometry.depth, 0.0) / step_;
+  if (solid_a.kind == Solid::Kind::kPlain || !driveContact(a, solid_a, settings_, step_, contact)) {
+    chooseFriction(a, b, contact);
+  }
+  breakTies(contact.surface);
+  points_.push_back({toVector(geometry.pos), normal});
+  dJointAttach(dJointCreateContact(world_, joints_, &contact), a.rigid, b == nullptr ? nullptr : b->rigid);
+}
+
+void Contacts::breakTies(dSurfaceParameters& surface) {
+  // The exact solver gives up where contacts tie, as those of a symmetric robot at rest do. These speeds are all
+  // different, and far too small to be seen.
+  constexpr double kMost = 1e-9;          // m/s
+  constexpr double kMostFriction = 1e-6;  // of the coefficient
+  constexpr double kGoldenRatio = 0.618033988749895;
+  constexpr int kOtherNumbers = 997;
+  const double number = std::fmod((++joints_made_ + kOtherNumbers * attempt_) * kGoldenRatio, 1.0);
+  surface.motionN -= (1 + attempt_) * kMost * number;
+  if (attempt_ > 0) {
+    surface.mu *= 1.0 - kMostFriction * number;
+  }
+}
+
+Eigen::Vector3d Contacts::expectedVelocity(const Body* body, const dReal* point) const {
+  if (body == nullptr || body->rigid == nullptr) {
+    return Eigen::Vector3d::Zero();
+  }
+  dVector3 velocity;
+  dBodyGetPointVel(body->rigid, point[0], point[1], point[2], velocity);
+  Eigen::Vector3d result = toVector(velocity);
+  if (body->is_dynamic) {
+    const Eigen::Vector3d force = toVector(dBodyGetForce(body->rigid)) + body->pull;
+    result += step_ * (force / body->model->mass - settings_.gravity * Eigen::Vector3d::UnitZ());
+  }
+  return result;
+}
+
+void Contacts::chooseFriction(const Body& a, const Body* b, dContact& contact) const {
+  // ODE limits friction along two directions, each for itself: with the first one along the sliding the limit is right
+  constexpr double kStill = 1e-9;  // m/s
+  const Eigen::Vector3d normal = toVector(contact.geom.normal);
+  Eigen::Vector3d slip = expectedVelocity(&a, contact.geom.pos) - expectedVelocity(b, contact.geom.pos);
+  slip -= normal.dot(slip) * normal;
+  const double speed = slip.norm();
+  if (speed > kStill) {
+    contact.surface.mode |= dContactFDir1;
+    Eigen::Map<Eigen::Vector3d>(contact.fdir1) = slip / speed;
+  }
+}
+
+}  // namespace swarmanoid::dynamics3d

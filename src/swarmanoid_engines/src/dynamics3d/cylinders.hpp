@@ -1,0 +1,19 @@
+/// Contacts of cylinders where ODE finds one point only, though it takes more of them to hold a body: it would rock
+/// from one point to the next and sink in.
+#pragma once
+
+#include "dynamics3d/ode.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+/// Cylinders that stand side by side, such as robots: two contacts, where the sides begin and cease to face each other.
+/// @param found room for two
+/// @return their number; 0 if the geoms are not both cylinders, stand at an angle, or do not touch with their sides
+int collideSides(dGeomID a, dGeomID b, dContactGeom* found);
+
+/// A cylinder on a plane: on a face four contacts around it, on its side two, on an edge one of them.
+/// @param found room for four
+/// @return their number; 0 if the first geom is no cylinder
+int meetPlane(dGeomID cylinder, dGeomID plane, dContactGeom* found);
+
+}  // namespace swarmanoid::dynamics3d

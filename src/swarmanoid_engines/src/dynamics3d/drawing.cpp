@@ -1,0 +1,86 @@
+// What ODE sees, as lines.
+#include <array>
+#include <cmath>
+
+#include "dynamics3d/dynamics3d.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+using Eigen::Vector3d;
+using Kind = EngineDrawing::Kind;
+
+/// A closed line around `centre`, through centre + a and centre + b.
+void drawRing(const Pose& pose, const Vector3d& centre, const Vector3d& a, const Vector3d& b, EngineDrawing& drawing) {
+  constexpr int kSides = 16;
+  const auto at = [&](int i) -> Vector3d {
+    const double angle = 2.0 * M_PI * i / kSides;
+    return pose.position + pose.orientation * (centre + std::cos(angle) * a + std::sin(angle) * b);
+  };
+  for (int i = 0; i < kSides; ++i) {
+    drawing.add(Kind::kShape, at(i), at(i + 1));
+  }
+}
+
+void drawBox(const Pose& pose, const Vector3d& half, EngineDrawing& drawing) {
+  const auto corner = [&](int i) -> Vector3d {
+    const Vector3d signs((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
+    return pose.position + pose.orientation * half.cwiseProduct(signs);
+  };
+  for (int i = 0; i < 8; ++i) {
+    for (const int axis : {1, 2, 4}) {
+      if ((i & axis) == 0) {
+        drawing.add(Kind::kShape, corner(i), corner(i | axis));
+      }
+    }
+  }
+}
+
+void drawShape(const CollisionShape& shape, const Pose& body, EngineDrawing& drawing) {
+  Pose pose;
+  pose.position = body.position + body.orientation * shape.position;
+  pose.orientation = body.orientation * shape.orientation;
+  const Vector3d& half = shape.half_extent;
+  const Vector3d x = half.x() * Vector3d::UnitX();
+  const Vector3d y = half.x() * Vector3d::UnitY();
+  if (shape.kind == CollisionShape::Kind::kBox) {
+    drawBox(pose, half, drawing);
+  } else if (shape.kind == CollisionShape::Kind::kSphere) {
+    const Vector3d z = half.x() * Vector3d::UnitZ();
+    for (const auto& [a, b] : {std::pair(x, y), std::pair(y, z), std::pair(z, x)}) {
+      drawRing(pose, Vector3d::Zero(), a, b, drawing);
+    }
+  } else {
+    const Vector3d z = half.z() * Vector3d::UnitZ();
+    drawRing(pose, z, x, y, drawing);
+    drawRing(pose, -z, x, y, drawing);
+    for (const Vector3d& side : {x, y, Vector3d(-x), Vector3d(-y)}) {
+      drawing.add(Kind::kShape, pose.position + pose.orientation * (side - z),
+                  pose.position + pose.orientation * (side + z));
+    }
+  }
+}
+
+}  // namespace
+
+void Dynamics3d::draw(EngineDrawing& drawing) const {
+  constexpr double kNormal = 0.05;  // m
+  for (const Body* body : order_) {
+    for (const CollisionShape& shape : body->model->shapes) {
+      drawShape(shape, body->pose, drawing);
+    }
+    if (body->grip.joint != nullptr) {
+      const EntityModel::Gripper& gripper = *body->model->gripper;
+      const Vector3d tip = body->pose.position + body->pose.orientation * Vector3d(gripper.tip, 0.0, gripper.height);
+      drawing.add(Kind::kJoint, body->pose.position, tip);
+      drawing.add(Kind::kJoint, tip, body->grip.gripped->pose.position);
+      drawing.add(Kind::kForce, tip,
+                  tip + EngineDrawing::kMetresPerNewton * (body->pose.orientation * body->grip.force));
+    }
+  }
+  for (const Contacts::Point& point : contacts_.points()) {
+    drawing.add(Kind::kContact, point.position, point.position + kNormal * point.normal);
+  }
+}
+
+}  // namespace swarmanoid::dynamics3d

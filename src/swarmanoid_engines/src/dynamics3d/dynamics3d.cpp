@@ -1,0 +1,196 @@
+// What the engine is told between ticks.
+#include "dynamics3d/dynamics3d.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "dynamics3d/convex_overlap.hpp"
+#include "dynamics3d/treels.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+std::string Dynamics3d::clocktickRefusal(Duration clocktick) const {
+  const double step = toSeconds(clocktick) / settings_.subclock;
+  if (step <= kLongestStep * (1.0 + 1e-9)) {
+    return "";
+  }
+  std::ostringstream text;
+  text << "subclock: found " << settings_.subclock << " with ticks of " << 1e3 * toSeconds(clocktick)
+       << " ms, which makes steps of " << 1e3 * step << " ms; allowed: steps of at most " << 1e3 * kLongestStep
+       << " ms, here a subclock from " << std::ceil(toSeconds(clocktick) / kLongestStep - 1e-9);
+  return text.str();
+}
+
+std::string Dynamics3d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
+  if (model.shapes.empty()) {
+    return "has no shape, so this engine has nothing to hold";
+  }
+  if (model.is_movable && !(model.mass > 0.0)) {
+    return "has no mass, so this engine cannot move it";
+  }
+  if (model.is_movable && model.inertia.llt().info() != Eigen::Success) {
+    return "has an inertia that no body has, so this engine cannot move it";
+  }
+  const auto lacks = [](const std::string& device, const char* part) {
+    return "device '" + device + "' cannot be simulated: a robot of this type has no " + part;
+  };
+  bool is_driven = false;
+  for (const std::string& device : devices) {
+    if (device == FootbotWheels::kType && !model.wheels) {
+      return lacks(device, "wheels");
+    }
+    if (device == FootbotGripper::kType && !model.gripper) {
+      return lacks(device, "gripper");
+    }
+    const bool is_drive = device == FootbotWheels::kType || device == EyebotVelocity::kType;
+    if (is_drive && is_driven) {
+      return "device '" + device + "' cannot be simulated: another device drives the robot already";
+    }
+    is_driven = is_driven || is_drive;
+  }
+  return "";
+}
+
+std::string Dynamics3d::misplacement(const EntityModel& model, const Pose& pose) const {
+  constexpr double kInGround = 1e-4;  // m
+  if (!model.is_movable || !settings_.has_ground || model.shapes.empty()) {
+    return "";
+  }
+  const double low = boundsOf(model, pose).min().z();
+  if (low >= settings_.ground_height - kInGround) {
+    return "";
+  }
+  std::ostringstream text;
+  text << "found at z = " << pose.position.z() << ", where it reaches down to z = " << low
+       << ", allowed: above the ground, which is at z = " << settings_.ground_height;
+  return text.str();
+}
+
+Row Dynamics3d::overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const {
+  const Body* found = nullptr;
+  seen_.visitNear(boundsOf(model, pose), [&](const Body* body, const Eigen::AlignedBox3d&) {
+    const bool is_older = found == nullptr || body->number < found->number;
+    const bool is_ignored = std::find(ignored.begin(), ignored.end(), body->row) != ignored.end();
+    if (!is_ignored && is_older && modelsOverlap(model, pose, *body->model, body->pose)) {
+      found = body;
+    }
+    return true;
+  });
+  return found == nullptr ? kNoRow : found->row;
+}
+
+void Dynamics3d::add(Space& space, Row row, Role role) {
+  const auto i = static_cast<std::size_t>(row);
+  const Turn turn(seed_);
+  makeWorld();
+  if (by_row_.size() <= i) {
+    by_row_.resize(i + 1);
+  }
+  by_row_[i] = makeBody(world_, space, row, role);
+  Body& body = *by_row_[i];
+  // a mirror of an old entity may come late: the order is by number, not by arrival
+  order_.insert(std::upper_bound(order_.begin(), order_.end(), &body,
+                                 [](const Body* a, const Body* b) { return a->number < b->number; }),
+                &body);
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    order_[k]->rank = static_cast<int>(k);
+  }
+  takePose(space, body);
+  seen_.add(&body, boundsOf(*body.model, body.pose));
+  contacts_.add(body);
+  newcomers_.push_back(&body);
+  takeOverGrips(space, body);
+}
+
+void Dynamics3d::takePose(const Space& space, Body& body) {
+  constexpr double kFastest = 5.0;       // m/s: a mirror that was put elsewhere did not go there
+  constexpr double kFastestTurn = 20.0;  // rad/s
+  const auto i = static_cast<std::size_t>(body.row);
+  body.setPose(space.entities.pose[i]);
+  body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[i] != nullptr;
+  if (body.rigid == nullptr) {
+    return;
+  }
+  Twist twist = space.entities.twist[i];
+  if (!body.is_dynamic && !(twist.linear.norm() < kFastest && twist.angular.norm() < kFastestTurn)) {
+    twist = Twist{};
+  }
+  body.setTwist(twist);
+  if (body.model->wheels) {
+    takeSpeed(body, twist);  // who comes at speed drives on
+  }
+}
+
+void Dynamics3d::remove(Space&, Row row) {
+  const Turn turn(seed_);
+  const auto i = static_cast<std::size_t>(row);
+  Body* body = by_row_[i].get();
+  forgetGrips(*body);
+  contacts_.remove(*body);
+  seen_.remove(body);
+  order_.erase(std::find(order_.begin(), order_.end(), body));
+  newcomers_.erase(std::remove(newcomers_.begin(), newcomers_.end(), body), newcomers_.end());
+  for (std::size_t k = 0; k < order_.size(); ++k) {
+    order_[k]->rank = static_cast<int>(k);
+  }
+  by_row_[i].reset();
+}
+
+void Dynamics3d::place(Space& space, Row row) {
+  const Turn turn(seed_);
+  Body& body = *find(row);
+  forgetGrips(body);
+  body.treels = Treels{};
+  body.flight = Flight{};
+  takePose(space, body);
+  seen_.remove(&body);
+  seen_.add(&body, boundsOf(*body.model, body.pose));
+}
+
+void Dynamics3d::clear() {
+  const Turn turn(seed_);
+  destroyWorld();
+}
+
+Dynamics3d::~Dynamics3d() {
+  const Turn turn(seed_);
+  destroyWorld();
+}
+
+void Dynamics3d::makeWorld() {
+  constexpr double kErrorReduction = 0.2;     // of a depth or a joint's gap, in each step
+  constexpr double kSoftness = 1e-6;          // m/s per N: makes forces unique where many contacts share a load
+  constexpr double kFastestCorrection = 0.3;  // m/s: how fast what was put into each other comes apart
+  constexpr double kFastestTurn = 200.0;      // rad/s
+  if (world_ != nullptr) {
+    return;
+  }
+  world_ = dWorldCreate();
+  dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
+  dWorldSetERP(world_, kErrorReduction);
+  dWorldSetCFM(world_, kSoftness);
+  dWorldSetContactMaxCorrectingVel(world_, kFastestCorrection);
+  dWorldSetMaxAngularSpeed(world_, kFastestTurn);
+  dWorldSetQuickStepNumIterations(world_, settings_.iterations);
+  contacts_.configure(world_, settings_);
+}
+
+void Dynamics3d::destroyWorld() {
+  // what stays would make the next world another one than the first
+  order_.clear();
+  newcomers_.clear();
+  seen_.clear();
+  by_row_.clear();
+  contacts_.release();
+  if (world_ != nullptr) {
+    dWorldDestroy(world_);
+    world_ = nullptr;
+  }
+  seed_ = 0;
+}
+
+}  // namespace swarmanoid::dynamics3d
+
+REGISTER_ENGINE(swarmanoid::dynamics3d::Dynamics3d)

@@ -1,0 +1,93 @@
+/// The three-dimensional dynamic engine (thesis 3.5.3): rigid bodies with masses, forces, friction and gravity, by ODE.
+///
+/// Footbots stand on treels that drive with no more than the friction they have (treels.hpp). Preys and blocks with a
+/// mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints: any number of grippers on one
+/// object, chains, and they break when pulled too hard. Eyebots fly by thrust and drag (flight.hpp); one without its
+/// flight controller falls. An entity that another engine moves is a mirror: it goes on from where it was when the tick
+/// began as fast as it then moved, nothing stops it, and what it meets is pushed away.
+///
+/// ODE's bodies have their origin in the centre of mass; poses and twists in the space are of the entities' origins.
+/// Entities at rest on the ground keep their height to a few micrometres.
+///
+/// ODE's exact solver gives up now and then where contacts tie. Such a step is done again with ties broken otherwise, a
+/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing.
+///
+/// Rays meet the entities' shapes as they were after the last tick; a mirror is not met, the engine that moves it
+/// answers for it. ODE itself is not asked, so any number of threads may cast rays.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "dynamics3d/body.hpp"
+#include "dynamics3d/bounds.hpp"
+#include "dynamics3d/contacts.hpp"
+#include "swarmanoid_space/engine.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+class Dynamics3d final : public Engine {
+ public:
+  static PluginDescription describe();
+
+  Dynamics3d() = default;
+  ~Dynamics3d() override;
+  Dynamics3d(const Dynamics3d&) = delete;
+  Dynamics3d& operator=(const Dynamics3d&) = delete;
+
+  void configure(const std::string& id, const Configuration& parameters) override;
+  std::string clocktickRefusal(Duration clocktick) const override;
+  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
+  using Engine::overlap;
+  Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
+  std::string gripRefusal(const Space&, Row) const override { return ""; }
+  void add(Space& space, Row row, Role role) override;
+  void remove(Space& space, Row row) override;
+  void place(Space& space, Row row) override;
+  void clear() override;
+  void readMirrors(const Space& space) override;
+  void move(Space& space, Duration dt) override;
+  void connect(Space& space) override;
+  bool mayMeet(const RayBundle& rays) const override;
+  void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+  void draw(EngineDrawing& drawing) const override;
+
+ private:
+  Body* find(Row row) const {
+    const auto i = static_cast<std::size_t>(row);
+    return i < by_row_.size() ? by_row_[i].get() : nullptr;
+  }
+  void makeWorld();
+  void destroyWorld();
+  void takePose(const Space& space, Body& body);
+  void findLateDevices(const Space& space);
+
+  // motion.cpp
+  void stepOnce(double step);
+  /// @return false if the solver gave up; then all is as before the step
+  bool solveExactly(double step);
+  void finishTick(Space& space);
+
+  // gripping.cpp
+  Body* findInReach(const Space& space, const Body& robot) const;
+  void grip(Space& space, Body& robot, Body& object);
+  void join(Body& robot, Body& object);
+  void takeOverGrips(const Space& space, Body& body);
+  void release(Space& space, Body& robot, const std::string& why);
+  static void letGo(Body& robot);
+  void forgetGrips(Body& body);
+  void feelGrips(double step);
+
+  Settings settings_;
+  unsigned long seed_ = 0;  // of this world, in ODE
+  dWorldID world_ = nullptr;
+  Contacts contacts_;
+  std::vector<std::unique_ptr<Body>> by_row_;
+  std::vector<Body*> order_;        // by entity number
+  std::vector<Body*> newcomers_;    // since findLateDevices
+  SortedBounds<const Body*> seen_;  // by rays, and by overlap
+};
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,94 @@
+#include "dynamics3d/flight.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double kDrag = 0.3;  // N s/m
+// Along the horizontal, where the body has to tilt first, and along the vertical.
+constexpr double kPlaceGain = 2.0;         // 1/s2
+constexpr double kPlaceGainUp = 6.0;       // 1/s2
+constexpr double kSpeedGain = 3.0;         // 1/s
+constexpr double kSpeedGainUp = 6.0;       // 1/s
+constexpr double kMostLead = 0.15;         // m between where it is and where it would be, had it flown as told
+constexpr double kMostAcceleration = 3.0;  // m/s2, along the horizontal and the vertical: tilts of 17 degrees
+constexpr double kMostThrust = 2.0;        // of the weight
+constexpr double kTurnGain = 256.0;        // 1/s2
+constexpr double kTurnDamping = 32.0;      // 1/s
+
+/// Holds the place where the eyebot is.
+void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orientation) {
+  const Vector3d ahead = orientation * Vector3d::UnitX();
+  flight.is_holding = true;
+  flight.held = centre;
+  flight.heading = std::atan2(ahead.y(), ahead.x());
+}
+
+/// Moves the place that is held as told, but not far from where the eyebot is: what is blocked gives in.
+void advance(Flight& flight, const Vector3d& centre, const Vector3d& way, double turn) {
+  flight.heading = std::remainder(flight.heading + turn, 2.0 * M_PI);
+  flight.held += way;
+  const Vector3d lead = flight.held - centre;
+  if (lead.norm() > kMostLead) {
+    flight.held = centre + kMostLead / lead.norm() * lead;
+  }
+}
+
+Vector3d limited(Vector3d acceleration) {
+  const double across = acceleration.head<2>().norm();
+  if (across > kMostAcceleration) {
+    acceleration.head<2>() *= kMostAcceleration / across;
+  }
+  acceleration.z() = std::clamp(acceleration.z(), -kMostAcceleration, kMostAcceleration);
+  return acceleration;
+}
+
+/// The attitude whose z axis is along `up` and whose x axis looks towards the heading.
+Eigen::Matrix3d attitude(const Vector3d& up, double heading) {
+  Eigen::Matrix3d axes;
+  axes.col(2) = up.normalized();
+  axes.col(1) = axes.col(2).cross(Vector3d(std::cos(heading), std::sin(heading), 0.0)).normalized();
+  axes.col(0) = axes.col(1).cross(axes.col(2));
+  return axes;
+}
+
+}  // namespace
+
+void fly(Body& eyebot, double gravity, double step) {
+  const EyebotVelocity& command = *eyebot.velocity;
+  const Vector3d centre = toVector(dBodyGetPosition(eyebot.rigid));
+  const Vector3d speed = toVector(dBodyGetLinearVel(eyebot.rigid));
+  const Vector3d turning = toVector(dBodyGetAngularVel(eyebot.rigid));
+  const Eigen::Quaterniond orientation = toQuaternion(dBodyGetQuaternion(eyebot.rigid));
+  const double mass = eyebot.model->mass;
+  if (!eyebot.flight.is_holding) {
+    hold(eyebot.flight, centre, orientation);
+  }
+  const Vector3d wanted = Eigen::AngleAxisd(eyebot.flight.heading, Vector3d::UnitZ()) * command.linear;
+  advance(eyebot.flight, centre, step * wanted, step * command.yaw_rate);
+
+  const Vector3d place_gain(kPlaceGain, kPlaceGain, kPlaceGainUp);
+  const Vector3d speed_gain(kSpeedGain, kSpeedGain, kSpeedGainUp);
+  const Vector3d acceleration =
+      limited(place_gain.cwiseProduct(eyebot.flight.held - centre) + speed_gain.cwiseProduct(wanted - speed));
+  const Vector3d lift = mass * (acceleration + gravity * Vector3d::UnitZ());
+  const Eigen::Matrix3d axes = orientation.toRotationMatrix();
+  const double thrust = std::clamp(lift.dot(axes.col(2)), 0.0, kMostThrust * mass * gravity);
+  const Vector3d force = thrust * axes.col(2) - kDrag * speed;
+
+  const Eigen::Matrix3d difference =
+      attitude(lift.z() > 0.0 ? lift : Vector3d::UnitZ(), eyebot.flight.heading).transpose() * axes;
+  const Eigen::Matrix3d skew = 0.5 * (difference - difference.transpose());
+  const Vector3d error(skew(2, 1), skew(0, 2), skew(1, 0));
+  const Vector3d rate = axes.transpose() * (turning - command.yaw_rate * Vector3d::UnitZ());
+  const Vector3d torque = eyebot.model->inertia * (-kTurnGain * error - kTurnDamping * rate);
+
+  dBodyAddForce(eyebot.rigid, force.x(), force.y(), force.z());
+  dBodyAddRelTorque(eyebot.rigid, torque.x(), torque.y(), torque.z());
+}
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,157 @@
+// Phase `connect`: grippers take hold and let go; during `move` they feel the force on them, and may break.
+#include <cmath>
+#include <sstream>
+
+#include "dynamics3d/dynamics3d.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+/// From a point to the gripping strip around an entity [m]; infinity beside the strip's height.
+double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
+  const Eigen::Vector3d local = object.pose.orientation.conjugate() * (point - object.pose.position);
+  if (local.z() < object.model->lowest || local.z() > object.model->highest) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return std::abs(std::hypot(local.x(), local.y()) - *object.model->gripping_radius);
+}
+
+}  // namespace
+
+void Dynamics3d::connect(Space& space) {
+  const Turn turn(seed_);
+  for (Body* body : order_) {
+    if (body->gripper == nullptr || !body->is_dynamic) {
+      continue;
+    }
+    Grip& grip = body->grip;
+    if (grip.is_broken) {
+      std::ostringstream why;
+      why << "the grip broke: it was pulled with more than " << settings_.grip_strength << " N";
+      release(space, *body, why.str());
+      grip.must_open = true;
+    }
+    if (!body->gripper->closed) {
+      grip.must_open = false;
+      if (grip.gripped != nullptr) {
+        release(space, *body, "");
+      }
+    } else if (grip.gripped == nullptr && !grip.must_open) {
+      if (Body* object = findInReach(space, *body)) {
+        this->grip(space, *body, *object);
+      }
+    }
+  }
+}
+
+Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
+  constexpr double kReach = 0.02;  // m from the gripper's tip to the gripping strip
+  const EntityModel::Gripper& geometry = *robot.model->gripper;
+  const Eigen::Vector3d tip =
+      robot.pose.position + robot.pose.orientation * Eigen::Vector3d(geometry.tip, 0.0, geometry.height);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kReach);
+  const Body* nearest = nullptr;
+  double nearest_distance = kReach;
+  seen_.visitNear({tip - reach, tip + reach}, [&](const Body* body, const Eigen::AlignedBox3d&) {
+    // a structure is a tree: nobody grips what hangs on him
+    if (body == &robot || !body->is_dynamic || !body->model->gripping_radius ||
+        space.structure.root(body->row) == robot.row) {
+      return true;
+    }
+    const double distance = distanceToStrip(tip, *body);
+    if (distance < nearest_distance ||
+        (nearest != nullptr && distance == nearest_distance && body->number < nearest->number)) {
+      nearest = body;
+      nearest_distance = distance;
+    }
+    return true;
+  });
+  return nearest == nullptr ? nullptr : find(nearest->row);
+}
+
+void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
+  if (!space.structure.connect(robot.row, object.row)) {
+    return;
+  }
+  join(robot, object);
+  const auto& names = space.entities.name;
+  space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(robot.row)],
+                          names[static_cast<std::size_t>(object.row)], ""});
+}
+
+void Dynamics3d::join(Body& robot, Body& object) {
+  Grip& grip = robot.grip;
+  grip = Grip{};
+  grip.gripped = &object;
+  grip.joint = dJointCreateFixed(world_, nullptr);
+  dJointAttach(grip.joint, robot.rigid, object.rigid);
+  dJointSetFixed(grip.joint);
+  dJointSetFeedback(grip.joint, &grip.feedback);
+}
+
+void Dynamics3d::takeOverGrips(const Space& space, Body& body) {
+  const auto take = [&](Body* robot, Body* object) {
+    if (robot != nullptr && object != nullptr && robot->is_dynamic && object->is_dynamic &&
+        robot->grip.gripped == nullptr) {
+      join(*robot, *object);
+    }
+  };
+  const Row gripped = space.structure.grippedBy(body.row);
+  if (gripped != kNoRow) {
+    take(&body, find(gripped));
+  }
+  for (const Row gripper : space.structure.grippersOf(body.row)) {
+    take(find(gripper), &body);
+  }
+}
+
+void Dynamics3d::release(Space& space, Body& robot, const std::string& why) {
+  const auto& names = space.entities.name;
+  space.events.push_back({Event::Kind::kReleased, names[static_cast<std::size_t>(robot.row)],
+                          names[static_cast<std::size_t>(robot.grip.gripped->row)], why});
+  space.structure.release(robot.row);
+  letGo(robot);
+}
+
+void Dynamics3d::letGo(Body& robot) {
+  if (robot.grip.joint != nullptr) {
+    dJointDestroy(robot.grip.joint);
+  }
+  const bool must_open = robot.grip.must_open;
+  robot.grip = Grip{};
+  robot.grip.must_open = must_open;
+}
+
+void Dynamics3d::forgetGrips(Body& body) {
+  for (Body* robot : order_) {
+    if (robot == &body || robot->grip.gripped == &body) {
+      letGo(*robot);
+    }
+  }
+}
+
+void Dynamics3d::feelGrips(double step) {
+  // A blow that lasts one step is as strong as the step is short; what breaks a grip has to last.
+  constexpr double kLasting = 0.05;  // s
+  const double share = 1.0 - std::exp(-step / kLasting);
+  for (Body* body : order_) {
+    body->pull.setZero();
+  }
+  for (Body* body : order_) {
+    Grip& grip = body->grip;
+    if (grip.joint == nullptr) {
+      continue;
+    }
+    const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(body->rigid));
+    grip.force += share * (turn.conjugate() * toVector(grip.feedback.f1) - grip.force);
+    body->pull += turn * grip.force;
+    grip.gripped->pull -= turn * grip.force;
+    if (grip.force.norm() > settings_.grip_strength) {
+      dJointDestroy(grip.joint);
+      grip.joint = nullptr;
+      grip.is_broken = true;
+    }
+  }
+}
+
+}  // namespace swarmanoid::dynamics3d

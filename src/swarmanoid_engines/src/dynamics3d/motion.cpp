@@ -1,0 +1,92 @@
+// Phase `move`: forces to poses.
+#include "dynamics3d/dynamics3d.hpp"
+#include "dynamics3d/flight.hpp"
+#include "dynamics3d/treels.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+void Dynamics3d::readMirrors(const Space& space) {
+  const Turn turn(seed_);
+  for (Body* body : order_) {
+    if (body->rigid != nullptr && !body->is_dynamic) {
+      takePose(space, *body);
+    }
+  }
+}
+
+void Dynamics3d::move(Space& space, Duration dt) {
+  const Turn turn(seed_);
+  if (world_ == nullptr) {
+    return;
+  }
+  findLateDevices(space);
+  const double step = toSeconds(dt) / settings_.subclock;
+  for (int i = 0; i < settings_.subclock; ++i) {
+    stepOnce(step);
+  }
+  finishTick(space);
+}
+
+void Dynamics3d::findLateDevices(const Space& space) {
+  for (Body* body : newcomers_) {
+    body->wheels = body->model->wheels ? space.actuation.find<FootbotWheels>(body->row) : nullptr;
+    body->velocity = space.actuation.find<EyebotVelocity>(body->row);
+    body->gripper = body->model->gripper ? space.actuation.find<FootbotGripper>(body->row) : nullptr;
+  }
+  newcomers_.clear();
+}
+
+void Dynamics3d::stepOnce(double step) {
+  for (Body* body : order_) {
+    if (!body->is_dynamic) {
+      continue;
+    }
+    if (body->model->wheels) {
+      followCommand(*body, step);
+    }
+    if (body->velocity != nullptr) {
+      fly(*body, settings_.gravity, step);
+    }
+  }
+  if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
+    contacts_.make(order_, step, 0);
+    dWorldQuickStep(world_, step);
+    contacts_.clear();
+  }
+  feelGrips(step);
+}
+
+bool Dynamics3d::solveExactly(double step) {
+  constexpr int kMostAttempts = 3;
+  for (Body* body : order_) {
+    body->saveState();
+  }
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    const long failures = solverFailures();
+    contacts_.make(order_, step, attempt);
+    dWorldStep(world_, step);
+    contacts_.clear();
+    if (solverFailures() == failures) {
+      return true;
+    }
+    // what is left then is a step in which some contacts hold nothing
+    for (Body* body : order_) {
+      body->restoreState();
+    }
+  }
+  return false;
+}
+
+void Dynamics3d::finishTick(Space& space) {
+  for (Body* body : order_) {
+    if (body->is_dynamic) {
+      const auto i = static_cast<std::size_t>(body->row);
+      body->pose = body->currentPose();
+      space.entities.pose[i] = body->pose;
+      space.entities.twist[i] = body->currentTwist();
+    }
+  }
+  seen_.update([](const Body* body) { return boundsOf(*body->model, body->pose); });
+}
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,49 @@
+#include "dynamics3d/ode.hpp"
+
+#include <cstdarg>
+#include <cstdio>
+#include <stdexcept>
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+std::mutex& processMutex() {
+  static std::mutex mutex;
+  return mutex;
+}
+
+long solver_failures = 0;  // guarded by the process's mutex
+
+void takeMessage(int number, const char* text, va_list values) {
+  if (number == d_ERR_LCP) {
+    ++solver_failures;
+    return;
+  }
+  std::fprintf(stderr, "ODE message %d: ", number);
+  std::vfprintf(stderr, text, values);
+  std::fputc('\n', stderr);
+}
+
+/// @pre the process's mutex is held
+void startLibrary() {
+  // never closed: worlds of static lifetime may outlive anything that could close it
+  static const bool is_started = dInitODE2(0) != 0;
+  dSetMessageHandler(&takeMessage);
+  thread_local const bool has_thread_data = is_started && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  if (!has_thread_data) {
+    throw std::runtime_error("the ODE library does not start");
+  }
+}
+
+}  // namespace
+
+Turn::Turn(unsigned long& seed) : lock_(processMutex()), seed_(seed) {
+  startLibrary();
+  dRandSetSeed(seed_);
+}
+
+long solverFailures() { return solver_failures; }
+
+Turn::~Turn() { seed_ = dRandGetSeed(); }
+
+}  // namespace swarmanoid::dynamics3d

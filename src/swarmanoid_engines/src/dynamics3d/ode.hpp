@@ -1,0 +1,44 @@
+/// The Open Dynamics Engine library, as this engine uses it: started once a process, used by one world at a time.
+///
+/// ODE has state of the whole process (a random seed, default threading, counts of its users). Whoever calls it holds a
+/// Turn, which is a lock on all of that and puts the world's own random seed in and takes it out again; so worlds of
+/// one process neither disturb each other nor depend on who came first. ODE makes no threads here.
+#pragma once
+
+#include <ode/ode.h>
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <mutex>
+#include <type_traits>
+
+namespace swarmanoid::dynamics3d {
+
+static_assert(std::is_same_v<dReal, double>, "ODE must be built in double precision");
+
+class Turn {
+ public:
+  /// Waits until nobody else is in ODE. @param seed the world's; kept up to date
+  explicit Turn(unsigned long& seed);
+  ~Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+
+ private:
+  std::unique_lock<std::mutex> lock_;
+  unsigned long& seed_;
+};
+
+/// How often the exact solver has given up in this process, which ODE only prints. @pre a Turn is held
+long solverFailures();
+
+inline Eigen::Vector3d toVector(const dReal* v) { return {v[0], v[1], v[2]}; }
+inline Eigen::Quaterniond toQuaternion(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
+
+inline void setGeomPose(dGeomID geom, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
+  dGeomSetPosition(geom, position.x(), position.y(), position.z());
+  dGeomSetQuaternion(geom, q);
+}
+
+}  // namespace swarmanoid::dynamics3d

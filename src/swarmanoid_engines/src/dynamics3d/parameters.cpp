@@ -1,0 +1,71 @@
+// The values that the experiment file gives to the engine.
+#include "dynamics3d/dynamics3d.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+constexpr Range kSubclockRange{1.0, 10000.0};
+constexpr Range kIterationsRange{1.0, 10000.0};
+constexpr Range kGravityRange{0.0, 100.0};
+constexpr Range kFrictionRange{0.0, 10.0};
+constexpr Range kRestitutionRange{0.0, 1.0};
+constexpr Range kStrengthRange{0.0, 1e6};
+
+Parameter parameter(const std::string& name, Parameter::Type type, const std::string& unit, const std::string& value,
+                    const std::string& description, Range range = {}) {
+  Parameter result;
+  result.name = name;
+  result.type = type;
+  result.unit = unit;
+  result.value = value;
+  result.description = description;
+  result.range = range;
+  return result;
+}
+
+}  // namespace
+
+PluginDescription Dynamics3d::describe() {
+  using Type = Parameter::Type;
+  PluginDescription description;
+  description.label = "dynamics3d";
+  description.summary = "Three-dimensional dynamics: masses, forces, friction, gravity, grips that break, flight.";
+  Parameter solver = parameter("solver", Type::kChoice, "", "exact", "How forces are found in each step.");
+  solver.choices = {"exact", "iterative"};
+  description.parameters = {
+      parameter("subclock", Type::kInteger, "", "10", "Steps of the engine in each tick; none may be over 10 ms.",
+                kSubclockRange),
+      solver,
+      parameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.", kIterationsRange),
+      parameter("gravity", Type::kNumber, "m/s2", "9.81", "Downwards along z.", kGravityRange),
+      parameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
+      parameter("ground_height", Type::kNumber, "m", "0", "Of the ground."),
+      parameter("friction", Type::kNumber, "", "0.5", "Of all surfaces but the treels'.", kFrictionRange),
+      parameter("treel_friction", Type::kNumber, "", "0.9", "Of treels on what they stand on.", kFrictionRange),
+      parameter("restitution", Type::kNumber, "", "0", "How much of an impact's speed comes back.", kRestitutionRange),
+      parameter("grip_strength", Type::kNumber, "N", "50", "The force that opens a gripper.", kStrengthRange)};
+  return description;
+}
+
+void Dynamics3d::configure(const std::string& id, const Configuration& parameters) {
+  id_ = id;
+  const Settings fallback;
+  Settings& s = settings_;
+  s.subclock = static_cast<int>(parameters.integer("subclock", std::int64_t{fallback.subclock}, kSubclockRange));
+  s.iterations =
+      static_cast<int>(parameters.integer("iterations", std::int64_t{fallback.iterations}, kIterationsRange));
+  const std::string solver = parameters.text("solver", "exact");
+  if (solver != "exact" && solver != "iterative") {
+    throw ConfigError(parameters.location(), "solver: found '" + solver + "', allowed: exact, iterative");
+  }
+  s.solver = solver == "exact" ? Settings::Solver::kExact : Settings::Solver::kIterative;
+  s.gravity = parameters.number("gravity", fallback.gravity, kGravityRange);
+  s.has_ground = parameters.boolean("ground", fallback.has_ground);
+  s.ground_height = parameters.number("ground_height", fallback.ground_height);
+  s.friction = parameters.number("friction", fallback.friction, kFrictionRange);
+  s.treel_friction = parameters.number("treel_friction", fallback.treel_friction, kFrictionRange);
+  s.restitution = parameters.number("restitution", fallback.restitution, kRestitutionRange);
+  s.grip_strength = parameters.number("grip_strength", fallback.grip_strength, kStrengthRange);
+}
+
+}  // namespace swarmanoid::dynamics3d

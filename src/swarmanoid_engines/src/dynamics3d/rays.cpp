@@ -1,0 +1,51 @@
+// Rays against the shapes, where they were after the last tick.
+#include "dynamics3d/dynamics3d.hpp"
+#include "swarmanoid_space/solid_ray.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+bool isVisibleTo(const RayBundle& rays, const Body& body) {
+  return body.row != rays.ignored && body.row != rays.also_ignored && !body.is_seen_elsewhere;
+}
+
+Eigen::AlignedBox3d boxAround(const RayBundle& rays) {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(rays.radius);
+  return {rays.centre - reach, rays.centre + reach};
+}
+
+}  // namespace
+
+bool Dynamics3d::mayMeet(const RayBundle& rays) const {
+  bool may_meet = false;
+  seen_.visitNear(boxAround(rays), [&](const Body* body, const Eigen::AlignedBox3d& bounds) {
+    may_meet = isVisibleTo(rays, *body) && bounds.squaredExteriorDistance(rays.centre) <= rays.radius * rays.radius;
+    return !may_meet;
+  });
+  return may_meet;
+}
+
+void Dynamics3d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+  seen_.visitNear(boxAround(rays), [&](const Body* body, const Eigen::AlignedBox3d& bounds) {
+    if (!isVisibleTo(rays, *body) || bounds.squaredExteriorDistance(rays.centre) > rays.radius * rays.radius) {
+      return true;
+    }
+    for (std::size_t k = 0; k < rays.segments.size(); ++k) {
+      const Segment& segment = rays.segments[k];
+      const Eigen::AlignedBox3d around(segment.from.cwiseMin(segment.to), segment.from.cwiseMax(segment.to));
+      if (!around.intersects(bounds)) {
+        continue;
+      }
+      const double fraction = firstMeeting(segment, *body->model, body->pose);
+      RayHit& hit = hits[k];
+      // between surfaces at the same distance the older entity is met, whatever the order of the look-up
+      const Body* rival = fraction == hit.fraction && hit.row != kNoRow ? find(hit.row) : nullptr;
+      if (fraction < hit.fraction || (rival != nullptr && body->number < rival->number)) {
+        hit = {fraction, body->row};
+      }
+    }
+    return true;
+  });
+}
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,28 @@
+/// What an experiment file says about a dynamic engine, and what does not change from file to file. SI units.
+#pragma once
+
+namespace swarmanoid::dynamics3d {
+
+struct Settings {
+  enum class Solver { kExact, kIterative };
+
+  int subclock = 10;               ///< steps a tick
+  Solver solver = Solver::kExact;  ///< dWorldStep or dWorldQuickStep
+  int iterations = 50;             ///< of the iterative solver in each step
+  double gravity = 9.81;           ///< downwards [m/s2]
+  bool has_ground = true;          ///< a plane that holds what stands on it
+  double ground_height = 0.0;      ///< [m]
+  double friction = 0.5;           ///< of all surfaces but the treels' (Coulomb)
+  double treel_friction = 0.9;     ///< of treels on whatever they stand on (Coulomb)
+  double restitution = 0.0;        ///< how much of the speed of an impact comes back
+  double grip_strength = 50.0;     ///< force that opens a gripper [N]
+};
+
+/// Steps that are longer let bodies sink into each other, and through the ground.
+constexpr double kLongestStep = 0.01;  // s
+
+/// Surfaces nearer than this are looked at in a step, so that they meet without sinking in: what rests on something
+/// keeps its contacts although it rocks a little, and what comes at a footbot's speed is stopped at the surface.
+constexpr double kMargin = 2e-3;  // m
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,80 @@
+#include "dynamics3d/solids.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+// Where a treel's balls are: a footbot that pushes as hard as it can must not rear, and yet they lie under its body.
+constexpr double kSupportReach = 1.75;     // of a wheel's radius, ahead and behind
+constexpr double kSupportSpan = 0.7;       // of the wheels' separation
+constexpr double kBallSize = 0.3;          // of a wheel's radius
+constexpr double kGroundClearance = 5e-3;  // m: how far shapes end above what the balls stand on
+constexpr double kOnGround = 2e-3;         // m: shapes that come nearer to it are cut short
+
+void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, const Eigen::Quaterniond& turn) {
+  body.solids.push_back(solid);
+  if (body.rigid == nullptr) {
+    return;  // setPose puts it where it is
+  }
+  const Eigen::Vector3d offset = position - body.model->centre_of_mass;
+  const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
+  dGeomSetBody(solid.geom, body.rigid);
+  dGeomSetOffsetPosition(solid.geom, offset.x(), offset.y(), offset.z());
+  dGeomSetOffsetQuaternion(solid.geom, q);
+}
+
+/// Cuts off what would drag over the ground.
+CollisionShape clearOfGround(CollisionShape shape) {
+  const bool is_upright = std::abs((shape.orientation * Eigen::Vector3d::UnitZ()).z()) > 1.0 - 1e-9;
+  const double low = shape.position.z() - shape.half_extent.z();
+  const double missing = kGroundClearance - low;
+  if (shape.kind != CollisionShape::Kind::kSphere && is_upright && low < kOnGround && missing < shape.half_extent.z()) {
+    shape.half_extent.z() -= missing / 2.0;
+    shape.position.z() += missing / 2.0;
+  }
+  return shape;
+}
+
+void addBalls(Body& body) {
+  const EntityModel::Wheels& wheels = *body.model->wheels;
+  const double radius = kBallSize * wheels.radius;
+  for (int side = 0; side < 2; ++side) {
+    const double y = (side == 0 ? 0.5 : -0.5) * wheels.separation;
+    for (const double place : {0.0, kSupportReach, -kSupportReach}) {
+      const bool is_wheel = place == 0.0;
+      Solid solid;
+      solid.geom = dCreateSphere(nullptr, radius + kMargin / 2.0);
+      solid.kind = is_wheel ? Solid::Kind::kWheel : Solid::Kind::kSupport;
+      solid.side = side;
+      addSolid(body, solid, {place * wheels.radius, is_wheel ? y : kSupportSpan * y, radius},
+               Eigen::Quaterniond::Identity());
+    }
+  }
+}
+
+}  // namespace
+
+dGeomID makeGeom(const CollisionShape& shape, double growth) {
+  const Eigen::Vector3d half = shape.half_extent.array() + growth;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kBox:
+      return dCreateBox(nullptr, 2.0 * half.x(), 2.0 * half.y(), 2.0 * half.z());
+    case CollisionShape::Kind::kCylinder:
+      return dCreateCylinder(nullptr, half.x(), 2.0 * half.z());
+    case CollisionShape::Kind::kSphere:
+      break;
+  }
+  return dCreateSphere(nullptr, half.x());
+}
+
+void addSolids(Body& body) {
+  const bool is_driven = body.is_dynamic && body.model->wheels;
+  for (const CollisionShape& shape : body.model->shapes) {
+    const CollisionShape used = is_driven ? clearOfGround(shape) : shape;
+    addSolid(body, {makeGeom(used, kMargin / 2.0), Solid::Kind::kPlain, 0}, used.position, used.orientation);
+  }
+  if (is_driven) {
+    addBalls(body);
+  }
+}
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,60 @@
+#include "dynamics3d/treels.hpp"
+
+#include <algorithm>
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+// The balls that keep a robot from tipping, as springs.
+constexpr double kSupportStiffness = 2e4;  // N/m
+constexpr double kSupportDamping = 800.0;  // N s/m
+
+}  // namespace
+
+void takeSpeed(Body& robot, const Twist& twist) {
+  const Eigen::Quaterniond turn = robot.currentPose().orientation;
+  const double ahead = (turn * Eigen::Vector3d::UnitX()).dot(twist.linear);
+  const double turning = 0.5 * robot.model->wheels->separation * (turn * Eigen::Vector3d::UnitZ()).dot(twist.angular);
+  robot.treels.rim_speed[0] = ahead - turning;
+  robot.treels.rim_speed[1] = ahead + turning;
+}
+
+void followCommand(Body& robot, double step) {
+  const double radius = robot.model->wheels->radius;
+  const double most = kTreelAcceleration * step;
+  const double wanted[2] = {robot.wheels == nullptr ? 0.0 : robot.wheels->left * radius,
+                            robot.wheels == nullptr ? 0.0 : robot.wheels->right * radius};
+  for (int side = 0; side < 2; ++side) {
+    double& speed = robot.treels.rim_speed[side];
+    speed += std::clamp(wanted[side] - speed, -most, most);
+  }
+}
+
+bool driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact) {
+  constexpr double kLeastAcross = 0.3;
+  dSurfaceParameters& surface = contact.surface;
+  const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(robot.rigid));
+  const Eigen::Vector3d normal = toVector(contact.geom.normal);
+  Eigen::Vector3d ahead = (turn * Eigen::Vector3d::UnitY()).cross(normal);
+  const double across = ahead.norm();
+  if (across < kLeastAcross) {
+    return false;
+  }
+  if (solid.kind == Solid::Kind::kSupport) {
+    const double both = step * kSupportStiffness + kSupportDamping;
+    surface.mode |= dContactSoftERP | dContactSoftCFM;
+    surface.soft_erp = step * kSupportStiffness / both;
+    surface.soft_cfm = 1.0 / both;
+  }
+  ahead /= across;
+  // along the middle of the step's arc: its start would lead out of a curve
+  const double half_turn = 0.5 * step * normal.dot(toVector(dBodyGetAngularVel(robot.rigid)));
+  ahead = (ahead + half_turn * normal.cross(ahead)).normalized();
+  surface.mode |= dContactFDir1 | dContactMotion1;
+  surface.mu = settings.treel_friction;
+  surface.motion1 = robot.treels.rim_speed[solid.side];
+  Eigen::Map<Eigen::Vector3d>(contact.fdir1) = ahead;
+  return true;
+}
+
+}  // namespace swarmanoid::dynamics3d

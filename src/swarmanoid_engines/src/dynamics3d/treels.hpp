@@ -1,0 +1,26 @@
+/// How a footbot's treels drive it: what stands under a wheel is pushed backwards, as by a moving belt, with no more
+/// than Coulomb's friction; beyond, the treel slips. Sideways the same friction holds.
+///
+/// The wheels' balls carry the robot. The balls before and behind them are soft: on level ground they carry next to
+/// nothing, so that they do not hinder turning, and otherwise what would tip the robot. They drive as the wheels do,
+/// since the belt runs around them all.
+#pragma once
+
+#include "dynamics3d/body.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+/// Motors need some time to reach the commanded speed; the robot would rear otherwise.
+constexpr double kTreelAcceleration = 3.0;  // m/s2
+
+/// Lets the treels run as fast as the robot moves. @param twist of B, in W
+void takeSpeed(Body& robot, const Twist& twist);
+
+/// Brings the treels' speeds nearer to what the wheels are told. @param step [s]
+void followCommand(Body& robot, double step);
+
+/// Sets a contact's friction and motion. @param solid of the robot, which is the contact's first body
+/// @return false if the ball touches sideways: then it is a contact as any other
+bool driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact);
+
+}  // namespace swarmanoid::dynamics3d
