@@ -27,6 +27,8 @@ FIGURES = {
     "long_tests": long_tests.long_tests,
     "mappings": lambda table, build: engines.mappings(table),
     "dynamics2d": engines.dynamics2d,
+    "dynamics3d": engines.dynamics3d,
+    "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
     "start_up": lambda table, build: simulation.start_up(table),
     "sanitizer": lambda table, build: long_tests.sanitizer(table),

@@ -78,6 +78,53 @@ def dynamics2d(table, build):
     against_library(table, build, "dynamics2d", {(10, 4): 0.5, (1000, 4): 0.8, (10000, 4): 0.8})
 
 
+def dynamics3d(table, build):
+    """The engine's tick against ODE alone, with the same bodies and drives and ODE's own collision detection."""
+    binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics3d_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_filter=sparse", "--benchmark_repetitions=3",
+                           "--benchmark_enable_random_interleaving=true"], capture_output=True, text=True, check=True)
+    times = {entry["run_name"]: entry["cpu_time"] for entry in json.loads(done.stdout)["benchmarks"]
+             if entry.get("aggregate_name") == "median"}
+    for robots in (10, 100, 1000):
+        ratio = times[f"benchmarkBareOde/sparse/robots:{robots}"] / times[f"benchmarkEngine/sparse/robots:{robots}"]
+        table.add(f"dynamics3d, {robots:,} footbots on circles, 10 steps a tick: the engine's tick against ODE alone",
+                  "at least 0.9 (of the whole tick)", f"{ratio:.2f}", ratio >= 0.9)
+
+
+def crowd(file, kinematic, dynamic):
+    """Diffusion with some footbots in kinematics2d and some in dynamics3d, apart from each other."""
+    def group(name, count, low, high):
+        return (f'<distribute quantity="{count}" layout="uniform"><minimum>{low},{low},0</minimum><maximum>{high},{high},0'
+                f'</maximum><max_trials>100000</max_trials><footbot id="{name}"><controller>dc</controller></footbot>'
+                "</distribute>") if count else ""
+
+    def mapping(engine, name, count):
+        return f'<engine id="{engine}"><entity id="{name}"/></engine>' if count else ""
+
+    file.write_text(
+        "<ahss-config><framework><clocktick>100</clocktick><maxclock>300</maxclock></framework><controllers>"
+        '<diffusion id="dc" library="diffusion"><actuators><footbot_wheels/></actuators><sensors><footbot_proximity/>'
+        '</sensors></diffusion></controllers><arena size="50,50,1" optimization="2D" bounded="true">'
+        + group("kb", kinematic, 5, 45) + group("db", dynamic, 0.3, 4) + '</arena><engines><kinematics2d id="flat"/>'
+        '<dynamics3d id="rough"><subclock>10</subclock></dynamics3d></engines><arena_physics>'
+        + mapping("flat", "kb", kinematic) + mapping("rough", "db", dynamic) + "</arena_physics></ahss-config>")
+
+
+def mixed(table):
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "mixed.xml"
+        sizes = {"mixed": (1000, 10), "kinematic": (1000, 0), "dynamic": (0, 10)}
+        times = {name: [] for name in sizes}
+        for _ in range(5):
+            for name, (kinematic, dynamic) in sizes.items():
+                crowd(file, kinematic, dynamic)
+                times[name].append(run(file)["wall_s"])
+        best = {name: min(seconds) for name, seconds in times.items()}
+        ratio = best["mixed"] / (best["kinematic"] + best["dynamic"])
+        table.add("1,000 footbots in kinematics2d and 10 in dynamics3d, against the two runs apart", "at most 1.10",
+                  f"{ratio:.2f}", ratio <= 1.1)
+
+
 def oracles(table, build):
     """Tests that hold an engine against what physics says."""
     environment = dict(os.environ, SWARMANOID_LONG_TESTS="1")
@@ -89,7 +136,21 @@ def oracles(table, build):
             ("dynamics2d", "crowd", "a crowd in a box: command steps, grips torn, a mirror put upon them, 10^6 ticks",
              "speeds bounded, nobody through a wall; equal bits on repeat"),
             ("dynamics2d", "collision", "collisions: momentum and energy; walls, mirrors",
-             "momentum 1e-6, energy 0.1 %")):
+             "momentum 1e-6, energy 0.1 %"),
+            ("dynamics3d", "driving", "0.1 m/s for 10 s, arcs and turns, ramps and steps; iterative solver",
+             "5 mm along and across, 0.5 degrees; 1 %"),
+            ("dynamics3d", "mechanics", "slopes along and across the axes, thrown bodies, momentum, energy",
+             "friction angle within 3 %"),
+            ("dynamics3d", "pushing", "pushing force and slip limit of a footbot", "5 % below and above the limit"),
+            ("dynamics3d", "gripping", "grips: chains, ten pull what one cannot, breaking under a load",
+             "breaks at the stated force within 5 %"),
+            ("dynamics3d", "flight", "hover, steps, landing, bumps", "height within 2 cm"),
+            ("dynamics3d", "crowd", "crowds, what was put into each other, command steps", "speeds bounded, no NaN")):
         file = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_{test}_test"
         done = subprocess.run([file], capture_output=True, text=True, env=environment)
         table.add(f"{engine}: {what}", figure, last_word(done.stdout), done.returncode == 0)
+    file = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_handover_engines_test"
+    done = subprocess.run([file], capture_output=True, text=True, env=environment)
+    table.add("a footbot with a prey through kinematics2d, dynamics2d and dynamics3d, 1,000 handovers at speed",
+              "pose and twist kept to the bit, grip and course kept, equal hash on repeat", last_word(done.stdout),
+              done.returncode == 0)

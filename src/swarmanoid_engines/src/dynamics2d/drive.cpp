@@ -36,52 +36,57 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   const planar::PlacedPose end = planar::integrate(planar::PlacedPose{}, body.velocity, body.turn_rate, step);
   its.origin_advance = end.position;
   its.centre_advance = end.position + end.rotated(its.arm) - its.arm;
+  its.turn_rate = body.turn_rate;
+  its.drive = body.wheels != nullptr ? Drive::kTreels : Drive::kFlight;
+  if (body.wheels != nullptr) {
+    const PlanarModel& model = *body.model;
+    its.ahead = model.ahead;
+    its.track = body.entity->wheels->separation * cross(model.left, model.ahead);
+    its.traction = 0.5 * material_.treel_friction * its.mass * material_.gravity;
+  }
 }
 
 void Dynamics2d::drive(BodyIndex index, double step) {
-  const Body& body = bodies_[index];
   RigidBody& its = rigid(index);
-  if (body.flight == nullptr && body.wheels == nullptr) {
+  if (its.drive == Drive::kNone) {
     return;
   }
   if (recorded_pushes_ != nullptr) {
     recorded_pushes_->emplace_back();
   }
-  if (body.flight != nullptr) {
-    fly(its, body.turn_rate, step);
+  if (its.drive == Drive::kFlight) {
+    fly(its, step);
   } else if (its.belt.body != nullptr) {
-    moveBelt(body, its, step);
+    moveBelt(its, step);
   } else if (its.isFree()) {
-    driveTreels(body, its, step);
+    driveTreels(its, step);
   } else {
-    makeBelt(body, its);
-    moveBelt(body, its, step);
+    makeBelt(bodies_[index], its);
+    moveBelt(its, step);
   }
 }
 
-void Dynamics2d::driveTreels(const Body& body, RigidBody& its, double step) {
+void Dynamics2d::driveTreels(RigidBody& its, double step) {
   const b2Rot& turn = its.body->GetTransform().q;
   const Eigen::Vector2d velocity = toBodyFrame(turn, its.body->GetLinearVelocity());
-  Eigen::Vector2d force = its.mass / step * (its.centre_advance / step - velocity);
-  double torque = its.inertia / step * (body.turn_rate - its.body->GetAngularVelocity());
+  const Eigen::Vector2d force = its.mass / step * (its.centre_advance / step - velocity);
+  const double torque = its.inertia / step * (its.turn_rate - its.body->GetAngularVelocity());
   // both treels carry half of it, and push in opposite directions to turn
-  const PlanarModel& model = *body.model;
-  const double separation = body.entity->wheels->separation;
-  const double opposite = (torque + cross(its.arm, force)) / (separation * cross(model.left, model.ahead));
-  const double most = 0.5 * material_.treel_friction * its.mass * material_.gravity;
-  const Eigen::Vector2d left = limited(0.5 * force + opposite * model.ahead, most);
-  const Eigen::Vector2d right = limited(0.5 * force - opposite * model.ahead, most);
-  force = left + right;
-  torque = cross(treelPosition(body, 1.0) - its.arm, left) + cross(treelPosition(body, -1.0) - its.arm, right);
-  push(its, force, torque);
+  const Eigen::Vector2d opposite = (torque + cross(its.arm, force)) / its.track * its.ahead;
+  const Eigen::Vector2d left = limited(0.5 * force + opposite, its.traction);
+  const Eigen::Vector2d right = limited(0.5 * force - opposite, its.traction);
+  const Eigen::Vector2d held = left + right;
+  // the treels lie left and right of the origin, by half the track
+  const double turned = 0.5 * its.track * its.ahead.dot(left - right) - cross(its.arm, held);
+  push(its, held, turned);
 }
 
-void Dynamics2d::fly(RigidBody& its, double turn_rate, double step) {
+void Dynamics2d::fly(RigidBody& its, double step) {
   const Eigen::Vector2d velocity = toBodyFrame(its.body->GetTransform().q, its.body->GetLinearVelocity());
   const Eigen::Vector2d force =
       limited(its.mass / step * (its.centre_advance / step - velocity), its.mass * kFlightAcceleration);
   const double most = its.inertia * kFlightTurnAcceleration;
-  push(its, force, std::clamp(its.inertia / step * (turn_rate - its.body->GetAngularVelocity()), -most, most));
+  push(its, force, std::clamp(its.inertia / step * (its.turn_rate - its.body->GetAngularVelocity()), -most, most));
 }
 
 void Dynamics2d::push(RigidBody& its, const Eigen::Vector2d& force, double torque) {
@@ -107,15 +112,15 @@ void Dynamics2d::makeBelt(const Body& body, RigidBody& its) {
     treel.bodyB = its.body;
     treel.localAnchorA = toUnits(treelPosition(body, i == 0 ? 1.0 : -1.0));
     treel.localAnchorB = treel.localAnchorA;
-    treel.maxForce = static_cast<float>(0.5 * material_.treel_friction * its.mass * material_.gravity * kUnitsPerMetre);
+    treel.maxForce = static_cast<float>(its.traction * kUnitsPerMetre);
     its.belt.treels[i] = static_cast<b2FrictionJoint*>(world_->CreateJoint(&treel));
   }
 }
 
-void Dynamics2d::moveBelt(const Body& body, RigidBody& its, double step) {
+void Dynamics2d::moveBelt(RigidBody& its, double step) {
   its.belt.body->SetTransform(its.body->GetPosition(), its.body->GetAngle());
   its.belt.body->SetLinearVelocity(b2Mul(its.body->GetTransform().q, toUnits(its.origin_advance / step)));
-  its.belt.body->SetAngularVelocity(static_cast<float>(body.turn_rate));
+  its.belt.body->SetAngularVelocity(static_cast<float>(its.turn_rate));
 }
 
 void Dynamics2d::recordBelts(double step) {

@@ -84,10 +84,10 @@ class Dynamics2d final : public planar::PlanarEngine {
   void prepareDrive(BodyIndex index, double step);
   void drive(BodyIndex index, double step);
   void push(RigidBody& its, const Eigen::Vector2d& force, double torque);
-  void driveTreels(const Body& body, RigidBody& its, double step);
-  void fly(RigidBody& its, double turn_rate, double step);
+  void driveTreels(RigidBody& its, double step);
+  void fly(RigidBody& its, double step);
   void makeBelt(const Body& body, RigidBody& its);
-  void moveBelt(const Body& body, RigidBody& its, double step);
+  static void moveBelt(RigidBody& its, double step);
   void dropBelt(RigidBody& its);
   void recordBelts(double step);
 

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstdint>
 
 #include "dynamics2d/units.hpp"
 #include "planar/bodies.hpp"
@@ -33,6 +34,10 @@ struct Grip {
   bool must_open = false;  ///< was torn off: grips again only after it was opened
 };
 
+/// What pushes a body by itself.
+enum class Drive : std::uint8_t { kNone, kTreels, kFlight };
+
+/// What every step needs comes first: with many bodies, a step costs as much as the memory that it touches.
 struct RigidBody {
   b2Body* body = nullptr;
 
@@ -41,23 +46,27 @@ struct RigidBody {
   double heading = 0.0;                              ///< not wrapped [rad]
   b2Vec2 last_centre{0.0F, 0.0F};                    ///< of `body`, after the last step or transform
   float last_angle = 0.0F;
-
+  int touching = 0;                               ///< contacts, counted by Contacts
   double mass = 0.0;                              ///< [kg]
   double inertia = 0.0;                           ///< about the centre of mass [kg m2]
-  double thickness = 0.0;                         ///< half the thickness of the thickest shape [m]
   Eigen::Vector2d arm = Eigen::Vector2d::Zero();  ///< from the origin to the centre of mass, at heading 0 [m]
-  b2FrictionJoint* ground = nullptr;              ///< what slides on the ground
-  Belt belt;
+
+  // What the drive wants in each step of this tick, and what it has for it; vectors are at heading 0.
+  Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();  ///< [m]
+  double turn_rate = 0.0;                                    ///< [rad/s]
+  Eigen::Vector2d ahead = Eigen::Vector2d::Zero();           ///< the way that treels push
+  double track = 0.0;     ///< between treels; below 0 where a turn to the left is one to the right in the plane [m]
+  double traction = 0.0;  ///< the most that a treel pushes with [N]
+  Drive drive = Drive::kNone;
+  int held_by = 0;  ///< grippers
   Grip grip;
-  int held_by = 0;   ///< grippers
-  int touching = 0;  ///< contacts, counted by Contacts
+  Belt belt;
 
-  // What the drive wants in each step of this tick, at heading 0 [m].
-  Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();
-  Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();
-
-  b2Vec2 last_push{0.0F, 0.0F};  ///< of plain forces in the last step, in Box2D's units
-  double heading_before = 0.0;   ///< of the tick, as the body had it
+  Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();  ///< in each step of this tick, at heading 0 [m]
+  b2FrictionJoint* ground = nullptr;                         ///< what slides on the ground
+  double thickness = 0.0;                                    ///< half the thickness of the thickest shape [m]
+  b2Vec2 last_push{0.0F, 0.0F};                              ///< of plain forces in the last step, in Box2D's units
+  double heading_before = 0.0;                               ///< of the tick, as the body had it
 
   bool isConnected() const { return grip.joint != nullptr || held_by > 0; }
   bool isFree() const { return touching == 0 && !isConnected(); }
