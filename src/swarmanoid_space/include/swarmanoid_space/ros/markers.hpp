@@ -17,8 +17,8 @@ namespace swarmanoid {
 /// The floor, its patches, everything that nobody moves, and robots' bodies. Replaces what was there before.
 visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 
-/// What the engines work with: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine and
-/// kind; those without lines are deleted.
+/// What the engines work with: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine
+/// and kind; those without lines are deleted.
 visualization_msgs::MarkerArray engineMarkers(const Space& space);
 
 class MovingMarkers {
