@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/parameter.hpp"
+
 namespace swarmanoid::dynamics2d {
 namespace {
 
@@ -12,18 +14,6 @@ constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kFractionRange{0.0, 1.0};
 constexpr Range kIterationsRange{1.0, 1000.0};
 constexpr std::int64_t kIterations = 8;
-
-Parameter number(const std::string& name, const std::string& unit, const std::string& value, Range range,
-                 const std::string& description) {
-  Parameter parameter;
-  parameter.name = name;
-  parameter.type = Parameter::Type::kNumber;
-  parameter.unit = unit;
-  parameter.value = value;
-  parameter.range = range;
-  parameter.description = description;
-  return parameter;
-}
 
 /// Box2D cannot hold shapes without extent, and integrates nothing without mass.
 std::string problemWithModel(const EntityModel& model) {
@@ -47,21 +37,20 @@ PluginDescription Dynamics2d::describe() {
   description.label = "dynamics2d";
   description.summary = "Two-dimensional rigid bodies on Box2D: masses, friction, force-limited drives, any grips.";
   description.parameters = placementParameters();
-  Parameter iterations;
-  iterations.name = "iterations";
-  iterations.type = Parameter::Type::kInteger;
-  iterations.value = std::to_string(kIterations);
-  iterations.range = kIterationsRange;
-  iterations.description = "Of the solver of contacts and joints, in each step.";
-  description.parameters.push_back(iterations);
-  const std::vector<Parameter> material = {
-      number("gravity", "m/s2", "9.81", kForceRange, "Presses bodies on the plane."),
-      number("ground_friction", "", "0.4", kFrictionRange, "Coefficient of what slides on the plane."),
-      number("treel_friction", "", "0.9", kFrictionRange, "Coefficient of treels on the plane: beyond it they slip."),
-      number("contact_friction", "", "0.3", kFrictionRange, "Coefficient between bodies."),
-      number("restitution", "", "0", kFractionRange, "Part of the speed that bodies bounce back with."),
-      number("grip_strength", "N", "50", kForceRange, "A grip tears beyond this force.")};
-  description.parameters.insert(description.parameters.end(), material.begin(), material.end());
+  using Type = Parameter::Type;
+  const std::vector<Parameter> own = {
+      makeParameter("iterations", Type::kInteger, "", std::to_string(kIterations),
+                    "Of the solver of contacts and joints, in each step.", kIterationsRange),
+      makeParameter("gravity", Type::kNumber, "m/s2", "9.81", "Presses bodies on the plane.", kForceRange),
+      makeParameter("ground_friction", Type::kNumber, "", "0.4", "Coefficient of what slides on the plane.",
+                    kFrictionRange),
+      makeParameter("treel_friction", Type::kNumber, "", "0.9",
+                    "Coefficient of treels on the plane: beyond it they slip.", kFrictionRange),
+      makeParameter("contact_friction", Type::kNumber, "", "0.3", "Coefficient between bodies.", kFrictionRange),
+      makeParameter("restitution", Type::kNumber, "", "0", "Part of the speed that bodies bounce back with.",
+                    kFractionRange),
+      makeParameter("grip_strength", Type::kNumber, "N", "50", "A grip tears beyond this force.", kForceRange)};
+  description.parameters.insert(description.parameters.end(), own.begin(), own.end());
   return description;
 }
 

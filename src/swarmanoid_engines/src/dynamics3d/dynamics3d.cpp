@@ -6,6 +6,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "common/device_refusal.hpp"
 #include "dynamics3d/convex_overlap.hpp"
 #include "dynamics3d/treels.hpp"
 
@@ -24,33 +25,13 @@ std::string Dynamics3d::clocktickRefusal(Duration clocktick) const {
 }
 
 std::string Dynamics3d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  if (model.shapes.empty()) {
-    return "has no shape, so this engine has nothing to hold";
-  }
   if (model.is_movable && !(model.mass > 0.0)) {
     return "has no mass, so this engine cannot move it";
   }
   if (model.is_movable && model.inertia.llt().info() != Eigen::Success) {
     return "has an inertia that no body has, so this engine cannot move it";
   }
-  const auto lacks = [](const std::string& device, const char* part) {
-    return "device '" + device + "' cannot be simulated: a robot of this type has no " + part;
-  };
-  bool is_driven = false;
-  for (const std::string& device : devices) {
-    if (device == FootbotWheels::kType && !model.wheels) {
-      return lacks(device, "wheels");
-    }
-    if (device == FootbotGripper::kType && !model.gripper) {
-      return lacks(device, "gripper");
-    }
-    const bool is_drive = device == FootbotWheels::kType || device == EyebotVelocity::kType;
-    if (is_drive && is_driven) {
-      return "device '" + device + "' cannot be simulated: another device drives the robot already";
-    }
-    is_driven = is_driven || is_drive;
-  }
-  return "";
+  return deviceRefusal(model, devices);
 }
 
 std::string Dynamics3d::misplacement(const EntityModel& model, const Pose& pose) const {

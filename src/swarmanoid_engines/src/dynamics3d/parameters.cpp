@@ -1,4 +1,5 @@
 // The values that the experiment file gives to the engine.
+#include "common/parameter.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -11,18 +12,6 @@ constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kRestitutionRange{0.0, 1.0};
 constexpr Range kStrengthRange{0.0, 1e6};
 
-Parameter parameter(const std::string& name, Parameter::Type type, const std::string& unit, const std::string& value,
-                    const std::string& description, Range range = {}) {
-  Parameter result;
-  result.name = name;
-  result.type = type;
-  result.unit = unit;
-  result.value = value;
-  result.description = description;
-  result.range = range;
-  return result;
-}
-
 }  // namespace
 
 PluginDescription Dynamics3d::describe() {
@@ -30,20 +19,21 @@ PluginDescription Dynamics3d::describe() {
   PluginDescription description;
   description.label = "dynamics3d";
   description.summary = "Three-dimensional dynamics: masses, forces, friction, gravity, grips that break, flight.";
-  Parameter solver = parameter("solver", Type::kChoice, "", "exact", "How forces are found in each step.");
+  Parameter solver = makeParameter("solver", Type::kChoice, "", "exact", "How forces are found in each step.");
   solver.choices = {"exact", "iterative"};
   description.parameters = {
-      parameter("subclock", Type::kInteger, "", "10", "Steps of the engine in each tick; none may be over 10 ms.",
-                kSubclockRange),
+      makeParameter("subclock", Type::kInteger, "", "10", "Steps of the engine in each tick; none may be over 10 ms.",
+                    kSubclockRange),
       solver,
-      parameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.", kIterationsRange),
-      parameter("gravity", Type::kNumber, "m/s2", "9.81", "Downwards along z.", kGravityRange),
-      parameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
-      parameter("ground_height", Type::kNumber, "m", "0", "Of the ground."),
-      parameter("friction", Type::kNumber, "", "0.5", "Of all surfaces but the treels'.", kFrictionRange),
-      parameter("treel_friction", Type::kNumber, "", "0.9", "Of treels on what they stand on.", kFrictionRange),
-      parameter("restitution", Type::kNumber, "", "0", "How much of an impact's speed comes back.", kRestitutionRange),
-      parameter("grip_strength", Type::kNumber, "N", "50", "The force that opens a gripper.", kStrengthRange)};
+      makeParameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.", kIterationsRange),
+      makeParameter("gravity", Type::kNumber, "m/s2", "9.81", "Downwards along z.", kGravityRange),
+      makeParameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
+      makeParameter("ground_height", Type::kNumber, "m", "0", "Of the ground."),
+      makeParameter("friction", Type::kNumber, "", "0.5", "Of all surfaces but the treels'.", kFrictionRange),
+      makeParameter("treel_friction", Type::kNumber, "", "0.9", "Of treels on what they stand on.", kFrictionRange),
+      makeParameter("restitution", Type::kNumber, "", "0", "How much of an impact's speed comes back.",
+                    kRestitutionRange),
+      makeParameter("grip_strength", Type::kNumber, "N", "50", "The force that opens a gripper.", kStrengthRange)};
   return description;
 }
 

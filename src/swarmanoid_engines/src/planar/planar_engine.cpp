@@ -3,6 +3,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "common/device_refusal.hpp"
+#include "common/parameter.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/body_rays.hpp"
 #include "planar/draw_bodies.hpp"
@@ -13,25 +15,12 @@ constexpr Range kSubclockRange{1.0, 10000.0};
 }
 
 std::vector<Parameter> PlanarEngine::placementParameters() {
-  Parameter subclock;
-  subclock.name = "subclock";
-  subclock.type = Parameter::Type::kInteger;
-  subclock.value = "1";
-  subclock.range = kSubclockRange;
-  subclock.description = "Steps of the engine in each tick.";
-  Parameter axis;
-  axis.name = "perpendicular_axis";
-  axis.type = Parameter::Type::kChoice;
-  axis.value = "z";
+  using Type = Parameter::Type;
+  Parameter axis = makeParameter("perpendicular_axis", Type::kChoice, "", "z",
+                                 "The axis that the engine's plane is perpendicular to.");
   axis.choices = {"x", "y", "z"};
-  axis.description = "The axis that the engine's plane is perpendicular to.";
-  Parameter distance;
-  distance.name = "distance";
-  distance.type = Parameter::Type::kNumber;
-  distance.unit = "m";
-  distance.value = "0";
-  distance.description = "Signed distance of the plane from the origin.";
-  return {subclock, axis, distance};
+  return {makeParameter("subclock", Type::kInteger, "", "1", "Steps of the engine in each tick.", kSubclockRange), axis,
+          makeParameter("distance", Type::kNumber, "m", "0", "Signed distance of the plane from the origin.")};
 }
 
 void PlanarEngine::configure(const std::string& id, const Configuration& parameters) {
@@ -45,27 +34,7 @@ void PlanarEngine::configure(const std::string& id, const Configuration& paramet
 }
 
 std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  if (model.shapes.empty()) {
-    return "has no shape, so this engine has nothing to hold";
-  }
-  const auto lacks = [](const std::string& device, const char* part) {
-    return "device '" + device + "' cannot be simulated: a robot of this type has no " + part;
-  };
-  bool is_driven = false;
-  for (const std::string& device : devices) {
-    if (device == FootbotWheels::kType && !model.wheels) {
-      return lacks(device, "wheels");
-    }
-    if (device == FootbotGripper::kType && !model.gripper) {
-      return lacks(device, "gripper");
-    }
-    const bool is_drive = device == FootbotWheels::kType || device == EyebotVelocity::kType;
-    if (is_drive && is_driven) {
-      return "device '" + device + "' cannot be simulated: another device drives the robot already";
-    }
-    is_driven = is_driven || is_drive;
-  }
-  return "";
+  return deviceRefusal(model, devices);
 }
 
 std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pose) const {
