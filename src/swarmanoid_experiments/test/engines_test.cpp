@@ -1,6 +1,7 @@
 // The object retrieval experiment with its footbots and preys in each engine that can hold them: nothing else changes.
 #include <gtest/gtest.h>
 
+#include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {
@@ -38,6 +39,28 @@ TEST_P(EnginesTest, AResetIsAFreshStart) {
 }
 
 std::string nameOf(const testing::TestParamInfo<GroundEngine>& info) { return info.param.label; }
+
+std::unique_ptr<Simulation> runToEnd(const std::string& experiment) {
+  loadBuiltInPlugins();
+  auto simulation = std::make_unique<Simulation>(
+      readExperiment(findShared("swarmanoid_experiments", "experiments/" + experiment + ".xml")));
+  simulation->start();
+  while (!simulation->isFinished()) {
+    simulation->tick();
+  }
+  return simulation;
+}
+
+TEST(ExampleTest, TenFootbotsPullThePreyIntoTheNest) { EXPECT_EQ(runToEnd("group_pull")->success(), true); }
+
+TEST(ExampleTest, AChainCrossesTheGap) {
+  const auto simulation = runToEnd("gap");
+  for (int i = 1; i <= 5; ++i) {
+    const Eigen::Vector3d& position = poseOf(*simulation, "fb_" + std::to_string(i)).position;
+    EXPECT_GT(position.x(), 1.7) << i;
+    EXPECT_NEAR(position.z(), 0.4, 2e-3) << i;
+  }
+}
 
 TEST(EngineStepsTest, StepsThatAreTooLongAreRefusedAtLoad) {
   try {
