@@ -71,7 +71,7 @@ def against_library(table, build, engine, least):
         table.add(f"{engine}, diffusion, {robots:,} footbots, {subclock} steps a tick: whole tick against the library alone",
                   f"at least {promised}" if promised else "reported",
                   f"{seen:.2f}; {entry['items_per_second'] / 1e3:,.0f} thousand robots x ticks/s",
-                  promised is None or seen >= promised)
+                  None if promised is None else seen >= promised)
 
 
 def dynamics2d(table, build):

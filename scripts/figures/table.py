@@ -14,8 +14,10 @@ class Table:
         self.rows = []
 
     def add(self, what, figure, seen, reached):
-        self.rows.append((what, figure, seen, "yes" if reached else "**not reached**"))
-        print(f"{what}: {seen} ({'reached' if reached else 'NOT REACHED'})", file=sys.stderr)
+        """reached is None where nothing is promised."""
+        verdict = "-" if reached is None else "yes" if reached else "**not reached**"
+        self.rows.append((what, figure, seen, verdict))
+        print(f"{what}: {seen} ({verdict})", file=sys.stderr)
 
     def text(self):
         lines = ["| what | promised | seen | reached |", "|---|---|---|---|"]

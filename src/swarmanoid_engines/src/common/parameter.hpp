@@ -1,6 +1,7 @@
 /// A short way to write the parameters of engines.
 #pragma once
 
+#include <sstream>
 #include <string>
 
 #include "swarmanoid_interface/registry.hpp"
@@ -17,6 +18,14 @@ inline Parameter makeParameter(const std::string& name, Parameter::Type type, co
   result.description = description;
   result.range = range;
   return result;
+}
+
+/// One whose default is the value that the engine's settings start with.
+inline Parameter makeNumber(const std::string& name, const std::string& unit, double value, Range range,
+                            const std::string& description) {
+  std::ostringstream text;
+  text << value;
+  return makeParameter(name, Parameter::Type::kNumber, unit, text.str(), description, range);
 }
 
 }  // namespace swarmanoid

@@ -45,11 +45,10 @@ void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
     planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * toMetres(force),
                      drawing);
   };
-  const bool is_driven = bodies_[index].wheels != nullptr || bodies_[index].flight != nullptr;
-  if (is_driven && its.belt.body == nullptr) {
-    line(its.centre, its.last_push);
-  }
   if (its.belt.body == nullptr) {
+    if (its.drive != Drive::kNone) {
+      line(its.centre, its.last_push);
+    }
     return;
   }
   for (b2FrictionJoint* treel : its.belt.treels) {

@@ -14,8 +14,6 @@ namespace {
 constexpr double kFlightAcceleration = 4.0;       // m/s2
 constexpr double kFlightTurnAcceleration = 20.0;  // rad/s2
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 Eigen::Vector2d limited(const Eigen::Vector2d& force, double most) {
   const double squared = force.squaredNorm();
   return squared > most * most ? Eigen::Vector2d(force * (most / std::sqrt(squared))) : force;
@@ -41,7 +39,7 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   if (body.wheels != nullptr) {
     const PlanarModel& model = *body.model;
     its.ahead = model.ahead;
-    its.track = body.entity->wheels->separation * cross(model.left, model.ahead);
+    its.track = body.entity->wheels->separation * planar::cross(model.left, model.ahead);
     its.traction = 0.5 * material_.treel_friction * its.mass * material_.gravity;
   }
 }
@@ -72,12 +70,12 @@ void Dynamics2d::driveTreels(RigidBody& its, double step) {
   const Eigen::Vector2d force = its.mass / step * (its.centre_advance / step - velocity);
   const double torque = its.inertia / step * (its.turn_rate - its.body->GetAngularVelocity());
   // both treels carry half of it, and push in opposite directions to turn
-  const Eigen::Vector2d opposite = (torque + cross(its.arm, force)) / its.track * its.ahead;
+  const Eigen::Vector2d opposite = (torque + planar::cross(its.arm, force)) / its.track * its.ahead;
   const Eigen::Vector2d left = limited(0.5 * force + opposite, its.traction);
   const Eigen::Vector2d right = limited(0.5 * force - opposite, its.traction);
   const Eigen::Vector2d held = left + right;
   // the treels lie left and right of the origin, by half the track
-  const double turned = 0.5 * its.track * its.ahead.dot(left - right) - cross(its.arm, held);
+  const double turned = 0.5 * its.track * its.ahead.dot(left - right) - planar::cross(its.arm, held);
   push(its, held, turned);
 }
 
@@ -127,12 +125,12 @@ void Dynamics2d::recordBelts(double step) {
   auto push = recorded_pushes_->end();
   const auto frequency = static_cast<float>(1.0 / step);
   for (auto index = movers_.rbegin(); index != movers_.rend(); ++index) {
-    const Body& body = bodies_[*index];
-    if (body.wheels == nullptr && body.flight == nullptr) {
+    const RigidBody& its = rigid(*index);
+    if (its.drive == Drive::kNone) {
       continue;
     }
     --push;
-    for (b2FrictionJoint* treel : rigid(*index).belt.treels) {
+    for (b2FrictionJoint* treel : its.belt.treels) {
       if (treel != nullptr) {
         const b2Vec2 force = treel->GetReactionForce(frequency);
         push->force += force;

@@ -37,19 +37,19 @@ PluginDescription Dynamics2d::describe() {
   description.label = "dynamics2d";
   description.summary = "Two-dimensional rigid bodies on Box2D: masses, friction, force-limited drives, any grips.";
   description.parameters = placementParameters();
-  using Type = Parameter::Type;
+  const Material standard;
   const std::vector<Parameter> own = {
-      makeParameter("iterations", Type::kInteger, "", std::to_string(kIterations),
+      makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(kIterations),
                     "Of the solver of contacts and joints, in each step.", kIterationsRange),
-      makeParameter("gravity", Type::kNumber, "m/s2", "9.81", "Presses bodies on the plane.", kForceRange),
-      makeParameter("ground_friction", Type::kNumber, "", "0.4", "Coefficient of what slides on the plane.",
-                    kFrictionRange),
-      makeParameter("treel_friction", Type::kNumber, "", "0.9",
-                    "Coefficient of treels on the plane: beyond it they slip.", kFrictionRange),
-      makeParameter("contact_friction", Type::kNumber, "", "0.3", "Coefficient between bodies.", kFrictionRange),
-      makeParameter("restitution", Type::kNumber, "", "0", "Part of the speed that bodies bounce back with.",
-                    kFractionRange),
-      makeParameter("grip_strength", Type::kNumber, "N", "50", "A grip tears beyond this force.", kForceRange)};
+      makeNumber("gravity", "m/s2", standard.gravity, kForceRange, "Presses bodies on the plane."),
+      makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
+                 "Coefficient of what slides on the plane."),
+      makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
+                 "Coefficient of treels on the plane: beyond it they slip."),
+      makeNumber("contact_friction", "", standard.contact_friction, kFrictionRange, "Coefficient between bodies."),
+      makeNumber("restitution", "", standard.restitution, kFractionRange,
+                 "Part of the speed that bodies bounce back with."),
+      makeNumber("grip_strength", "N", standard.grip_strength, kForceRange, "A grip tears beyond this force.")};
   description.parameters.insert(description.parameters.end(), own.begin(), own.end());
   return description;
 }
@@ -157,6 +157,20 @@ void Dynamics2d::putBody(const Space& space, BodyIndex index) {
   its.body->SetAngularVelocity(static_cast<float>(turn_rate));
 }
 
+void Dynamics2d::takePose(const Space& space, BodyIndex index) {
+  const Eigen::Quaterniond base = bodies_.details(index).base;
+  const double along = bodies_[index].along;
+  bodies_.place(space, index);
+  if (bodies_.details(index).base.coeffs() != base.coeffs()) {
+    makeFixtures(index);
+  } else if (bodies_[index].along != along) {
+    for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      fixture->Refilter();  // at another height it may pass over others, or no longer
+    }
+  }
+  putBody(space, index);
+}
+
 void Dynamics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
@@ -172,9 +186,7 @@ void Dynamics2d::remove(Space&, Row row) {
 void Dynamics2d::place(Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
-  bodies_.place(space, index);
-  makeFixtures(index);
-  putBody(space, index);
+  takePose(space, index);
 }
 
 void Dynamics2d::clear() {

@@ -72,12 +72,12 @@ class Dynamics2d final : public planar::PlanarEngine {
   void makeBody(BodyIndex index);
   void makeFixtures(BodyIndex index);
   void putBody(const Space& space, BodyIndex index);
+  void takePose(const Space& space, BodyIndex index);
 
   // motion.cpp
   void startTick(const Space& space, double step);
   void meetGround(BodyIndex index);
-  bool mayTunnel(BodyIndex index, double step);
-  void moveMirror(const Space& space, BodyIndex index);
+  bool mayTunnel(BodyIndex index, double step) const;
   void finishTick(Space& space);
 
   // drive.cpp
@@ -102,7 +102,6 @@ class Dynamics2d final : public planar::PlanarEngine {
   void forgetGrips(BodyIndex index);
   void takeOverGrips(const Space& space, BodyIndex index);
   void tearGrips(double step);
-  void report(Space& space, Event::Kind kind, BodyIndex gripper, BodyIndex gripped, const char* text) const;
 
   Material material_;
   int velocity_iterations_ = 8;

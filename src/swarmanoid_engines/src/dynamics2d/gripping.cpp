@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/grips.hpp"
 #include "dynamics2d/dynamics2d.hpp"
 #include "planar/gripper_reach.hpp"
 
@@ -15,7 +16,7 @@ void Dynamics2d::connect(Space& space) {
     }
     Grip& grip = rigid(index).grip;
     if (grip.is_torn) {
-      report(space, Event::Kind::kReleased, index, grip.gripped, "torn off");
+      reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row, "torn off");
       space.structure.release(body.row);
       grip = Grip{};
       grip.must_open = true;
@@ -23,7 +24,7 @@ void Dynamics2d::connect(Space& space) {
     if (!body.gripper->closed) {
       grip.must_open = false;
       if (grip.joint != nullptr) {
-        report(space, Event::Kind::kReleased, index, grip.gripped, "");
+        reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row);
         space.structure.release(body.row);
         letGo(index);
       }
@@ -31,24 +32,17 @@ void Dynamics2d::connect(Space& space) {
       const BodyIndex found = findGrippable(space, index);
       if (found != kNoBody && space.structure.connect(body.row, bodies_[found].row)) {
         hold(index, found);
-        report(space, Event::Kind::kAttached, index, found, "");
+        reportGrip(space, Event::Kind::kAttached, body.row, bodies_[found].row);
       }
     }
   }
 }
 
-void Dynamics2d::report(Space& space, Event::Kind kind, BodyIndex gripper, BodyIndex gripped, const char* text) const {
-  const auto& names = space.entities.name;
-  space.events.push_back({kind, names[static_cast<std::size_t>(bodies_[gripper].row)],
-                          names[static_cast<std::size_t>(bodies_[gripped].row)], text});
-}
-
 BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const {
-  const Row own_structure = space.structure.root(bodies_[gripper].row);
   return planar::findInReach(bodies_, gripper, [&](BodyIndex index) {
     const Body& body = bodies_[index];
-    // what is in its own structure would close a loop
-    return body.is_movable && body.role == Role::kMove && space.structure.root(body.row) != own_structure;
+    // a structure is a tree: nobody grips what hangs on him
+    return body.is_movable && body.role == Role::kMove && space.structure.root(body.row) != bodies_[gripper].row;
   });
 }
 
@@ -91,20 +85,15 @@ void Dynamics2d::forgetGrips(BodyIndex index) {
 }
 
 void Dynamics2d::takeOverGrips(const Space& space, BodyIndex index) {
-  const auto take = [&](BodyIndex gripper, BodyIndex gripped) {
+  visitGripsOf(bodies_[index].row, space.structure, [&](Row gripper_row, Row gripped_row) {
+    const BodyIndex gripper = bodies_.find(gripper_row);
+    const BodyIndex gripped = bodies_.find(gripped_row);
     const auto is_here = [&](BodyIndex i) { return i != kNoBody && bodies_[i].role == Role::kMove; };
     if (is_here(gripper) && is_here(gripped) && bodies_[gripper].entity->gripper &&
         rigid(gripper).grip.joint == nullptr) {
       hold(gripper, gripped);
     }
-  };
-  const Row row = bodies_[index].row;
-  if (const Row gripped = space.structure.grippedBy(row); gripped != kNoRow) {
-    take(index, bodies_.find(gripped));
-  }
-  for (const Row gripper : space.structure.grippersOf(row)) {
-    take(bodies_.find(gripper), index);
-  }
+  });
 }
 
 void Dynamics2d::tearGrips(double step) {

@@ -10,23 +10,9 @@ void Dynamics2d::readMirrors(const Space& space) {
   for (const BodyIndex index : bodies_.order()) {
     const Body& body = bodies_[index];
     if (body.role == Role::kMirror && body.is_movable) {
-      moveMirror(space, index);
+      takePose(space, index);
     }
   }
-}
-
-void Dynamics2d::moveMirror(const Space& space, BodyIndex index) {
-  const Eigen::Quaterniond base = bodies_.details(index).base;
-  const double along = bodies_[index].along;
-  bodies_.place(space, index);
-  if (bodies_.details(index).base.coeffs() != base.coeffs()) {
-    makeFixtures(index);
-  } else if (bodies_[index].along != along) {
-    for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-      fixture->Refilter();  // at another height it may pass over others, or no longer
-    }
-  }
-  putBody(space, index);
 }
 
 void Dynamics2d::move(Space& space, Duration dt) {
@@ -63,7 +49,6 @@ void Dynamics2d::startTick(const Space& space, double step) {
   for (const BodyIndex index : movers_) {
     Body& body = bodies_[index];
     RigidBody& its = rigid(index);
-    its.heading_before = body.pose.heading;
     if (its.belt.body != nullptr && its.isFree()) {
       dropBelt(its);
     }
@@ -77,9 +62,9 @@ void Dynamics2d::startTick(const Space& space, double step) {
   world_->SetContinuousPhysics(may_tunnel);
 }
 
-bool Dynamics2d::mayTunnel(BodyIndex index, double step) {
+bool Dynamics2d::mayTunnel(BodyIndex index, double step) const {
   constexpr double kSafe = 0.25;  // of the thickness: a push on top of it is still safe
-  RigidBody& its = rigid(index);
+  const RigidBody& its = rigid(index);
   const double most = kSafe * its.thickness;
   const double way_squared = toMetres(its.body->GetLinearVelocity()).squaredNorm() * step * step;
   return std::max(way_squared, its.centre_advance.squaredNorm()) > most * most;
@@ -87,7 +72,7 @@ bool Dynamics2d::mayTunnel(BodyIndex index, double step) {
 
 void Dynamics2d::meetGround(BodyIndex index) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
+  const RigidBody& its = rigid(index);
   if (body.wheels != nullptr || body.flight != nullptr) {
     return;
   }
@@ -101,7 +86,7 @@ void Dynamics2d::meetGround(BodyIndex index) {
   definition.maxForce = static_cast<float>(force * kUnitsPerMetre);
   definition.maxTorque = static_cast<float>(force * 2.0 / 3.0 * body.model->radius * kSquareUnits);
   definition.collideConnected = true;
-  its.ground = static_cast<b2FrictionJoint*>(world_->CreateJoint(&definition));
+  world_->CreateJoint(&definition);
 }
 
 void Dynamics2d::finishTick(Space& space) {
@@ -116,10 +101,10 @@ void Dynamics2d::finishTick(Space& space) {
         toMetres(its.body->GetLinearVelocity()) - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
     twist.linear = plane.toGlobal(velocity, 0.0);
     twist.angular = plane.normal() * turn_rate;
-    const planar::PlacedPose& before = bodies_[index].pose;
+    const planar::PlacedPose before = bodies_[index].pose;
     if (pose.position != before.position || pose.heading != before.heading) {
       bodies_.setPose(index, pose);
-      writePose(space, index, its.heading_before);
+      writePose(space, index, before.heading);
     }
   }
 }

@@ -63,10 +63,8 @@ struct RigidBody {
   Belt belt;
 
   Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();  ///< in each step of this tick, at heading 0 [m]
-  b2FrictionJoint* ground = nullptr;                         ///< what slides on the ground
   double thickness = 0.0;                                    ///< half the thickness of the thickest shape [m]
   b2Vec2 last_push{0.0F, 0.0F};                              ///< of plain forces in the last step, in Box2D's units
-  double heading_before = 0.0;                               ///< of the tick, as the body had it
 
   bool isConnected() const { return grip.joint != nullptr || held_by > 0; }
   bool isFree() const { return touching == 0 && !isConnected(); }

@@ -46,6 +46,7 @@ void Contacts::release() {
     ground_.geom = nullptr;
   }
   near_.clear();
+  points_.clear();
 }
 
 Eigen::AlignedBox3d Contacts::boundsNow(const Body& body) {

@@ -1,7 +1,9 @@
 // Phase `connect`: grippers take hold and let go; during `move` they feel the force on them, and may break.
 #include <cmath>
+#include <limits>
 #include <sstream>
 
+#include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -45,13 +47,12 @@ void Dynamics3d::connect(Space& space) {
 }
 
 Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
-  constexpr double kReach = 0.02;  // m from the gripper's tip to the gripping strip
   const EntityModel::Gripper& geometry = *robot.model->gripper;
   const Eigen::Vector3d tip =
       robot.pose.position + robot.pose.orientation * Eigen::Vector3d(geometry.tip, 0.0, geometry.height);
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kReach);
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kGripperReach);
   const Body* nearest = nullptr;
-  double nearest_distance = kReach;
+  double nearest_distance = kGripperReach;
   seen_.visitNear({tip - reach, tip + reach}, [&](const Body* body, const Eigen::AlignedBox3d&) {
     // a structure is a tree: nobody grips what hangs on him
     if (body == &robot || !body->is_dynamic || !body->model->gripping_radius ||
@@ -70,13 +71,10 @@ Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
 }
 
 void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
-  if (!space.structure.connect(robot.row, object.row)) {
-    return;
+  if (space.structure.connect(robot.row, object.row)) {
+    join(robot, object);
+    reportGrip(space, Event::Kind::kAttached, robot.row, object.row);
   }
-  join(robot, object);
-  const auto& names = space.entities.name;
-  space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(robot.row)],
-                          names[static_cast<std::size_t>(object.row)], ""});
 }
 
 void Dynamics3d::join(Body& robot, Body& object) {
@@ -90,25 +88,18 @@ void Dynamics3d::join(Body& robot, Body& object) {
 }
 
 void Dynamics3d::takeOverGrips(const Space& space, Body& body) {
-  const auto take = [&](Body* robot, Body* object) {
+  visitGripsOf(body.row, space.structure, [&](Row gripper, Row gripped) {
+    Body* robot = find(gripper);
+    Body* object = find(gripped);
     if (robot != nullptr && object != nullptr && robot->is_dynamic && object->is_dynamic &&
         robot->grip.gripped == nullptr) {
       join(*robot, *object);
     }
-  };
-  const Row gripped = space.structure.grippedBy(body.row);
-  if (gripped != kNoRow) {
-    take(&body, find(gripped));
-  }
-  for (const Row gripper : space.structure.grippersOf(body.row)) {
-    take(find(gripper), &body);
-  }
+  });
 }
 
 void Dynamics3d::release(Space& space, Body& robot, const std::string& why) {
-  const auto& names = space.entities.name;
-  space.events.push_back({Event::Kind::kReleased, names[static_cast<std::size_t>(robot.row)],
-                          names[static_cast<std::size_t>(robot.grip.gripped->row)], why});
+  reportGrip(space, Event::Kind::kReleased, robot.row, robot.grip.gripped->row, why);
   space.structure.release(robot.row);
   letGo(robot);
 }

@@ -16,6 +16,7 @@ constexpr Range kStrengthRange{0.0, 1e6};
 
 PluginDescription Dynamics3d::describe() {
   using Type = Parameter::Type;
+  const Settings standard;
   PluginDescription description;
   description.label = "dynamics3d";
   description.summary = "Three-dimensional dynamics: masses, forces, friction, gravity, grips that break, flight.";
@@ -26,14 +27,14 @@ PluginDescription Dynamics3d::describe() {
                     kSubclockRange),
       solver,
       makeParameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.", kIterationsRange),
-      makeParameter("gravity", Type::kNumber, "m/s2", "9.81", "Downwards along z.", kGravityRange),
+      makeNumber("gravity", "m/s2", standard.gravity, kGravityRange, "Downwards along z."),
       makeParameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
-      makeParameter("ground_height", Type::kNumber, "m", "0", "Of the ground."),
-      makeParameter("friction", Type::kNumber, "", "0.5", "Of all surfaces but the treels'.", kFrictionRange),
-      makeParameter("treel_friction", Type::kNumber, "", "0.9", "Of treels on what they stand on.", kFrictionRange),
-      makeParameter("restitution", Type::kNumber, "", "0", "How much of an impact's speed comes back.",
-                    kRestitutionRange),
-      makeParameter("grip_strength", Type::kNumber, "N", "50", "The force that opens a gripper.", kStrengthRange)};
+      makeNumber("ground_height", "m", standard.ground_height, {}, "Of the ground."),
+      makeNumber("friction", "", standard.friction, kFrictionRange, "Of all surfaces but the treels'."),
+      makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange, "Of treels on what they stand on."),
+      makeNumber("restitution", "", standard.restitution, kRestitutionRange,
+                 "How much of an impact's speed comes back."),
+      makeNumber("grip_strength", "N", standard.grip_strength, kStrengthRange, "The force that opens a gripper.")};
   return description;
 }
 

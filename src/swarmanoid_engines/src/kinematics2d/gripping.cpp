@@ -1,4 +1,5 @@
 // Phase `connect`: footbots grip preys and let go of them.
+#include "common/grips.hpp"
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/gripper_reach.hpp"
 
@@ -31,15 +32,12 @@ BodyIndex Kinematics2d::findPrey(BodyIndex gripper) const {
 }
 
 void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_index) {
-  const Body& gripper = bodies_[gripper_index];
-  const Body& prey = bodies_[prey_index];
-  if (!space.structure.connect(gripper.row, prey.row)) {
-    return;
+  const Row gripper = bodies_[gripper_index].row;
+  const Row prey = bodies_[prey_index].row;
+  if (space.structure.connect(gripper, prey)) {
+    join(gripper_index, prey_index);
+    reportGrip(space, Event::Kind::kAttached, gripper, prey);
   }
-  join(gripper_index, prey_index);
-  const auto& names = space.entities.name;
-  space.events.push_back({Event::Kind::kAttached, names[static_cast<std::size_t>(gripper.row)],
-                          names[static_cast<std::size_t>(prey.row)], ""});
 }
 
 void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
@@ -62,29 +60,21 @@ std::string Kinematics2d::gripRefusal(const Space& space, Row gripper) const {
 }
 
 void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
-  const Row row = bodies_[index].row;
-  const auto take = [&](BodyIndex gripper, BodyIndex prey) {
+  visitGripsOf(bodies_[index].row, space.structure, [&](Row gripper_row, Row prey_row) {
+    const BodyIndex gripper = bodies_.find(gripper_row);
+    const BodyIndex prey = bodies_.find(prey_row);
     const bool both_here = gripper != kNoBody && prey != kNoBody && bodies_[gripper].role == Role::kMove &&
                            bodies_[prey].role == Role::kMove;
     if (both_here && motion(gripper).gripped == kNoBody && motion(prey).gripped_by == kNoBody) {
       join(gripper, prey);
     }
-  };
-  const Row gripped = space.structure.grippedBy(row);
-  if (gripped != kNoRow) {
-    take(index, bodies_.find(gripped));
-  }
-  for (const Row gripper : space.structure.grippersOf(row)) {
-    take(bodies_.find(gripper), index);
-  }
+  });
 }
 
 void Kinematics2d::release(Space& space, BodyIndex gripper_index) {
   const Row gripper = bodies_[gripper_index].row;
   const BodyIndex prey = motion(gripper_index).gripped;
-  const auto& names = space.entities.name;
-  space.events.push_back({Event::Kind::kReleased, names[static_cast<std::size_t>(gripper)],
-                          names[static_cast<std::size_t>(bodies_[prey].row)], ""});
+  reportGrip(space, Event::Kind::kReleased, gripper, bodies_[prey].row);
   space.structure.release(gripper);
   motion(prey).gripped_by = kNoBody;
   motion(gripper_index).gripped = kNoBody;

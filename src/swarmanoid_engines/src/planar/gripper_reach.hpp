@@ -1,8 +1,9 @@
-/// What a footbot's gripper reaches: a gripping strip within two centimetres of its tip.
+/// What a footbot's gripper reaches: a gripping strip within kGripperReach of its tip.
 #pragma once
 
 #include <cmath>
 
+#include "common/grips.hpp"
 #include "planar/bodies.hpp"
 
 namespace swarmanoid::planar {
@@ -24,11 +25,10 @@ double distanceToStrip(const Bodies& bodies, BodyIndex body, const GripperTip& t
 /// ones the oldest. kNoBody if there is none.
 template <class Filter>
 BodyIndex findInReach(const Bodies& bodies, BodyIndex gripper, Filter may_be_gripped) {
-  constexpr double kReach = 0.02;  // m
   const GripperTip tip = gripperTip(bodies, gripper);
   BodyIndex nearest = kNoBody;
-  double nearest_distance = kReach;
-  bodies.visitNear(tip.position, kReach, [&](BodyIndex index) {
+  double nearest_distance = kGripperReach;
+  bodies.visitNear(tip.position, kGripperReach, [&](BodyIndex index) {
     const double distance = distanceToStrip(bodies, index, tip);
     const bool is_nearer = distance < nearest_distance || (nearest != kNoBody && distance == nearest_distance &&
                                                            bodies[index].number < bodies[nearest].number);

@@ -6,8 +6,6 @@
 namespace swarmanoid::planar {
 namespace {
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
-
 /// Counter-clockwise convex hull (monotone chain). `points` are sorted on the way.
 void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vector2d>& hull) {
   constexpr double kSame = 1e-9;  // m

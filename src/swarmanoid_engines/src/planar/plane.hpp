@@ -25,6 +25,8 @@ inline double wrapAngle(double angle) {
   return angle > -M_PI && angle <= M_PI ? angle : std::remainder(angle, 2.0 * M_PI);
 }
 
+inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
 class Plane {
  public:
   Plane() = default;

@@ -85,6 +85,17 @@ TEST(CollisionTest, AFootbotStopsAtAWall) {
   EXPECT_LT(world.twist(row).linear.norm(), 1e-3);
 }
 
+TEST(CollisionTest, WhatPressesOnAnotherSinksInByNoMoreThanTheTolerance) {
+  World world({10.0, 10.0, 2.0}, 10);
+  const Row prey = world.addPrey(0.1, 0.1, 1.0, 1.0, 1000.0);
+  const Row footbot = world.addFootbot(flatPose(1.3, 1.0));
+  world.drive(footbot, -0.1);  // its round back ahead
+  world.step(100);
+  const double gap = world.pose(footbot).position.x() - world.pose(prey).position.x() - 0.185;
+  EXPECT_GT(gap, -0.65e-3);
+  EXPECT_LT(gap, 0.1e-3) << "it should press";
+}
+
 TEST(CollisionTest, NobodyLeavesThroughAWallAndNothingExplodes) {
   World world({4.0, 4.0, 1.0}, 4);
   for (const double at : {0.0, 4.0}) {
