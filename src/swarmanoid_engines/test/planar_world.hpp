@@ -35,7 +35,7 @@ inline std::shared_ptr<const EntityModel> footbotModel() {
     footbot->wheels = EntityModel::Wheels{0.029, 0.14, 10.344827586206895};
     footbot->gripper = EntityModel::Gripper{0.11, 0.05};
     footbot->measureShapes();
-    footbot->addMass(1.8, {0.0, 0.0, 0.065}, Eigen::Vector3d(0.004, 0.004, 0.0055).asDiagonal());
+    footbot->addMass({1.8, {0.0, 0.0, 0.065}, Eigen::Vector3d(0.004, 0.004, 0.0055).asDiagonal().toDenseMatrix()});
     return footbot;
   }();
   return model;

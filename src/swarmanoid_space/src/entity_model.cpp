@@ -78,19 +78,37 @@ void EntityModel::measureShapes() {
   }
 }
 
-void EntityModel::addMass(double added, const Vector3d& centre, const Eigen::Matrix3d& its_inertia) {
+void Inertial::add(const Inertial& part) {
   // both moments are brought to the common centre (parallel axes)
   const auto atDistance = [](double m, const Vector3d& r) -> Eigen::Matrix3d {
     return m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
   };
-  const double total = mass + added;
+  const double total = mass + part.mass;
   if (!(total > 0.0)) {
     return;
   }
-  const Vector3d common = (mass * centre_of_mass + added * centre) / total;
-  inertia += its_inertia + atDistance(mass, centre_of_mass - common) + atDistance(added, centre - common);
+  const Vector3d common = (mass * centre_of_mass + part.mass * part.centre_of_mass) / total;
+  inertia +=
+      part.inertia + atDistance(mass, centre_of_mass - common) + atDistance(part.mass, part.centre_of_mass - common);
   centre_of_mass = common;
   mass = total;
+}
+
+void EntityModel::addMass(const Inertial& part) {
+  Inertial whole{mass, centre_of_mass, inertia};
+  whole.add(part);
+  mass = whole.mass;
+  centre_of_mass = whole.centre_of_mass;
+  inertia = whole.inertia;
+}
+
+int EntityModel::findJoint(const std::string& name) const {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i].name == name) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
 }
 
 const Mount& EntityModel::mount(const std::string& name) const {
@@ -101,7 +119,7 @@ const Mount& EntityModel::mount(const std::string& name) const {
   return found->second;
 }
 
-std::shared_ptr<const EntityModel> blockModel(const Vector3d& size, double mass) {
+std::shared_ptr<const EntityModel> blockModel(const Vector3d& size, double mass, bool is_ferromagnetic) {
   auto model = std::make_shared<EntityModel>();
   model->type = "block";
   model->title = "Block";
@@ -111,10 +129,11 @@ std::shared_ptr<const EntityModel> blockModel(const Vector3d& size, double mass)
   model->shapes.push_back(box);
   model->measureShapes();
   model->is_movable = mass > 0.0;
+  model->is_ferromagnetic = is_ferromagnetic;
   model->origin_height = size.z() / 2.0;
   const Vector3d square = size.cwiseProduct(size) / 12.0;
   const Vector3d moments(square.y() + square.z(), square.x() + square.z(), square.x() + square.y());
-  model->addMass(mass, Vector3d::Zero(), mass * moments.asDiagonal().toDenseMatrix());
+  model->addMass({mass, Vector3d::Zero(), mass * moments.asDiagonal().toDenseMatrix()});
   return model;
 }
 
@@ -133,7 +152,7 @@ std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double heig
   model->measureShapes();
   const double across = radius * radius / 4.0 + height * height / 12.0;
   const Vector3d moments(across, across, radius * radius / 2.0);
-  model->addMass(mass, middle, mass * moments.asDiagonal().toDenseMatrix());
+  model->addMass({mass, middle, mass * moments.asDiagonal().toDenseMatrix()});
   return model;
 }
 

@@ -87,7 +87,9 @@ class BlockType final : public EntityType {
     description.summary = "A brick: a wall, an obstacle, a table. Its position is its centre.";
     description.parameters = {
         parameter("size", Parameter::Type::kVector3, "m", "Lengths along the brick's own x, y, z."),
-        mass("0", 0.0, "Of the brick; 0: it is fixed to the ground.")};
+        mass("0", 0.0, "Of the brick; 0: it is fixed to the ground."),
+        parameter("ferromagnetic", Parameter::Type::kBoolean, "", "Whether magnets of ropes and eyebots hold on it.",
+                  "false")};
     return description;
   }
 
@@ -98,9 +100,11 @@ class BlockType final : public EntityType {
                         "size: found '" + parameters.text("size") + "', allowed: three numbers greater than 0");
     }
     const double mass = parameters.number("mass", 0.0);
-    using Key = std::array<double, 4>;
+    const bool is_ferromagnetic = parameters.boolean("ferromagnetic", false);
+    using Key = std::array<double, 5>;
     static std::map<Key, std::weak_ptr<const EntityModel>> known;
-    return shared(known, Key{size.x(), size.y(), size.z(), mass}, [&] { return blockModel(size, mass); });
+    return shared(known, Key{size.x(), size.y(), size.z(), mass, is_ferromagnetic ? 1.0 : 0.0},
+                  [&] { return blockModel(size, mass, is_ferromagnetic); });
   }
 };
 

@@ -26,6 +26,9 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
   if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
     problem = engine.gripRefusal(space, row);
   }
+  if (problem.empty() && space.attachments.isAttached(row)) {
+    problem = engine.attachmentRefusal(space, row);
+  }
   if (problem.empty()) {
     const Row other = engine.overlap(model, pose, members);
     problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[static_cast<std::size_t>(other)] + "'";
@@ -130,8 +133,9 @@ bool holds(const HandoverDescription& rule, const Space& space, Row row) {
     return (p.array() >= rule.minimum.array()).all() && (p.array() <= rule.maximum.array()).all();
   };
   const auto isAttached = [&] {
-    return (rule.end != End::kGripped && space.structure.grippedBy(row) != kNoRow) ||
-           (rule.end != End::kGripper && !space.structure.grippersOf(row).empty());
+    return (rule.end != End::kGripped &&
+            (space.structure.grippedBy(row) != kNoRow || space.attachments.isAttached(row))) ||
+           (rule.end != End::kGripper && (!space.structure.grippersOf(row).empty() || space.attachments.isHeld(row)));
   };
   const auto isShown = [&] {
     const auto& values = space.robots[i]->debugValues();

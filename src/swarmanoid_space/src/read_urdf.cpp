@@ -89,7 +89,17 @@ Mount toMount(const urdf::Pose& pose) {
 }
 
 Mount chain(const Mount& frame, const Mount& inner) {
-  return {frame.position + frame.orientation * inner.position, (frame.orientation * inner.orientation).normalized()};
+  Mount result;
+  result.position = frame.position + frame.orientation * inner.position;
+  result.orientation = (frame.orientation * inner.orientation).normalized();
+  return result;
+}
+
+Mount inverse(const Mount& frame) {
+  Mount result;
+  result.orientation = frame.orientation.conjugate();
+  result.position = -(result.orientation * frame.position);
+  return result;
 }
 
 std::string coordinates(const Eigen::Vector3d& v) {

@@ -32,6 +32,9 @@ Mount toMount(const urdf::Pose& pose);
 /// Where something is in the body frame, given where it is in a frame on the body.
 Mount chain(const Mount& frame, const Mount& inner);
 
+/// Where the body is in a frame on it.
+Mount inverse(const Mount& frame);
+
 /// "x y z", as in a URDF.
 std::string coordinates(const Eigen::Vector3d& v);
 

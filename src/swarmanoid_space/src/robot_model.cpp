@@ -8,6 +8,7 @@
 #include <set>
 
 #include "read_urdf.hpp"
+#include "robot_joints.hpp"
 #include "robot_wheels.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -41,7 +42,7 @@ class RobotReader {
     if (root->name != "base_link") {
       urdf_.fail("found '" + root->name + "' as the root link, expected 'base_link'");
     }
-    readLink(*root, Mount{});
+    readLink(*root, Mount{}, -1);
     if (model_->shapes.empty()) {
       urdf_.fail("found no collision element, expected at least one: without it the robot has no extent");
     }
@@ -53,13 +54,19 @@ class RobotReader {
   }
 
  private:
-  void readLink(const urdf::Link& link, const Mount& frame) {
-    model_->mounts[link.name] = frame;
+  /// @param turned_by the joint that turns the link, or what carries it; -1: none
+  void readLink(const urdf::Link& link, const Mount& frame, int turned_by) {
+    Mount& mount = model_->mounts[link.name];
+    mount = frame;
+    mount.joint = turned_by;
     if (link.inertial != nullptr) {
-      addInertial(*link.inertial, frame);
+      const Inertial inertial = readInertial(*link.inertial, frame);
+      model_->addMass(inertial);
+      (turned_by < 0 ? model_->body_part : model_->joints[static_cast<std::size_t>(turned_by)].part).add(inertial);
     }
     for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
-      const CollisionShape shape = readShape(link.name, *collision, frame);
+      CollisionShape shape = readShape(link.name, *collision, frame);
+      shape.joint = turned_by;
       if (link.name == "gripping_strip") {
         readStrip(shape);
       } else {
@@ -71,18 +78,30 @@ class RobotReader {
     }
     for (const urdf::JointSharedPtr& joint : link.child_joints) {
       const Mount child = chain(frame, toMount(joint->parent_to_joint_origin_transform));
-      readLink(*urdf_.robot->getLink(joint->child_link_name), child);
+      const bool turns = isTurningJoint(*joint) && !isWheelJoint(joint->name);
+      readLink(*urdf_.robot->getLink(joint->child_link_name), child,
+               turns ? addJoint(*joint, child, turned_by) : turned_by);
     }
   }
 
-  void addInertial(const urdf::Inertial& inertial, const Mount& frame) {
+  /// @return its index
+  int addJoint(const urdf::Joint& joint, const Mount& frame, int carrier) {
+    if (model_->joints.size() == Space::kMaxJoints) {
+      urdf_.fail("joint '" + joint.name + "': allowed are at most " + std::to_string(Space::kMaxJoints) +
+                 " joints besides the wheels");
+    }
+    model_->joints.push_back(readJoint(urdf_, joint, frame, carrier));
+    return static_cast<int>(model_->joints.size()) - 1;
+  }
+
+  static Inertial readInertial(const urdf::Inertial& inertial, const Mount& frame) {
     const Mount place = chain(frame, toMount(inertial.origin));
     Eigen::Matrix3d inertia;
     inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
         inertial.ixy, inertial.iyy, inertial.iyz,         //
         inertial.ixz, inertial.iyz, inertial.izz;
     const Eigen::Matrix3d turn = place.orientation.toRotationMatrix();
-    model_->addMass(inertial.mass, place.position, turn * inertia * turn.transpose());
+    return {inertial.mass, place.position, turn * inertia * turn.transpose()};
   }
 
   CollisionShape readShape(const std::string& link, const urdf::Collision& collision, const Mount& frame) const {

@@ -52,6 +52,8 @@ Wheel readWheel(const UrdfFile& urdf, const EntityModel& model, const urdf::Join
 
 }  // namespace
 
+bool isWheelJoint(const std::string& name) { return name == "left_wheel" || name == "right_wheel"; }
+
 std::optional<EntityModel::Wheels> readWheels(const UrdfFile& urdf, const EntityModel& model) {
   const urdf::JointConstSharedPtr left_joint = urdf.robot->getJoint("left_wheel");
   const urdf::JointConstSharedPtr right_joint = urdf.robot->getJoint("right_wheel");

@@ -53,6 +53,7 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Sea
   const auto i = static_cast<std::size_t>(row);
   space_.fitRows();
   std::fill_n(space_.ledsOf(row), Space::kMaxLeds, colors::kBlack);
+  std::fill_n(space_.jointsOf(row), Space::kMaxJoints, JointState{});
   space_.outside[i] = 0;
   space_.mover[i] = nullptr;
   cast_->seats.resize(space_.entities.rowCount());
@@ -123,6 +124,7 @@ void Simulation::removeEntity(Row row) {
   }
   space_.robots[i].reset();
   space_.structure.isolate(row);
+  space_.attachments.isolate(row);
   for (const Seat& seat : cast_->seats[i]) {
     seat.engine->remove(space_, row);
   }
@@ -146,6 +148,8 @@ void Simulation::unbuild() {
   cast_->watches.clear();
   space_.entities.clear();
   space_.structure.clear();
+  space_.attachments.clear();
+  space_.joints.clear();
   space_.leds.clear();
   space_.laser_spots.clear();
   space_.events.clear();

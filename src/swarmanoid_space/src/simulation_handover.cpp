@@ -49,7 +49,7 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
   if (space_.mover[i] == engine && space_.entities.model[i]->is_movable) {
     return;
   }
-  const std::vector<Row> members = space_.structure.members(row);
+  const std::vector<Row> members = connectedTo(space_.entities, space_.structure, space_.attachments, row);
   refreshMirrors(space_, cast_->seats, *engine);
   const std::string problem = handoverProblem(space_, cast_->drivers, members, row, *engine);
   if (!problem.empty()) {

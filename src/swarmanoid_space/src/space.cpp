@@ -62,6 +62,8 @@ bool Space::isOccluded(const Segment& segment, Row from, Row to) const {
 void Space::fitRows() {
   const std::size_t rows = entities.rowCount();
   structure.resize(rows);
+  attachments.resize(rows);
+  joints.resize(rows * kMaxJoints);
   leds.resize(rows * kMaxLeds);
   mover.resize(rows, nullptr);
   robots.resize(rows);

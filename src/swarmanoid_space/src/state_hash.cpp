@@ -59,6 +59,16 @@ std::uint64_t stateHash(const Space& space) {
     hasher.add(space.ledsOf(row), Space::kMaxLeds);
     const Row gripped = space.structure.grippedBy(row);
     hasher.add(gripped == kNoRow ? kNobody : entities.number[static_cast<std::size_t>(gripped)]);
+    for (std::size_t joint = 0; joint < entities.model[i]->joints.size(); ++joint) {
+      hasher.add(space.jointsOf(row)[joint].angle);
+      hasher.add(space.jointsOf(row)[joint].speed);
+    }
+    space.attachments.visit(row, [&](Attachment::Kind kind, const Attachment& attachment) {
+      hasher.add(static_cast<std::uint64_t>(kind));
+      hasher.add(entities.number[static_cast<std::size_t>(attachment.held)]);
+      hasher.add(attachment.anchor);
+      hasher.add(attachment.length);
+    });
     // Two runs that differ only in who moves an entity go apart later: the hash tells it in the tick in which they
     // begin to. Walls may be in several engines, and none of them moves them.
     if (entities.model[i]->is_movable) {

@@ -47,8 +47,8 @@ TEST(EntityModelTest, BlockWithAMassCanBeMoved) {
 TEST(EntityModelTest, PartsAddUpToOneMass) {
   EntityModel model;
   const Eigen::Matrix3d none = Eigen::Matrix3d::Zero();
-  model.addMass(1.0, {0.0, 0.0, 1.0}, none);
-  model.addMass(3.0, {0.4, 0.0, 1.0}, none);
+  model.addMass({1.0, {0.0, 0.0, 1.0}, none});
+  model.addMass({3.0, {0.4, 0.0, 1.0}, none});
   EXPECT_DOUBLE_EQ(model.mass, 4.0);
   EXPECT_TRUE(model.centre_of_mass.isApprox(Vector3d(0.3, 0.0, 1.0), 1e-12));
   // two points 0.4 m apart: reduced mass times distance squared, across the line between them

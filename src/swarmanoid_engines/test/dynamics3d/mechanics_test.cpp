@@ -146,7 +146,7 @@ TEST(MechanicsTest, ABallOfRestitutionBounces) {
   ball->is_movable = true;
   ball->shapes.push_back({CollisionShape::Kind::kSphere, Vector3d::Constant(0.1), Vector3d::Zero()});
   ball->measureShapes();
-  ball->addMass(1.0, Vector3d::Zero(), 0.004 * Eigen::Matrix3d::Identity());
+  ball->addMass({1.0, Vector3d::Zero(), 0.004 * Eigen::Matrix3d::Identity()});
   const Row row = world.add(ball, flatPose(2.0, 2.0, 0.0, 1.1));
   double highest = 0.0;
   bool has_bounced = false;

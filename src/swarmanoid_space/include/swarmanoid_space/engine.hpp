@@ -3,7 +3,8 @@
 ///
 /// Engines are closed worlds: entities of different engines do not collide. An engine keeps its own frame and
 /// dimension; what it reads from the space and writes to it is in W. It may read anything in the space, and writes only
-/// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
+/// `pose`, `twist` and `joints` of the entities it moves (in `move`), the structural tree, attachments and events (in
+/// `connect`).
 ///
 /// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect: `connect`.
 ///          mayMeet, castRays, draw: any time but during `move`.
@@ -12,9 +13,10 @@
 ///
 /// Handover  (thesis chapter 5) an entity changes the engine that moves it, with all that it is connected to:
 /// `refusal`,
-///          `misplacement`, `overlap` and `gripRefusal` decide, without any change; then the old engine gets `remove`
-///          for each member and the new one `add`, parents before children. The space keeps pose, twist, grips, devices
-///          and everything else meanwhile, so what an engine knows beyond them, it makes anew from them.
+///          `misplacement`, `overlap`, `gripRefusal` and `attachmentRefusal` decide, without any change; then the old
+///          engine gets `remove` for each member and the new one `add`, parents before children. The space keeps pose,
+///          twist, joints, grips, attachments, devices and everything else meanwhile, so what an engine knows beyond
+///          them, it makes anew from them.
 ///
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
 #pragma once
@@ -64,8 +66,14 @@ class Engine {
     return "grips, and this engine holds no grips";
   }
 
+  /// Likewise for what `owner` holds on to in `attachments`: its rope, its hands, its magnet.
+  virtual std::string attachmentRefusal(const Space& /*space*/, Row /*owner*/) const {
+    return "holds on to something, and this engine knows neither ropes nor hands nor magnets";
+  }
+
   /// Takes charge of an entity at the pose, and with the twist, that it has in the space. As soon as both ends of a
-  /// grip in `structure` are moved here, the grip holds here. @pre no misplacement, no overlap
+  /// grip in `structure` are moved here, the grip holds here; likewise attachments, whose other end may be fixed. @pre
+  /// no misplacement, no overlap
   virtual void add(Space& space, Row row, Role role) = 0;
   /// Gives an entity back; its pose and twist in the space are already what they should be. Grips in `structure` stay,
   /// for whoever gets it next.

@@ -13,11 +13,13 @@
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_interface/time.hpp"
+#include "swarmanoid_space/attachments.hpp"
 #include "swarmanoid_space/bank.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/entities.hpp"
 #include "swarmanoid_space/event.hpp"
 #include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/joints.hpp"
 #include "swarmanoid_space/positional_index.hpp"
 #include "swarmanoid_space/ray.hpp"
 #include "swarmanoid_space/structural_tree.hpp"
@@ -51,10 +53,12 @@ class Space {
   std::vector<FloorPatch> floor_patches;
 
   // The world.
-  Entities entities;         ///< pose, twist: move
-  StructuralTree structure;  ///< connect
-  PositionalIndex index;     ///< index; as of the end of the last tick
-  std::vector<Color> leds;   ///< actuate; rows of kMaxLeds, by entity row: the colours of model->led_positions
+  Entities entities;               ///< pose, twist: move
+  StructuralTree structure;        ///< connect
+  Attachments attachments;         ///< connect
+  PositionalIndex index;           ///< index; as of the end of the last tick
+  std::vector<JointState> joints;  ///< move; rows of kMaxJoints, by entity row: those of model->joints
+  std::vector<Color> leds;         ///< actuate; rows of kMaxLeds, by entity row: the colours of model->led_positions
   std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
   std::vector<Event> events;           ///< of this tick, in order of happening
 
@@ -69,6 +73,11 @@ class Space {
   std::vector<char> outside;                   ///< index; 1: the entity's origin is outside the arena
 
   std::vector<Engine*> engines;  ///< all, in the order of the experiment file
+
+  static constexpr std::size_t kMaxJoints = 8;
+  /// The states of an entity's joints, kMaxJoints of them.
+  JointState* jointsOf(Row row) { return &joints[static_cast<std::size_t>(row) * kMaxJoints]; }
+  const JointState* jointsOf(Row row) const { return &joints[static_cast<std::size_t>(row) * kMaxJoints]; }
 
   static constexpr std::size_t kMaxLeds = 16;
   /// The colours of an entity's LEDs, kMaxLeds of them.
@@ -93,8 +102,8 @@ class Space {
   std::vector<Row> entities_without_engine;
 };
 
-/// A hash of all named state, in the order of entity numbers (XXH3): clock, poses, twists, LEDs, grips, laser spots,
-/// and which engine moves whom.
+/// A hash of all named state, in the order of entity numbers (XXH3): clock, poses, twists, joints, LEDs, grips,
+/// attachments, laser spots, and which engine moves whom.
 /// Equal hashes each tick mean equal runs; -0 counts as 0.
 std::uint64_t stateHash(const Space& space);
 

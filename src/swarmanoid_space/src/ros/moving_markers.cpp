@@ -154,6 +154,21 @@ void drawGrips(const Canvas& canvas) {
   canvas.addList(std::move(grips));
 }
 
+void drawRopes(const Canvas& canvas) {
+  constexpr double kWidth = 0.008;
+  Marker ropes =
+      makeMarker(canvas.header, "ropes", 0, Marker::LINE_LIST, {kWidth, 0.0, 0.0}, rgba(0.95F, 0.8F, 0.2F, 1.0F));
+  for (const Row row : canvas.space.entities.order) {
+    const Attachment& rope = canvas.space.attachments.of(row, Attachment::Kind::kRope);
+    if (rope.held == kNoRow) {
+      continue;
+    }
+    ropes.points.push_back(toMessage(inWorld(canvas.poseOf(row), canvas.modelOf(row).mount("rope_launcher").position)));
+    ropes.points.push_back(toMessage(inWorld(canvas.poseOf(rope.held), rope.anchor)));
+  }
+  canvas.addList(std::move(ropes));
+}
+
 }  // namespace
 
 const MarkerArray& MovingMarkers::draw(const Space& space) {
@@ -168,6 +183,7 @@ const MarkerArray& MovingMarkers::draw(const Space& space) {
   drawLeds(canvas);
   drawLasers(canvas);
   drawGrips(canvas);
+  drawRopes(canvas);
 
   std::set<std::pair<std::string, int>> drawn;
   for (const Marker& marker : message_.markers) {

@@ -55,9 +55,16 @@ bool setShape(const urdf::Geometry& geometry, Marker& marker) {
   }
 }
 
-/// One marker for each visual element, all joints at zero, in the body frame; names and ids are still to be given.
-std::vector<Marker> bodyOf(const EntityModel& model) {
-  std::vector<Marker> body;
+/// A marker and the link in whose frame it is; "": the body frame.
+struct Part {
+  Marker marker;
+  std::string link;
+};
+
+/// One for each visual element: what joints turn is in the frame of their link, the rest in the body frame. Names and
+/// ids are still to be given.
+std::vector<Part> bodyOf(const EntityModel& model) {
+  std::vector<Part> body;
   const urdf::ModelInterfaceSharedPtr robot = urdf::parseURDF(model.urdf);
   for (const auto& [name, link] : robot->links_) {
     for (const urdf::VisualSharedPtr& visual : link->visual_array) {
@@ -69,10 +76,14 @@ std::vector<Marker> bodyOf(const EntityModel& model) {
         const urdf::Color& color = visual->material->color;
         marker.color = rgba(color.r, color.g, color.b, color.a);
       }
-      const Mount place = chain(model.mount(name), toMount(visual->origin));
+      const int joint = model.mount(name).joint;
+      Mount place = chain(model.mount(name), toMount(visual->origin));
+      if (joint >= 0) {
+        place = chain(inverse(model.joints[static_cast<std::size_t>(joint)].frame), place);
+      }
       marker.pose = toMessage(Pose{place.position, place.orientation});
       marker.frame_locked = 1;
-      body.push_back(marker);
+      body.push_back({marker, joint < 0 ? "" : model.joints[static_cast<std::size_t>(joint)].link});
     }
   }
   return body;
@@ -92,7 +103,7 @@ void addRobotBodies(const Space& space, MarkerArray& markers) {
   if (!hasFewRobots(space)) {
     return;
   }
-  std::map<std::string, std::vector<Marker>> bodies;
+  std::map<std::string, std::vector<Part>> bodies;
   int id = 0;
   for (const Row row : space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
@@ -104,11 +115,12 @@ void addRobotBodies(const Space& space, MarkerArray& markers) {
     if (is_new) {
       body->second = bodyOf(model);
     }
-    for (Marker marker : body->second) {
+    for (const Part& part : body->second) {
       // no stamp: wherever the frame is at the moment
-      marker.header.frame_id = frameOf(space.entities.name[i]);
-      marker.id = id++;
-      markers.markers.push_back(std::move(marker));
+      const std::string& name = space.entities.name[i];
+      markers.markers.push_back(part.marker);
+      markers.markers.back().header.frame_id = part.link.empty() ? frameOf(name) : frameOf(name, part.link);
+      markers.markers.back().id = id++;
     }
   }
 }

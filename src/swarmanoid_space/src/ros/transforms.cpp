@@ -71,6 +71,7 @@ const std::vector<Transforms::Link>& Transforms::linksOf(const EntityModel& mode
       if (name == "left_wheel" || name == "right_wheel") {
         link.wheel = name == "left_wheel" ? 0 : 1;
       }
+      link.joint = model.findJoint(name);
       known->second.push_back(link);
     }
   }
@@ -114,14 +115,14 @@ const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
     const std::string& name = entities.name[i];
     const Pose& pose = entities.pose[i];
     moving_.transforms.push_back(transform(stamp, kWorldFrame, frameOf(name), pose.position, pose.orientation));
-    if (level(space) != TransformLevel::kFull || !model.wheels) {
+    if (level(space) != TransformLevel::kFull || (!model.wheels && model.joints.empty())) {
       continue;
     }
-    const std::array<double, 2>& angles = wheel_angles_[entities.number[i]];
+    const std::array<double, 2>& wheel_angles = wheel_angles_[entities.number[i]];
     for (const Link& link : linksOf(model)) {
-      if (link.wheel) {
-        const Eigen::Quaterniond turned =
-            link.place.orientation * Eigen::AngleAxisd(angles[*link.wheel], link.axis.normalized());
+      if (link.wheel || link.joint >= 0) {
+        const double angle = link.wheel ? wheel_angles[*link.wheel] : space.jointsOf(row)[link.joint].angle;
+        const Eigen::Quaterniond turned = link.place.orientation * Eigen::AngleAxisd(angle, link.axis.normalized());
         moving_.transforms.push_back(
             transform(stamp, frameOf(name, link.parent), frameOf(name, link.name), link.place.position, turned));
       }
@@ -147,7 +148,7 @@ const tf2_msgs::TFMessage& Transforms::fixed(const Space& space) {
     }
     if (level(space) == TransformLevel::kFull) {
       for (const Link& link : linksOf(model)) {
-        if (!link.wheel) {
+        if (!link.wheel && link.joint < 0) {
           fixed_.transforms.push_back(transform(stamp, frameOf(name, link.parent), frameOf(name, link.name),
                                                 link.place.position, link.place.orientation));
         }

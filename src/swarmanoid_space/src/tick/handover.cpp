@@ -12,7 +12,7 @@ void attempt(Space& space, const std::vector<Driver>& drivers, HandoverWatch& wa
     watch.is_due = false;
     return;
   }
-  const std::vector<Row> members = space.structure.members(watch.row);
+  const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, watch.row);
   refreshMirrors(space, seats, *watch.engine);
   const std::string problem = handoverProblem(space, drivers, members, watch.row, *watch.engine);
   if (problem.empty()) {

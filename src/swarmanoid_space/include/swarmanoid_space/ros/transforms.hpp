@@ -18,7 +18,7 @@ namespace swarmanoid {
 enum class TransformLevel {
   kNone,
   kBase,  ///< base_link of every entity
-  kFull   ///< all links of robots too, wheels turning
+  kFull   ///< all links of robots too, wheels and joints turning
 };
 
 /// "none", "base" or "full"; "auto" is nothing. @throws ConfigError
@@ -34,7 +34,7 @@ class Transforms {
 
   /// To be called in each tick in which `moving` may be: turns the wheels on by one tick.
   void advance(const Space& space);
-  /// Entities that may move, turning wheels. Valid until the next call.
+  /// Entities that may move, turning wheels and joints. Valid until the next call.
   const tf2_msgs::TFMessage& moving(const Space& space);
   /// Everything else.
   const tf2_msgs::TFMessage& fixed(const Space& space);
@@ -46,6 +46,7 @@ class Transforms {
     std::string name;
     Mount place;
     std::optional<std::size_t> wheel;  ///< 0 left, 1 right
+    int joint = -1;                    ///< that turns it, in the entity's model; -1: none
     Eigen::Vector3d axis = Eigen::Vector3d::UnitY();
   };
 

@@ -1,0 +1,118 @@
+// Joints: from the URDF to where a link is, and what robots hold on to.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "swarmanoid_space/joints.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::Vector3d;
+using Kind = Attachment::Kind;
+
+TEST(JointsTest, AHandbotHasTwoArmsOfThreeJoints) {
+  const auto handbot = robotModel("handbot");
+  ASSERT_EQ(handbot->joints.size(), 6U);
+  for (const char* side : {"left", "right"}) {
+    const int shoulder = handbot->findJoint(std::string(side) + "_shoulder");
+    const int elbow = handbot->findJoint(std::string(side) + "_elbow");
+    const int wrist = handbot->findJoint(std::string(side) + "_wrist");
+    ASSERT_GE(shoulder, 0);
+    ASSERT_GT(elbow, shoulder);
+    ASSERT_GT(wrist, elbow);
+    const auto& joints = handbot->joints;
+    EXPECT_EQ(joints[static_cast<std::size_t>(shoulder)].carrier, -1);
+    EXPECT_EQ(joints[static_cast<std::size_t>(elbow)].carrier, shoulder);
+    EXPECT_EQ(joints[static_cast<std::size_t>(wrist)].carrier, elbow);
+    EXPECT_EQ(joints[static_cast<std::size_t>(shoulder)].lower, -1.57);
+    EXPECT_EQ(joints[static_cast<std::size_t>(shoulder)].upper, 0.7);
+    EXPECT_EQ(joints[static_cast<std::size_t>(elbow)].max_effort, 5.0);
+    EXPECT_EQ(joints[static_cast<std::size_t>(wrist)].max_speed, 2.0);
+    EXPECT_TRUE(joints[static_cast<std::size_t>(elbow)].axis.isApprox(Vector3d::UnitZ()));
+  }
+  EXPECT_EQ(handbot->findJoint("neck"), -1);
+}
+
+TEST(JointsTest, PartsWeighWhatTheWholeWeighs) {
+  const auto handbot = robotModel("handbot");
+  Inertial whole = handbot->body_part;
+  for (const EntityModel::Joint& joint : handbot->joints) {
+    EXPECT_GT(joint.part.mass, 0.0) << joint.name;
+    whole.add(joint.part);
+  }
+  EXPECT_NEAR(whole.mass, 2.9, 1e-9);
+  EXPECT_NEAR(whole.mass, handbot->mass, 1e-12);
+  EXPECT_TRUE(whole.centre_of_mass.isApprox(handbot->centre_of_mass, 1e-12));
+  EXPECT_TRUE(whole.inertia.isApprox(handbot->inertia, 1e-12));
+}
+
+TEST(JointsTest, WheelsAreNoJoints) { EXPECT_EQ(robotModel("footbot")->findJoint("left_wheel"), -1); }
+
+TEST(JointsTest, LinksAreWhereTheirJointsTurnThem) {
+  const auto handbot = robotModel("handbot");
+  JointState states[Space::kMaxJoints];
+  const Vector3d shoulder = handbot->mount("left_upper_arm").position;
+  const Vector3d hand = handbot->mount("left_hand").position;
+  EXPECT_TRUE(placeOf(*handbot, states, "left_hand").position.isApprox(hand));
+
+  // the shoulder a quarter up: what was ahead of it is above it
+  states[handbot->findJoint("left_shoulder")].angle = -M_PI / 2.0;
+  const double reach = (hand - shoulder).norm();
+  EXPECT_TRUE(placeOf(*handbot, states, "left_hand").position.isApprox(shoulder + reach * Vector3d::UnitZ(), 1e-9));
+  EXPECT_TRUE(placeOf(*handbot, states, "right_hand").position.isApprox(handbot->mount("right_hand").position));
+
+  // then the elbow a quarter to the left, about an axis that the shoulder has turned to look back
+  states[handbot->findJoint("left_elbow")].angle = M_PI / 2.0;
+  const double upper = (handbot->mount("left_forearm").position - shoulder).norm();
+  const Mount place = placeOf(*handbot, states, "left_hand");
+  EXPECT_TRUE(place.position.isApprox(shoulder + Vector3d(0.0, reach - upper, upper), 1e-9));
+  EXPECT_TRUE((place.orientation * Vector3d::UnitX()).isApprox(Vector3d::UnitY(), 1e-9));
+}
+
+class AttachmentsTest : public ::testing::Test {
+ protected:
+  AttachmentsTest() {
+    for (const char* name : {"climber", "shelf", "book", "helper"}) {
+      const bool is_fixed = name == std::string("shelf");
+      entities.add(name, blockModel(Vector3d::Ones(), is_fixed ? 0.0 : 1.0), Pose{}, Color{});
+    }
+    structure.resize(entities.rowCount());
+    attachments.resize(entities.rowCount());
+  }
+
+  static constexpr Row kClimber = 0;
+  static constexpr Row kShelf = 1;
+  static constexpr Row kBook = 2;
+  static constexpr Row kHelper = 3;
+  Entities entities;
+  StructuralTree structure;
+  Attachments attachments;
+};
+
+TEST_F(AttachmentsTest, EachKindHoldsOneThing) {
+  attachments.of(kClimber, Kind::kRope).held = kShelf;
+  attachments.of(kClimber, Kind::kLeftHand).held = kBook;
+  EXPECT_TRUE(attachments.isAttached(kClimber, Kind::kRope));
+  EXPECT_FALSE(attachments.isAttached(kClimber, Kind::kRightHand));
+  EXPECT_TRUE(attachments.isHeld(kBook));
+  EXPECT_FALSE(attachments.isAttached(kBook));
+  attachments.detach(kClimber, Kind::kRope);
+  EXPECT_TRUE(attachments.isAttached(kClimber));
+  attachments.isolate(kBook);
+  EXPECT_FALSE(attachments.isAttached(kClimber));
+}
+
+TEST_F(AttachmentsTest, WhatHangsTogetherAndMovesIsConnected) {
+  attachments.of(kClimber, Kind::kRope).held = kShelf;
+  attachments.of(kClimber, Kind::kLeftHand).held = kBook;
+  structure.connect(kHelper, kClimber);
+  const std::vector<Row> all{kClimber, kHelper, kBook};
+  EXPECT_EQ(connectedTo(entities, structure, attachments, kClimber), all);
+  EXPECT_EQ(connectedTo(entities, structure, attachments, kHelper), all);
+  EXPECT_EQ(connectedTo(entities, structure, attachments, kBook), (std::vector<Row>{kBook, kClimber, kHelper}));
+}
+
+}  // namespace
+}  // namespace swarmanoid
