@@ -24,6 +24,7 @@ MATERIALS = {
     "blur": (0.5, 0.55, 0.6, 0.3),
 }
 DOWN = (0, math.pi / 2, 0)  # x axis, the direction that a device looks in, straight down
+UP = (0, -math.pi / 2, 0)
 
 
 def duct(azimuth):
@@ -75,4 +76,5 @@ def make():
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.006, material="light_grey")])
     robot.link("camera", xyz=(0, 0, 0.15), rpy=DOWN)
     robot.link("laser_pointer", xyz=(0.05, 0, 0.15), rpy=DOWN)
+    robot.link("magnet", xyz=(0, 0, HEIGHT), rpy=UP)
     return robot

@@ -4,6 +4,7 @@ import math
 from urdf_writer import Robot, box, cylinder, disc, sphere
 
 LENGTH, WIDTH, HEIGHT = 0.41, 0.29, 0.29  # with the arms stretched ahead
+BODY_LENGTH = 0.3  # without them, from the tail on
 BODY_MASS = 2.1
 UPPER_ARM_MASS, FOREARM_MASS, HAND_MASS = 0.15, 0.1, 0.15  # together with the body 2.9 kg
 STRIP_RADIUS = WIDTH / 2  # footbots that come from the sides meet the strip and the body at once
@@ -50,16 +51,17 @@ def arm(robot, name, side):
     upper = cylinder(0.017, 0.07, (0.035, 0, 0), "red", FORWARD)
     robot.link(f"{name}_upper_arm", "body", (0.03, side * 0.11, 0.15), joint=f"{name}_shoulder", kind="revolute",
                axis=(0, 1, 0), limit=limit(-1.57, 0.7), mass=UPPER_ARM_MASS, inertia=upper,
-               visuals=[sphere(0.03, material="dark_grey"), upper])
+               visuals=[sphere(0.03, material="dark_grey"), upper], collisions=[upper])
     fore = cylinder(0.014, 0.045, (0.025, 0, 0), "dark_red", FORWARD)
     robot.link(f"{name}_forearm", f"{name}_upper_arm", (0.07, 0, 0), joint=f"{name}_elbow", kind="revolute",
                axis=(0, 0, 1), limit=limit(-1.2, 1.2), mass=FOREARM_MASS, inertia=fore,
-               visuals=[sphere(0.02, material="dark_grey"), fore])
+               visuals=[sphere(0.02, material="dark_grey"), fore], collisions=[fore])
     palm = box((0.02, 0.055, 0.03), (0.01, 0, 0), "dark_grey")
     fingers = [box((0.04, 0.014, 0.026), (0.032, 0.021 * s, 0), "red", (0, 0, -0.15 * s)) for s in (-1, 1)]
     robot.link(f"{name}_hand", f"{name}_forearm", (0.045, 0, 0), joint=f"{name}_wrist", kind="revolute",
                axis=(1, 0, 0), limit=limit(-3.14, 3.14), mass=HAND_MASS, inertia=palm,
-               visuals=[palm, *fingers])
+               visuals=[palm, *fingers], collisions=[box((0.058, 0.055, 0.03), (0.029, 0, 0))])
+    robot.link(f"{name}_suction", f"{name}_hand", (0.06, 0, 0))  # where the cups hold; x axis away from the hand
     for i, y in enumerate((0.018, -0.018)):
         cup = cylinder(0.011, 0.008, (-0.004, 0, 0), "rubber", FORWARD)
         robot.link(f"{name}_cup_{i}", f"{name}_hand", (0.06, y, 0), visuals=[cup])
@@ -68,7 +70,7 @@ def arm(robot, name, side):
 def make():
     robot = Robot("handbot", "A handbot.", MATERIALS)
     robot.link("body", visuals=body_visuals(), mass=BODY_MASS, inertia=box((0.25, 0.18, 0.16), (-0.02, 0, 0.12)),
-               collisions=[box((LENGTH, WIDTH, HEIGHT), (0, 0, HEIGHT / 2))])
+               collisions=[box((BODY_LENGTH, WIDTH, HEIGHT), ((BODY_LENGTH - LENGTH) / 2, 0, HEIGHT / 2))])
     arm(robot, "left", 1)
     arm(robot, "right", -1)
     robot.link("camera", xyz=(0.105, 0, 0.16))

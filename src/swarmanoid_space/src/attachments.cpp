@@ -24,6 +24,24 @@ void Attachments::resize(std::size_t row_count) {
   }
 }
 
+void Attachments::attach(Row owner, Attachment::Kind kind, const Attachment& attachment) {
+  by_owner_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(kind)] = attachment;
+  ++count_;
+}
+
+void Attachments::detach(Row owner, Attachment::Kind kind) {
+  if (isAttached(owner, kind)) {
+    by_owner_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(kind)] = Attachment{};
+    --count_;
+  }
+}
+
+void Attachments::update(Row owner, Attachment::Kind kind, double length, double force) {
+  Attachment& attachment = by_owner_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(kind)];
+  attachment.length = length;
+  attachment.force = force;
+}
+
 bool Attachments::isAttached(Row owner) const {
   const Slots& slots = at(owner);
   return std::any_of(slots.begin(), slots.end(), [](const Attachment& slot) { return slot.held != kNoRow; });
@@ -36,11 +54,13 @@ bool Attachments::isHeld(Row held) const {
 }
 
 void Attachments::isolate(Row row) {
-  by_owner_[static_cast<std::size_t>(row)] = Slots{};
-  for (Slots& slots : by_owner_) {
-    for (Attachment& slot : slots) {
-      if (slot.held == row) {
-        slot = Attachment{};
+  if (isEmpty()) {
+    return;
+  }
+  for (std::size_t owner = 0; owner < by_owner_.size(); ++owner) {
+    for (std::size_t kind = 0; kind < Attachment::kKinds; ++kind) {
+      if (static_cast<Row>(owner) == row || by_owner_[owner][kind].held == row) {
+        detach(static_cast<Row>(owner), static_cast<Attachment::Kind>(kind));
       }
     }
   }
@@ -49,6 +69,9 @@ void Attachments::isolate(Row row) {
 std::vector<Row> connectedTo(const Entities& entities, const StructuralTree& structure, const Attachments& attachments,
                              Row row) {
   std::vector<Row> result = structure.members(row);
+  if (attachments.isEmpty()) {
+    return result;
+  }
   const auto add = [&](Row other) {
     const bool is_movable = entities.model[static_cast<std::size_t>(other)]->is_movable;
     if (is_movable && std::find(result.begin(), result.end(), other) == result.end()) {

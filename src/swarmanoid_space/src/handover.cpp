@@ -1,6 +1,7 @@
 #include "handover.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 namespace swarmanoid {
 namespace {
@@ -11,8 +12,8 @@ const ControllerGroup* groupOf(const std::vector<Driver>& drivers, Row row) {
   return driver == drivers.end() ? nullptr : driver->group;
 }
 
-std::string problemOf(const Space& space, const std::vector<Driver>& drivers, const std::vector<Row>& members, Row row,
-                      const Engine& engine) {
+std::string problemOf(const Space& space, const std::vector<Driver>& drivers, const std::vector<Seat>& seats,
+                      const std::vector<Row>& members, Row row, const Engine& engine) {
   const auto i = static_cast<std::size_t>(row);
   const EntityModel& model = *space.entities.model[i];
   const Pose& pose = space.entities.pose[i];
@@ -21,13 +22,13 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
   }
   std::string problem = engine.misplacement(model, pose);
   if (problem.empty()) {
-    problem = engine.refusal(model, devicesOf(groupOf(drivers, row)));
+    problem = refusalOf(engine, model, devicesOf(groupOf(drivers, row)), seats);
   }
   if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
     problem = engine.gripRefusal(space, row);
   }
-  if (problem.empty() && space.attachments.isAttached(row)) {
-    problem = engine.attachmentRefusal(space, row);
+  if (problem.empty()) {
+    problem = engine.stateRefusal(space, row);
   }
   if (problem.empty()) {
     const Row other = engine.overlap(model, pose, members);
@@ -86,10 +87,33 @@ void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, E
   }
 }
 
-std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers, const std::vector<Row>& members,
-                            Row row, const Engine& engine) {
+std::string refusalOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
+                      const std::vector<Seat>& seats) {
+  std::vector<std::string> needed = devices;
+  for (const std::string& device : idleDevices(engine, model, devices)) {
+    const auto simulatesIt = [&](const Seat& seat) { return seat.engine->refusal(model, {device}).empty(); };
+    if (std::any_of(seats.begin(), seats.end(), simulatesIt)) {
+      needed.erase(std::find(needed.begin(), needed.end(), device));
+    }
+  }
+  return engine.refusal(model, needed);
+}
+
+std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& model,
+                                     const std::vector<std::string>& devices) {
+  std::vector<std::string> idle;
+  std::copy_if(devices.begin(), devices.end(), std::back_inserter(idle), [&](const std::string& device) {
+    return engine.mayStandIdle(device) && !engine.refusal(model, {device}).empty();
+  });
+  return idle;
+}
+
+std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers,
+                            const std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members, Row row,
+                            const Engine& engine) {
   for (const Row member : members) {
-    const std::string problem = problemOf(space, drivers, members, member, engine);
+    const std::string problem =
+        problemOf(space, drivers, seats[static_cast<std::size_t>(member)], members, member, engine);
     if (!problem.empty()) {
       const auto i = static_cast<std::size_t>(member);
       const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "': ";
@@ -99,8 +123,8 @@ std::string handoverProblem(const Space& space, const std::vector<Driver>& drive
   return "";
 }
 
-void commitHandover(Space& space, std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members,
-                    Engine& engine, std::vector<Event>& events) {
+void commitHandover(Space& space, const std::vector<Driver>& drivers, std::vector<std::vector<Seat>>& seats,
+                    const std::vector<Row>& members, Engine& engine, std::vector<Event>& events) {
   std::vector<Engine*> former;
   former.reserve(members.size());
   for (const Row row : members) {
@@ -111,8 +135,10 @@ void commitHandover(Space& space, std::vector<std::vector<Seat>>& seats, const s
     changeSeats(seats[i], former[k], engine);
     space.mover[i] = &engine;
     engine.add(space, members[k], Role::kMove);
-    events.push_back({Event::Kind::kHandedOver, space.entities.name[i], "",
-                      "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id()});
+    std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id();
+    const auto idle = idleDevices(engine, *space.entities.model[i], devicesOf(groupOf(drivers, members[k])));
+    text += idle.empty() ? "" : "; idle there: " + joinNames(idle);
+    events.push_back({Event::Kind::kHandedOver, space.entities.name[i], "", text});
   }
   // only now, so that nobody takes half a structure for a mirror and the other half for its own
   for (std::size_t k = 0; k < members.size(); ++k) {

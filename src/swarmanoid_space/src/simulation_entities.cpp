@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "cast.hpp"
+#include "handover.hpp"
 #include "swarmanoid_space/entity_type.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
@@ -27,7 +28,7 @@ void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityMod
     const std::string in_engine = "' in engine '" + seat.engine->id() + "': ";
     std::string problem = seat.engine->misplacement(model, pose);
     if (problem.empty() && seat.role == Role::kMove) {
-      problem = seat.engine->refusal(model, devices);
+      problem = refusalOf(*seat.engine, model, devices, seats);
     }
     if (!problem.empty()) {
       throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);

@@ -51,13 +51,13 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
   }
   const std::vector<Row> members = connectedTo(space_.entities, space_.structure, space_.attachments, row);
   refreshMirrors(space_, cast_->seats, *engine);
-  const std::string problem = handoverProblem(space_, cast_->drivers, members, row, *engine);
+  const std::string problem = handoverProblem(space_, cast_->drivers, cast_->seats, members, row, *engine);
   if (!problem.empty()) {
     throw ConfigError({}, space_.entities.model[i]->type + " '" + name + "' cannot be handed over to engine '" +
                               engine_id + "': " + problem);
   }
   pending_events_.push_back({Event::Kind::kIntervention, name, "", "handover to " + engine_id});
-  commitHandover(space_, cast_->seats, members, *engine, pending_events_);
+  commitHandover(space_, cast_->drivers, cast_->seats, members, *engine, pending_events_);
 }
 
 void Simulation::buildWatches() {
@@ -74,8 +74,9 @@ void Simulation::buildWatches() {
       const auto i = static_cast<std::size_t>(row);
       const EntityModel& model = *space_.entities.model[i];
       Driver* driver = cast_->findDriver(row);
-      std::string problem = model.is_movable ? engine->refusal(model, devicesOf(driver ? driver->group : nullptr))
-                                             : "is fixed, no engine moves it";
+      std::string problem =
+          model.is_movable ? refusalOf(*engine, model, devicesOf(driver ? driver->group : nullptr), cast_->seats[i])
+                           : "is fixed, no engine moves it";
       if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && driver == nullptr) {
         problem = "has no controller, so it has no debug values";
       }

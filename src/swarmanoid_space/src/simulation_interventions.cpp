@@ -94,6 +94,7 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   refuseBadPlace(entity, *space_.entities.model[i], target, cast_->seats[i]);
   // what is connected would be torn apart
   space_.structure.isolate(row);
+  space_.attachments.isolate(row);
   space_.entities.pose[i] = target;
   space_.entities.twist[i] = Twist{};
   for (const Seat& seat : cast_->seats[i]) {

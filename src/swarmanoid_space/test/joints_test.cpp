@@ -92,8 +92,8 @@ class AttachmentsTest : public ::testing::Test {
 };
 
 TEST_F(AttachmentsTest, EachKindHoldsOneThing) {
-  attachments.of(kClimber, Kind::kRope).held = kShelf;
-  attachments.of(kClimber, Kind::kLeftHand).held = kBook;
+  attachments.attach(kClimber, Kind::kRope, {kShelf, Vector3d::Zero(), 0.0, 0.0});
+  attachments.attach(kClimber, Kind::kLeftHand, {kBook, Vector3d::Zero(), 0.0, 0.0});
   EXPECT_TRUE(attachments.isAttached(kClimber, Kind::kRope));
   EXPECT_FALSE(attachments.isAttached(kClimber, Kind::kRightHand));
   EXPECT_TRUE(attachments.isHeld(kBook));
@@ -105,8 +105,8 @@ TEST_F(AttachmentsTest, EachKindHoldsOneThing) {
 }
 
 TEST_F(AttachmentsTest, WhatHangsTogetherAndMovesIsConnected) {
-  attachments.of(kClimber, Kind::kRope).held = kShelf;
-  attachments.of(kClimber, Kind::kLeftHand).held = kBook;
+  attachments.attach(kClimber, Kind::kRope, {kShelf, Vector3d::Zero(), 0.0, 0.0});
+  attachments.attach(kClimber, Kind::kLeftHand, {kBook, Vector3d::Zero(), 0.0, 0.0});
   structure.connect(kHelper, kClimber);
   const std::vector<Row> all{kClimber, kHelper, kBook};
   EXPECT_EQ(connectedTo(entities, structure, attachments, kClimber), all);

@@ -120,11 +120,15 @@ TEST(RobotModelTest, EyebotIsOneCylinderThatLooksDown) {
   }
 }
 
-TEST(RobotModelTest, HandbotIsOneBoxWithTwoHands) {
+TEST(RobotModelTest, HandbotIsABoxWithTwoArms) {
   const auto handbot = robotModel("handbot");
-  ASSERT_EQ(handbot->shapes.size(), 1U);
+  ASSERT_EQ(handbot->shapes.size(), 7U);
   EXPECT_EQ(handbot->shapes[0].kind, Kind::kBox);
-  EXPECT_LT((handbot->shapes[0].half_extent - Vector3d(0.205, 0.145, 0.145)).norm(), kTight);
+  EXPECT_LT((handbot->shapes[0].half_extent - Vector3d(0.15, 0.145, 0.145)).norm(), kTight);
+  EXPECT_EQ(handbot->shapes[0].joint, -1);
+  for (std::size_t i = 1; i < 7; ++i) {
+    EXPECT_GE(handbot->shapes[i].joint, 0) << i;
+  }
   EXPECT_NEAR(handbot->lowest, 0.0, kTight);
   EXPECT_NEAR(handbot->highest, 0.29, kTight);
   EXPECT_NEAR(handbot->mass, 2.9, kTight);
@@ -132,7 +136,7 @@ TEST(RobotModelTest, HandbotIsOneBoxWithTwoHands) {
   EXPECT_FALSE(handbot->wheels.has_value());
   EXPECT_TRUE(handbot->led_positions.empty());
   for (const char* cup : {"left_cup_0", "left_cup_1", "right_cup_0", "right_cup_1"}) {
-    EXPECT_NEAR(handbot->mount(cup).position.x(), 0.205, kTight) << cup;  // at the front face of the box
+    EXPECT_NEAR(handbot->mount(cup).position.x(), 0.205, kTight) << cup;  // at the end of the hand
   }
   EXPECT_GT(handbot->mount("left_hand").position.y(), handbot->mount("right_hand").position.y());
   const Vector3d launch = handbot->mount("rope_launcher").orientation * Vector3d::UnitX();

@@ -59,6 +59,10 @@ void DeviceTopics::addAll(const Space& space, Row row) {
   addSensor<FootbotCamera, swarmanoid_msgs::ColorBlobs>(space, row, "camera/blobs", "base_link");
   addSensor<EyebotCamera, swarmanoid_msgs::ColorBlobs>(space, row, "camera/blobs", "base_link");
   addSensor<FootbotGripperState, swarmanoid_msgs::GripperState>(space, row, "gripper/state", "gripper_tip");
+  addSensor<HandbotArmsState, sensor_msgs::JointState>(space, row, "joint_states", "base_link");
+  addSensor<HandbotHandsState, swarmanoid_msgs::HandsState>(space, row, "hands/state", "base_link");
+  addSensor<HandbotRopeState, swarmanoid_msgs::RopeState>(space, row, "rope/state", "rope_launcher");
+  addSensor<EyebotMagnetState, swarmanoid_msgs::GripperState>(space, row, "magnet/state", "magnet");
   addLeds(space, row);
 }
 

@@ -2,16 +2,43 @@
 
 #include <algorithm>
 
+#include "dynamics3d/arms.hpp"
 #include "dynamics3d/solids.hpp"
 
 namespace swarmanoid::dynamics3d {
+namespace {
+
+void setMass(dBodyID rigid, const Inertial& inertial) {
+  dMass mass;
+  const Eigen::Matrix3d& inertia = inertial.inertia;
+  dMassSetParameters(&mass, inertial.mass, 0.0, 0.0, 0.0, inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1),
+                     inertia(0, 2), inertia(1, 2));
+  dBodySetMass(rigid, &mass);
+}
+
+void placeRigid(dBodyID rigid, const Eigen::Vector3d& centre, const Eigen::Quaterniond& turn) {
+  const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
+  dBodySetPosition(rigid, centre.x(), centre.y(), centre.z());
+  dBodySetQuaternion(rigid, q);
+}
+
+}  // namespace
 
 Body::~Body() {
   if (grip.joint != nullptr) {
     dJointDestroy(grip.joint);
   }
+  for (const Grip& hold : holds) {
+    if (hold.joint != nullptr) {
+      dJointDestroy(hold.joint);
+    }
+  }
   for (const Solid& solid : solids) {
     dGeomDestroy(solid.geom);
+  }
+  for (const Link& link : links) {
+    dJointDestroy(link.hinge);
+    dBodyDestroy(link.rigid);
   }
   if (rigid != nullptr) {
     dBodyDestroy(rigid);
@@ -20,16 +47,16 @@ Body::~Body() {
 
 Pose Body::currentPose() const {
   const Eigen::Quaterniond orientation = toQuaternion(dBodyGetQuaternion(rigid));
-  return {toVector(dBodyGetPosition(rigid)) - orientation * model->centre_of_mass, orientation};
+  return {toVector(dBodyGetPosition(rigid)) - orientation * own.centre_of_mass, orientation};
 }
 
 Twist Body::currentTwist() const {
   const Eigen::Vector3d angular = toVector(dBodyGetAngularVel(rigid));
-  const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * model->centre_of_mass;
+  const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * own.centre_of_mass;
   return {toVector(dBodyGetLinearVel(rigid)) - angular.cross(arm), angular};
 }
 
-void Body::setPose(const Pose& new_pose) {
+void Body::setPose(const Pose& new_pose, const JointState* joints) {
   pose = new_pose;
   if (rigid == nullptr) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -39,42 +66,71 @@ void Body::setPose(const Pose& new_pose) {
     }
     return;
   }
-  const Eigen::Vector3d centre = pose.position + pose.orientation * model->centre_of_mass;
-  const Eigen::Quaterniond& turn = pose.orientation;
-  const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
-  dBodySetPosition(rigid, centre.x(), centre.y(), centre.z());
-  dBodySetQuaternion(rigid, q);
+  placeRigid(rigid, pose.position + pose.orientation * own.centre_of_mass, pose.orientation);
+  if (!links.empty()) {
+    placeLinks(*this, joints);
+  } else if (posed_ != nullptr && joints != nullptr) {
+    turnSolids(*this, joints);
+  }
+  if (joints != nullptr) {
+    poseShapes(joints);
+  }
 }
 
-void Body::setTwist(const Twist& twist) {
-  const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * model->centre_of_mass;
+void Body::setTwist(const Twist& twist, const JointState* joints) {
+  const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * own.centre_of_mass;
   const Eigen::Vector3d linear = twist.linear + twist.angular.cross(arm);
   dBodySetLinearVel(rigid, linear.x(), linear.y(), linear.z());
   dBodySetAngularVel(rigid, twist.angular.x(), twist.angular.y(), twist.angular.z());
+  moveLinks(*this, twist, joints);
+}
+
+void Body::poseShapes(const JointState* joints) {
+  if (posed_ == nullptr) {
+    return;
+  }
+  for (std::size_t i = 0; i < model->shapes.size(); ++i) {
+    const CollisionShape& shape = model->shapes[i];
+    if (shape.joint >= 0) {
+      const Eigen::Isometry3d displacement = displacementOf(*model, joints, shape.joint);
+      posed_->shapes[i].position = displacement * shape.position;
+      posed_->shapes[i].orientation = Eigen::Quaterniond(displacement.linear()) * shape.orientation;
+    }
+  }
+  posed_->measureShapes();
+}
+
+template <class Visit>
+void Body::visitRigids(Visit visit) {
+  if (rigid == nullptr) {
+    return;
+  }
+  visit(rigid, saved_[0]);
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    visit(links[i].rigid, saved_[i + 1]);
+  }
 }
 
 void Body::saveState() {
-  if (rigid == nullptr) {
-    return;
-  }
-  std::copy_n(dBodyGetPosition(rigid), 3, saved_.position);
-  std::copy_n(dBodyGetQuaternion(rigid), 4, saved_.orientation);
-  std::copy_n(dBodyGetLinearVel(rigid), 3, saved_.linear);
-  std::copy_n(dBodyGetAngularVel(rigid), 3, saved_.angular);
-  std::copy_n(dBodyGetForce(rigid), 3, saved_.force);
-  std::copy_n(dBodyGetTorque(rigid), 3, saved_.torque);
+  visitRigids([](dBodyID part, State& saved) {
+    std::copy_n(dBodyGetPosition(part), 3, saved.position);
+    std::copy_n(dBodyGetQuaternion(part), 4, saved.orientation);
+    std::copy_n(dBodyGetLinearVel(part), 3, saved.linear);
+    std::copy_n(dBodyGetAngularVel(part), 3, saved.angular);
+    std::copy_n(dBodyGetForce(part), 3, saved.force);
+    std::copy_n(dBodyGetTorque(part), 3, saved.torque);
+  });
 }
 
 void Body::restoreState() {
-  if (rigid == nullptr) {
-    return;
-  }
-  dBodySetPosition(rigid, saved_.position[0], saved_.position[1], saved_.position[2]);
-  dBodySetQuaternion(rigid, saved_.orientation);
-  dBodySetLinearVel(rigid, saved_.linear[0], saved_.linear[1], saved_.linear[2]);
-  dBodySetAngularVel(rigid, saved_.angular[0], saved_.angular[1], saved_.angular[2]);
-  dBodySetForce(rigid, saved_.force[0], saved_.force[1], saved_.force[2]);
-  dBodySetTorque(rigid, saved_.torque[0], saved_.torque[1], saved_.torque[2]);
+  visitRigids([](dBodyID part, const State& saved) {
+    dBodySetPosition(part, saved.position[0], saved.position[1], saved.position[2]);
+    dBodySetQuaternion(part, saved.orientation);
+    dBodySetLinearVel(part, saved.linear[0], saved.linear[1], saved.linear[2]);
+    dBodySetAngularVel(part, saved.angular[0], saved.angular[1], saved.angular[2]);
+    dBodySetForce(part, saved.force[0], saved.force[1], saved.force[2]);
+    dBodySetTorque(part, saved.torque[0], saved.torque[1], saved.torque[2]);
+  });
 }
 
 std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role role) {
@@ -85,20 +141,32 @@ std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role
   body->role = role;
   body->model = space.entities.model[i];
   const EntityModel& model = *body->model;
+  body->own = {model.mass, model.centre_of_mass, model.inertia};
   if (model.is_movable) {
     body->is_dynamic = role == Role::kMove;
     body->rigid = dBodyCreate(world);
+    const HandbotArms* arms = body->is_dynamic ? space.actuation.find<HandbotArms>(row) : nullptr;
+    if (arms != nullptr) {
+      body->own = model.body_part;
+      body->links = makeLinks(world, *body, *arms);
+    }
     if (body->is_dynamic) {
-      dMass mass;
-      const Eigen::Matrix3d& inertia = model.inertia;
-      dMassSetParameters(&mass, model.mass, 0.0, 0.0, 0.0, inertia(0, 0), inertia(1, 1), inertia(2, 2), inertia(0, 1),
-                         inertia(0, 2), inertia(1, 2));
-      dBodySetMass(body->rigid, &mass);
+      setMass(body->rigid, body->own);
     } else {
       dBodySetKinematic(body->rigid);
     }
+    for (std::size_t k = 0; k < body->links.size(); ++k) {
+      setMass(body->links[k].rigid, model.joints[k].part);
+    }
+    body->saved_.resize(1 + body->links.size());
   }
   addSolids(*body);
+  if (std::any_of(model.shapes.begin(), model.shapes.end(), [](const CollisionShape& s) { return s.joint >= 0; })) {
+    body->posed_ = std::make_unique<EntityModel>();
+    body->posed_->type = model.type;
+    body->posed_->shapes = model.shapes;
+    body->posed_->measureShapes();
+  }
   return body;
 }
 

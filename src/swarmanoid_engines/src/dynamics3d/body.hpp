@@ -1,16 +1,23 @@
 /// One entity in a dynamic engine: its rigid body and solids in ODE, and what it is told to do.
 ///
-/// Frames: W; the body frame B of the entity's model. ODE's body sits in the centre of mass with B's axes.
+/// Frames: W; the body frame B of the entity's model. ODE's body sits in the centre of mass with B's axes. A robot
+/// whose arms are driven has a rigid body for each link that a joint turns, besides the one for what no joint turns;
+/// their axes are those of B while all joints are at zero.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <vector>
 
 #include "dynamics3d/ode.hpp"
 #include "dynamics3d/settings.hpp"
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_hands.hpp"
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -25,7 +32,16 @@ struct Solid {
 
   dGeomID geom = nullptr;
   Kind kind = Kind::kPlain;
-  int side = 0;  ///< of a wheel: 0 left, 1 right
+  int side = 0;    ///< of a wheel: 0 left, 1 right
+  int joint = -1;  ///< that turns it, in the model; -1: none
+};
+
+/// A link that a joint of the model turns. See arms.hpp.
+struct Link {
+  dBodyID rigid = nullptr;
+  dJointID hinge = nullptr;
+  dJointFeedback feedback = {};
+  const double* target = nullptr;  ///< the angle that the joint is told [rad]; null: 0
 };
 
 /// What a robot's treels do.
@@ -42,14 +58,30 @@ struct Flight {
 
 struct Body;
 
-/// What a gripper holds.
+/// What a gripper, a hand or a magnet holds.
 struct Grip {
   Body* gripped = nullptr;
+  dBodyID holder = nullptr;  ///< the rigid body of the robot that holds it
   dJointID joint = nullptr;
   dJointFeedback feedback = {};
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the gripper, in B, without the noise of single steps [N]
   bool is_broken = false;                           ///< in this tick; `connect` tells everybody
   bool must_open = false;                           ///< it broke, and was not opened since
+};
+
+/// A handbot's rope. See rope.hpp.
+struct Rope {
+  Body* held = nullptr;                                ///< by the magnet at its end; null: nothing
+  Eigen::Vector3d anchor = Eigen::Vector3d::Zero();    ///< where, in the frame B of `held` [m]
+  double length = 0.0;                                 ///< from launcher to anchor, when taut [m]
+  double winding = 0.0;                                ///< how fast it shortens in the step under way [m/s]
+  double tension = 0.0;                                ///< without the noise of single steps [N]
+  dJointFeedback feedback = {};                        ///< of the step
+  Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  ///< the anchor, from the launcher, in the step; in W
+  bool is_flying = false;                              ///< shot, and has met nothing so far
+  double flown = 0.0;                                  ///< how far [m]
+  bool is_broken = false;                              ///< in this tick; `connect` tells everybody
+  bool must_rewind = false;  ///< it broke or met nothing to hold, and was not called back since
 };
 
 struct Body {
@@ -65,6 +97,8 @@ struct Body {
   int rank = 0;  ///< among all bodies, by entity number
 
   dBodyID rigid = nullptr;  ///< null: fixed in the world
+  Inertial own;             ///< of `rigid`: the whole entity, or what no joint turns
+  std::vector<Link> links;  ///< by the model's joints; empty: all of the entity is one rigid body
   bool is_dynamic = false;  ///< forces move it; otherwise it is fixed or a mirror
   std::vector<Solid> solids;
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();  ///< by grips, as of late [N]
@@ -76,23 +110,35 @@ struct Body {
   const FootbotWheels* wheels = nullptr;
   const EyebotVelocity* velocity = nullptr;
   const FootbotGripper* gripper = nullptr;
+  const HandbotHands* hands = nullptr;
+  const HandbotRope* rope_command = nullptr;
+  const EyebotMagnet* magnet = nullptr;
 
   Treels treels;
   Flight flight;
   Grip grip;
+  std::array<Grip, Attachment::kKinds> holds;  ///< by hands and magnet; the rope is not among them
+  Rope rope;
+
+  /// What rays meet: the model with its shapes where the joints have turned them.
+  const EntityModel& seen() const { return posed_ == nullptr ? *model : *posed_; }
+  void poseShapes(const JointState* joints);
 
   /// Of B, now. @pre rigid
   Pose currentPose() const;
   Twist currentTwist() const;
-  void setPose(const Pose& pose);
+  /// @param joints states of the model's joints; null: all are zero
+  void setPose(const Pose& pose, const JointState* joints = nullptr);
   /// @pre rigid
-  void setTwist(const Twist& twist);
+  void setTwist(const Twist& twist, const JointState* joints = nullptr);
 
-  /// Of ODE's body, for a step that may have to be done again.
+  /// Of ODE's bodies, for a step that may have to be done again.
   void saveState();
   void restoreState();
 
  private:
+  friend std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role role);
+
   struct State {
     dVector3 position;
     dQuaternion orientation;
@@ -101,7 +147,11 @@ struct Body {
     dVector3 force;
     dVector3 torque;
   };
-  State saved_ = {};
+  template <class Visit>
+  void visitRigids(Visit visit);
+
+  std::vector<State> saved_;            // one for each rigid body
+  std::unique_ptr<EntityModel> posed_;  // null: no joint turns a shape
 };
 
 /// Makes the body and its solids at the entity's pose in the space.

@@ -25,6 +25,13 @@ bool areApart(dGeomID a, dGeomID b) {
          box_a[4] > box_b[5] || box_b[4] > box_a[5];
 }
 
+/// Whether a hand or a magnet of `robot`, of which `solid` is part, holds the object.
+bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
+  return std::any_of(robot.holds.begin(), robot.holds.end(), [&](const Grip& hold) {
+    return hold.gripped == &object && hold.holder == dGeomGetBody(solid.geom);
+  });
+}
+
 }  // namespace
 
 void Contacts::configure(dWorldID world, const Settings& settings) {
@@ -99,7 +106,8 @@ void Contacts::meetPair(Body& a, Body& b) {
   for (const Solid& solid_a : a.solids) {
     for (const Solid& solid_b : b.solids) {
       const bool are_both_balls = solid_a.kind != Solid::Kind::kPlain && solid_b.kind != Solid::Kind::kPlain;
-      if (are_both_balls || areApart(solid_a.geom, solid_b.geom)) {
+      if (are_both_balls || areApart(solid_a.geom, solid_b.geom) || isHeldWith(a, solid_a, b) ||
+          isHeldWith(b, solid_b, a)) {
         continue;
       }
       // who drives, and who has a rigid body, comes first: ODE takes surface motion as that of its first body
@@ -123,11 +131,14 @@ void Contacts::meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& s
   // of many, as around a cylinder's face, those that are spread evenly
   const int used = std::min(count, kMostUsed);
   for (int i = 0; i < used; ++i) {
-    makeJoint(a, solid_a, b, found[static_cast<std::size_t>(i * count / used)]);
+    makeJoint(a, solid_a, b, solid_b, found[static_cast<std::size_t>(i * count / used)]);
   }
 }
 
-void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, dContactGeom geometry) {
+void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b,
+                         dContactGeom geometry) {
+  const dBodyID rigid_a = dGeomGetBody(solid_a.geom);
+  const dBodyID rigid_b = b == nullptr ? nullptr : dGeomGetBody(solid_b.geom);
   geometry.depth -= kMargin;  // below 0: a gap
   dContact contact = {};
   contact.geom = geometry;
@@ -137,9 +148,9 @@ void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, dCo
   if (settings_.restitution > 0.0) {
     dVector3 velocity_a = {};
     dVector3 velocity_b = {};
-    dBodyGetPointVel(a.rigid, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_a);
-    if (b != nullptr && b->rigid != nullptr) {
-      dBodyGetPointVel(b->rigid, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_b);
+    dBodyGetPointVel(rigid_a, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_a);
+    if (rigid_b != nullptr) {
+      dBodyGetPointVel(rigid_b, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_b);
     }
     const double approach = -normal.dot(toVector(velocity_a) - toVector(velocity_b));
     if (approach > kBounceSpeed) {
@@ -154,11 +165,11 @@ void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, dCo
   contact.surface.mode |= dContactMotionN;
   contact.surface.motionN = std::min(geometry.depth, 0.0) / step_;
   if (solid_a.kind == Solid::Kind::kPlain || !driveContact(a, solid_a, settings_, step_, contact)) {
-    chooseFriction(a, b, contact);
+    chooseFriction(a, rigid_a, b, rigid_b, contact);
   }
   breakTies(contact.surface);
   points_.push_back({toVector(geometry.pos), normal});
-  dJointAttach(dJointCreateContact(world_, joints_, &contact), a.rigid, b == nullptr ? nullptr : b->rigid);
+  dJointAttach(dJointCreateContact(world_, joints_, &contact), rigid_a, rigid_b);
 }
 
 void Contacts::breakTies(dSurfaceParameters& surface) {
@@ -175,25 +186,26 @@ void Contacts::breakTies(dSurfaceParameters& surface) {
   }
 }
 
-Eigen::Vector3d Contacts::expectedVelocity(const Body* body, const dReal* point) const {
-  if (body == nullptr || body->rigid == nullptr) {
+Eigen::Vector3d Contacts::expectedVelocity(const Body* body, dBodyID rigid, const dReal* point) const {
+  if (body == nullptr || rigid == nullptr) {
     return Eigen::Vector3d::Zero();
   }
   dVector3 velocity;
-  dBodyGetPointVel(body->rigid, point[0], point[1], point[2], velocity);
+  dBodyGetPointVel(rigid, point[0], point[1], point[2], velocity);
   Eigen::Vector3d result = toVector(velocity);
   if (body->is_dynamic) {
-    const Eigen::Vector3d force = toVector(dBodyGetForce(body->rigid)) + body->pull;
+    const Eigen::Vector3d force = toVector(dBodyGetForce(rigid)) + body->pull;
     result += step_ * (force / body->model->mass - settings_.gravity * Eigen::Vector3d::UnitZ());
   }
   return result;
 }
 
-void Contacts::chooseFriction(const Body& a, const Body* b, dContact& contact) const {
+void Contacts::chooseFriction(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact) const {
   // ODE limits friction along two directions, each for itself: with the first one along the sliding the limit is right
   constexpr double kStill = 1e-9;  // m/s
   const Eigen::Vector3d normal = toVector(contact.geom.normal);
-  Eigen::Vector3d slip = expectedVelocity(&a, contact.geom.pos) - expectedVelocity(b, contact.geom.pos);
+  Eigen::Vector3d slip =
+      expectedVelocity(&a, rigid_a, contact.geom.pos) - expectedVelocity(b, rigid_b, contact.geom.pos);
   slip -= normal.dot(slip) * normal;
   const double speed = slip.norm();
   if (speed > kStill) {

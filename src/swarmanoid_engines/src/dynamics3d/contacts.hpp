@@ -34,6 +34,8 @@ class Contacts {
   void make(const std::vector<Body*>& bodies, double step, int attempt);
   /// Those of the last step.
   const std::vector<Point>& points() const { return points_; }
+  /// Where joints belong that are to last for one step.
+  dJointGroupID joints() const { return joints_; }
   /// Forgets them again.
   void clear() { dJointGroupEmpty(joints_); }
 
@@ -42,10 +44,10 @@ class Contacts {
   void meetGround(Body& body);
   void meetPair(Body& a, Body& b);
   void meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
-  void makeJoint(const Body& a, const Solid& solid_a, const Body* b, dContactGeom geometry);
+  void makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b, dContactGeom geometry);
   void breakTies(dSurfaceParameters& surface);
-  void chooseFriction(const Body& a, const Body* b, dContact& contact) const;
-  Eigen::Vector3d expectedVelocity(const Body* body, const dReal* point) const;
+  void chooseFriction(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact) const;
+  Eigen::Vector3d expectedVelocity(const Body* body, dBodyID rigid, const dReal* point) const;
 
   Settings settings_;
   dWorldID world_ = nullptr;

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "dynamics3d/dynamics3d.hpp"
+#include "dynamics3d/rope.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -63,10 +64,29 @@ void drawShape(const CollisionShape& shape, const Pose& body, EngineDrawing& dra
 
 }  // namespace
 
+void Dynamics3d::drawAttachments(EngineDrawing& drawing) const {
+  for (const Body* body : order_) {
+    if (const Rope& rope = body->rope; rope.held != nullptr) {
+      const Vector3d launcher = launcherOf(*body);
+      const Pose& held = rope.held->pose;
+      drawing.add(Kind::kJoint, launcher, held.position + held.orientation * rope.anchor);
+      drawing.add(Kind::kForce, launcher, launcher + EngineDrawing::kMetresPerNewton * rope.tension * rope.towards);
+    }
+    for (const Grip& hold : body->holds) {
+      if (hold.joint != nullptr) {
+        const Vector3d holder = toVector(dBodyGetPosition(hold.holder));
+        drawing.add(Kind::kJoint, body->pose.position, holder);
+        drawing.add(Kind::kForce, holder,
+                    holder + EngineDrawing::kMetresPerNewton * (body->pose.orientation * hold.force));
+      }
+    }
+  }
+}
+
 void Dynamics3d::draw(EngineDrawing& drawing) const {
   constexpr double kNormal = 0.05;  // m
   for (const Body* body : order_) {
-    for (const CollisionShape& shape : body->model->shapes) {
+    for (const CollisionShape& shape : body->seen().shapes) {
       drawShape(shape, body->pose, drawing);
     }
     if (body->grip.joint != nullptr) {
@@ -78,6 +98,7 @@ void Dynamics3d::draw(EngineDrawing& drawing) const {
                   tip + EngineDrawing::kMetresPerNewton * (body->pose.orientation * body->grip.force));
     }
   }
+  drawAttachments(drawing);
   for (const Contacts::Point& point : contacts_.points()) {
     drawing.add(Kind::kContact, point.position, point.position + kNormal * point.normal);
   }

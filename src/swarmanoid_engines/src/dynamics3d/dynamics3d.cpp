@@ -54,7 +54,7 @@ Row Dynamics3d::overlap(const EntityModel& model, const Pose& pose, Span<const R
   seen_.visitNear(boundsOf(model, pose), [&](const Body* body, const Eigen::AlignedBox3d&) {
     const bool is_older = found == nullptr || body->number < found->number;
     const bool is_ignored = std::find(ignored.begin(), ignored.end(), body->row) != ignored.end();
-    if (!is_ignored && is_older && modelsOverlap(model, pose, *body->model, body->pose)) {
+    if (!is_ignored && is_older && modelsOverlap(model, pose, body->seen(), body->pose)) {
       found = body;
     }
     return true;
@@ -79,17 +79,19 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
     order_[k]->rank = static_cast<int>(k);
   }
   takePose(space, body);
-  seen_.add(&body, boundsOf(*body.model, body.pose));
+  seen_.add(&body, boundsOf(body.seen(), body.pose));
   contacts_.add(body);
   newcomers_.push_back(&body);
   takeOverGrips(space, body);
+  takeOverAttachments(space, body);
 }
 
 void Dynamics3d::takePose(const Space& space, Body& body) {
   constexpr double kFastest = 5.0;       // m/s: a mirror that was put elsewhere did not go there
   constexpr double kFastestTurn = 20.0;  // rad/s
   const auto i = static_cast<std::size_t>(body.row);
-  body.setPose(space.entities.pose[i]);
+  const JointState* joints = space.jointsOf(body.row);
+  body.setPose(space.entities.pose[i], joints);
   body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[i] != nullptr;
   if (body.rigid == nullptr) {
     return;
@@ -98,7 +100,7 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
   if (!body.is_dynamic && !(twist.linear.norm() < kFastest && twist.angular.norm() < kFastestTurn)) {
     twist = Twist{};
   }
-  body.setTwist(twist);
+  body.setTwist(twist, joints);
   if (body.model->wheels) {
     takeSpeed(body, twist);  // who comes at speed drives on
   }
@@ -127,7 +129,7 @@ void Dynamics3d::place(Space& space, Row row) {
   body.flight = Flight{};
   takePose(space, body);
   seen_.remove(&body);
-  seen_.add(&body, boundsOf(*body.model, body.pose));
+  seen_.add(&body, boundsOf(body.seen(), body.pose));
 }
 
 void Dynamics3d::clear() {

@@ -2,9 +2,10 @@
 ///
 /// Footbots stand on treels that drive with no more than the friction they have (treels.hpp). Preys and blocks with a
 /// mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints: any number of grippers on one
-/// object, chains, and they break when pulled too hard. Eyebots fly by thrust and drag (flight.hpp); one without its
-/// flight controller falls. An entity that another engine moves is a mirror: it goes on from where it was when the tick
-/// began as fast as it then moved, nothing stops it, and what it meets is pushed away.
+/// object, chains, and they break when pulled too hard; so do hands and magnets, also on what is fixed. Handbots move
+/// their arms (arms.hpp) and hang on their rope (rope.hpp). Eyebots fly by thrust and drag (flight.hpp); one without
+/// its flight controller falls. An entity that another engine moves is a mirror: it goes on from where it was when the
+/// tick began as fast as it then moved, nothing stops it, and what it meets is pushed away.
 ///
 /// ODE's bodies have their origin in the centre of mass; poses and twists in the space are of the entities' origins.
 /// Entities at rest on the ground keep their height to a few micrometres.
@@ -43,6 +44,7 @@ class Dynamics3d final : public Engine {
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   std::string gripRefusal(const Space&, Row) const override { return ""; }
+  std::string stateRefusal(const Space& space, Row row) const override;
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
   void place(Space& space, Row row) override;
@@ -68,15 +70,35 @@ class Dynamics3d final : public Engine {
   void stepOnce(double step);
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
+  void makeRopeJoints(double step);
   void finishTick(Space& space);
+
+  // attaching.cpp
+  struct Surface {
+    Body* body = nullptr;
+    Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in W
+    bool can_be_held = false;
+  };
+  static bool isToldToHold(const Body& robot, Attachment::Kind kind);
+  double strengthOf(Attachment::Kind kind) const;
+  Surface findSurface(const Body& robot, const Segment& segment, bool is_magnetic) const;
+  void connectAttachments(Space& space, Body& robot);
+  void connectHold(Space& space, Body& robot, Attachment::Kind kind);
+  void connectRope(Space& space, Body& robot, double dt);
+  void attach(Space& space, Body& robot, Attachment::Kind kind, const Surface& surface, double length);
+  void hold(Body& robot, Attachment::Kind kind, Body& object, const Attachment& attachment);
+  void detach(Space& space, Body& robot, Attachment::Kind kind, const std::string& why);
+  void takeOverAttachments(const Space& space, Body& body);
+  static void tellForces(Space& space, const Body& robot);
+  void drawAttachments(EngineDrawing& drawing) const;  // drawing.cpp
 
   // gripping.cpp
   Body* findInReach(const Space& space, const Body& robot) const;
   void grip(Space& space, Body& robot, Body& object);
-  void join(Body& robot, Body& object);
+  void join(Grip& grip, Body& object);
   void takeOverGrips(const Space& space, Body& body);
   void release(Space& space, Body& robot, const std::string& why);
-  static void letGo(Body& robot);
+  static void letGo(Grip& grip);
   void forgetGrips(Body& body);
   void feelGrips(double step);
 

@@ -1,10 +1,12 @@
-// Phase `connect`: grippers take hold and let go; during `move` they feel the force on them, and may break.
+// Phase `connect`: grippers take hold and let go. During `move` they, hands, magnets and ropes feel the force on them,
+// and may break.
 #include <cmath>
 #include <limits>
 #include <sstream>
 
 #include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
+#include "dynamics3d/rope.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -23,6 +25,9 @@ double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
 void Dynamics3d::connect(Space& space) {
   const Turn turn(seed_);
   for (Body* body : order_) {
+    if (body->is_dynamic) {
+      connectAttachments(space, *body);
+    }
     if (body->gripper == nullptr || !body->is_dynamic) {
       continue;
     }
@@ -72,17 +77,17 @@ Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
 
 void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
   if (space.structure.connect(robot.row, object.row)) {
-    join(robot, object);
+    robot.grip = Grip{};
+    robot.grip.holder = robot.rigid;
+    join(robot.grip, object);
     reportGrip(space, Event::Kind::kAttached, robot.row, object.row);
   }
 }
 
-void Dynamics3d::join(Body& robot, Body& object) {
-  Grip& grip = robot.grip;
-  grip = Grip{};
+void Dynamics3d::join(Grip& grip, Body& object) {
   grip.gripped = &object;
   grip.joint = dJointCreateFixed(world_, nullptr);
-  dJointAttach(grip.joint, robot.rigid, object.rigid);
+  dJointAttach(grip.joint, grip.holder, object.rigid);
   dJointSetFixed(grip.joint);
   dJointSetFeedback(grip.joint, &grip.feedback);
 }
@@ -93,7 +98,9 @@ void Dynamics3d::takeOverGrips(const Space& space, Body& body) {
     Body* object = find(gripped);
     if (robot != nullptr && object != nullptr && robot->is_dynamic && object->is_dynamic &&
         robot->grip.gripped == nullptr) {
-      join(*robot, *object);
+      robot->grip = Grip{};
+      robot->grip.holder = robot->rigid;
+      join(robot->grip, *object);
     }
   });
 }
@@ -101,22 +108,30 @@ void Dynamics3d::takeOverGrips(const Space& space, Body& body) {
 void Dynamics3d::release(Space& space, Body& robot, const std::string& why) {
   reportGrip(space, Event::Kind::kReleased, robot.row, robot.grip.gripped->row, why);
   space.structure.release(robot.row);
-  letGo(robot);
+  letGo(robot.grip);
 }
 
-void Dynamics3d::letGo(Body& robot) {
-  if (robot.grip.joint != nullptr) {
-    dJointDestroy(robot.grip.joint);
+void Dynamics3d::letGo(Grip& grip) {
+  if (grip.joint != nullptr) {
+    dJointDestroy(grip.joint);
   }
-  const bool must_open = robot.grip.must_open;
-  robot.grip = Grip{};
-  robot.grip.must_open = must_open;
+  const bool must_open = grip.must_open;
+  grip = Grip{};
+  grip.must_open = must_open;
 }
 
 void Dynamics3d::forgetGrips(Body& body) {
   for (Body* robot : order_) {
     if (robot == &body || robot->grip.gripped == &body) {
-      letGo(*robot);
+      letGo(robot->grip);
+    }
+    for (Grip& hold : robot->holds) {
+      if (robot == &body || hold.gripped == &body) {
+        letGo(hold);
+      }
+    }
+    if (robot == &body || robot->rope.held == &body) {
+      robot->rope = Rope{};
     }
   }
 }
@@ -128,19 +143,27 @@ void Dynamics3d::feelGrips(double step) {
   for (Body* body : order_) {
     body->pull.setZero();
   }
-  for (Body* body : order_) {
-    Grip& grip = body->grip;
+  const auto feel = [share](Body& robot, Grip& grip, double strength) {
     if (grip.joint == nullptr) {
-      continue;
+      return;
     }
-    const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(body->rigid));
+    const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(robot.rigid));
     grip.force += share * (turn.conjugate() * toVector(grip.feedback.f1) - grip.force);
-    body->pull += turn * grip.force;
+    robot.pull += turn * grip.force;
     grip.gripped->pull -= turn * grip.force;
-    if (grip.force.norm() > settings_.grip_strength) {
+    if (grip.force.norm() > strength) {
       dJointDestroy(grip.joint);
       grip.joint = nullptr;
       grip.is_broken = true;
+    }
+  };
+  for (Body* body : order_) {
+    feel(*body, body->grip, settings_.grip_strength);
+    for (std::size_t kind = 0; kind < body->holds.size(); ++kind) {
+      feel(*body, body->holds[kind], strengthOf(static_cast<Attachment::Kind>(kind)));
+    }
+    if (body->rope.held != nullptr && !body->rope.is_broken) {
+      feelRope(*body, step, share, settings_.rope_strength);
     }
   }
 }

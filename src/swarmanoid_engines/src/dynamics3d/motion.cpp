@@ -1,6 +1,8 @@
 // Phase `move`: forces to poses.
+#include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
+#include "dynamics3d/rope.hpp"
 #include "dynamics3d/treels.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -32,6 +34,9 @@ void Dynamics3d::findLateDevices(const Space& space) {
     body->wheels = body->model->wheels ? space.actuation.find<FootbotWheels>(body->row) : nullptr;
     body->velocity = space.actuation.find<EyebotVelocity>(body->row);
     body->gripper = body->model->gripper ? space.actuation.find<FootbotGripper>(body->row) : nullptr;
+    body->hands = space.actuation.find<HandbotHands>(body->row);
+    body->rope_command = space.actuation.find<HandbotRope>(body->row);
+    body->magnet = space.actuation.find<EyebotMagnet>(body->row);
   }
   newcomers_.clear();
 }
@@ -44,12 +49,19 @@ void Dynamics3d::stepOnce(double step) {
     if (body->model->wheels) {
       followCommand(*body, step);
     }
-    if (body->velocity != nullptr) {
+    // hanging by its magnet an eyebot saves its battery
+    if (body->velocity != nullptr &&
+        body->holds[static_cast<std::size_t>(Attachment::Kind::kMagnet)].joint == nullptr) {
       fly(*body, settings_.gravity, step);
+    }
+    driveLinks(*body);
+    if (body->rope.held != nullptr) {
+      windRope(*body, step);
     }
   }
   if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
     contacts_.make(order_, step, 0);
+    makeRopeJoints(step);
     dWorldQuickStep(world_, step);
     contacts_.clear();
   }
@@ -64,6 +76,7 @@ bool Dynamics3d::solveExactly(double step) {
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const long failures = solverFailures();
     contacts_.make(order_, step, attempt);
+    makeRopeJoints(step);
     dWorldStep(world_, step);
     contacts_.clear();
     if (solverFailures() == failures) {
@@ -77,6 +90,14 @@ bool Dynamics3d::solveExactly(double step) {
   return false;
 }
 
+void Dynamics3d::makeRopeJoints(double step) {
+  for (Body* body : order_) {
+    if (body->rope.held != nullptr && !body->rope.is_broken) {
+      makeRopeJoint(world_, contacts_.joints(), *body, step);
+    }
+  }
+}
+
 void Dynamics3d::finishTick(Space& space) {
   for (Body* body : order_) {
     if (body->is_dynamic) {
@@ -84,9 +105,13 @@ void Dynamics3d::finishTick(Space& space) {
       body->pose = body->currentPose();
       space.entities.pose[i] = body->pose;
       space.entities.twist[i] = body->currentTwist();
+      if (!body->links.empty()) {
+        readLinks(*body, space.jointsOf(body->row));
+        body->poseShapes(space.jointsOf(body->row));
+      }
     }
   }
-  seen_.update([](const Body* body) { return boundsOf(*body->model, body->pose); });
+  seen_.update([](const Body* body) { return boundsOf(body->seen(), body->pose); });
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -34,7 +34,13 @@ PluginDescription Dynamics3d::describe() {
       makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange, "Of treels on what they stand on."),
       makeNumber("restitution", "", standard.restitution, kRestitutionRange,
                  "How much of an impact's speed comes back."),
-      makeNumber("grip_strength", "N", standard.grip_strength, kStrengthRange, "The force that opens a gripper.")};
+      makeNumber("grip_strength", "N", standard.grip_strength, kStrengthRange, "The force that opens a gripper."),
+      makeNumber("suction_strength", "N", standard.suction_strength, kStrengthRange,
+                 "The force that pulls a handbot's hand off what it holds."),
+      makeNumber("rope_strength", "N", standard.rope_strength, kStrengthRange,
+                 "The force that pulls the magnet of a handbot's rope off."),
+      makeNumber("magnet_strength", "N", standard.magnet_strength, kStrengthRange,
+                 "The force that pulls an eyebot's magnet off.")};
   return description;
 }
 
@@ -57,6 +63,9 @@ void Dynamics3d::configure(const std::string& id, const Configuration& parameter
   s.treel_friction = parameters.number("treel_friction", fallback.treel_friction, kFrictionRange);
   s.restitution = parameters.number("restitution", fallback.restitution, kRestitutionRange);
   s.grip_strength = parameters.number("grip_strength", fallback.grip_strength, kStrengthRange);
+  s.suction_strength = parameters.number("suction_strength", fallback.suction_strength, kStrengthRange);
+  s.rope_strength = parameters.number("rope_strength", fallback.rope_strength, kStrengthRange);
+  s.magnet_strength = parameters.number("magnet_strength", fallback.magnet_strength, kStrengthRange);
 }
 
 }  // namespace swarmanoid::dynamics3d

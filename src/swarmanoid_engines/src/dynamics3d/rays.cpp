@@ -36,7 +36,7 @@ void Dynamics3d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
       if (!around.intersects(bounds)) {
         continue;
       }
-      const double fraction = firstMeeting(segment, *body->model, body->pose);
+      const double fraction = firstMeeting(segment, body->seen(), body->pose);
       RayHit& hit = hits[k];
       // between surfaces at the same distance the older entity is met, whatever the order of the look-up
       const Body* rival = fraction == hit.fraction && hit.row != kNoRow ? find(hit.row) : nullptr;

@@ -16,6 +16,9 @@ struct Settings {
   double treel_friction = 0.9;     ///< of treels on whatever they stand on (Coulomb)
   double restitution = 0.0;        ///< how much of the speed of an impact comes back
   double grip_strength = 50.0;     ///< force that opens a gripper [N]
+  double suction_strength = 30.0;  ///< force that pulls a hand off what it holds [N]
+  double rope_strength = 80.0;     ///< force that pulls a rope's magnet off [N]
+  double magnet_strength = 60.0;   ///< force that pulls an eyebot's magnet off [N]
 };
 
 /// Steps that are longer let bodies sink into each other, and through the ground.

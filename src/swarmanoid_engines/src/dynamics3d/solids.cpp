@@ -15,9 +15,12 @@ void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, c
   if (body.rigid == nullptr) {
     return;  // setPose puts it where it is
   }
-  const Eigen::Vector3d offset = position - body.model->centre_of_mass;
+  const bool is_on_link = solid.joint >= 0 && !body.links.empty();
+  const auto joint = static_cast<std::size_t>(is_on_link ? solid.joint : 0);
+  const Eigen::Vector3d& centre = is_on_link ? body.model->joints[joint].part.centre_of_mass : body.own.centre_of_mass;
+  const Eigen::Vector3d offset = position - centre;
   const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
-  dGeomSetBody(solid.geom, body.rigid);
+  dGeomSetBody(solid.geom, is_on_link ? body.links[joint].rigid : body.rigid);
   dGeomSetOffsetPosition(solid.geom, offset.x(), offset.y(), offset.z());
   dGeomSetOffsetQuaternion(solid.geom, q);
 }
@@ -70,7 +73,8 @@ void addSolids(Body& body) {
   const bool is_driven = body.is_dynamic && body.model->wheels;
   for (const CollisionShape& shape : body.model->shapes) {
     const CollisionShape used = is_driven ? clearOfGround(shape) : shape;
-    addSolid(body, {makeGeom(used, kMargin / 2.0), Solid::Kind::kPlain, 0}, used.position, used.orientation);
+    addSolid(body, {makeGeom(used, kMargin / 2.0), Solid::Kind::kPlain, 0, shape.joint}, used.position,
+             used.orientation);
   }
   if (is_driven) {
     addBalls(body);

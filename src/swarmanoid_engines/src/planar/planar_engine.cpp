@@ -1,5 +1,6 @@
 #include "planar/planar_engine.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -8,11 +9,22 @@
 #include "planar/body_overlap.hpp"
 #include "planar/body_rays.hpp"
 #include "planar/draw_bodies.hpp"
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_hands.hpp"
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
 
 namespace swarmanoid::planar {
 namespace {
 constexpr Range kSubclockRange{1.0, 10000.0};
+
+/// Whether a device is of use in three dimensions only.
+bool isSpatial(const std::string& device) {
+  return device == HandbotArms::kType || device == HandbotHands::kType || device == HandbotRope::kType ||
+         device == EyebotMagnet::kType;
 }
+
+}  // namespace
 
 std::vector<Parameter> PlanarEngine::placementParameters() {
   using Type = Parameter::Type;
@@ -34,7 +46,26 @@ void PlanarEngine::configure(const std::string& id, const Configuration& paramet
 }
 
 std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  return deviceRefusal(model, devices);
+  const std::string problem = deviceRefusal(model, devices);
+  if (!problem.empty()) {
+    return problem;
+  }
+  const auto spatial = std::find_if(devices.begin(), devices.end(), isSpatial);
+  return spatial == devices.end() ? "" : "device '" + *spatial + "' cannot be simulated in a plane";
+}
+
+bool PlanarEngine::mayStandIdle(const std::string& device) const { return isSpatial(device); }
+
+std::string PlanarEngine::stateRefusal(const Space& space, Row row) const {
+  constexpr double kStretched = 0.02;  // rad
+  const EntityModel& model = *space.entities.model[static_cast<std::size_t>(row)];
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    // in a plane all shapes are as with the joints at zero
+    if (std::abs(space.jointsOf(row)[i].angle) > kStretched) {
+      return "its joint '" + model.joints[i].name + "' is not at zero";
+    }
+  }
+  return Engine::stateRefusal(space, row);
 }
 
 std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pose) const {

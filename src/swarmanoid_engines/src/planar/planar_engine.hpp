@@ -13,6 +13,9 @@ class PlanarEngine : public Engine {
  public:
   void configure(const std::string& id, const Configuration& parameters) override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  /// Arms, hands, ropes and magnets.
+  bool mayStandIdle(const std::string& device) const override;
+  std::string stateRefusal(const Space& space, Row row) const override;
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;

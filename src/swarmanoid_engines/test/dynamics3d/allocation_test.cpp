@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "world.hpp"
+#include "handbot_world.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -15,7 +15,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
   if (SWARMANOID_COUNTS_ALLOCATIONS == 0) {
     GTEST_SKIP() << "the sanitizer has its own malloc";
   }
-  World world;
+  HandbotWorld world;
   for (const double x : {0.0, 5.0}) {
     world.addBlock({0.1, 5.0, 0.5}, 0.0, flatPose(x, 2.5, 0.0, 0.25));
     world.addBlock({5.0, 0.1, 0.5}, 0.0, flatPose(2.5, x, 0.0, 0.25));
@@ -29,11 +29,15 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
   world.setGripper(robots[0], true);
   const Row eyebot = world.addEyebot(flatPose(2.5, 2.5, 0.0, 1.0));
   world.flight(eyebot).yaw_rate = 0.3;
+  const Row handbot = world.addHandbot(flatPose(4.2, 4.2));
+  world.rope(handbot).shot = true;
+  world.rope(handbot).winding_speed = 0.01;
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.5), flatPose(2.45, 2.55), Role::kMirror);
   std::array<Segment, 8> segments;
   std::array<RayHit, 8> hits;
   const auto tick = [&](int i) {
     world.pose(mirror).orientation = Eigen::AngleAxisd(0.3 * std::sin(0.1 * i), Eigen::Vector3d::UnitX());
+    world.arms(handbot).left.shoulder = -0.5 + 0.5 * std::sin(0.1 * i);
     world.step();
     for (const Row row : robots) {
       RayBundle bundle;
@@ -61,6 +65,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
   EXPECT_EQ(heap_allocations - before, 0);
   EXPECT_GT(before, 100);  // the counting works
   EXPECT_NE(world.gripped(robots[0]), kNoRow);
+  EXPECT_TRUE(world.space.attachments.isAttached(handbot));
 }
 
 }  // namespace

@@ -53,6 +53,35 @@ void toMessage(const FootbotGripperState& readings, swarmanoid_msgs::GripperStat
   message.gripping = readings.gripping;
 }
 
+void toMessage(const HandbotArmsState& readings, sensor_msgs::JointState& message) {
+  message.name.assign(HandbotArmsState::kNames.begin(), HandbotArmsState::kNames.end());
+  message.position.resize(HandbotArmsState::kJoints);
+  message.velocity.resize(HandbotArmsState::kJoints);
+  message.effort.resize(HandbotArmsState::kJoints);
+  for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
+    message.position[i] = readings.joints[i].angle;
+    message.velocity[i] = readings.joints[i].speed;
+    message.effort[i] = readings.joints[i].effort;
+  }
+}
+
+void toMessage(const HandbotHandsState& readings, swarmanoid_msgs::HandsState& message) {
+  message.left_holding = readings.left.holding;
+  message.left_force = readings.left.force;
+  message.right_holding = readings.right.holding;
+  message.right_force = readings.right.force;
+}
+
+void toMessage(const HandbotRopeState& readings, swarmanoid_msgs::RopeState& message) {
+  message.attached = readings.attached;
+  message.length = readings.length;
+  message.tension = readings.tension;
+}
+
+void toMessage(const EyebotMagnetState& readings, swarmanoid_msgs::GripperState& message) {
+  message.gripping = readings.attached;
+}
+
 void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message) {
   message.colors.resize(ring.size());
   std::transform(ring.begin(), ring.end(), message.colors.begin(), [](Color color) { return toMessage(color); });

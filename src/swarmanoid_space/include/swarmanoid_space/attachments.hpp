@@ -27,6 +27,7 @@ struct Attachment {
   Row held = kNoRow;                                 ///< kNoRow: nothing
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();  ///< where it is held, in the body frame of `held` [m]
   double length = 0.0;                               ///< of a rope, from the robot to the anchor when taut [m]
+  double force = 0.0;                                ///< on it at last, without the noise of single steps [N]
 };
 
 /// "rope", "left hand", "right hand", "magnet".
@@ -36,20 +37,24 @@ class Attachments {
  public:
   /// Rows up to `row_count` exist from now on, attached to nothing.
   void resize(std::size_t row_count);
-  void clear() { by_owner_.clear(); }
+  void clear() { *this = Attachments(); }
+
+  /// @pre nothing is attached by that kind, and something is held
+  void attach(Row owner, Attachment::Kind kind, const Attachment& attachment);
+  /// Does nothing if nothing is attached.
+  void detach(Row owner, Attachment::Kind kind);
+  /// Undoes all attachments that an entity has or is held by, such as before it is deleted.
+  void isolate(Row row);
+  /// What changes while it holds. @pre something is attached
+  void update(Row owner, Attachment::Kind kind, double length, double force);
 
   const Attachment& of(Row owner, Attachment::Kind kind) const { return at(owner)[static_cast<std::size_t>(kind)]; }
-  Attachment& of(Row owner, Attachment::Kind kind) {
-    return by_owner_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(kind)];
-  }
+  bool isEmpty() const { return count_ == 0; }
   bool isAttached(Row owner, Attachment::Kind kind) const { return of(owner, kind).held != kNoRow; }
   /// Whether the entity holds on to anything.
   bool isAttached(Row owner) const;
   /// Whether anybody holds on to the entity. Goes through all entities.
   bool isHeld(Row held) const;
-  void detach(Row owner, Attachment::Kind kind) { of(owner, kind) = Attachment{}; }
-  /// Undoes all attachments that an entity has or is held by, such as before it is deleted.
-  void isolate(Row row);
 
   /// Calls visit(kind, attachment) for what an entity holds on to, in the order of kinds.
   template <class Visit>
@@ -66,6 +71,7 @@ class Attachments {
   const Slots& at(Row owner) const { return by_owner_[static_cast<std::size_t>(owner)]; }
 
   std::vector<Slots> by_owner_;
+  std::size_t count_ = 0;
 };
 
 /// All that hangs together with an entity by grips and attachments and may move, itself included: the members of each

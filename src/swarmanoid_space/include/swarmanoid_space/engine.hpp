@@ -13,7 +13,7 @@
 ///
 /// Handover  (thesis chapter 5) an entity changes the engine that moves it, with all that it is connected to:
 /// `refusal`,
-///          `misplacement`, `overlap`, `gripRefusal` and `attachmentRefusal` decide, without any change; then the old
+///          `misplacement`, `overlap`, `gripRefusal` and `stateRefusal` decide, without any change; then the old
 ///          engine gets `remove` for each member and the new one `add`, parents before children. The space keeps pose,
 ///          twist, joints, grips, attachments, devices and everything else meanwhile, so what an engine knows beyond
 ///          them, it makes anew from them.
@@ -50,6 +50,11 @@ class Engine {
   /// the device or the property. @param devices types of the controller's devices
   virtual std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const = 0;
 
+  /// Whether a robot with that device, which this engine refuses, may be moved here all the same with the device idle,
+  /// if another of the engines that hold the robot can simulate it: such as a handbot's rope while footbots carry the
+  /// handbot over the ground (thesis chapter 5).
+  virtual bool mayStandIdle(const std::string& /*device*/) const { return false; }
+
   /// Why an entity cannot stand there, such as "is not in the plane z = 0"; "" if it can. Overlap is not looked at.
   virtual std::string misplacement(const EntityModel& model, const Pose& pose) const = 0;
 
@@ -66,10 +71,8 @@ class Engine {
     return "grips, and this engine holds no grips";
   }
 
-  /// Likewise for what `owner` holds on to in `attachments`: its rope, its hands, its magnet.
-  virtual std::string attachmentRefusal(const Space& /*space*/, Row /*owner*/) const {
-    return "holds on to something, and this engine knows neither ropes nor hands nor magnets";
-  }
+  /// Likewise for the rest of an entity's state: what it holds on to in `attachments`, where its joints are.
+  virtual std::string stateRefusal(const Space& space, Row row) const;
 
   /// Takes charge of an entity at the pose, and with the twist, that it has in the space. As soon as both ends of a
   /// grip in `structure` are moved here, the grip holds here; likewise attachments, whose other end may be fixed. @pre

@@ -12,8 +12,10 @@
 namespace swarmanoid {
 
 struct JointState {
-  double angle = 0.0;  ///< [rad]
-  double speed = 0.0;  ///< [rad/s]
+  double angle = 0.0;   ///< [rad]
+  double speed = 0.0;   ///< [rad/s]
+  double effort = 0.0;  ///< that the robot's motor and stops gave at last, along positive angles; of no engine without
+                        ///< forces [N m]
 };
 
 /// How the link that a joint turns lies off from where it is with all joints at zero: a point of it that then is at p

@@ -14,9 +14,9 @@ void attempt(Space& space, const std::vector<Driver>& drivers, HandoverWatch& wa
   }
   const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, watch.row);
   refreshMirrors(space, seats, *watch.engine);
-  const std::string problem = handoverProblem(space, drivers, members, watch.row, *watch.engine);
+  const std::string problem = handoverProblem(space, drivers, seats, members, watch.row, *watch.engine);
   if (problem.empty()) {
-    commitHandover(space, seats, members, *watch.engine, space.events);
+    commitHandover(space, drivers, seats, members, *watch.engine, space.events);
     watch.is_due = false;
   } else if (!watch.is_refused) {
     watch.is_refused = true;  // told once; tried again each tick, for what is in the way may go

@@ -1,0 +1,26 @@
+// Magnet: the engine that moves the robot does the holding; here the command only passes.
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class EyebotMagnetActuator final : public ActuatorOf<EyebotMagnet> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = EyebotMagnet::kType;
+    description.implementation = "default";
+    description.summary = "The magnet that holds on to ferromagnetic ceilings, on or off.";
+    description.robots = {"eyebot"};
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::EyebotMagnetActuator)

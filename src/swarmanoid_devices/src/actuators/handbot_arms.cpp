@@ -1,0 +1,60 @@
+// Arms: angles limited to where the joints stop. The engine that moves the robot moves them.
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+
+#include <algorithm>
+
+#include "parameters.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+struct ArmsSeat : BasicActuatorSeat<HandbotArms> {
+  std::shared_ptr<const EntityModel> model;
+};
+
+class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsSeat> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = HandbotArms::kType;
+    description.implementation = "default";
+    description.summary = "Angles of the joints of both arms, limited to where they stop.";
+    description.robots = {"handbot"};
+    description.parameters = {
+        angle("noise", "0", {0.0, 90.0}, "Standard deviation added to each angle that is commanded.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
+
+ protected:
+  void takeSeat(const Space& space, ArmsSeat& seat) override {
+    seat.model = space.entities.model[static_cast<std::size_t>(seat.row)];
+  }
+
+  void limit(const Space& space, ArmsSeat& seat) override {
+    seat.random.startTick(space.tick);
+    const std::array<double*, HandbotArmsState::kJoints> angles{
+        &seat.actuation->left.shoulder,  &seat.actuation->left.elbow,  &seat.actuation->left.wrist,
+        &seat.actuation->right.shoulder, &seat.actuation->right.elbow, &seat.actuation->right.wrist};
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      if (noise_ > 0.0) {
+        *angles[i] += seat.random.gaussian(0.0, noise_);
+      }
+      const int index = seat.model->findJoint(HandbotArmsState::kNames[i]);
+      if (index >= 0) {
+        const EntityModel::Joint& joint = seat.model->joints[static_cast<std::size_t>(index)];
+        *angles[i] = std::clamp(*angles[i], joint.lower, joint.upper);
+      }
+    }
+  }
+
+ private:
+  double noise_ = 0.0;  // rad
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::HandbotArmsActuator)

@@ -1,0 +1,26 @@
+// Hands: the engine that moves the robot does the holding; here the command only passes.
+#include "swarmanoid_interface/devices/handbot_hands.hpp"
+
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class HandbotHandsActuator final : public ActuatorOf<HandbotHands> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = HandbotHands::kType;
+    description.implementation = "default";
+    description.summary = "Suction of each hand, on or off.";
+    description.robots = {"handbot"};
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::HandbotHandsActuator)

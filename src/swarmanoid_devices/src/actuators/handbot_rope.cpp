@@ -1,0 +1,49 @@
+// Rope: winding limited to what the motor can do. The engine that moves the robot shoots, winds and holds.
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
+
+#include <algorithm>
+
+#include "parameters.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class HandbotRopeActuator final : public ActuatorOf<HandbotRope> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = HandbotRope::kType;
+    description.implementation = "default";
+    description.summary = "Shoots the rope, winds it in and out, lets it go.";
+    description.robots = {"handbot"};
+    description.parameters = {number("max_speed", "m/s", "0.2", {0.0, 2.0}, "The fastest winding, in and out."),
+                              number("noise", "", "0", {0.0, 1.0},
+                                     "Standard deviation of the factor that the winding speed is multiplied with.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    max_speed_ = parameters.number("max_speed", 0.2);
+    noise_ = parameters.number("noise", 0.0);
+  }
+
+ protected:
+  void limit(const Space& space, BasicActuatorSeat<HandbotRope>& seat) override {
+    double& speed = seat.actuation->winding_speed;
+    if (noise_ > 0.0) {
+      seat.random.startTick(space.tick);
+      speed *= seat.random.gaussian(1.0, noise_);
+    }
+    speed = std::clamp(speed, -max_speed_, max_speed_);
+  }
+
+ private:
+  double max_speed_ = 0.2;
+  double noise_ = 0.0;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::HandbotRopeActuator)

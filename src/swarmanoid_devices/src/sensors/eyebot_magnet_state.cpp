@@ -1,0 +1,33 @@
+// The magnet's contact switch.
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class EyebotMagnetStateSensor final : public SensorOf<EyebotMagnetState> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = EyebotMagnetState::kType;
+    description.implementation = "default";
+    description.summary = "Whether the magnet holds on to something.";
+    description.robots = {"eyebot"};
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    using Kind = Attachment::Kind;
+    for (std::size_t k = first; k < last; ++k) {
+      const Row row = seats_[k].row;
+      seats_[k].readings->attached = space.attachments.isAttached(row, Kind::kMagnet);
+    }
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::EyebotMagnetStateSensor)

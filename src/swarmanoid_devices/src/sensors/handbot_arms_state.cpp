@@ -1,0 +1,57 @@
+// Encoders and torque sensors of the arms' joints.
+#include "parameters.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+struct ArmsStateSeat : BasicSensorSeat<HandbotArmsState> {
+  std::array<int, HandbotArmsState::kJoints> joints{};  ///< indices in the model
+};
+
+class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsStateSeat> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = HandbotArmsState::kType;
+    description.implementation = "default";
+    description.summary = "Angle, speed and effort of each joint of the arms.";
+    description.robots = {"handbot"};
+    description.parameters = {angle("noise", "0", {0.0, 10.0}, "Standard deviation added to each angle that is read.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      ArmsStateSeat& seat = seats_[k];
+      seat.random.startTick(space.tick);
+      for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
+        if (seat.joints[i] < 0) {
+          continue;
+        }
+        const JointState& state = space.jointsOf(seat.row)[seat.joints[i]];
+        const double error = noise_ > 0.0 ? seat.random.gaussian(0.0, noise_) : 0.0;
+        seat.readings->joints[i] = {state.angle + error, state.speed, state.effort};
+      }
+    }
+  }
+
+ protected:
+  void takeSeat(const Space& space, ArmsStateSeat& seat) override {
+    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(seat.row)];
+    for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
+      seat.joints[i] = model.findJoint(HandbotArmsState::kNames[i]);
+    }
+  }
+
+ private:
+  double noise_ = 0.0;  // rad
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::HandbotArmsStateSensor)

@@ -1,0 +1,36 @@
+// The docking sensors of the hands.
+#include "swarmanoid_interface/devices/handbot_hands.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class HandbotHandsStateSensor final : public SensorOf<HandbotHandsState> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = HandbotHandsState::kType;
+    description.implementation = "default";
+    description.summary = "Whether each hand holds something, and the force on it.";
+    description.robots = {"handbot"};
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    using Kind = Attachment::Kind;
+    for (std::size_t k = first; k < last; ++k) {
+      const Row row = seats_[k].row;
+      const Attachment& left = space.attachments.of(row, Kind::kLeftHand);
+      const Attachment& right = space.attachments.of(row, Kind::kRightHand);
+      seats_[k].readings->left = {left.held != kNoRow, left.force};
+      seats_[k].readings->right = {right.held != kNoRow, right.force};
+    }
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::HandbotHandsStateSensor)

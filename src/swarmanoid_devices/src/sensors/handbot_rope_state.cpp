@@ -1,0 +1,34 @@
+// The rope's encoder and tension sensor.
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class HandbotRopeStateSensor final : public SensorOf<HandbotRopeState> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = HandbotRopeState::kType;
+    description.implementation = "default";
+    description.summary = "Whether the rope is attached, its length and its tension.";
+    description.robots = {"handbot"};
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    using Kind = Attachment::Kind;
+    for (std::size_t k = first; k < last; ++k) {
+      const Row row = seats_[k].row;
+      const Attachment& rope = space.attachments.of(row, Kind::kRope);
+      *seats_[k].readings = {rope.held != kNoRow, rope.length, rope.force};
+    }
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::HandbotRopeStateSensor)

@@ -1,0 +1,28 @@
+/// The jointed links of a robot: rigid bodies on hinges that motors turn towards the angles that the robot commands,
+/// with no more speed and torque than the model's joints have.
+///
+/// Links do not collide with the rest of their own robot.
+#pragma once
+
+#include "dynamics3d/body.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+/// Makes rigid bodies and hinges for all of the model's joints. Masses are still to be given.
+/// @pre body.rigid is there, body.own too @param arms where the commands will be, for as long as the robot lives
+std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms& arms);
+
+/// Puts the links where body.pose and the joints say. @param joints null: all are zero
+void placeLinks(Body& body, const JointState* joints);
+/// Gives them the velocities that the body's twist and the joints' speeds add up to. @param joints null: none turns
+void moveLinks(Body& body, const Twist& twist, const JointState* joints);
+
+/// For a body without links: turns its solids as the joints are.
+void turnSolids(Body& body, const JointState* joints);
+
+/// Sets the motors for a step [s].
+void driveLinks(Body& body);
+/// Writes angles, speeds and efforts.
+void readLinks(const Body& body, JointState* joints);
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,25 @@
+/// A handbot's rope: a line without mass that keeps the launcher within its length of where its magnet holds. It pulls,
+/// and never pushes.
+///
+/// It is a contact in ODE whose normal is the rope's direction: what contacts do between surfaces, the rope does
+/// between its ends, with the sign turned. So it is solved together with all other contacts, in the exact solver
+/// exactly.
+#pragma once
+
+#include "dynamics3d/body.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+constexpr double kRopeLength = 3.0;  // m: what is in the launcher
+
+/// Where the rope leaves the robot, in W, now, and its velocity there.
+Eigen::Vector3d launcherOf(const Body& robot);
+
+/// Before each step: looks how fast the rope is wound, and whether it is taut.
+void windRope(Body& robot, double step);
+/// Makes the rope's joint of a step. @pre robot.rope.held
+dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step);
+/// After each step: how strong it was pulled. @param share of the step in the lasting tension
+void feelRope(Body& robot, double step, double share, double strength);
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,201 @@
+// Handbots that climb: the example, ropes and arms carried from engine to engine, devices that stand idle in a plane.
+#include <gtest/gtest.h>
+
+#include "handover_world.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+using Kind = Attachment::Kind;
+
+Experiment climbing() {
+  loadBuiltInPlugins();
+  return readExperiment(findShared("swarmanoid_experiments", "experiments/climbing.xml"));
+}
+
+/// @param first whether the engine comes before all others, so that it moves what it lists
+void addEngine(Experiment& experiment, const std::string& label, const std::string& id,
+               const std::vector<std::string>& members, bool first) {
+  EngineDescription engine;
+  engine.label = label;
+  engine.id = id;
+  engine.parameters = Configuration(label, "", {});
+  experiment.engines.push_back(engine);
+  MappingDescription mapping;
+  mapping.engine = id;
+  for (const std::string& member : members) {
+    mapping.members.push_back({member, {}, {}});
+  }
+  experiment.mappings.insert(first ? experiment.mappings.begin() : experiment.mappings.end(), mapping);
+}
+
+std::unique_ptr<Simulation> start(Experiment experiment) {
+  auto simulation = std::make_unique<Simulation>(std::move(experiment));
+  simulation->start();
+  return simulation;
+}
+
+Row rowOf(const Simulation& simulation, const std::string& name) { return simulation.space().entities.find(name); }
+
+std::string stateOf(const Simulation& simulation) {
+  const auto& values = simulation.space().robots[static_cast<std::size_t>(rowOf(simulation, "hb"))]->debugValues();
+  return values.empty() ? "" : values[0].second;
+}
+
+void runUntil(Simulation& simulation, const std::string& state) {
+  while (!simulation.isFinished() && stateOf(simulation) != state) {
+    simulation.tick();
+  }
+  ASSERT_EQ(stateOf(simulation), state);
+}
+
+void expectTheBoxIsDown(Simulation& simulation) {
+  runUntil(simulation, "done");
+  tick(simulation, 5);
+  const Attachments& attachments = simulation.space().attachments;
+  const Row robot = rowOf(simulation, "hb");
+  EXPECT_EQ(attachments.of(robot, Kind::kLeftHand).held, rowOf(simulation, "box"));
+  EXPECT_FALSE(attachments.isAttached(robot, Kind::kRope));
+  EXPECT_NEAR(poseOf(simulation, "hb").position.z(), 0.0, 2e-3);
+  EXPECT_LT(poseOf(simulation, "box").position.z(), 0.5);  // it stood at 0.76 m
+}
+
+TEST(ClimbingTest, TheHandbotBringsTheBoxDown) { expectTheBoxIsDown(*start(climbing())); }
+
+TEST(ClimbingTest, TheSameBitsAgainAndAfterAReset) {
+  const auto expected = hashesOf(*start(climbing()), 150);
+  auto again = start(climbing());
+  EXPECT_EQ(hashesOf(*again, 150), expected);
+  again->reset();
+  EXPECT_EQ(hashesOf(*again, 150), expected);
+}
+
+/// What a handover must keep to the bit.
+struct Kept {
+  explicit Kept(const Simulation& simulation) {
+    const Space& space = simulation.space();
+    for (const char* name : {"hb", "box"}) {
+      const auto i = static_cast<std::size_t>(space.entities.find(name));
+      poses.push_back(space.entities.pose[i]);
+      twists.push_back(space.entities.twist[i]);
+    }
+    const Row robot = space.entities.find("hb");
+    joints.assign(space.jointsOf(robot), space.jointsOf(robot) + 6);
+    rope = space.attachments.of(robot, Kind::kRope);
+    hand = space.attachments.of(robot, Kind::kLeftHand);
+  }
+  void expectIn(const Simulation& simulation) const {
+    const Kept now(simulation);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      EXPECT_EQ(now.poses[i].position, poses[i].position);
+      EXPECT_EQ(now.poses[i].orientation.coeffs(), poses[i].orientation.coeffs());
+      EXPECT_EQ(now.twists[i].linear, twists[i].linear);
+      EXPECT_EQ(now.twists[i].angular, twists[i].angular);
+    }
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      EXPECT_EQ(now.joints[i].angle, joints[i].angle);
+      EXPECT_EQ(now.joints[i].speed, joints[i].speed);
+    }
+    EXPECT_EQ(now.rope.held, rope.held);
+    EXPECT_EQ(now.rope.anchor, rope.anchor);
+    EXPECT_EQ(now.rope.length, rope.length);
+    EXPECT_EQ(now.hand.held, hand.held);
+  }
+
+  std::vector<Pose> poses;
+  std::vector<Twist> twists;
+  std::vector<JointState> joints;
+  Attachment rope;
+  Attachment hand;
+};
+
+TEST(ClimbingTest, RopeArmsAndHandsGoFromEngineToEngine) {
+  Experiment experiment = climbing();
+  addEngine(experiment, "dynamics3d", "other", {"ceiling", "cabinet", "box", "hb"}, false);
+  auto simulation = start(experiment);
+  runUntil(*simulation, "climbing");
+  const auto goAndReturn = [&](int times, const std::string& state) {
+    for (int i = 0; i < 2 * times; ++i) {
+      const std::string target = i % 2 == 0 ? "other" : "space";
+      const Kept before(*simulation);
+      simulation->handover("hb", target);
+      ASSERT_EQ(moverOf(*simulation, "hb"), target);
+      before.expectIn(*simulation);
+      tick(*simulation);
+      ASSERT_EQ(stateOf(*simulation), state);
+      ASSERT_TRUE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), Kind::kRope));
+    }
+  };
+  goAndReturn(15, "climbing");
+  const double length = simulation->space().attachments.of(rowOf(*simulation, "hb"), Kind::kRope).length;
+  EXPECT_LT(length, 2.0);  // it was wound all the while
+  runUntil(*simulation, "descending");
+  goAndReturn(10, "descending");
+  EXPECT_EQ(moverOf(*simulation, "box"), "space");  // it came along, there and back
+  expectTheBoxIsDown(*simulation);
+}
+
+TEST(ClimbingTest, WhatTheRopeHoldsOnToMustBeThere) {
+  Experiment experiment = climbing();
+  addEngine(experiment, "dynamics3d", "other", {"hb"}, false);
+  auto simulation = start(experiment);
+  runUntil(*simulation, "climbing");
+  try {
+    simulation->handover("hb", "other");
+    FAIL() << "was accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              "(no file): handbot 'hb' cannot be handed over to engine 'other': its rope holds on to 'ceiling', which "
+              "is not in this engine");
+  }
+}
+
+TEST(ClimbingTest, DevicesStandIdleInAPlaneUntilTheHandover) {
+  Experiment experiment = climbing();
+  addEngine(experiment, "dynamics2d", "ground", {"hb"}, true);
+  auto simulation = start(experiment);
+  ASSERT_EQ(moverOf(*simulation, "hb"), "ground");
+  tick(*simulation, 3);
+  simulation->handover("hb", "space");
+  tick(*simulation);
+  simulation->handover("hb", "ground");
+  tick(*simulation);
+  EXPECT_NE(toldIn(*simulation).find("from space to ground; idle there: handbot_arms, handbot_hands, handbot_rope; "),
+            std::string::npos)
+      << toldIn(*simulation);
+  tick(*simulation, 30);
+  EXPECT_EQ(stateOf(*simulation), "shooting");
+  EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb")));
+  simulation->handover("hb", "space");
+  expectTheBoxIsDown(*simulation);
+}
+
+TEST(ClimbingTest, APlaneAloneIsRefused) {
+  Experiment experiment = climbing();
+  addEngine(experiment, "kinematics2d", "ground", {"hb"}, true);
+  auto& members = experiment.mappings.back().members;
+  members.erase(members.end() - 1);
+  try {
+    start(experiment);
+    FAIL() << "was accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what())
+                  .find("handbot 'hb' in engine 'ground': device 'handbot_arms' cannot be simulated in a plane"),
+              std::string::npos)
+        << error.what();
+  }
+}
+
+TEST(ClimbingTest, WhoHangsOnARopeCannotGoIntoAPlane) {
+  Experiment experiment = climbing();
+  addEngine(experiment, "kinematics2d", "ground", {"hb"}, false);
+  auto simulation = start(experiment);
+  runUntil(*simulation, "reaching");
+  const std::uint64_t hash = simulation->stateHash();
+  EXPECT_THROW(simulation->handover("hb", "ground"), ConfigError);
+  EXPECT_EQ(simulation->stateHash(), hash);
+}
+
+}  // namespace
+}  // namespace swarmanoid::test
