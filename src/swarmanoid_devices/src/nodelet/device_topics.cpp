@@ -59,6 +59,7 @@ void DeviceTopics::addAll(const Space& space, Row row) {
   addSensor<FootbotCamera, swarmanoid_msgs::ColorBlobs>(space, row, "camera/blobs", "base_link");
   addSensor<EyebotCamera, swarmanoid_msgs::ColorBlobs>(space, row, "camera/blobs", "base_link");
   addSensor<FootbotGripperState, swarmanoid_msgs::GripperState>(space, row, "gripper/state", "gripper_tip");
+  addSensor<FootbotTurretState, sensor_msgs::JointState>(space, row, "turret/state", "base_link");
   addLeds(space, row);
 }
 

@@ -1,6 +1,7 @@
 /// Devices as messages: one function a device, from its struct. The frame_id and stamp of the header are the caller's.
 #pragma once
 
+#include <sensor_msgs/JointState.h>
 #include <std_msgs/ColorRGBA.h>
 #include <swarmanoid_msgs/ColorBlobs.h>
 #include <swarmanoid_msgs/GripperState.h>
@@ -11,6 +12,7 @@
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
 #include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_interface/time.hpp"
@@ -27,6 +29,8 @@ ros::Time toRosTime(Time time);
 void toMessage(const FootbotProximity& readings, swarmanoid_msgs::ProximityArray& message);
 void toMessage(const ColorBlobs& readings, swarmanoid_msgs::ColorBlobs& message);
 void toMessage(const FootbotGripperState& readings, swarmanoid_msgs::GripperState& message);
+/// One joint, `turret`.
+void toMessage(const FootbotTurretState& readings, sensor_msgs::JointState& message);
 void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message);
 
 }  // namespace swarmanoid
