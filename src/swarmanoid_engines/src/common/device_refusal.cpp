@@ -1,7 +1,9 @@
 #include "common/device_refusal.hpp"
 
+#include "common/turret.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
 namespace swarmanoid {
@@ -20,6 +22,9 @@ std::string deviceRefusal(const EntityModel& model, const std::vector<std::strin
     }
     if (device == FootbotGripper::kType && !model.gripper) {
       return lacks(device, "gripper");
+    }
+    if ((device == FootbotTurret::kType || device == FootbotTurretState::kType) && turretJoint(model) < 0) {
+      return lacks(device, "turret: no joint 'turret' that turns without end about its z axis");
     }
     const bool is_drive = device == FootbotWheels::kType || device == EyebotVelocity::kType;
     if (is_drive && is_driven) {

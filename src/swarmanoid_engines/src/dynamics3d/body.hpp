@@ -8,6 +8,7 @@
 
 #include "dynamics3d/ode.hpp"
 #include "dynamics3d/settings.hpp"
+#include "dynamics3d/turret.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
@@ -80,6 +81,7 @@ struct Body {
   Treels treels;
   Flight flight;
   Grip grip;
+  Turret turret;
 
   /// Of B, now. @pre rigid
   Pose currentPose() const;

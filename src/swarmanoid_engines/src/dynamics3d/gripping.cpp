@@ -47,9 +47,7 @@ void Dynamics3d::connect(Space& space) {
 }
 
 Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
-  const EntityModel::Gripper& geometry = *robot.model->gripper;
-  const Eigen::Vector3d tip =
-      robot.pose.position + robot.pose.orientation * Eigen::Vector3d(geometry.tip, 0.0, geometry.height);
+  const Eigen::Vector3d tip = robot.pose.position + robot.pose.orientation * gripperTip(robot);
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kGripperReach);
   const Body* nearest = nullptr;
   double nearest_distance = kGripperReach;
@@ -81,9 +79,13 @@ void Dynamics3d::join(Body& robot, Body& object) {
   Grip& grip = robot.grip;
   grip = Grip{};
   grip.gripped = &object;
-  grip.joint = dJointCreateFixed(world_, nullptr);
-  dJointAttach(grip.joint, robot.rigid, object.rigid);
-  dJointSetFixed(grip.joint);
+  if (robot.turret.told != nullptr) {
+    grip.joint = makeTurretHinge(world_, robot, object);
+  } else {
+    grip.joint = dJointCreateFixed(world_, nullptr);
+    dJointAttach(grip.joint, robot.rigid, object.rigid);
+    dJointSetFixed(grip.joint);
+  }
   dJointSetFeedback(grip.joint, &grip.feedback);
 }
 

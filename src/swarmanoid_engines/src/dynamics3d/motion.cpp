@@ -32,6 +32,7 @@ void Dynamics3d::findLateDevices(const Space& space) {
     body->wheels = body->model->wheels ? space.actuation.find<FootbotWheels>(body->row) : nullptr;
     body->velocity = space.actuation.find<EyebotVelocity>(body->row);
     body->gripper = body->model->gripper ? space.actuation.find<FootbotGripper>(body->row) : nullptr;
+    findTurret(*body, space);
   }
   newcomers_.clear();
 }
@@ -47,11 +48,15 @@ void Dynamics3d::stepOnce(double step) {
     if (body->velocity != nullptr) {
       fly(*body, settings_.gravity, step);
     }
+    driveTurret(*body, contacts_, step);
   }
   if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
     contacts_.make(order_, step, 0);
     dWorldQuickStep(world_, step);
     contacts_.clear();
+  }
+  for (Body* body : order_) {
+    readTurret(*body);
   }
   feelGrips(step);
 }
@@ -84,6 +89,9 @@ void Dynamics3d::finishTick(Space& space) {
       body->pose = body->currentPose();
       space.entities.pose[i] = body->pose;
       space.entities.twist[i] = body->currentTwist();
+      if (body->turret.told != nullptr) {
+        space.jointsOf(body->row)[body->turret.joint] = body->turret.state;
+      }
     }
   }
   seen_.update([](const Body* body) { return boundsOf(*body->model, body->pose); });
