@@ -1,7 +1,7 @@
 """The footbot: a wheeled robot based on the marXbot (thesis 1, figures 1.1 and 3.9)."""
 import math
 
-from urdf_writer import Robot, box, cylinder, disc, sphere
+from urdf_writer import Robot, box, cylinder, disc, number, sphere
 
 RADIUS = 0.085  # 17 cm across
 HEIGHT = 0.146  # of the body, up to the camera
@@ -12,6 +12,8 @@ WHEEL_SEPARATION = 0.14
 RIM_SPEED = 0.3  # [m/s]
 GRIPPER_TIP = 0.11
 GRIPPER_HEIGHT = 0.05  # half the height of a prey
+TURRET_SPEED = 3.0  # [rad/s]: half a turn in a second
+TURRET_TORQUE = 2.0  # [N m]: more than the 1.1 to 1.5 N m with which treels that stand still hold the chassis
 PROXIMITY_COUNT = 24
 PROXIMITY_HEIGHT = 0.06
 LED_COUNT = 12
@@ -45,12 +47,9 @@ def treel(side):
 
 
 def body_visuals():
-    gripper = box((0.04, 0.04, 0.03), (GRIPPER_TIP - 0.02, 0, GRIPPER_HEIGHT), "orange")
     return [
         *treel(1), *treel(-1),
         disc(0.05, 0.012, 0.045, "dark_grey"),
-        disc(0.083, 0.042, 0.054, "dark_grey"),  # the turret ring, which holds the gripper
-        gripper,
         disc(0.082, 0.055, 0.068, "black"),  # infrared sensors
         disc(0.078, 0.068, 0.112, "blue"),
         disc(0.083, 0.113, 0.127, "milky"),  # LEDs
@@ -64,10 +63,18 @@ def body_visuals():
 
 
 def body_collisions():
-    """Figure 3.9a: the body, two wheels, the gripper. The wheels stand upright, as planar engines want them."""
+    """Figure 3.9a: the body and two wheels. The wheels stand upright, as planar engines want them."""
     wheels = [disc(0.018, 0, 2 * WHEEL_RADIUS, xy=(0, side * WHEEL_SEPARATION / 2)) for side in (1, -1)]
-    gripper = box((0.04, 0.04, 0.03), (GRIPPER_TIP - 0.02, 0, GRIPPER_HEIGHT))
-    return [disc(RADIUS, 0.01, HEIGHT), *wheels, gripper]
+    return [disc(RADIUS, 0.01, HEIGHT), *wheels]
+
+
+def add_turret(robot):
+    """The ring that carries the gripper and turns against the chassis. What it weighs is part of the body's mass."""
+    gripper = box((0.04, 0.04, 0.03), (GRIPPER_TIP - 0.02, 0, 0), "orange")
+    robot.link("turret", xyz=(0, 0, GRIPPER_HEIGHT), joint="turret", kind="continuous", axis=(0, 0, 1),
+               limit=f'effort="{number(TURRET_TORQUE)}" velocity="{number(TURRET_SPEED)}"',
+               visuals=[disc(0.083, -0.008, 0.004, "dark_grey"), gripper], collisions=[gripper])
+    robot.link("gripper_tip", parent="turret", xyz=(GRIPPER_TIP, 0, 0))
 
 
 def make():
@@ -85,6 +92,6 @@ def make():
     for i, xyz, rpy in ring(LED_COUNT, RADIUS, LED_HEIGHT):
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.005, (-0.003, 0, 0), "light_grey")])
     robot.link("camera", xyz=(0, 0, CAMERA_HEIGHT))
-    robot.link("gripper_tip", xyz=(GRIPPER_TIP, 0, GRIPPER_HEIGHT))
+    add_turret(robot)
     robot.link("gripping_strip", xyz=(0, 0, GRIPPER_HEIGHT), collisions=[cylinder(RADIUS, 0.012)])
     return robot

@@ -10,6 +10,7 @@
 
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/space.hpp"
 
@@ -100,6 +101,14 @@ class PlanarWorld {
     return row;
   }
   Row addFootbot(const Pose& pose) { return addRobot(footbotModel(), pose); }
+  /// A robot that is told all of that and what to do with its turret.
+  Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
+    const Row row = addRobot(model, pose);
+    space.actuation.bank<FootbotTurret>().add(row);  // late, as in an experiment
+    return row;
+  }
+  FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }
+  const JointState& turretState(Row row) const { return space.jointsOf(row)[0]; }
   Row addBlock(const Eigen::Vector3d& size, const Eigen::Vector3d& centre, double heading = 0.0) {
     return add(blockModel(size), flatPose(centre.x(), centre.y(), heading, centre.z()));
   }
@@ -110,6 +119,7 @@ class PlanarWorld {
     space.structure.isolate(row);
     space.actuation.bank<FootbotWheels>().remove(row);
     space.actuation.bank<FootbotGripper>().remove(row);
+    space.actuation.bank<FootbotTurret>().remove(row);
     engine.remove(space, row);
     space.mover[static_cast<std::size_t>(row)] = nullptr;
     space.entities.remove(row);

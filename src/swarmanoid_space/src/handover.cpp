@@ -31,7 +31,8 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
     problem = engine.stateRefusal(space, row);
   }
   if (problem.empty()) {
-    const Row other = engine.overlap(model, pose, members);
+    const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
+    const Row other = engine.overlap(*posed, pose, members);
     problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[static_cast<std::size_t>(other)] + "'";
   }
   return problem;

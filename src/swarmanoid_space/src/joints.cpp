@@ -1,5 +1,7 @@
 #include "swarmanoid_space/joints.hpp"
 
+#include <algorithm>
+
 namespace swarmanoid {
 
 Eigen::Isometry3d displacementOf(const EntityModel& model, const JointState* states, int joint) {
@@ -13,6 +15,32 @@ Eigen::Isometry3d displacementOf(const EntityModel& model, const JointState* sta
     joint = its.carrier;
   }
   return result;
+}
+
+CollisionShape placeOf(const EntityModel& model, const JointState* states, const CollisionShape& shape) {
+  const Eigen::Isometry3d displacement = displacementOf(model, states, shape.joint);
+  CollisionShape result = shape;
+  result.position = displacement * shape.position;
+  result.orientation = Eigen::Quaterniond(displacement.linear()) * shape.orientation;
+  return result;
+}
+
+std::shared_ptr<const EntityModel> posedModel(const std::shared_ptr<const EntityModel>& model,
+                                              const JointState* states) {
+  const auto is_turned = [&](const CollisionShape& shape) {
+    return shape.joint >= 0 &&
+           !displacementOf(*model, states, shape.joint).isApprox(Eigen::Isometry3d::Identity(), 0.0);
+  };
+  if (std::none_of(model->shapes.begin(), model->shapes.end(), is_turned)) {
+    return model;
+  }
+  auto posed = std::make_shared<EntityModel>(*model);
+  for (CollisionShape& shape : posed->shapes) {
+    shape = placeOf(*model, states, shape);
+    shape.joint = -1;
+  }
+  posed->measureShapes();
+  return posed;
 }
 
 Mount placeOf(const EntityModel& model, const JointState* states, const std::string& mount_name) {

@@ -91,7 +91,7 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   EntityDescription entity;
   entity.id = name;
   entity.type = space_.entities.model[i]->type;
-  refuseBadPlace(entity, *space_.entities.model[i], target, cast_->seats[i]);
+  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target, cast_->seats[i]);
   // what is connected would be torn apart
   space_.structure.isolate(row);
   space_.attachments.isolate(row);

@@ -71,6 +71,39 @@ TEST(JointsTest, LinksAreWhereTheirJointsTurnThem) {
   EXPECT_TRUE((place.orientation * Vector3d::UnitX()).isApprox(Vector3d::UnitY(), 1e-9));
 }
 
+TEST(JointsTest, AFootbotHasATurretThatCarriesTheGripper) {
+  const auto footbot = robotModel("footbot");
+  ASSERT_EQ(footbot->joints.size(), 1U);
+  const EntityModel::Joint& turret = footbot->joints[0];
+  EXPECT_EQ(turret.name, "turret");
+  EXPECT_EQ(turret.axis, Vector3d::UnitZ());
+  EXPECT_TRUE(std::isinf(turret.lower) && std::isinf(turret.upper));
+  EXPECT_EQ(turret.max_speed, 3.0);
+  EXPECT_EQ(turret.max_effort, 2.0);
+  EXPECT_EQ(turret.part.mass, 0.0);
+  EXPECT_EQ(footbot->mount("gripper_tip").joint, 0);
+  EXPECT_EQ(footbot->mount("gripper_tip").position, Vector3d(0.11, 0.0, 0.05));
+  for (const CollisionShape& shape : footbot->shapes) {
+    EXPECT_EQ(shape.joint, shape.kind == CollisionShape::Kind::kBox ? 0 : -1);  // only the gripper is a box
+  }
+  for (const char* mount : {"proximity_0", "led_0", "camera", "gripping_strip"}) {
+    EXPECT_EQ(footbot->mount(mount).joint, -1) << mount;
+  }
+}
+
+TEST(JointsTest, AModelIsPosedAsItsJointsAre) {
+  const auto footbot = robotModel("footbot");
+  JointState states[Space::kMaxJoints];
+  EXPECT_EQ(posedModel(footbot, states), footbot);
+  states[0].angle = M_PI / 2.0;
+  const auto posed = posedModel(footbot, states);
+  ASSERT_EQ(posed->shapes.size(), footbot->shapes.size());
+  EXPECT_EQ(posed->shapes[0].position, footbot->shapes[0].position);
+  EXPECT_TRUE(posed->shapes.back().position.isApprox(Vector3d(0.0, 0.09, 0.05), 1e-12));
+  EXPECT_TRUE((posed->shapes.back().orientation * Vector3d::UnitX()).isApprox(Vector3d::UnitY(), 1e-12));
+  EXPECT_NEAR(posed->horizontal_radius, footbot->horizontal_radius, 1e-12);
+}
+
 class AttachmentsTest : public ::testing::Test {
  protected:
   AttachmentsTest() {

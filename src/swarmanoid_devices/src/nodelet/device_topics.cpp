@@ -63,6 +63,7 @@ void DeviceTopics::addAll(const Space& space, Row row) {
   addSensor<HandbotHandsState, swarmanoid_msgs::HandsState>(space, row, "hands/state", "base_link");
   addSensor<HandbotRopeState, swarmanoid_msgs::RopeState>(space, row, "rope/state", "rope_launcher");
   addSensor<EyebotMagnetState, swarmanoid_msgs::GripperState>(space, row, "magnet/state", "magnet");
+  addSensor<FootbotTurretState, sensor_msgs::JointState>(space, row, "turret/state", "base_link");
   addLeds(space, row);
 }
 

@@ -1,5 +1,5 @@
 /// The devices of one robot as topics in its namespace, under the names and types that a real robot would use:
-/// proximity, camera/blobs, gripper/state, leds/state. Views: nothing here moves a robot.
+/// proximity, camera/blobs, gripper/state, turret/state, leds/state. Views: nothing here moves a robot.
 #pragma once
 
 #include <ros/node_handle.h>

@@ -2,9 +2,11 @@
 
 #include <array>
 
+#include "common/turret.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
@@ -20,8 +22,12 @@ struct Need {
   bool (*has)(const EntityModel& model);
 };
 
-constexpr std::array<Need, 6> kNeeds{{
+constexpr const char* kNoTurret = "turret: no joint 'turret' that turns without end about its z axis";
+
+constexpr std::array<Need, 8> kNeeds{{
     {FootbotWheels::kType, "wheels", [](const EntityModel& model) { return model.wheels.has_value(); }},
+    {FootbotTurret::kType, kNoTurret, [](const EntityModel& model) { return turretJoint(model) >= 0; }},
+    {FootbotTurretState::kType, kNoTurret, [](const EntityModel& model) { return turretJoint(model) >= 0; }},
     {FootbotGripper::kType, "gripper", [](const EntityModel& model) { return model.gripper.has_value(); }},
     {HandbotArms::kType, "arms", [](const EntityModel& model) { return model.findJoint("left_shoulder") >= 0; }},
     {HandbotHands::kType, "hands", [](const EntityModel& model) { return model.mounts.count("left_suction") > 0; }},

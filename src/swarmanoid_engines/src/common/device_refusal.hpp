@@ -8,8 +8,8 @@
 
 namespace swarmanoid {
 
-/// Why such an entity cannot be moved with these devices: it lacks shapes, wheels or a gripper, or two devices would
-/// drive it; "" if nothing speaks against it.
+/// Why such an entity cannot be moved with these devices: it lacks shapes, wheels, a gripper or a turret, or two
+/// devices would drive it; "" if nothing speaks against it.
 std::string deviceRefusal(const EntityModel& model, const std::vector<std::string>& devices);
 
 }  // namespace swarmanoid

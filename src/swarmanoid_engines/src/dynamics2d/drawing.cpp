@@ -3,6 +3,7 @@
 
 #include "dynamics2d/dynamics2d.hpp"
 #include "planar/draw_bodies.hpp"
+#include "planar/gripper_reach.hpp"
 
 namespace swarmanoid::dynamics2d {
 
@@ -14,7 +15,7 @@ void Dynamics2d::draw(EngineDrawing& drawing) const {
   for (const BodyIndex index : movers_) {
     const RigidBody& its = rigid(index);
     if (its.grip.joint != nullptr) {
-      const Eigen::Vector2d tip = toMetres(its.grip.joint->GetAnchorA());
+      const Eigen::Vector2d tip = planar::gripperTip(bodies_, index).position;
       planar::drawLine(bodies_, index, Kind::kJoint, bodies_[index].pose.position, tip, drawing);
       planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[its.grip.gripped].pose.position, drawing);
     }

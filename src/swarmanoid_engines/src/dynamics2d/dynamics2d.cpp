@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "common/parameter.hpp"
+#include "common/turret.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
@@ -26,6 +27,15 @@ std::string problemWithModel(const EntityModel& model) {
     }
   }
   return "";
+}
+
+/// Such a cylinder has more corners than Box2D's polygons, and what is made of several cannot be turned.
+bool turnsLyingCylinder(const EntityModel& model) {
+  const int turret = turretJoint(model);
+  return std::any_of(model.shapes.begin(), model.shapes.end(), [&](const CollisionShape& shape) {
+    const bool is_upright = std::abs((shape.orientation * Eigen::Vector3d::UnitZ()).z()) > 1.0 - 1e-9;
+    return turret >= 0 && shape.joint == turret && shape.kind == CollisionShape::Kind::kCylinder && !is_upright;
+  });
 }
 
 }  // namespace
@@ -68,6 +78,9 @@ void Dynamics2d::configure(const std::string& id, const Configuration& parameter
 
 std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
   std::string problem = PlanarEngine::refusal(model, devices);
+  if (problem.empty() && turnsLyingCylinder(model)) {
+    return "has a cylinder on its turret that does not stand upright, which this engine cannot turn";
+  }
   return problem.empty() ? problemWithModel(model) : problem;
 }
 
@@ -158,10 +171,8 @@ void Dynamics2d::putBody(const Space& space, BodyIndex index) {
 }
 
 void Dynamics2d::takePose(const Space& space, BodyIndex index) {
-  const Eigen::Quaterniond base = bodies_.details(index).base;
   const double along = bodies_[index].along;
-  bodies_.place(space, index);
-  if (bodies_.details(index).base.coeffs() != base.coeffs()) {
+  if (bodies_.place(space, index)) {
     makeFixtures(index);
   } else if (bodies_[index].along != along) {
     for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {

@@ -8,6 +8,10 @@
 /// at a stated force; several may hold one object, and chains are allowed, as far as the structural tree is
 /// (thesis 3.4).
 ///
+/// What the gripper of a robot with a turret holds turns about the robot's centre, by a motor with no more than the
+/// turret's torque: a load that is too heavy to turn turns the robot instead. A turret without load turns as it is
+/// told, and stops before its gripper would sink into something.
+///
 /// Bodies may sink into each other by up to 0.6 mm, which is Box2D's tolerance here. The positions of entities are
 /// integrated in double precision from Box2D's velocities, so small steps far from the origin lose nothing.
 ///
@@ -90,6 +94,15 @@ class Dynamics2d final : public planar::PlanarEngine {
   static void moveBelt(RigidBody& its, double step);
   void dropBelt(RigidBody& its);
   void recordBelts(double step);
+
+  // turning.cpp
+  void driveTurrets(double step);
+  void turnFreely(planar::Turret& turret, double step);
+  double separation(const planar::Turret& turret, const PlanarModel& model);
+  void turnGripper(const planar::Turret& turret);
+  b2Joint* makeTurretJoint(planar::Turret& turret, BodyIndex gripped);
+  void readTurrets(double step);
+  void finishTurrets(Space& space);
 
   // drawing.cpp
   void drawContacts(EngineDrawing& drawing) const;

@@ -1,4 +1,7 @@
-// Grips: rigid joints that tear. They are made and reported in phase `connect`, and tear in any step of `move`.
+// Grips: joints that tear, rigid or with a turret between. They are made and reported in phase `connect`, and tear in
+// any step of `move`.
+#include <box2d/b2_weld_joint.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,11 +52,15 @@ BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const
 void Dynamics2d::hold(BodyIndex gripper_index, BodyIndex gripped_index) {
   RigidBody& gripper = rigid(gripper_index);
   RigidBody& gripped = rigid(gripped_index);
-  const Body& body = bodies_[gripper_index];
-  const Eigen::Vector2d tip = body.pose.rotated(body.entity->gripper->tip * body.model->ahead) + body.pose.position;
-  b2WeldJointDef definition;
-  definition.Initialize(gripper.body, gripped.body, toUnits(tip));
-  gripper.grip.joint = static_cast<b2WeldJoint*>(world_->CreateJoint(&definition));
+  if (planar::Turret* turret = bodies_.findTurret(gripper_index)) {
+    gripper.grip.joint = makeTurretJoint(*turret, gripped_index);
+  } else {
+    const Body& body = bodies_[gripper_index];
+    const Eigen::Vector2d tip = body.pose.rotated(body.entity->gripper->tip * body.model->ahead) + body.pose.position;
+    b2WeldJointDef definition;
+    definition.Initialize(gripper.body, gripped.body, toUnits(tip));
+    gripper.grip.joint = world_->CreateJoint(&definition);
+  }
   gripper.grip.gripped = gripped_index;
   ++gripped.held_by;
   const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };

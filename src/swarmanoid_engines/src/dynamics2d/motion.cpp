@@ -24,6 +24,7 @@ void Dynamics2d::move(Space& space, Duration dt) {
     drive(index, step);
   }
   for (int i = 1; i <= subclock_; ++i) {
+    driveTurrets(step);
     world_->Step(static_cast<float>(step), velocity_iterations_, kPositionIterations);
     if (recorded_pushes_ != nullptr) {
       recordBelts(step);
@@ -34,9 +35,11 @@ void Dynamics2d::move(Space& space, Duration dt) {
         drive(index, step);
       }
     }
+    readTurrets(step);
     tearGrips(step);
   }
   finishTick(space);
+  finishTurrets(space);
 }
 
 void Dynamics2d::startTick(const Space& space, double step) {

@@ -1,8 +1,6 @@
 #include "dynamics2d/rigid_body.hpp"
 
-#include <box2d/b2_circle_shape.h>
 #include <box2d/b2_fixture.h>
-#include <box2d/b2_polygon_shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -77,6 +75,33 @@ planar::PlacedPose RigidBody::pose() const {
   return pose;
 }
 
+void setShape(const planar::PlanarShape& shape, b2CircleShape& circle) {
+  circle.m_p = toUnits(shape.centre);
+  circle.m_radius = toUnits(shape.radius);
+}
+
+void setShape(const planar::PlanarShape& shape, b2PolygonShape& polygon) {
+  std::array<b2Vec2, b2_maxPolygonVertices> corners;
+  std::transform(shape.vertices.begin(), shape.vertices.end(), corners.begin(),
+                 [](const Eigen::Vector2d& corner) { return toUnits(corner); });
+  polygon.Set(corners.data(), static_cast<int32>(shape.vertices.size()));
+}
+
+void turnFixtures(b2Body& body, const PlanarModel& model, const EntityModel& entity, int joint) {
+  for (b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+    const std::size_t i = fixture->GetUserData().pointer;
+    if (entity.shapes[i].joint != joint) {
+      continue;
+    }
+    const planar::PlanarShape& shape = model.shapes[i];
+    if (shape.isCircle()) {
+      setShape(shape, *static_cast<b2CircleShape*>(fixture->GetShape()));
+    } else {
+      setShape(shape, *static_cast<b2PolygonShape*>(fixture->GetShape()));
+    }
+  }
+}
+
 void addFixtures(b2Body& body, const PlanarModel& model, float friction, float restitution) {
   constexpr double kSlowestBounce = 0.01;  // m/s
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
@@ -91,8 +116,7 @@ void addFixtures(b2Body& body, const PlanarModel& model, float friction, float r
       continue;
     }
     b2CircleShape circle;
-    circle.m_p = toUnits(shape.centre);
-    circle.m_radius = toUnits(shape.radius);
+    setShape(shape, circle);
     definition.shape = &circle;
     body.CreateFixture(&definition);
   }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <box2d/b2_body.h>
+#include <box2d/b2_circle_shape.h>
 #include <box2d/b2_friction_joint.h>
-#include <box2d/b2_weld_joint.h>
+#include <box2d/b2_joint.h>
+#include <box2d/b2_polygon_shape.h>
 
 #include <Eigen/Core>
 #include <array>
@@ -28,7 +30,7 @@ struct Belt {
 
 /// What the gripper of a body holds.
 struct Grip {
-  b2WeldJoint* joint = nullptr;  ///< null: nothing is held, or it has just been torn off
+  b2Joint* joint = nullptr;  ///< null: nothing is held, or it has just been torn off
   BodyIndex gripped = kNoBody;
   bool is_torn = false;    ///< in this tick; the structural tree learns it in `connect`
   bool must_open = false;  ///< was torn off: grips again only after it was opened
@@ -80,6 +82,13 @@ struct RigidBody {
 /// Gives a body its shapes, as fixtures that know their number in the model. Box2D has polygons of up to eight corners:
 /// those with more become several.
 void addFixtures(b2Body& body, const PlanarModel& model, float friction, float restitution);
+
+/// Give Box2D's shapes the extent of a planar one. @pre it is a circle; a polygon with room for its corners in Box2D's
+void setShape(const planar::PlanarShape& shape, b2CircleShape& circle);
+void setShape(const planar::PlanarShape& shape, b2PolygonShape& polygon);
+
+/// Puts the shapes that a joint turns where the projection of the model now has them.
+void turnFixtures(b2Body& body, const PlanarModel& model, const EntityModel& entity, int joint);
 
 /// The thinnest shape that Box2D can be given [m].
 constexpr double kThinnest = 1e-3;

@@ -103,13 +103,12 @@ void moveLinks(Body& body, const Twist& twist, const JointState* joints) {
 
 void turnSolids(Body& body, const JointState* joints) {
   for (std::size_t i = 0; i < body.model->shapes.size(); ++i) {
-    const CollisionShape& shape = body.model->shapes[i];
-    if (shape.joint < 0) {
+    if (body.model->shapes[i].joint < 0) {
       continue;
     }
-    const Eigen::Isometry3d displacement = displacementOf(*body.model, joints, shape.joint);
-    const Vector3d offset = displacement * shape.position - body.own.centre_of_mass;
-    const Eigen::Quaterniond turn = Eigen::Quaterniond(displacement.linear()) * shape.orientation;
+    const CollisionShape shape = placeOf(*body.model, joints, body.model->shapes[i]);
+    const Vector3d offset = shape.position - body.own.centre_of_mass;
+    const Eigen::Quaterniond& turn = shape.orientation;
     const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
     dGeomSetOffsetPosition(body.solids[i].geom, offset.x(), offset.y(), offset.z());
     dGeomSetOffsetQuaternion(body.solids[i].geom, q);

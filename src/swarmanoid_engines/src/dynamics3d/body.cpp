@@ -69,7 +69,7 @@ void Body::setPose(const Pose& new_pose, const JointState* joints) {
   placeRigid(rigid, pose.position + pose.orientation * own.centre_of_mass, pose.orientation);
   if (!links.empty()) {
     placeLinks(*this, joints);
-  } else if (posed_ != nullptr && joints != nullptr) {
+  } else if (posed_ != nullptr && joints != nullptr && turret.joint < 0) {
     turnSolids(*this, joints);
   }
   if (joints != nullptr) {
@@ -90,11 +90,8 @@ void Body::poseShapes(const JointState* joints) {
     return;
   }
   for (std::size_t i = 0; i < model->shapes.size(); ++i) {
-    const CollisionShape& shape = model->shapes[i];
-    if (shape.joint >= 0) {
-      const Eigen::Isometry3d displacement = displacementOf(*model, joints, shape.joint);
-      posed_->shapes[i].position = displacement * shape.position;
-      posed_->shapes[i].orientation = Eigen::Quaterniond(displacement.linear()) * shape.orientation;
+    if (model->shapes[i].joint >= 0) {
+      posed_->shapes[i] = placeOf(*model, joints, model->shapes[i]);
     }
   }
   posed_->measureShapes();

@@ -11,6 +11,7 @@
 
 #include "dynamics3d/ode.hpp"
 #include "dynamics3d/settings.hpp"
+#include "dynamics3d/turret.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -119,6 +120,7 @@ struct Body {
   Grip grip;
   std::array<Grip, Attachment::kKinds> holds;  ///< by hands and magnet; the rope is not among them
   Rope rope;
+  Turret turret;
 
   /// What rays meet: the model with its shapes where the joints have turned them.
   const EntityModel& seen() const { return posed_ == nullptr ? *model : *posed_; }

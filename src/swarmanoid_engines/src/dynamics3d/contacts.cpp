@@ -91,6 +91,28 @@ void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) 
   }
 }
 
+double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
+  dReal box[6];
+  dGeomGetAABB(solid.geom, box);
+  double deepest = 0.0;
+  const auto meet = [&](const Body* other, const Eigen::AlignedBox3d&) {
+    for (const Solid& its : other->solids) {
+      std::array<dContactGeom, kMostFound> found;
+      if (other == &body || areJoined(body, *other) || areApart(solid.geom, its.geom)) {
+        continue;
+      }
+      const int count = dCollide(solid.geom, its.geom, kMostFound, found.data(), sizeof(dContactGeom));
+      for (int i = 0; i < count; ++i) {
+        deepest = std::max(deepest, found[static_cast<std::size_t>(i)].depth - kMargin);
+      }
+    }
+    return true;
+  };
+  const Eigen::AlignedBox3d bounds(Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5]));
+  near_.visitNear(bounds, meet);
+  return deepest;
+}
+
 void Contacts::meetGround(Body& body) {
   const double reach = settings_.ground_height + kMargin / 2.0;
   for (const Solid& solid : body.solids) {

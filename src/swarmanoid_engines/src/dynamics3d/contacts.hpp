@@ -32,6 +32,9 @@ class Contacts {
   /// Makes the joints of one step. @param bodies by entity number; @param step [s]
   /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
   void make(const std::vector<Body*>& bodies, double step, int attempt);
+  /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
+  /// 0: not at all. Who is near, is as of the last step. @pre a Turn is held
+  double depthAmongBodies(const Body& body, const Solid& solid) const;
   /// Those of the last step.
   const std::vector<Point>& points() const { return points_; }
   /// Where joints belong that are to last for one step.

@@ -90,8 +90,7 @@ void Dynamics3d::draw(EngineDrawing& drawing) const {
       drawShape(shape, body->pose, drawing);
     }
     if (body->grip.joint != nullptr) {
-      const EntityModel::Gripper& gripper = *body->model->gripper;
-      const Vector3d tip = body->pose.position + body->pose.orientation * Vector3d(gripper.tip, 0.0, gripper.height);
+      const Vector3d tip = body->pose.position + body->pose.orientation * gripperTip(*body);
       drawing.add(Kind::kJoint, body->pose.position, tip);
       drawing.add(Kind::kJoint, tip, body->grip.gripped->pose.position);
       drawing.add(Kind::kForce, tip,

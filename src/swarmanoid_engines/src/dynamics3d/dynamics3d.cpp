@@ -78,6 +78,7 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   for (std::size_t k = 0; k < order_.size(); ++k) {
     order_[k]->rank = static_cast<int>(k);
   }
+  findTurret(body, space);
   takePose(space, body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
   contacts_.add(body);
@@ -101,6 +102,7 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
     twist = Twist{};
   }
   body.setTwist(twist, joints);
+  takeTurret(body, space);
   if (body.model->wheels) {
     takeSpeed(body, twist);  // who comes at speed drives on
   }

@@ -2,10 +2,11 @@
 ///
 /// Footbots stand on treels that drive with no more than the friction they have (treels.hpp). Preys and blocks with a
 /// mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints: any number of grippers on one
-/// object, chains, and they break when pulled too hard; so do hands and magnets, also on what is fixed. Handbots move
-/// their arms (arms.hpp) and hang on their rope (rope.hpp). Eyebots fly by thrust and drag (flight.hpp); one without
-/// its flight controller falls. An entity that another engine moves is a mirror: it goes on from where it was when the
-/// tick began as fast as it then moved, nothing stops it, and what it meets is pushed away.
+/// object, chains, and they break when pulled too hard; with a turret (turret.hpp) they turn. So do hands and magnets
+/// break, also on what is fixed. Handbots move their arms (arms.hpp) and hang on their rope (rope.hpp). Eyebots fly by
+/// thrust and drag (flight.hpp); one without its flight controller falls. An entity that another engine moves is a
+/// mirror: it goes on from where it was when the tick began as fast as it then moved, nothing stops it, and what it
+/// meets is pushed away.
 ///
 /// ODE's bodies have their origin in the centre of mass; poses and twists in the space are of the entities' origins.
 /// Entities at rest on the ground keep their height to a few micrometres.
@@ -95,6 +96,7 @@ class Dynamics3d final : public Engine {
   // gripping.cpp
   Body* findInReach(const Space& space, const Body& robot) const;
   void grip(Space& space, Body& robot, Body& object);
+  void joinGripper(Body& robot, Body& object);
   void join(Grip& grip, Body& object);
   void takeOverGrips(const Space& space, Body& body);
   void release(Space& space, Body& robot, const std::string& why);

@@ -52,9 +52,7 @@ void Dynamics3d::connect(Space& space) {
 }
 
 Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
-  const EntityModel::Gripper& geometry = *robot.model->gripper;
-  const Eigen::Vector3d tip =
-      robot.pose.position + robot.pose.orientation * Eigen::Vector3d(geometry.tip, 0.0, geometry.height);
+  const Eigen::Vector3d tip = robot.pose.position + robot.pose.orientation * gripperTip(robot);
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kGripperReach);
   const Body* nearest = nullptr;
   double nearest_distance = kGripperReach;
@@ -77,11 +75,21 @@ Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
 
 void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
   if (space.structure.connect(robot.row, object.row)) {
-    robot.grip = Grip{};
-    robot.grip.holder = robot.rigid;
-    join(robot.grip, object);
+    joinGripper(robot, object);
     reportGrip(space, Event::Kind::kAttached, robot.row, object.row);
   }
+}
+
+void Dynamics3d::joinGripper(Body& robot, Body& object) {
+  robot.grip = Grip{};
+  robot.grip.holder = robot.rigid;
+  if (robot.turret.told == nullptr) {
+    join(robot.grip, object);
+    return;
+  }
+  robot.grip.gripped = &object;
+  robot.grip.joint = makeTurretHinge(world_, robot, object);
+  dJointSetFeedback(robot.grip.joint, &robot.grip.feedback);
 }
 
 void Dynamics3d::join(Grip& grip, Body& object) {
@@ -98,9 +106,7 @@ void Dynamics3d::takeOverGrips(const Space& space, Body& body) {
     Body* object = find(gripped);
     if (robot != nullptr && object != nullptr && robot->is_dynamic && object->is_dynamic &&
         robot->grip.gripped == nullptr) {
-      robot->grip = Grip{};
-      robot->grip.holder = robot->rigid;
-      join(robot->grip, *object);
+      joinGripper(*robot, *object);
     }
   });
 }

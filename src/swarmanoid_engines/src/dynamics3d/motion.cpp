@@ -37,6 +37,7 @@ void Dynamics3d::findLateDevices(const Space& space) {
     body->hands = space.actuation.find<HandbotHands>(body->row);
     body->rope_command = space.actuation.find<HandbotRope>(body->row);
     body->magnet = space.actuation.find<EyebotMagnet>(body->row);
+    findTurret(*body, space);
   }
   newcomers_.clear();
 }
@@ -58,12 +59,16 @@ void Dynamics3d::stepOnce(double step) {
     if (body->rope.held != nullptr) {
       windRope(*body, step);
     }
+    driveTurret(*body, contacts_, step);
   }
   if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
     contacts_.make(order_, step, 0);
     makeRopeJoints(step);
     dWorldQuickStep(world_, step);
     contacts_.clear();
+  }
+  for (Body* body : order_) {
+    readTurret(*body);
   }
   feelGrips(step);
 }
@@ -107,6 +112,10 @@ void Dynamics3d::finishTick(Space& space) {
       space.entities.twist[i] = body->currentTwist();
       if (!body->links.empty()) {
         readLinks(*body, space.jointsOf(body->row));
+        body->poseShapes(space.jointsOf(body->row));
+      }
+      if (body->turret.told != nullptr) {
+        space.jointsOf(body->row)[body->turret.joint] = body->turret.state;
         body->poseShapes(space.jointsOf(body->row));
       }
     }

@@ -47,6 +47,10 @@ void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
   const PlacedPose& prey = bodies_[prey_index].pose;
   motion(prey_index).place_in_gripper = {gripper.unrotated(prey.position - gripper.position),
                                          prey.heading - gripper.heading};
+  if (planar::Turret* turret = bodies_.findTurret(gripper_index)) {
+    const PlacedPose turned = PlacedPose::at(gripper.position, gripper.heading + turret->sense * turret->state.angle);
+    turret->held = {turned.unrotated(prey.position - gripper.position), prey.heading - turned.heading};
+  }
 }
 
 std::string Kinematics2d::gripRefusal(const Space& space, Row gripper) const {

@@ -9,6 +9,10 @@
 /// of its velocity that lies in the plane. A footbot can grip a prey, not another footbot; a prey is gripped by one
 /// footbot at a time, and keeps its place in the gripper to the last digits.
 ///
+/// Turrets turn after all bodies have moved, at the speed that they are told; what the gripper holds turns with them
+/// around the robot. One that would overlap another with its gripper or with what that holds stays at its last free
+/// angle. What a passive one holds trails behind the robot like a trailer: its centre is never moved to the side.
+///
 /// Rays meet bodies as prisms over their planar shapes. A mirror of what another engine moves is not met: that engine
 /// answers for it.
 #pragma once
@@ -71,8 +75,17 @@ class Kinematics2d final : public planar::PlanarEngine {
   void startTick(const Space& space, double step);
   void moveBody(BodyIndex index, double dt);
   bool tryPose(BodyIndex index, const PlacedPose& pose);
+  bool tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place);
   bool isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner, Clearance& clearance);
   void finishTick(Space& space, double dt);
+
+  // turning.cpp
+  double startTurrets(double step);
+  void turn(planar::Turret& turret, double dt);
+  bool tryTurned(planar::Turret& turret, const PlacedPose& pose, double angle);
+  planar::PlanarPose placeOfHeld(const planar::Turret& turret, double angle) const;
+  double trailingAngle(const planar::Turret& turret, const PlacedPose& pose) const;
+  void finishTurrets(Space& space, double dt);
 
   bool areAllOutOfReach(const RayBundle& rays) const;
   Motion& motion(BodyIndex index) { return motions_[static_cast<std::size_t>(index)]; }

@@ -29,8 +29,12 @@ void Kinematics2d::move(Space& space, Duration dt) {
     for (const BodyIndex index : bodies_.order()) {
       moveBody(index, step);
     }
+    for (planar::Turret& turret : bodies_.turrets()) {
+      turn(turret, step);
+    }
   }
   finishTick(space, toSeconds(dt));
+  finishTurrets(space, toSeconds(dt));
 }
 
 void Kinematics2d::startTick(const Space& space, double step) {
@@ -52,6 +56,8 @@ void Kinematics2d::startTick(const Space& space, double step) {
       fastest_squared = std::max(fastest_squared, speed * speed);
     }
   }
+  const double swing = startTurrets(step);
+  fastest_squared = std::max(fastest_squared, swing * swing);
   stride_ = std::sqrt(fastest_squared) * step;
   travelled_ += mirrors_moved_;
   constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
@@ -86,24 +92,35 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
     bodies_.setPose(index, pose);
     return true;
   }
+  planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
+  if (turret != nullptr && turret->told->mode == FootbotTurret::Mode::kPassive) {
+    return tryTurned(*turret, pose, trailingAngle(*turret, pose));
+  }
   Clearance clearance = its.clearance;
   if (!isFree(index, pose, gripped, clearance)) {
     return false;
   }
   if (gripped != kNoBody) {
-    const planar::PlanarPose& place = motion(gripped).place_in_gripper;
-    const PlacedPose carried =
-        PlacedPose::at(pose.position + pose.rotated(place.position), planar::wrapAngle(pose.heading + place.heading));
-    Clearance unused;
-    unused.look_ahead = 0.0;
-    if (!isFree(gripped, carried, index, unused)) {
+    if (!tryCarry(index, pose, motion(gripped).place_in_gripper)) {
       return false;
     }
-    bodies_.setPose(gripped, carried);
     clearance.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
   }
   its.clearance = clearance;
   bodies_.setPose(index, pose);
+  return true;
+}
+
+bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place) {
+  const BodyIndex gripped = motion(index).gripped;
+  const PlacedPose carried =
+      PlacedPose::at(pose.position + pose.rotated(place.position), planar::wrapAngle(pose.heading + place.heading));
+  Clearance unused;
+  unused.look_ahead = 0.0;
+  if (!isFree(gripped, carried, index, unused)) {
+    return false;
+  }
+  bodies_.setPose(gripped, carried);
   return true;
 }
 

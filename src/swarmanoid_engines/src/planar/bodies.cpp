@@ -33,6 +33,7 @@ void Bodies::findDevices(const Space& space, BodyIndex index) {
   body.wheels = body.entity->wheels ? space.actuation.find<FootbotWheels>(body.row) : nullptr;
   body.flight = space.actuation.find<EyebotVelocity>(body.row);
   body.gripper = body.entity->gripper ? space.actuation.find<FootbotGripper>(body.row) : nullptr;
+  findTurret(space, index);
 }
 
 void Bodies::findLateDevices(const Space& space) {
@@ -93,26 +94,26 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   return index;
 }
 
-void Bodies::place(const Space& space, BodyIndex index) {
+bool Bodies::place(const Space& space, BodyIndex index) {
   Body& body = (*this)[index];
   BodyDetails& its = details(index);
   const Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
   body.along = plane_.along(pose.position);
   const Eigen::Quaterniond base = plane_.baseOf(pose.orientation);
-  if (!areSame(base, its.base)) {
+  const bool has_changed = !areSame(base, its.base) || haveJointsTurned(space, index);
+  if (has_changed) {
     // not shared: a mirror that rocks has another base each tick
     its.base = base;
-    if (!its.own_model) {
-      its.own_model = std::make_unique<PlanarModel>();
-    }
-    projectModel(*its.entity, plane_, base, *its.own_model);
-    body.model = its.own_model.get();
-    circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
-    largest_radius_ = std::max(largest_radius_, body.is_large ? 0.0 : body.model->radius);
+    std::copy_n(space.jointsOf(body.row), its.entity->joints.size(), ownProjection(index).joints.begin());
+    takeProjection(index);
+  }
+  if (Turret* turret = findTurret(index)) {
+    turret->state = space.jointsOf(body.row)[turret->joint];
   }
   setPose(index, PlacedPose::at(plane_.toLocal(pose.position), plane_.headingOf(pose.orientation)));
   body.has_moved = false;
   body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[static_cast<std::size_t>(body.row)] != nullptr;
+  return has_changed;
 }
 
 void Bodies::setPose(BodyIndex index, const PlacedPose& pose) {
@@ -153,6 +154,9 @@ void Bodies::refreshBounds(BodyIndex index) {
 
 void Bodies::remove(BodyIndex index) {
   Body& body = (*this)[index];
+  if (const Turret* turret = findTurret(index)) {
+    turrets_.erase(turrets_.begin() + (turret - turrets_.data()));
+  }
   index_of_row_[static_cast<std::size_t>(body.row)] = kNoBody;
   order_.erase(std::find(order_.begin(), order_.end(), index));
   if (body.is_large) {
@@ -176,6 +180,7 @@ void Bodies::clear() {
   large_.clear();
   projections_.clear();
   grid_.clear();
+  turrets_.clear();
   largest_radius_ = 0.0;
 }
 

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <vector>
 
+#include "common/turret.hpp"
 #include "planar/cell_grid.hpp"
 #include "planar/placed_pose.hpp"
 #include "planar/planar_model.hpp"
@@ -46,12 +48,29 @@ struct Body {
   bool is_seen_elsewhere = false;
 };
 
+/// A body's own projection, once its base has changed or a joint has turned some of its shapes.
+struct OwnProjection {
+  PlanarModel model;
+  std::array<JointState, Space::kMaxJoints> joints{};  ///< only their angles count
+};
+
 /// What is looked at now and then.
 struct BodyDetails {
   std::shared_ptr<const EntityModel> entity;
-  std::shared_ptr<const PlanarModel> shared_model;  ///< of all bodies with that entity model and base
-  std::unique_ptr<PlanarModel> own_model;           ///< once the base has changed
+  std::shared_ptr<const PlanarModel> shared_model;  ///< of all bodies with that entity model and base, joints at zero
+  std::unique_ptr<OwnProjection> own;
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
+};
+
+/// The turret of a body that has the device for it, and its body z axis along the normal.
+struct Turret {
+  BodyIndex body = kNoBody;
+  const FootbotTurret* told = nullptr;
+  int joint = -1;      ///< of the entity's model
+  double sense = 1.0;  ///< -1 where a turn to the left is one to the right in the plane
+  JointState state;
+  double angle_at_start = 0.0;  ///< of the tick [rad]
+  PlanarPose held;              ///< what the gripper holds, in the turret's frame, from the moment of gripping
 };
 
 class Bodies {
@@ -61,11 +80,26 @@ class Bodies {
   BodyIndex add(const Space& space, Row row, Role role);
   void remove(BodyIndex index);
   void clear();
-  /// Takes the pose that the entity has in the space.
-  void place(const Space& space, BodyIndex index);
+  /// Takes the pose that the entity has in the space, and its joints. @return whether its shapes are others now
+  bool place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
   /// Looks for the devices of bodies that came since the last call: a robot may get its devices after its engine.
   void findLateDevices(const Space& space);
+
+  /// By entity number.
+  std::vector<Turret>& turrets() { return turrets_; }
+  /// Null if it has none.
+  Turret* findTurret(BodyIndex index);
+  const Turret* findTurret(BodyIndex index) const;
+  const EntityModel::Joint& jointOf(const Turret& turret) const {
+    return (*this)[turret.body].entity->joints[static_cast<std::size_t>(turret.joint)];
+  }
+  /// What the body would look like with its turret at that angle; valid until the next call.
+  const PlanarModel& modelAt(const Turret& turret, double angle);
+  /// Turns the shapes of the turret's body to that angle. Its `state` is left alone.
+  void turnShapes(const Turret& turret, double angle);
+  /// To what angle they are turned.
+  double shapesAngle(const Turret& turret) const;
 
   BodyIndex find(Row row) const {
     const auto i = static_cast<std::size_t>(row);
@@ -129,6 +163,10 @@ class Bodies {
   std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& entity,
                                              const Eigen::Quaterniond& base);
   void findDevices(const Space& space, BodyIndex index);
+  void findTurret(const Space& space, BodyIndex index);
+  bool haveJointsTurned(const Space& space, BodyIndex index) const;
+  OwnProjection& ownProjection(BodyIndex index);
+  void takeProjection(BodyIndex index);
   void refreshBounds(BodyIndex index);
 
   Plane plane_;
@@ -140,6 +178,8 @@ class Bodies {
   std::vector<BodyIndex> index_of_row_;
   std::vector<BodyIndex> newcomers_;  // since findLateDevices
   std::vector<Large> large_;
+  std::vector<Turret> turrets_;
+  OwnProjection tried_;                     // scratch of modelAt
   std::vector<PlanarShape> placed_shapes_;  // scratch of refreshBounds
   std::vector<Projection> projections_;
   CellGrid grid_;

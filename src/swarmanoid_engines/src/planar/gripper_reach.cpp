@@ -8,7 +8,11 @@ GripperTip gripperTip(const Bodies& bodies, BodyIndex index) {
   const Body& body = bodies[index];
   const EntityModel::Gripper& gripper = *body.entity->gripper;
   const Plane& plane = bodies.plane();
-  const Eigen::Vector3d arm = bodies.details(index).base * Eigen::Vector3d(gripper.tip, 0.0, gripper.height);
+  Eigen::Vector3d arm(gripper.tip, 0.0, gripper.height);
+  if (const Turret* turret = bodies.findTurret(index); turret != nullptr && turret->state.angle != 0.0) {
+    arm = Eigen::AngleAxisd(turret->state.angle, Eigen::Vector3d::UnitZ()) * arm;
+  }
+  arm = bodies.details(index).base * arm;
   return {body.pose.position + body.pose.rotated(plane.toLocal(arm)), body.along + plane.along(arm)};
 }
 

@@ -6,6 +6,7 @@
 
 #include "common/device_refusal.hpp"
 #include "common/parameter.hpp"
+#include "common/turret.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/body_rays.hpp"
 #include "planar/draw_bodies.hpp"
@@ -60,8 +61,8 @@ std::string PlanarEngine::stateRefusal(const Space& space, Row row) const {
   constexpr double kStretched = 0.02;  // rad
   const EntityModel& model = *space.entities.model[static_cast<std::size_t>(row)];
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    // in a plane all shapes are as with the joints at zero
-    if (std::abs(space.jointsOf(row)[i].angle) > kStretched) {
+    // in a plane shapes are as with the joints at zero, but for the turret
+    if (static_cast<int>(i) != turretJoint(model) && std::abs(space.jointsOf(row)[i].angle) > kStretched) {
       return "its joint '" + model.joints[i].name + "' is not at zero";
     }
   }

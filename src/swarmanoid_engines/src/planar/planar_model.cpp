@@ -82,7 +82,8 @@ void projectShape(const CollisionShape& shape, const Plane& plane, const Eigen::
 
 }  // namespace
 
-void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result) {
+void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
+                  const JointState* joints) {
   result.ahead = plane.toLocal(base * Eigen::Vector3d::UnitX());
   result.left = plane.toLocal(base * Eigen::Vector3d::UnitY());
   result.up = plane.toLocal(base * Eigen::Vector3d::UnitZ());
@@ -92,7 +93,9 @@ void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Qua
   result.shapes.resize(model.shapes.size());
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     PlanarShape& projected = result.shapes[i];
-    projectShape(model.shapes[i], plane, base, projected);
+    const CollisionShape& shape = model.shapes[i];
+    const bool is_turned = joints != nullptr && shape.joint >= 0;
+    projectShape(is_turned ? placeOf(model, joints, shape) : shape, plane, base, projected);
     double reach = projected.centre.norm() + projected.radius;
     if (!projected.isCircle()) {
       reach = 0.0;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planar/plane.hpp"
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_space/joints.hpp"
 
 namespace swarmanoid::planar {
 
@@ -51,7 +51,9 @@ struct PlanarModel {
 };
 
 /// Projects an entity whose orientation at heading 0 is `base`. `result` keeps its memory.
-void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result);
+/// @param joints states of the model's joints; null: all are at zero
+void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
+                  const JointState* joints = nullptr);
 
 /// Puts a model's shapes where a body is. `placed` is of the model's shape count and keeps its memory.
 void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,

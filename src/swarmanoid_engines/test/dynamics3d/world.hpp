@@ -69,6 +69,18 @@ class World {
     space.mover[static_cast<std::size_t>(row)] = &engine;
     return row;
   }
+  /// A robot that is told all of that and what to do with its turret.
+  Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
+    const Row row = addToSpace(model, pose);
+    space.actuation.bank<FootbotWheels>().add(row);
+    space.actuation.bank<FootbotGripper>().add(row);
+    space.actuation.bank<FootbotTurret>().add(row);
+    engine.add(space, row, Role::kMove);
+    space.mover[static_cast<std::size_t>(row)] = &engine;
+    return row;
+  }
+  FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }
+  const JointState& turretState(Row row) const { return space.jointsOf(row)[0]; }
   Row addEyebot(const Pose& pose) {
     const Row row = addToSpace(robotModel("eyebot"), pose);
     space.actuation.bank<EyebotVelocity>().add(row);

@@ -82,6 +82,13 @@ void toMessage(const EyebotMagnetState& readings, swarmanoid_msgs::GripperState&
   message.gripping = readings.attached;
 }
 
+void toMessage(const FootbotTurretState& readings, sensor_msgs::JointState& message) {
+  message.name.assign(1, "turret");
+  message.position.assign(1, readings.angle);
+  message.velocity.assign(1, readings.speed);
+  message.effort.assign(1, readings.torque);
+}
+
 void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message) {
   message.colors.resize(ring.size());
   std::transform(ring.begin(), ring.end(), message.colors.begin(), [](Color color) { return toMessage(color); });

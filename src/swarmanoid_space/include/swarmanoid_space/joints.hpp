@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <memory>
 #include <string>
 
 #include "swarmanoid_space/entity_model.hpp"
@@ -22,6 +23,14 @@ struct JointState {
 /// in B is at displacement * p. @param joint an index of the model's joints; -1: the body, which is never displaced
 /// @param states one for each of the model's joints
 Eigen::Isometry3d displacementOf(const EntityModel& model, const JointState* states, int joint);
+
+/// A shape of the model where the joints have turned it.
+CollisionShape placeOf(const EntityModel& model, const JointState* states, const CollisionShape& shape);
+
+/// The model's shapes where the joints have turned them, for whoever asks about an entity that is not in its engine
+/// yet; `model` itself, if all joints that turn shapes are at zero. Allocates.
+std::shared_ptr<const EntityModel> posedModel(const std::shared_ptr<const EntityModel>& model,
+                                              const JointState* states);
 
 /// Where a device sits now, in B. @throws std::out_of_range if there is no such mount
 Mount placeOf(const EntityModel& model, const JointState* states, const std::string& mount);

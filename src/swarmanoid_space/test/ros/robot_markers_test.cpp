@@ -38,7 +38,12 @@ TEST(RobotMarkersTest, MoveWithTheirFrames) {
   for (const Row row : simulation->space().entities.order) {
     const auto i = static_cast<std::size_t>(row);
     if (simulation->space().entities.model[i]->is_robot) {
-      expected.insert(simulation->space().entities.name[i] + "/base_link");
+      const std::string& name = simulation->space().entities.name[i];
+      expected.insert(name + "/base_link");
+      // what a joint turns is in the frame of its link
+      for (const EntityModel::Joint& joint : simulation->space().entities.model[i]->joints) {
+        expected.insert(name + "/" + joint.link);
+      }
     }
   }
   EXPECT_EQ(expected, frames);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -56,6 +57,25 @@ TEST(TransformsTest, WhatMovesIsInOneBatchWithOneStamp) {
     EXPECT_EQ(ros::Time(1, 100000000), transform.header.stamp);
   }
   EXPECT_EQ(2U, transforms.fixed(simulation->space()).transforms.size());  // the block and the lamp
+}
+
+TEST(TransformsTest, TheGripperTurnsWithTheTurret) {
+  Space space;
+  const Row row = space.entities.add("fb", robotModel("footbot"), Pose{}, Color{});
+  space.fitRows();
+  space.jointsOf(row)[0].angle = 0.5;
+  Transforms transforms(TransformLevel::kFull);
+  const tf2_msgs::TFMessage moving = transforms.moving(space);
+  const tf2_msgs::TFMessage fixed = transforms.fixed(space);
+  EXPECT_EQ(parentsOf({moving, fixed}).at("fb/turret"), "fb/base_link");
+  EXPECT_EQ(parentsOf({moving, fixed}).at("fb/gripper_tip"), "fb/turret");
+  for (const auto& transform : moving.transforms) {
+    if (transform.child_frame_id == "fb/turret") {
+      EXPECT_NEAR(transform.transform.rotation.z, std::sin(0.25), 1e-12);
+      EXPECT_NEAR(transform.transform.rotation.w, std::cos(0.25), 1e-12);
+      EXPECT_NEAR(transform.transform.translation.z, 0.05, 1e-12);
+    }
+  }
 }
 
 TEST(TransformsTest, NoneIsNone) {

@@ -15,6 +15,7 @@
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
@@ -38,6 +39,8 @@ void toMessage(const HandbotArmsState& readings, sensor_msgs::JointState& messag
 void toMessage(const HandbotHandsState& readings, swarmanoid_msgs::HandsState& message);
 void toMessage(const HandbotRopeState& readings, swarmanoid_msgs::RopeState& message);
 void toMessage(const EyebotMagnetState& readings, swarmanoid_msgs::GripperState& message);
+/// One joint, `turret`.
+void toMessage(const FootbotTurretState& readings, sensor_msgs::JointState& message);
 void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message);
 
 }  // namespace swarmanoid

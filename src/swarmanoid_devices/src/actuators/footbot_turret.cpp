@@ -1,0 +1,66 @@
+// Turret: limited to what its motor can do. The engine that moves the robot turns it.
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+
+#include <algorithm>
+
+#include "parameters.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+struct TurretSeat : BasicActuatorSeat<FootbotTurret> {
+  double max_speed = 0.0;  // rad/s
+};
+
+class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretSeat> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = FootbotTurret::kType;
+    description.implementation = "default";
+    description.summary = "Turns the gripper against the chassis: to an angle, at a speed, or as it is pulled.";
+    description.robots = {"footbot"};
+    description.parameters = {
+        number("noise", "", "0", {0.0, 1.0}, "Standard deviation of the factor that a speed is multiplied with."),
+        angle("noise_angle", "0", {0.0, 90.0}, "Standard deviation added to an angle.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    noise_ = parameters.number("noise", 0.0);
+    noise_angle_ = parameters.angle("noise_angle", 0.0);
+  }
+
+ protected:
+  void takeSeat(const Space& space, TurretSeat& seat) override {
+    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(seat.row)];
+    const int joint = model.findJoint("turret");
+    // without a turret no engine takes the robot
+    seat.max_speed = joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(joint)].max_speed;
+  }
+
+  void limit(const Space& space, TurretSeat& seat) override {
+    FootbotTurret& turret = *seat.actuation;
+    seat.random.startTick(space.tick);
+    if (turret.mode == FootbotTurret::Mode::kAngle) {
+      if (noise_angle_ > 0.0) {
+        turret.angle += seat.random.gaussian(0.0, noise_angle_);
+      }
+    } else if (turret.mode == FootbotTurret::Mode::kSpeed) {
+      if (noise_ > 0.0) {
+        turret.speed *= seat.random.gaussian(1.0, noise_);
+      }
+      turret.speed = std::clamp(turret.speed, -seat.max_speed, seat.max_speed);
+    }
+  }
+
+ private:
+  double noise_ = 0.0;
+  double noise_angle_ = 0.0;  // rad
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::FootbotTurretActuator)

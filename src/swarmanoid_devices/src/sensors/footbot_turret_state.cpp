@@ -1,0 +1,63 @@
+// The turret's encoder and the torque of its motor, as the engine that moves the robot left them.
+#include "parameters.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+struct TurretStateSeat : BasicSensorSeat<FootbotTurretState> {
+  int joint = -1;  // of the robot's model
+};
+
+class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, TurretStateSeat> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = FootbotTurretState::kType;
+    description.implementation = "default";
+    description.summary = "Where the turret stands, how fast it turns, and the torque of its motor.";
+    description.robots = {"footbot"};
+    description.parameters = {
+        angle("noise", "0", {0.0, 10.0}, "Standard deviation added to the angle."),
+        number("noise_torque", "N m", "0", {0.0, 10.0}, "Standard deviation added to the torque.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    noise_ = parameters.angle("noise", 0.0);
+    noise_torque_ = parameters.number("noise_torque", 0.0);
+  }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      TurretStateSeat& seat = seats_[k];
+      if (seat.joint < 0) {
+        continue;
+      }
+      const JointState& state = space.jointsOf(seat.row)[seat.joint];
+      *seat.readings = {state.angle, state.speed, state.effort};
+      seat.random.startTick(space.tick);
+      if (noise_ > 0.0) {
+        seat.readings->angle = std::remainder(state.angle + seat.random.gaussian(0.0, noise_), 2.0 * M_PI);
+      }
+      if (noise_torque_ > 0.0) {
+        seat.readings->torque += seat.random.gaussian(0.0, noise_torque_);
+      }
+    }
+  }
+
+ protected:
+  void takeSeat(const Space& space, TurretStateSeat& seat) override {
+    seat.joint = space.entities.model[static_cast<std::size_t>(seat.row)]->findJoint("turret");
+  }
+
+ private:
+  double noise_ = 0.0;         // rad
+  double noise_torque_ = 0.0;  // N m
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::FootbotTurretStateSensor)

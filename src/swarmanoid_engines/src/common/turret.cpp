@@ -1,0 +1,52 @@
+#include "common/turret.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid {
+
+int turretJoint(const EntityModel& model) {
+  constexpr double kStraight = 1e-9;
+  const int index = model.findJoint("turret");
+  if (index < 0) {
+    return -1;
+  }
+  const EntityModel::Joint& joint = model.joints[static_cast<std::size_t>(index)];
+  const bool is_around_body = joint.carrier < 0 && joint.frame.position.head<2>().norm() < kStraight &&
+                              (joint.axis - Eigen::Vector3d::UnitZ()).norm() < kStraight;
+  return is_around_body && std::isinf(joint.lower) && std::isinf(joint.upper) ? index : -1;
+}
+
+double wrapTurn(double angle) {
+  if (angle > -M_PI && angle <= M_PI) {
+    return angle;
+  }
+  const double wrapped = std::remainder(angle, 2.0 * M_PI);
+  return wrapped > -M_PI ? wrapped : M_PI;
+}
+
+double freeTurn(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step) {
+  const double most = joint.max_speed * step;
+  if (told.mode == FootbotTurret::Mode::kAngle) {
+    const double left = wrapTurn(told.angle - angle);
+    return std::abs(left) <= most ? wrapTurn(told.angle) : wrapTurn(angle + std::copysign(most, left));
+  }
+  if (told.mode == FootbotTurret::Mode::kSpeed) {
+    return wrapTurn(angle + std::clamp(told.speed * step, -most, most));
+  }
+  return angle;
+}
+
+double motorSpeed(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step) {
+  // a motor that can only just move its load would swing around an angle that it hurries to
+  constexpr double kApproach = 0.1;  // s
+  double speed = 0.0;
+  if (told.mode == FootbotTurret::Mode::kAngle) {
+    speed = wrapTurn(told.angle - angle) / std::max(kApproach, step);
+  } else if (told.mode == FootbotTurret::Mode::kSpeed) {
+    speed = told.speed;
+  }
+  return std::clamp(speed, -joint.max_speed, joint.max_speed);
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,24 @@
+/// What engines have in common that simulate turrets (footbot_turret.hpp): which joint it is, and where its motor wants
+/// it to go.
+#pragma once
+
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+#include "swarmanoid_space/joints.hpp"
+
+namespace swarmanoid {
+
+/// The joint that is the turret of a robot: the one of this name, if it turns without end about body z. @return its
+/// index; -1: there is none
+int turretJoint(const EntityModel& model);
+
+/// The same angle in (-pi, pi] [rad].
+double wrapTurn(double angle);
+
+/// Where a turret that nothing hinders stands after a step [s]; a passive one stays.
+double freeTurn(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step);
+
+/// How fast the motor of a turret that holds something wants to turn for a step [s], as far as its torque suffices
+/// [rad/s].
+double motorSpeed(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step);
+
+}  // namespace swarmanoid

@@ -1,0 +1,143 @@
+#include "dynamics3d/turret.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics3d/body.hpp"
+#include "dynamics3d/contacts.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+const EntityModel::Joint& jointOf(const Body& robot) {
+  return robot.model->joints[static_cast<std::size_t>(robot.turret.joint)];
+}
+
+/// The hinge that holds what is gripped; null if nothing is held by one.
+dJointID hingeOf(const Body& robot) {
+  const dJointID joint = robot.grip.joint;
+  return joint != nullptr && dJointGetType(joint) == dJointTypeHinge ? joint : nullptr;
+}
+
+/// Calls visit(solid) for the solids that the turret turns. Those of the model's shapes come first, in their order.
+template <class Visit>
+void visitTurned(const Body& robot, Visit visit) {
+  for (std::size_t i = 0; i < robot.model->shapes.size(); ++i) {
+    if (robot.model->shapes[i].joint == robot.turret.joint) {
+      visit(robot.solids[i], robot.model->shapes[i]);
+    }
+  }
+}
+
+void turnSolids(const Body& robot, double angle) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
+  visitTurned(robot, [&](const Solid& solid, const CollisionShape& shape) {
+    const Eigen::Vector3d offset = turn * shape.position - robot.model->centre_of_mass;
+    const Eigen::Quaterniond turned = turn * shape.orientation;
+    const dQuaternion q = {turned.w(), turned.x(), turned.y(), turned.z()};
+    // the height stays: what was near the ground has been cut
+    dGeomSetOffsetPosition(solid.geom, offset.x(), offset.y(), dGeomGetOffsetPosition(solid.geom)[2]);
+    dGeomSetOffsetQuaternion(solid.geom, q);
+  });
+}
+
+/// How deep the turned solids are in others [m].
+double depthOf(const Body& robot, const Contacts& contacts) {
+  double deepest = 0.0;
+  visitTurned(robot, [&](const Solid& solid, const CollisionShape&) {
+    deepest = std::max(deepest, contacts.depthAmongBodies(robot, solid));
+  });
+  return deepest;
+}
+
+void turnFreely(Body& robot, const Contacts& contacts, double step) {
+  JointState& state = robot.turret.state;
+  const double angle = freeTurn(*robot.turret.told, jointOf(robot), state.angle, step);
+  state.speed = 0.0;
+  state.effort = 0.0;
+  if (angle == state.angle) {
+    return;
+  }
+  const double depth = depthOf(robot, contacts);
+  turnSolids(robot, angle);
+  const double new_depth = depthOf(robot, contacts);
+  if (new_depth > 0.0 && new_depth > depth) {
+    turnSolids(robot, state.angle);
+    return;
+  }
+  state.speed = wrapTurn(angle - state.angle) / step;
+  state.angle = angle;
+}
+
+}  // namespace
+
+void findTurret(Body& body, const Space& space) {
+  Turret& turret = body.turret;
+  turret.joint = turretJoint(*body.model);
+  turret.told = turret.joint >= 0 && body.is_dynamic ? space.actuation.find<FootbotTurret>(body.row) : nullptr;
+}
+
+void takeTurret(Body& body, const Space& space) {
+  Turret& turret = body.turret;
+  if (turret.joint < 0 || body.rigid == nullptr) {
+    return;
+  }
+  const double before = turret.state.angle;
+  turret.state = space.jointsOf(body.row)[turret.joint];
+  if (turret.state.angle != before) {
+    turnSolids(body, turret.state.angle);
+  }
+}
+
+Eigen::Vector3d gripperTip(const Body& robot) {
+  const EntityModel::Gripper& gripper = *robot.model->gripper;
+  const Eigen::Vector3d tip(gripper.tip, 0.0, gripper.height);
+  const double angle = robot.turret.state.angle;
+  return angle == 0.0 ? tip : Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * tip;
+}
+
+dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
+  const Pose pose = robot.currentPose();
+  // angle and rate of ODE's hinges are those of the first body against the second
+  const Eigen::Vector3d down = pose.orientation * -Eigen::Vector3d::UnitZ();
+  const dJointID hinge = dJointCreateHinge(world, nullptr);
+  dJointAttach(hinge, robot.rigid, object.rigid);
+  dJointSetHingeAnchor(hinge, pose.position.x(), pose.position.y(), pose.position.z());
+  dJointSetHingeAxis(hinge, down.x(), down.y(), down.z());
+  robot.turret.angle_at_grip = robot.turret.state.angle;
+  return hinge;
+}
+
+void driveTurret(Body& robot, const Contacts& contacts, double step) {
+  if (robot.turret.told == nullptr) {
+    return;
+  }
+  const dJointID hinge = hingeOf(robot);
+  if (hinge == nullptr) {
+    turnFreely(robot, contacts, step);
+    return;
+  }
+  const FootbotTurret& told = *robot.turret.told;
+  const EntityModel::Joint& joint = jointOf(robot);
+  const bool is_off = told.mode == FootbotTurret::Mode::kPassive;
+  dJointSetHingeParam(hinge, dParamFMax, is_off ? 0.0 : joint.max_effort);
+  dJointSetHingeParam(hinge, dParamVel, motorSpeed(told, joint, robot.turret.state.angle, step));
+}
+
+void readTurret(Body& robot) {
+  const dJointID hinge = robot.turret.told == nullptr ? nullptr : hingeOf(robot);
+  if (hinge == nullptr) {
+    return;
+  }
+  JointState& state = robot.turret.state;
+  state.angle = wrapTurn(robot.turret.angle_at_grip + dJointGetHingeAngle(hinge));
+  state.speed = dJointGetHingeAngleRate(hinge);
+  const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(robot.rigid));
+  const Eigen::Vector3d arm = turn * -robot.model->centre_of_mass;  // from the centre of mass to the hinge
+  const dJointFeedback& feedback = robot.grip.feedback;
+  const Eigen::Vector3d on_robot = toVector(feedback.t1) - arm.cross(toVector(feedback.f1));
+  state.effort = -(turn * Eigen::Vector3d::UnitZ()).dot(on_robot);
+  turnSolids(robot, state.angle);
+}
+
+}  // namespace swarmanoid::dynamics3d

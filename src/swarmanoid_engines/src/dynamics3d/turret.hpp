@@ -1,0 +1,41 @@
+/// A footbot's turret in three dimensions.
+///
+/// What the gripper of a robot with this device holds hangs on a hinge about body z through the robot's origin, which
+/// the turret's motor turns with no more than its torque: a load that is too heavy to turn turns the robot instead.
+/// While nothing is held the gripper's solids are turned as commanded, and stop before they would sink into something.
+#pragma once
+
+#include "common/turret.hpp"
+#include "dynamics3d/ode.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::dynamics3d {
+
+struct Body;
+class Contacts;
+
+struct Turret {
+  const FootbotTurret* told = nullptr;  ///< null: the robot has no such device
+  int joint = -1;                       ///< of the model; -1: it has no turret
+  JointState state;
+  double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
+};
+
+/// Looks for the robot's turret, and for what tells it where to turn.
+void findTurret(Body& body, const Space& space);
+
+/// The joint's state comes from the space, and the gripper's solids go where it says. @pre findTurret
+void takeTurret(Body& body, const Space& space);
+
+/// The gripper's tip in the frame B [m]. @pre it has a gripper
+Eigen::Vector3d gripperTip(const Body& robot);
+
+/// A hinge between a robot and what it grips, with the turret as its motor. @pre robot.turret.told
+dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object);
+
+/// Before a step [s]: sets the motor, or turns the gripper's solids.
+void driveTurret(Body& robot, const Contacts& contacts, double step);
+/// After it: what the hinge did.
+void readTurret(Body& robot);
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,88 @@
+// Phase `move`: turrets, and what their grippers hold.
+#include <algorithm>
+#include <cmath>
+
+#include "kinematics2d/kinematics2d.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+using planar::Turret;
+
+/// @return how fast anything moves at most that a turning turret holds [m/s]
+double Kinematics2d::startTurrets(double step) {
+  double fastest = 0.0;
+  for (Turret& turret : bodies_.turrets()) {
+    turret.angle_at_start = turret.state.angle;
+    const BodyIndex gripped = motion(turret.body).gripped;
+    if (gripped == kNoBody) {
+      continue;
+    }
+    const Body& body = bodies_[turret.body];
+    const double next = freeTurn(*turret.told, bodies_.jointOf(turret), turret.state.angle, step);
+    const double turn_rate = std::abs(wrapTurn(next - turret.state.angle)) / step + std::abs(body.turn_rate);
+    const double arm = motion(gripped).place_in_gripper.position.norm();
+    fastest = std::max(fastest, body.velocity.norm() + arm * turn_rate);
+  }
+  return fastest;
+}
+
+void Kinematics2d::turn(Turret& turret, double dt) {
+  const double angle = freeTurn(*turret.told, bodies_.jointOf(turret), turret.state.angle, dt);
+  if (angle != turret.state.angle) {
+    tryTurned(turret, bodies_[turret.body].pose, angle);
+  }
+}
+
+bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angle) {
+  const BodyIndex index = turret.body;
+  Motion& its = motion(index);
+  const BodyIndex gripped = its.gripped;
+  Clearance clearance = its.clearance;
+  if (gripped != kNoBody || travelled_ > clearance.free_until) {
+    const planar::PlanarModel* now = bodies_[index].model;
+    bodies_[index].model = &bodies_.modelAt(turret, angle);
+    const bool is_free = isFree(index, pose, gripped, clearance);
+    bodies_[index].model = now;
+    if (!is_free) {
+      return false;
+    }
+  }
+  if (gripped != kNoBody) {
+    const planar::PlanarPose place = placeOfHeld(turret, angle);
+    if (!tryCarry(index, pose, place)) {
+      return false;
+    }
+    motion(gripped).place_in_gripper = place;
+    clearance.free_until = -1.0;  // as where a body moves
+  }
+  its.clearance = clearance;
+  bodies_.setPose(index, pose);
+  bodies_.turnShapes(turret, angle);
+  turret.state.angle = angle;
+  return true;
+}
+
+planar::PlanarPose Kinematics2d::placeOfHeld(const Turret& turret, double angle) const {
+  const double turned = turret.sense * angle;
+  const PlacedPose frame = PlacedPose::at(Eigen::Vector2d::Zero(), turned);
+  return {frame.rotated(turret.held.position), turret.held.heading + turned};
+}
+
+double Kinematics2d::trailingAngle(const Turret& turret, const PlacedPose& pose) const {
+  const PlacedPose& before = bodies_[turret.body].pose;
+  const Eigen::Vector2d held = bodies_[motion(turret.body).gripped].pose.position;
+  const Eigen::Vector2d from = held - before.position;
+  const Eigen::Vector2d to = held - pose.position;
+  const double swung = std::atan2(planar::cross(from, to), from.dot(to));
+  return wrapTurn(turret.state.angle + turret.sense * (swung - (pose.heading - before.heading)));
+}
+
+void Kinematics2d::finishTurrets(Space& space, double dt) {
+  for (Turret& turret : bodies_.turrets()) {
+    turret.state.speed = wrapTurn(turret.state.angle - turret.angle_at_start) / dt;
+    turret.state.effort = 0.0;
+    space.jointsOf(bodies_[turret.body].row)[turret.joint] = turret.state;
+  }
+}
+
+}  // namespace swarmanoid::kinematics2d

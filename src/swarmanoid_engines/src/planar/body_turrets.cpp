@@ -1,0 +1,86 @@
+// Turrets of bodies, and shapes that joints turn.
+#include <algorithm>
+#include <utility>
+
+#include "planar/bodies.hpp"
+
+namespace swarmanoid::planar {
+
+void Bodies::findTurret(const Space& space, BodyIndex index) {
+  const Body& body = (*this)[index];
+  const Eigen::Quaterniond& base = details(index).base;
+  const int joint = body.entity->joints.empty() ? -1 : turretJoint(*body.entity);
+  const FootbotTurret* told = joint < 0 ? nullptr : space.actuation.find<FootbotTurret>(body.row);
+  if (told == nullptr || body.role == Role::kMirror || !plane_.isUpright(base) || findTurret(index) != nullptr) {
+    return;
+  }
+  Turret turret;
+  turret.body = index;
+  turret.told = told;
+  turret.joint = joint;
+  turret.sense = body.model->turn > 0.0 ? 1.0 : -1.0;
+  turret.state = space.jointsOf(body.row)[joint];
+  turrets_.insert(std::upper_bound(turrets_.begin(), turrets_.end(), turret,
+                                   [&](const Turret& a, const Turret& b) {
+                                     return (*this)[a.body].number < (*this)[b.body].number;
+                                   }),
+                  turret);
+}
+
+const Turret* Bodies::findTurret(BodyIndex index) const {
+  const EntityNumber number = (*this)[index].number;
+  const auto found =
+      std::lower_bound(turrets_.begin(), turrets_.end(), number,
+                       [&](const Turret& turret, EntityNumber wanted) { return (*this)[turret.body].number < wanted; });
+  return found != turrets_.end() && found->body == index ? &*found : nullptr;
+}
+
+Turret* Bodies::findTurret(BodyIndex index) { return const_cast<Turret*>(std::as_const(*this).findTurret(index)); }
+
+const PlanarModel& Bodies::modelAt(const Turret& turret, double angle) {
+  const BodyDetails& its = details(turret.body);
+  tried_.joints = its.own ? its.own->joints : decltype(tried_.joints){};
+  tried_.joints[static_cast<std::size_t>(turret.joint)].angle = angle;
+  projectModel(*its.entity, plane_, its.base, tried_.model, tried_.joints.data());
+  return tried_.model;
+}
+
+void Bodies::turnShapes(const Turret& turret, double angle) {
+  ownProjection(turret.body).joints[static_cast<std::size_t>(turret.joint)].angle = angle;
+  takeProjection(turret.body);
+}
+
+double Bodies::shapesAngle(const Turret& turret) const {
+  const auto& own = details(turret.body).own;
+  return own ? own->joints[static_cast<std::size_t>(turret.joint)].angle : 0.0;
+}
+
+OwnProjection& Bodies::ownProjection(BodyIndex index) {
+  BodyDetails& its = details(index);
+  if (!its.own) {
+    its.own = std::make_unique<OwnProjection>();
+  }
+  return *its.own;
+}
+
+void Bodies::takeProjection(BodyIndex index) {
+  Body& body = (*this)[index];
+  const BodyDetails& its = details(index);
+  projectModel(*its.entity, plane_, its.base, its.own->model, its.own->joints.data());
+  body.model = &its.own->model;
+  circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
+  largest_radius_ = std::max(largest_radius_, body.is_large ? 0.0 : body.model->radius);
+}
+
+bool Bodies::haveJointsTurned(const Space& space, BodyIndex index) const {
+  const BodyDetails& its = details(index);
+  const JointState* now = space.jointsOf((*this)[index].row);
+  for (std::size_t i = 0; i < its.entity->joints.size(); ++i) {
+    if (now[i].angle != (its.own ? its.own->joints[i].angle : 0.0)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace swarmanoid::planar

@@ -1,0 +1,41 @@
+/// Actuator and sensor: the turret of a footbot, the ring that carries the gripper and turns against the chassis.
+///
+/// Frames: the robot's; angles are counter-clockwise seen from above, 0 is straight ahead. Only the gripper turns with
+/// the turret: infrared sensors, LEDs, camera and the strip by which the robot is gripped stay with the chassis.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace swarmanoid {
+
+/// What the turret's motor is told. At first it holds the angle 0, which is what a robot without this device does.
+struct FootbotTurret {
+  static constexpr const char* kType = "footbot_turret";
+
+  enum class Mode : std::uint8_t {
+    kAngle,   ///< turns to an angle, the shorter way, and holds it
+    kSpeed,   ///< turns on and on
+    kPassive  ///< the motor is off: the turret turns as what the gripper holds pulls it
+  };
+
+  Mode mode = Mode::kAngle;
+  double angle = 0.0;  ///< to turn to [rad]
+  double speed = 0.0;  ///< to turn with [rad/s]
+
+  void holdAngle(double rad) { *this = {Mode::kAngle, rad, 0.0}; }
+  void turnAt(double rad_per_s) { *this = {Mode::kSpeed, 0.0, rad_per_s}; }
+  void letTurn() { *this = {Mode::kPassive, 0.0, 0.0}; }
+  bool isFinite() const { return std::isfinite(angle) && std::isfinite(speed); }
+};
+
+/// What the turret's encoder and its motor say, as of the end of the last tick.
+struct FootbotTurretState {
+  static constexpr const char* kType = "footbot_turret_state";
+
+  double angle = 0.0;   ///< in (-pi, pi] [rad]
+  double speed = 0.0;   ///< [rad/s]
+  double torque = 0.0;  ///< of the motor on the turret; 0 in engines without forces [N m]
+};
+
+}  // namespace swarmanoid
