@@ -36,9 +36,9 @@ std::string Dynamics3d::refusal(const EntityModel& model, const std::vector<std:
   return deviceRefusal(model, devices);
 }
 
-void Dynamics3d::takeTerrain(std::shared_ptr<const Terrain> terrain) {
-  ground_ = GroundSurface(std::move(terrain),
-                          settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
+void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
+  ground_ =
+      GroundSurface(terrain, settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
 }
 
 std::string Dynamics3d::misplacement(const EntityModel& model, const Pose& pose) const {

@@ -49,7 +49,7 @@ class Engine {
 
   /// The ground that is not level, or null. Told once, before entities are added, and stays over `clear`. Engines that
   /// move things in a plane make nothing of it.
-  virtual void takeTerrain(std::shared_ptr<const Terrain> /*terrain*/) {}
+  virtual void takeTerrain(const std::shared_ptr<const Terrain>& /*terrain*/) {}
 
   /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
   /// the device or the property. @param devices types of the controller's devices

@@ -31,8 +31,8 @@ std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const 
   if (cut.isEmpty()) {
     return {whole};
   }
-  const Eigen::Vector2d low = whole.min();
-  const Eigen::Vector2d high = whole.max();
+  const Eigen::Vector2d& low = whole.min();
+  const Eigen::Vector2d& high = whole.max();
   const auto box = [](double x, double y, double to_x, double to_y) {
     return Eigen::AlignedBox2d(Eigen::Vector2d(x, y), Eigen::Vector2d(to_x, to_y));
   };
