@@ -18,12 +18,20 @@ PATIENCE = 3.0  # [s]
 CELLS = 13  # of the grid, at the most, along the longer side
 
 
+def extent(markers):
+    """Lengths along x and y [m] of floor and terrain, which has the place of parts of it; None without them."""
+    corners = [(marker.pose.position.x + 0.5 * marker.scale.x, marker.pose.position.y + 0.5 * marker.scale.y)
+               for marker in markers if marker.ns == "floor"]
+    corners += [(point.x, point.y) for marker in markers if marker.ns == "terrain" for point in marker.points]
+    return (max(x for x, _ in corners), max(y for _, y in corners)) if corners else None
+
+
 def floor_size(topics):
     """Lengths along x and y [m]; the floor begins at the origin."""
     while True:
-        for marker in rospy.wait_for_message(topics + "/markers_static", MarkerArray).markers:
-            if marker.ns == "floor":
-                return marker.scale.x, marker.scale.y
+        size = extent(rospy.wait_for_message(topics + "/markers_static", MarkerArray).markers)
+        if size is not None:
+            return size
 
 
 def greatest_height(topics):

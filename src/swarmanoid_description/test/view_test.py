@@ -3,6 +3,7 @@
 
 import importlib.util
 import pathlib
+import types
 import unittest
 
 import yaml
@@ -41,6 +42,18 @@ class ViewTest(unittest.TestCase):
         near, _ = self.fitted(5.0, 5.0, 0.2)
         far, _ = self.fitted(50.0, 50.0, 0.2)
         self.assertGreater(far["Distance"], 9.0 * near["Distance"])
+
+    def test_the_floor_may_have_a_terrain_in_the_place_of_its_parts(self):
+        def part(ns, x, y, width, depth, points=()):
+            position = types.SimpleNamespace(x=x, y=y)
+            return types.SimpleNamespace(ns=ns, pose=types.SimpleNamespace(position=position), points=points,
+                                         scale=types.SimpleNamespace(x=width, y=depth))
+
+        floor = [part("floor", 1.0, 2.0, 2.0, 4.0), part("floor", 2.5, 0.5, 5.0, 1.0)]
+        self.assertEqual((5.0, 4.0), view.extent(floor + [part("obstacles", 9.0, 9.0, 1.0, 1.0)]))
+        corner = types.SimpleNamespace(x=6.0, y=3.0)
+        self.assertEqual((6.0, 3.0), view.extent([part("terrain", 0.0, 0.0, 1.0, 1.0, [corner])]))
+        self.assertIsNone(view.extent([]))
 
     def test_there_is_room_for_those_who_fly(self):
         flat, _ = self.fitted(5.0, 5.0, 0.2)

@@ -34,7 +34,7 @@ class Finder {
       return false;
     }
     const RayHit hit = space_.castRay({view_.position, point}, view_.self, owner);
-    if (hit.row != kNoRow && hit.fraction < 1.0 - kOwnSurface) {
+    if (hit.fraction < 1.0 - kOwnSurface) {
       return false;
     }
     if (count_ < capacity_) {
@@ -74,9 +74,10 @@ std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs
   // kept between calls so that a steady state allocates nothing
   thread_local std::vector<Row> near;
   near.clear();
-  // entities hang at any height within the arena, so the sphere must hold the whole cylinder of view
-  const double half_height = 0.5 * space.size.z();
-  const Eigen::Vector3d centre(view.position.x(), view.position.y(), half_height);
+  // entities are at any height within the arena, so the sphere must hold the whole cylinder of view
+  const double lowest = space.lowestGround();
+  const double half_height = 0.5 * (space.size.z() - lowest);
+  const Eigen::Vector3d centre(view.position.x(), view.position.y(), lowest + half_height);
   space.index.collect(centre, std::hypot(view.range, half_height), near);
   const Entities& entities = space.entities;
   std::sort(near.begin(), near.end(), [&](Row a, Row b) {

@@ -46,6 +46,7 @@ std::vector<BadCase> badCases() {
     } else if (line == "<<<") {
       const std::string from = block(lines, "===");
       replaceAll(cases.back().text, from, block(lines, ">>>"));
+      replaceAll(cases.back().text, "{data}", TEST_DATA);
     } else if (line.rfind("expect ", 0) == 0) {
       cases.back().message = line.substr(7);
     } else if (line == "schema refuses") {

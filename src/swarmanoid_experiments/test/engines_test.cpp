@@ -1,6 +1,8 @@
 // The object retrieval experiment with its footbots and preys in each engine that can hold them: nothing else changes.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "test_world.hpp"
 
@@ -60,6 +62,36 @@ TEST(ExampleTest, AChainCrossesTheGap) {
     EXPECT_GT(position.x(), 1.7) << i;
     EXPECT_NEAR(position.z(), 0.4, 2e-3) << i;
   }
+}
+
+TEST(ExampleTest, FootbotsWanderOverHillsAndFallIntoAHole) {
+  loadBuiltInPlugins();
+  Simulation simulation(readExperiment(findShared("swarmanoid_experiments", "experiments/rough_terrain.xml")));
+  simulation.start();
+  const Space& space = simulation.space();
+  ASSERT_NE(space.terrain, nullptr);
+  double highest = 0.0;
+  while (!simulation.isFinished()) {
+    simulation.tick();
+    for (const Row row : space.entities.order) {
+      const auto i = static_cast<std::size_t>(row);
+      const Eigen::Vector3d& position = space.entities.pose[i].position;
+      if (!space.entities.model[i]->is_movable) {
+        continue;
+      }
+      const bool is_on_terrain = space.terrain->contains(position.x(), position.y());
+      const double ground = is_on_terrain ? space.terrain->heightAt(position.x(), position.y()) : 0.0;
+      ASSERT_GT(position.z(), ground - 0.03) << space.entities.name[i] << ", tick " << space.tick;
+      ASSERT_EQ(space.outside[i], 0) << space.entities.name[i] << ", tick " << space.tick;
+      highest = space.entities.model[i]->is_robot ? std::max(highest, position.z()) : highest;
+    }
+  }
+  EXPECT_GT(highest, 0.1);
+  int in_hole = 0;
+  for (const Row row : space.entities.order) {
+    in_hole += space.entities.pose[static_cast<std::size_t>(row)].position.z() < -0.05 ? 1 : 0;
+  }
+  EXPECT_GE(in_hole, 1);
 }
 
 TEST(EngineStepsTest, StepsThatAreTooLongAreRefusedAtLoad) {

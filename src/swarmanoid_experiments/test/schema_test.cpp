@@ -63,8 +63,10 @@ TEST(SchemaTest, AcceptsGoodFiles) {
   }
   int count = 0;
   for (const auto& entry : fs::directory_iterator(findShared("swarmanoid_experiments", "experiments"))) {
-    EXPECT_TRUE(schemaAccepts(entry.path())) << entry.path();
-    ++count;
+    if (entry.path().extension() == ".xml") {
+      EXPECT_TRUE(schemaAccepts(entry.path())) << entry.path();
+      ++count;
+    }
   }
   EXPECT_GE(count, 2);
 }
@@ -136,11 +138,12 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
     }
   }
   for (const char* name :
-       {"clocktick", "maxclock",     "controller_path", "random_seed",    "threads",    "real_time_factor",
-        "size",      "optimization", "bounded",         "floor_patch",    "distribute", "quantity",
-        "layout",    "minimum",      "maximum",         "random_heading", "max_trials", "controller",
-        "role",      "library",      "handover",        "entity",         "to",         "inside",
-        "outside",   "attached",     "released",        "debug",          "as",         "key"}) {
+       {"clocktick",  "maxclock",     "controller_path", "random_seed",    "threads",    "real_time_factor",
+        "size",       "optimization", "bounded",         "floor_patch",    "distribute", "quantity",
+        "layout",     "minimum",      "maximum",         "random_heading", "max_trials", "controller",
+        "role",       "library",      "handover",        "entity",         "to",         "inside",
+        "outside",    "attached",     "released",        "debug",          "as",         "key",
+        "heightfield"}) {
     expect_name(name);
   }
 }

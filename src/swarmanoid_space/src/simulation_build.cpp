@@ -57,6 +57,7 @@ void Simulation::buildEngines() {
     if (!problem.empty()) {
       throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
     }
+    cast_->engines.back()->takeTerrain(experiment_.arena.terrain);
     space_.engines.push_back(cast_->engines.back().get());
   }
 }
@@ -67,6 +68,7 @@ void Simulation::build() {
   space_.time = kEpoch;
   space_.size = experiment_.arena.size;
   space_.floor_patches = experiment_.arena.floor_patches;
+  space_.terrain = experiment_.arena.terrain;
   constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
   space_.events.reserve(kUsualEvents);
   space_.index.configure(space_.size, experiment_.arena.optimization, entityCount(experiment_));

@@ -17,7 +17,8 @@ bool isInReach(const Space& space, const RayBundle& rays, Row row) {
 }  // namespace
 
 bool Space::mayMeet(const RayBundle& rays) const {
-  return std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayMeet(rays); }) ||
+  return (terrain && terrain->mayMeet(rays)) ||
+         std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayMeet(rays); }) ||
          std::any_of(entities_without_engine.begin(), entities_without_engine.end(),
                      [&](Row row) { return isInReach(*this, rays, row); });
 }
@@ -25,6 +26,9 @@ bool Space::mayMeet(const RayBundle& rays) const {
 void Space::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   for (RayHit& hit : hits) {
     hit = RayHit{};
+  }
+  if (terrain) {
+    terrain->castRays(rays, hits);
   }
   for (const Engine* engine : engines) {
     engine->castRays(rays, hits);
@@ -55,9 +59,7 @@ RayHit Space::castRay(const Segment& segment, Row ignored, Row also_ignored) con
   return hit;
 }
 
-bool Space::isOccluded(const Segment& segment, Row from, Row to) const {
-  return castRay(segment, from, to).row != kNoRow;
-}
+bool Space::isOccluded(const Segment& segment, Row from, Row to) const { return castRay(segment, from, to).isHit(); }
 
 void Space::fitRows() {
   const std::size_t rows = entities.rowCount();

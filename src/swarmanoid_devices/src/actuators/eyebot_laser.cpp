@@ -1,4 +1,4 @@
-// The laser pointer: its beam ends on the first surface it meets, or on the floor, and makes a red spot there.
+// The laser pointer: its beam ends on the first surface it meets, or on the ground, and makes a red spot there.
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 
 #include <algorithm>
@@ -56,9 +56,15 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     Segment beam;
     beam.from = pose.position + pose.orientation * space.entities.model[i]->mount("laser_pointer").position;
     const Eigen::Vector3d beam_direction = pose.orientation * direction;
-    // down to the floor, z = 0, or as far as light goes
-    const double to_floor = beam_direction.z() < 0.0 ? -beam.from.z() / beam_direction.z() : kReach;
-    beam.to = beam.from + std::clamp(to_floor, 0.0, kReach) * beam_direction;
+    // down to the floor, or as far as light goes
+    const auto downTo = [&](double height) -> Eigen::Vector3d {
+      const double way = beam_direction.z() < 0.0 ? (height - beam.from.z()) / beam_direction.z() : kReach;
+      return beam.from + std::clamp(way, 0.0, kReach) * beam_direction;
+    };
+    beam.to = downTo(0.0);
+    if (space.terrain && space.terrain->contains(beam.to.x(), beam.to.y())) {
+      beam.to = downTo(space.lowestGround());  // there the floor has the terrain in its place
+    }
     const RayHit hit = space.castRay(beam, seat.row);
     return {seat.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
   }

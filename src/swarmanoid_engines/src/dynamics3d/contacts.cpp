@@ -5,16 +5,23 @@
 #include <cmath>
 
 #include "dynamics3d/cylinders.hpp"
+#include "dynamics3d/ground_contacts.hpp"
 #include "dynamics3d/treels.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
 
 constexpr int kMostFound = 16;         // contacts between two solids
-constexpr int kMostUsed = 4;           // of them: three hold a surface on another
+constexpr int kMostUsed = 4;           // of them, and of those with rough ground: three hold a surface on another
 constexpr double kBounceSpeed = 0.02;  // m/s: what comes slower does not bounce
 
 bool areJoined(const Body& a, const Body& b) { return a.grip.gripped == &b || b.grip.gripped == &a; }
+
+Eigen::AlignedBox3d boxAround(dGeomID geom) {
+  dReal box[6];
+  dGeomGetAABB(geom, box);
+  return {Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5])};
+}
 
 bool areApart(dGeomID a, dGeomID b) {
   dReal box_a[6];
@@ -34,12 +41,13 @@ bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
 
 }  // namespace
 
-void Contacts::configure(dWorldID world, const Settings& settings) {
+void Contacts::configure(dWorldID world, const Settings& settings, const GroundSurface& ground) {
   settings_ = settings;
+  ground_ = ground;
   world_ = world;
   joints_ = dJointGroupCreate(0);
   if (settings.has_ground) {
-    ground_.geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, settings.ground_height + kMargin / 2.0);
+    level_ground_.geom = dCreatePlane(nullptr, 0.0, 0.0, 1.0, settings.ground_height + kMargin / 2.0);
   }
 }
 
@@ -48,9 +56,9 @@ void Contacts::release() {
     dJointGroupDestroy(joints_);
     joints_ = nullptr;
   }
-  if (ground_.geom != nullptr) {
-    dGeomDestroy(ground_.geom);
-    ground_.geom = nullptr;
+  if (level_ground_.geom != nullptr) {
+    dGeomDestroy(level_ground_.geom);
+    level_ground_.geom = nullptr;
   }
   near_.clear();
   points_.clear();
@@ -59,9 +67,7 @@ void Contacts::release() {
 Eigen::AlignedBox3d Contacts::boundsNow(const Body& body) {
   Eigen::AlignedBox3d bounds;
   for (const Solid& solid : body.solids) {
-    dReal box[6];
-    dGeomGetAABB(solid.geom, box);
-    bounds.extend(Eigen::Vector3d(box[0], box[2], box[4])).extend(Eigen::Vector3d(box[1], box[3], box[5]));
+    bounds.extend(boxAround(solid.geom));
   }
   return bounds;
 }
@@ -79,11 +85,9 @@ void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) 
     }
   });
   std::sort(pairs_.begin(), pairs_.end());
-  if (ground_.geom != nullptr) {
-    for (Body* body : bodies) {
-      if (body->is_dynamic) {
-        meetGround(*body);
-      }
+  for (Body* body : bodies) {
+    if (body->is_dynamic) {
+      meetGround(*body);
     }
   }
   for (const auto& [first, second] : pairs_) {
@@ -116,11 +120,25 @@ double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
 void Contacts::meetGround(Body& body) {
   const double reach = settings_.ground_height + kMargin / 2.0;
   for (const Solid& solid : body.solids) {
-    dReal box[6];
-    dGeomGetAABB(solid.geom, box);
-    if (box[4] <= reach) {
-      meetSolids(body, solid, nullptr, ground_);
+    const Eigen::AlignedBox3d box = boxAround(solid.geom);
+    if (ground_.isRoughAt(box)) {
+      meetRoughGround(body, solid);
+    } else if (level_ground_.geom != nullptr && box.min().z() <= reach) {
+      meetSolids(body, solid, nullptr, level_ground_);
     }
+  }
+}
+
+void Contacts::meetRoughGround(Body& body, const Solid& solid) {
+  GroundContacts contacts = dynamics3d::meetGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
+  contacts.keepSpread(kMostUsed);
+  for (const GroundContact& contact : contacts) {
+    dContactGeom geometry = {};
+    geometry.depth = contact.depth;
+    Eigen::Map<Eigen::Vector3d>(geometry.normal) = contact.normal;
+    Eigen::Map<Eigen::Vector3d>(geometry.pos) = contact.position;
+    geometry.g1 = solid.geom;
+    makeJoint(body, solid, nullptr, geometry);
   }
 }
 

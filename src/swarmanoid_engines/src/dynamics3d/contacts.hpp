@@ -10,6 +10,7 @@
 
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/bounds.hpp"
+#include "dynamics3d/ground_surface.hpp"
 
 namespace swarmanoid::dynamics3d {
 
@@ -21,8 +22,8 @@ class Contacts {
     Eigen::Vector3d normal;
   };
 
-  /// @pre a Turn is held
-  void configure(dWorldID world, const Settings& settings);
+  /// @param ground used where it is rough; elsewhere `settings` says what there is. @pre a Turn is held
+  void configure(dWorldID world, const Settings& settings, const GroundSurface& ground);
   /// Gives everything back to ODE. @pre a Turn is held
   void release();
 
@@ -45,6 +46,7 @@ class Contacts {
  private:
   static Eigen::AlignedBox3d boundsNow(const Body& body);
   void meetGround(Body& body);
+  void meetRoughGround(Body& body, const Solid& solid);
   void meetPair(Body& a, Body& b);
   void meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
   void makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b, dContactGeom geometry);
@@ -55,7 +57,8 @@ class Contacts {
   Settings settings_;
   dWorldID world_ = nullptr;
   dJointGroupID joints_ = nullptr;
-  Solid ground_;
+  Solid level_ground_;
+  GroundSurface ground_;
   double step_ = 0.0;
   int joints_made_ = 0;  // in this step
   int attempt_ = 0;

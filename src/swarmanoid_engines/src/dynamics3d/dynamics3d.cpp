@@ -8,6 +8,8 @@
 
 #include "common/device_refusal.hpp"
 #include "dynamics3d/convex_overlap.hpp"
+#include "dynamics3d/ground_contacts.hpp"
+#include "dynamics3d/solids.hpp"
 #include "dynamics3d/treels.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -34,18 +36,29 @@ std::string Dynamics3d::refusal(const EntityModel& model, const std::vector<std:
   return deviceRefusal(model, devices);
 }
 
+void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
+  ground_ =
+      GroundSurface(terrain, settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
+}
+
 std::string Dynamics3d::misplacement(const EntityModel& model, const Pose& pose) const {
-  constexpr double kInGround = 1e-4;  // m
-  if (!model.is_movable || !settings_.has_ground || model.shapes.empty()) {
-    return "";
-  }
-  const double low = boundsOf(model, pose).min().z();
-  if (low >= settings_.ground_height - kInGround) {
+  constexpr double kInGround = 1e-4;       // m
+  constexpr double kInRoughGround = 2e-3;  // m: treels' balls are soft, so that much of them may be in a slope
+  if (!model.is_movable || model.shapes.empty()) {
     return "";
   }
   std::ostringstream text;
-  text << "found at z = " << pose.position.z() << ", where it reaches down to z = " << low
-       << ", allowed: above the ground, which is at z = " << settings_.ground_height;
+  const Eigen::AlignedBox3d bounds = boundsOf(model, pose);
+  if (ground_.isRoughAt(bounds)) {
+    const double rise = riseOut(ground_, shapesOnGround(model), pose);
+    if (rise > kInRoughGround) {
+      text << "found at z = " << pose.position.z()
+           << ", where it stands in the terrain, allowed: above it, here from z = " << pose.position.z() + rise;
+    }
+  } else if (settings_.has_ground && bounds.min().z() < settings_.ground_height - kInGround) {
+    text << "found at z = " << pose.position.z() << ", where it reaches down to z = " << bounds.min().z()
+         << ", allowed: above the ground, which is at z = " << settings_.ground_height;
+  }
   return text.str();
 }
 
@@ -159,7 +172,7 @@ void Dynamics3d::makeWorld() {
   dWorldSetContactMaxCorrectingVel(world_, kFastestCorrection);
   dWorldSetMaxAngularSpeed(world_, kFastestTurn);
   dWorldSetQuickStepNumIterations(world_, settings_.iterations);
-  contacts_.configure(world_, settings_);
+  contacts_.configure(world_, settings_, ground_);
 }
 
 void Dynamics3d::destroyWorld() {

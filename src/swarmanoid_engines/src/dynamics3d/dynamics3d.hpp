@@ -14,6 +14,8 @@
 /// ODE's exact solver gives up now and then where contacts tie. Such a step is done again with ties broken otherwise, a
 /// few times, and then by the iterative solver; so no step is left with contacts that hold nothing.
 ///
+/// Terrain is ground as the level one is, and takes its place in its rectangle (ground_contacts.hpp).
+///
 /// Rays meet the entities' shapes as they were after the last tick; a mirror is not met, the engine that moves it
 /// answers for it. ODE itself is not asked, so any number of threads may cast rays.
 #pragma once
@@ -39,6 +41,7 @@ class Dynamics3d final : public Engine {
   Dynamics3d& operator=(const Dynamics3d&) = delete;
 
   void configure(const std::string& id, const Configuration& parameters) override;
+  void takeTerrain(const std::shared_ptr<const Terrain>& terrain) override;
   std::string clocktickRefusal(Duration clocktick) const override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
@@ -105,6 +108,7 @@ class Dynamics3d final : public Engine {
   void feelGrips(double step);
 
   Settings settings_;
+  GroundSurface ground_;
   unsigned long seed_ = 0;  // of this world, in ODE
   dWorldID world_ = nullptr;
   Contacts contacts_;

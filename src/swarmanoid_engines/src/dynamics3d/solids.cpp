@@ -37,19 +37,28 @@ CollisionShape clearOfGround(CollisionShape shape) {
   return shape;
 }
 
-void addBalls(Body& body) {
-  const EntityModel::Wheels& wheels = *body.model->wheels;
+/// One of a treel's balls. @param side 0 left, 1 right; @param place ahead of the axle, in wheels' radii
+CollisionShape ballOf(const EntityModel::Wheels& wheels, int side, double place) {
   const double radius = kBallSize * wheels.radius;
+  const double y = (side == 0 ? 0.5 : -0.5) * wheels.separation;
+  CollisionShape ball;
+  ball.kind = CollisionShape::Kind::kSphere;
+  ball.half_extent.setConstant(radius);
+  ball.position = {place * wheels.radius, place == 0.0 ? y : kSupportSpan * y, radius};
+  return ball;
+}
+
+constexpr double kBallPlaces[] = {0.0, kSupportReach, -kSupportReach};
+
+void addBalls(Body& body) {
   for (int side = 0; side < 2; ++side) {
-    const double y = (side == 0 ? 0.5 : -0.5) * wheels.separation;
-    for (const double place : {0.0, kSupportReach, -kSupportReach}) {
-      const bool is_wheel = place == 0.0;
+    for (const double place : kBallPlaces) {
+      const CollisionShape ball = ballOf(*body.model->wheels, side, place);
       Solid solid;
-      solid.geom = dCreateSphere(nullptr, radius + kMargin / 2.0);
-      solid.kind = is_wheel ? Solid::Kind::kWheel : Solid::Kind::kSupport;
+      solid.geom = makeGeom(ball, kMargin / 2.0);
+      solid.kind = place == 0.0 ? Solid::Kind::kWheel : Solid::Kind::kSupport;
       solid.side = side;
-      addSolid(body, solid, {place * wheels.radius, is_wheel ? y : kSupportSpan * y, radius},
-               Eigen::Quaterniond::Identity());
+      addSolid(body, solid, ball.position, ball.orientation);
     }
   }
 }
@@ -79,6 +88,22 @@ void addSolids(Body& body) {
   if (is_driven) {
     addBalls(body);
   }
+}
+
+std::vector<CollisionShape> shapesOnGround(const EntityModel& model) {
+  if (!model.wheels) {
+    return model.shapes;
+  }
+  std::vector<CollisionShape> shapes;
+  for (const CollisionShape& shape : model.shapes) {
+    shapes.push_back(clearOfGround(shape));
+  }
+  for (int side = 0; side < 2; ++side) {
+    for (const double place : kBallPlaces) {
+      shapes.push_back(ballOf(*model.wheels, side, place));
+    }
+  }
+  return shapes;
 }
 
 }  // namespace swarmanoid::dynamics3d

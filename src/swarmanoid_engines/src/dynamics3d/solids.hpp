@@ -6,6 +6,8 @@
 /// reach down to the ground (the treels' outlines) end a little above it, so that the balls alone carry the robot.
 #pragma once
 
+#include <vector>
+
 #include "dynamics3d/body.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -15,5 +17,9 @@ dGeomID makeGeom(const CollisionShape& shape, double growth);
 
 /// Makes a body's solids, each grown by half of kMargin, in B; `rigid` carries them if there is one.
 void addSolids(Body& body);
+
+/// The shapes with which an entity stands on the ground when this engine moves it: of a driven robot those that end
+/// above the ground, and its balls.
+std::vector<CollisionShape> shapesOnGround(const EntityModel& model);
 
 }  // namespace swarmanoid::dynamics3d

@@ -46,6 +46,12 @@ class World {
     space.engines.push_back(&engine);
   }
 
+  /// Before anything is added.
+  void setTerrain(std::shared_ptr<const Terrain> terrain) {
+    space.terrain = std::move(terrain);
+    engine.takeTerrain(space.terrain);
+  }
+
   Row addToSpace(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, colors::kBlack);
     space.fitRows();

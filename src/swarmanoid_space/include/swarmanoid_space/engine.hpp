@@ -6,7 +6,8 @@
 /// `pose`, `twist` and `joints` of the entities it moves (in `move`), the structural tree, attachments and events (in
 /// `connect`).
 ///
-/// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect: `connect`.
+/// Phases   configure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect:
+/// `connect`.
 ///          mayMeet, castRays, draw: any time but during `move`.
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
@@ -21,6 +22,7 @@
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,7 @@
 #include "swarmanoid_space/engine_drawing.hpp"
 #include "swarmanoid_space/experiment.hpp"
 #include "swarmanoid_space/ray.hpp"
+#include "swarmanoid_space/terrain.hpp"
 
 namespace swarmanoid {
 
@@ -45,6 +48,10 @@ class Engine {
 
   /// Why this engine cannot run with ticks of that length; "" if it can. Asked once, before entities are added.
   virtual std::string clocktickRefusal(Duration /*clocktick*/) const { return ""; }
+
+  /// The ground that is not level, or null. Told once, before entities are added, and stays over `clear`. Engines that
+  /// move things in a plane make nothing of it.
+  virtual void takeTerrain(const std::shared_ptr<const Terrain>& /*terrain*/) {}
 
   /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
   /// the device or the property. @param devices types of the controller's devices

@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/entities.hpp"
 #include "swarmanoid_space/positional_index.hpp"
+#include "swarmanoid_space/terrain.hpp"
 
 namespace swarmanoid {
 
@@ -91,6 +93,7 @@ struct ArenaDescription {
   bool bounded = false;  ///< walls along the four sides, in every engine
   std::vector<EntityDescription> entities;
   std::vector<FloorPatch> floor_patches;
+  std::shared_ptr<const Terrain> terrain;  ///< <heightfield>; null: the floor is level
   SourceLocation location;
 };
 

@@ -17,7 +17,10 @@ struct Segment {
 /// Where a segment first meets a surface. A segment that starts inside a solid meets it at fraction 0.
 struct RayHit {
   double fraction = 1.0;  ///< of the way from `from` to `to`
-  Row row = kNoRow;       ///< what was met; kNoRow: nothing
+  Row row = kNoRow;       ///< what was met; kNoRow: nothing, or the terrain, which is no entity
+
+  /// Whether anything was met, be it an entity or the terrain.
+  bool isHit() const { return fraction < 1.0; }
 };
 
 /// Segments cast together, such as a ring of sensors: one look-up of what is near serves all.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <vector>
@@ -23,6 +24,7 @@
 #include "swarmanoid_space/positional_index.hpp"
 #include "swarmanoid_space/ray.hpp"
 #include "swarmanoid_space/structural_tree.hpp"
+#include "swarmanoid_space/terrain.hpp"
 
 namespace swarmanoid {
 
@@ -51,6 +53,9 @@ class Space {
   // The arena, fixed while it runs.
   Eigen::Vector3d size = Eigen::Vector3d::Ones();
   std::vector<FloorPatch> floor_patches;
+  std::shared_ptr<const Terrain> terrain;  ///< null: the floor is level
+  /// The lowest ground [m]: 0, or less where a terrain has holes.
+  double lowestGround() const { return terrain ? std::min(0.0, terrain->bounds().min().z()) : 0.0; }
 
   // The world.
   Entities entities;               ///< pose, twist: move
@@ -87,7 +92,8 @@ class Space {
   /// Whether a ray of the bundle could meet anything; in doubt, yes. Its segments are not looked at. Far cheaper than
   /// casting. Thread-safe outside `move`.
   bool mayMeet(const RayBundle& rays) const;
-  /// Casts rays against everything: all engines, and entities in no engine. For each segment the nearest hit.
+  /// Casts rays against everything: the terrain, all engines, and entities in no engine. For each segment the nearest
+  /// hit.
   /// Thread-safe outside `move`.
   void castRays(const RayBundle& rays, Span<RayHit> hits) const;
   /// One ray, through up to two entities.

@@ -38,7 +38,7 @@ void checkDevices(const XmlElement& element, const std::string& type, const Cont
 
 std::vector<std::string> arenaTags() {
   std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
-  tags.insert(tags.end(), {"floor_patch", "distribute"});
+  tags.insert(tags.end(), {"floor_patch", "heightfield", "distribute"});
   return tags;
 }
 
@@ -160,6 +160,8 @@ void readArena(const XmlElement& section, Reader& reader) {
       readDistribute(element, reader);
     } else if (element.name() == "floor_patch") {
       readFloorPatch(element, reader);
+    } else if (element.name() == "heightfield") {
+      readHeightfield(element, reader);
     } else {
       arena.entities.push_back(readEntity(element, false, reader));
     }

@@ -112,6 +112,17 @@ const std::vector<Parameter>& floorPatchParameters() {
   return table;
 }
 
+const std::vector<Parameter>& heightfieldParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("file", Type::kText, "", std::nullopt, {},
+                    "A grey PNG image of 8 or 16 bits; its folder is relative to the experiment file's."),
+      makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of its middle, at the height of black."),
+      makeParameter("size", Type::kVector2, "m", std::nullopt, {}, "Along x and y."),
+      makeParameter("height", Type::kNumber, "m", std::nullopt, {0.0, 1000.0}, "Of white over black.")};
+  return table;
+}
+
 const std::vector<Parameter>& distributeParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{

@@ -28,6 +28,8 @@ const std::vector<Parameter>& frameworkParameters();
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& floorPatchParameters();
+/// Of <heightfield>.
+const std::vector<Parameter>& heightfieldParameters();
 /// Of <distribute>; quantity and layout are attributes.
 const std::vector<Parameter>& distributeParameters();
 /// Of <inside> and <outside> in <handover>.

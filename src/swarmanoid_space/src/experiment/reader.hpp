@@ -30,6 +30,8 @@ struct Reader {
 void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
 void readArena(const XmlElement& section, Reader& reader);
+/// <heightfield> in <arena>, at most one.
+void readHeightfield(const XmlElement& element, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
 /// @param entities, engines the ids that there are

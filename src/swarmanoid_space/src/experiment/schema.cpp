@@ -51,6 +51,11 @@ void writeArena(SchemaWriter& out) {
   out.close();
   out.attribute("id", "name", true);
   out.closeElement();
+  out.openElement("heightfield", true);
+  out.open("all");
+  out.parameters(heightfieldParameters());
+  out.close();
+  out.closeElement();
   out.openElement("distribute", true);
   out.open("all");
   out.parameters(distributeParameters());

@@ -12,14 +12,7 @@ using visualization_msgs::MarkerArray;
 /// How thick patches are drawn, and how far the floor lies below them [m]: apart enough not to flicker in rviz.
 constexpr double kPatchHeight = 0.002;
 
-void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
-  constexpr double kThickness = 0.01;
-  Marker floor = makeMarker(header, "floor", 0, Marker::CUBE, {space.size.x(), space.size.y(), kThickness},
-                            rgba(0.82F, 0.83F, 0.85F, 1.0F));
-  floor.pose.position =
-      toMessage(Eigen::Vector3d(0.5 * space.size.x(), 0.5 * space.size.y(), -0.5 * kThickness - kPatchHeight));
-  markers.markers.push_back(floor);
-
+void drawFloorPatches(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
   int id = 0;
   for (const FloorPatch& patch : space.floor_patches) {
     const bool is_disc = patch.radius > 0.0;
@@ -30,6 +23,45 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
     marker.pose.position = toMessage(patch.position);
     markers.markers.push_back(marker);
   }
+}
+
+/// The parts of a rectangle that another one leaves free.
+std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const Eigen::AlignedBox2d& hole) {
+  const Eigen::AlignedBox2d cut = whole.intersection(hole);
+  if (cut.isEmpty()) {
+    return {whole};
+  }
+  const Eigen::Vector2d& low = whole.min();
+  const Eigen::Vector2d& high = whole.max();
+  const auto box = [](double x, double y, double to_x, double to_y) {
+    return Eigen::AlignedBox2d(Eigen::Vector2d(x, y), Eigen::Vector2d(to_x, to_y));
+  };
+  return {box(low.x(), low.y(), high.x(), cut.min().y()), box(low.x(), cut.max().y(), high.x(), high.y()),
+          box(low.x(), cut.min().y(), cut.min().x(), cut.max().y()),
+          box(cut.max().x(), cut.min().y(), high.x(), cut.max().y())};
+}
+
+void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
+  constexpr double kThickness = 0.01;
+  const Eigen::AlignedBox2d whole(Eigen::Vector2d::Zero(), Eigen::Vector2d(space.size.head<2>()));
+  std::vector<Eigen::AlignedBox2d> parts{whole};
+  if (space.terrain) {
+    const Eigen::AlignedBox3d& bounds = space.terrain->bounds();
+    parts = around(whole, {Eigen::Vector2d(bounds.min().head<2>()), Eigen::Vector2d(bounds.max().head<2>())});
+    markers.markers.push_back(terrainMarker(header, *space.terrain));
+  }
+  int part_id = 0;
+  for (const Eigen::AlignedBox2d& part : parts) {
+    const Eigen::Vector2d size = part.sizes();
+    if (size.minCoeff() > 0.0) {
+      Marker floor = makeMarker(header, "floor", part_id++, Marker::CUBE, {size.x(), size.y(), kThickness},
+                                rgba(0.82F, 0.83F, 0.85F, 1.0F));
+      const Eigen::Vector2d middle = part.center();
+      floor.pose.position = toMessage(Eigen::Vector3d(middle.x(), middle.y(), -0.5 * kThickness - kPatchHeight));
+      markers.markers.push_back(floor);
+    }
+  }
+  drawFloorPatches(space, header, markers);
 }
 
 void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int& id, MarkerArray& markers) {

@@ -22,6 +22,9 @@ visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std:
 visualization_msgs::Marker shapeMarker(const std_msgs::Header& header, const std::string& space_name, int id,
                                        const CollisionShape& shape, const Pose& pose, const std_msgs::ColorRGBA& color);
 
+/// The terrain's surface, and the cliffs between its rim and the floor.
+visualization_msgs::Marker terrainMarker(const std_msgs::Header& header, const Terrain& terrain);
+
 /// The bodies of up to Transforms::kFewRobots robots as their URDF describes them, fixed to their frames: tf moves
 /// them.
 void addRobotBodies(const Space& space, visualization_msgs::MarkerArray& markers);

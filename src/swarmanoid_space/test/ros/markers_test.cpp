@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "../small_world.hpp"
 
 namespace swarmanoid {
@@ -31,6 +33,40 @@ TEST(MarkersTest, ArenaShowsFloorPatchesBlocksAndLamps) {
   ASSERT_EQ(1U, inNamespace(arena, "obstacles").size());
   EXPECT_DOUBLE_EQ(1.0, inNamespace(arena, "obstacles")[0].scale.x);
   EXPECT_EQ(1U, inNamespace(arena, "lights").size());
+}
+
+TEST(MarkersTest, TheFloorLeavesRoomForTheTerrain) {
+  Space space;
+  space.size = {4.0, 3.0, 1.0};
+  const auto area = [](const MarkerArray& arena) {
+    double sum = 0.0;
+    for (const Marker& part : inNamespace(arena, "floor")) {
+      sum += part.scale.x * part.scale.y;
+    }
+    return sum;
+  };
+  EXPECT_EQ(inNamespace(arenaMarkers(space), "floor").size(), 1U);
+  EXPECT_DOUBLE_EQ(area(arenaMarkers(space)), 12.0);
+  // a summit of 0.2 m within a level rim
+  space.terrain = std::make_shared<const Terrain>(Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(2.0, 1.0), 3, 3,
+                                                  std::vector<double>{0, 0, 0, 0, 0.2, 0, 0, 0, 0});
+  const MarkerArray arena = arenaMarkers(space);
+  EXPECT_EQ(inNamespace(arena, "floor").size(), 4U);
+  EXPECT_DOUBLE_EQ(area(arena), 10.0);
+  ASSERT_EQ(inNamespace(arena, "terrain").size(), 1U);
+  const Marker terrain = inNamespace(arena, "terrain")[0];
+  EXPECT_EQ(terrain.type, Marker::TRIANGLE_LIST);
+  EXPECT_EQ(terrain.points.size(), 8U * 3U);
+  EXPECT_EQ(terrain.colors.size(), terrain.points.size());
+  const auto is_lower = [](const auto& a, const auto& b) { return a.z < b.z; };
+  EXPECT_DOUBLE_EQ(std::max_element(terrain.points.begin(), terrain.points.end(), is_lower)->z, 0.2);
+  // with its rim in the air there are cliffs too, and none of a large one is left out at the border
+  space.terrain = std::make_shared<const Terrain>(Eigen::Vector2d(-1.0, 2.0), Eigen::Vector2d(2.0, 2.0), 600, 2,
+                                                  std::vector<double>(1200, 0.1));
+  const Marker mesa = inNamespace(arenaMarkers(space), "terrain")[0];
+  EXPECT_EQ(mesa.points.size(), 3U * (2U * 200U + 2U * 2U * 200U + 4U));
+  EXPECT_DOUBLE_EQ(area(arenaMarkers(space)), 11.0);
+  EXPECT_DOUBLE_EQ(mesa.points.back().x, 1.0);
 }
 
 TEST(MarkersTest, IdsStayTheSameAndWhatIsGoneIsDeletedOnce) {

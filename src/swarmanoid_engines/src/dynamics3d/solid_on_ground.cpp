@@ -1,0 +1,143 @@
+// Boxes and cylinders.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "dynamics3d/ground_contacts.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+using Eigen::Vector3d;
+using Ridge = GroundSurface::Ridge;
+using Kind = CollisionShape::Kind;
+
+/// A part of a line, as fractions of the way between two points.
+struct Part {
+  double from = 0.0;
+  double to = 1.0;
+
+  void clip(double low, double high) {
+    from = std::max(from, low);
+    to = std::min(to, high);
+  }
+  void clear() { clip(1.0, 0.0); }
+};
+
+void clipToSlab(Part& part, double start, double way, double half) {
+  if (way != 0.0) {
+    const double a = (-half - start) / way;
+    const double b = (half - start) / way;
+    part.clip(std::min(a, b), std::max(a, b));
+  } else if (std::abs(start) > half) {
+    part.clear();
+  }
+}
+
+void clipToRound(Part& part, const Eigen::Vector2d& start, const Eigen::Vector2d& way, double radius) {
+  const double a = way.squaredNorm();
+  const double b = start.dot(way);
+  const double c = start.squaredNorm() - radius * radius;
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0.0 || (a == 0.0 && c > 0.0)) {
+    part.clear();
+  } else if (a > 0.0) {
+    part.clip((-b - std::sqrt(discriminant)) / a, (-b + std::sqrt(discriminant)) / a);
+  }
+}
+
+/// A face of a solid, in its own frame.
+struct Face {
+  Vector3d out = Vector3d::Zero();
+  double distance = std::numeric_limits<double>::infinity();  // from the solid's centre
+
+  double depthOf(const Vector3d& point) const { return distance - out.dot(point); }
+};
+
+/// The face through which `point` is nearest to leave the solid, of those that look against `ground`.
+/// @param ground out of the ground, in the solid's frame
+Face faceOver(Kind kind, const Vector3d& half, const Vector3d& point, const Vector3d& ground) {
+  constexpr double kAgainst = 0.2;  // cosine
+  Face best;
+  double least = std::numeric_limits<double>::infinity();
+  const auto look = [&](const Vector3d& out, double distance) {
+    const double depth = distance - out.dot(point);
+    if (out.dot(ground) < -kAgainst && depth < least) {
+      least = depth;
+      best = {out, distance};
+    }
+  };
+  for (int axis = kind == Kind::kBox ? 0 : 2; axis < 3; ++axis) {
+    look(Vector3d::Unit(axis), half[axis]);
+    look(-Vector3d::Unit(axis), half[axis]);
+  }
+  const double across = point.head<2>().norm();
+  if (kind == Kind::kCylinder && across > 0.0) {
+    look(Vector3d(point.x() / across, point.y() / across, 0.0), half.x());
+  }
+  return best;
+}
+
+}  // namespace
+
+void meetCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, GroundContacts& contacts) {
+  for (int i = 0; i < 8; ++i) {
+    const Vector3d signs((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
+    meetPoint(ground, box.centre + box.axes * box.half.cwiseProduct(signs), 0.0, margin, contacts);
+  }
+}
+
+void meetRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, GroundContacts& contacts) {
+  constexpr int kPlaces = 8;  // around a face, so that it can stand
+  const Vector3d axis = cylinder.axes.col(2);
+  const auto meet = [&](const Vector3d& across) {
+    for (const double side : {-1.0, 1.0}) {
+      meetPoint(ground, cylinder.centre + side * cylinder.half.z() * axis + across, 0.0, margin, contacts);
+    }
+  };
+  // the rims' lowest points over each slope
+  Vector3d last = Vector3d::Zero();
+  const auto meetDeepest = [&](const GroundSurface::Triangle& triangle) {
+    const Vector3d across = triangle.normal - triangle.normal.dot(axis) * axis;
+    if (triangle.normal != last && across.norm() > 1e-9) {
+      meet(-cylinder.half.x() * across.normalized());
+    }
+    last = triangle.normal;
+  };
+  ground.visitTriangles(cylinder.bounds(), meetDeepest);
+  ground.visitCliffs(cylinder.bounds(), meetDeepest);
+  for (int i = 0; i < kPlaces; ++i) {
+    const double angle = 2.0 * M_PI * i / kPlaces;
+    meet(cylinder.half.x() * (std::cos(angle) * cylinder.axes.col(0) + std::sin(angle) * cylinder.axes.col(1)));
+  }
+}
+
+void meetRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, GroundContacts& contacts) {
+  const Vector3d half = solid.half.array() + margin;
+  ground.visitRidges(solid.bounds(), [&](const Ridge& ridge) {
+    const Vector3d start = solid.axes.transpose() * (ridge.from - solid.centre);
+    const Vector3d way = solid.axes.transpose() * (ridge.to - ridge.from);
+    Part part;
+    clipToSlab(part, start.z(), way.z(), half.z());
+    if (solid.kind == Kind::kBox) {
+      clipToSlab(part, start.x(), way.x(), half.x());
+      clipToSlab(part, start.y(), way.y(), half.y());
+    } else {
+      clipToRound(part, start.head<2>(), way.head<2>(), half.x());
+    }
+    if (part.from > part.to) {
+      return;
+    }
+    const Vector3d middle = start + 0.5 * (part.from + part.to) * way;
+    const Face face = faceOver(solid.kind, half, middle, solid.axes.transpose() * ridge.out);
+    for (const double at : {part.from, part.to}) {
+      const double depth = face.depthOf(start + at * way);
+      if (depth > 0.0 && depth < half.maxCoeff()) {
+        contacts.add({ridge.from + at * (ridge.to - ridge.from), -(solid.axes * face.out), depth});
+      }
+    }
+  });
+}
+
+}  // namespace swarmanoid::dynamics3d

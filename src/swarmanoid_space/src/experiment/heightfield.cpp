@@ -1,0 +1,32 @@
+// <heightfield>: the arena's rough ground, from an image.
+#include <filesystem>
+#include <stdexcept>
+
+#include "reader.hpp"
+
+namespace swarmanoid::experiment {
+
+void readHeightfield(const XmlElement& element, Reader& reader) {
+  ArenaDescription& arena = reader.experiment.arena;
+  if (arena.terrain) {
+    element.refuse("found a second <heightfield>, allowed: one");
+  }
+  element.allowAttributes({});
+  const Configuration values = readParameters(element, heightfieldParameters());
+  const Eigen::Vector2d size = values.vector2("size");
+  if (!(size.minCoeff() > 0.0)) {
+    element.child("size")->refuse("size: found '" + values.text("size") + "', allowed: two numbers greater than 0");
+  }
+  const std::string file = values.text("file");
+  // an absolute name stays what it is
+  const std::filesystem::path folder = std::filesystem::path(reader.experiment.file).parent_path();
+  try {
+    arena.terrain = std::make_shared<const Terrain>(
+        readTerrain((folder / file).string(), values.vector3("position"), size, values.number("height")));
+  } catch (const std::runtime_error& error) {
+    element.child("file")->refuse("file: found '" + file + "', which " + error.what() +
+                                  "; allowed: a grey PNG image of 8 or 16 bits, 2 x 2 to 4096 x 4096 pixels");
+  }
+}
+
+}  // namespace swarmanoid::experiment
