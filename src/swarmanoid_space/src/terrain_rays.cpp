@@ -102,6 +102,9 @@ double Terrain::firstMeeting(const Segment& segment) const {
   if (inside.from > inside.to || std::min(heightOf(inside.from), heightOf(inside.to)) > top) {
     return kNever;
   }
+  if (inside.from > 0.0 && heightOf(inside.from) < 0.0) {
+    return inside.from;  // it comes through the floor
+  }
   const Eigen::Vector3d first = segment.from + inside.from * way;
   Eigen::Vector2i cell = cellAt(first.x(), first.y());
   Descent descent(*this, segment, inside.from);
@@ -121,7 +124,7 @@ double Terrain::firstMeeting(const Segment& segment) const {
     }
     from = to;
   }
-  // around a rim that is lower there is the side of the floor
+  // beside a rim that is lower there is the floor
   return inside.to < 1.0 && descent.isAbove() && heightOf(inside.to) < 0.0 ? inside.to : kNever;
 }
 

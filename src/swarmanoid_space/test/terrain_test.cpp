@@ -167,6 +167,7 @@ TEST(TerrainTest, TheRimIsACliff) {
   EXPECT_NEAR(hole.firstMeeting({{1.5, 1.5, -0.1}, {2.5, 1.5, -0.1}}), 0.5, 1e-12);
   EXPECT_NEAR(hole.firstMeeting({{1.5, 1.5, 0.0}, {2.5, 1.5, -0.1}}), 0.5, 1e-12);
   EXPECT_EQ(hole.firstMeeting({{1.5, 1.5, 0.1}, {2.5, 1.5, 0.1}}), kNever);
+  EXPECT_NEAR(hole.firstMeeting({{2.5, 1.5, 0.1}, {1.5, 1.5, -0.2}}), 0.5, 1e-12);  // from outside, through the floor
 }
 
 TEST(TerrainTest, WhatABundleMayMeetHoldsAllThatItMeets) {
