@@ -54,6 +54,10 @@ class Dynamics3d final : public Engine {
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
 
+  /// Notes what the treels of every footbot do from now on, by step and entity number; null: no longer. For comparisons
+  /// with ODE alone.
+  void record(std::vector<Treels>* treels) { recorded_treels_ = treels; }
+
  private:
   Body* find(Row row) const {
     const auto i = static_cast<std::size_t>(row);
@@ -88,6 +92,7 @@ class Dynamics3d final : public Engine {
   std::vector<Body*> order_;        // by entity number
   std::vector<Body*> newcomers_;    // since findLateDevices
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
+  std::vector<Treels>* recorded_treels_ = nullptr;
 };
 
 }  // namespace swarmanoid::dynamics3d

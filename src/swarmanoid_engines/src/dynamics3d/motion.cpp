@@ -43,6 +43,9 @@ void Dynamics3d::stepOnce(double step) {
     }
     if (body->model->wheels) {
       followCommand(*body, step);
+      if (recorded_treels_ != nullptr) {
+        recorded_treels_->push_back(body->treels);
+      }
     }
     if (body->velocity != nullptr) {
       fly(*body, settings_.gravity, step);
