@@ -10,12 +10,14 @@
 /// Entities at rest on the ground keep their height to a few micrometres.
 ///
 /// ODE's exact solver gives up now and then where contacts tie. Such a step is done again with ties broken otherwise, a
-/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing.
+/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
+/// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
 /// Rays meet the entities' shapes as they were after the last tick; a mirror is not met, the engine that moves it
 /// answers for it. ODE itself is not asked, so any number of threads may cast rays.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -29,6 +31,13 @@ namespace swarmanoid::dynamics3d {
 
 class Dynamics3d final : public Engine {
  public:
+  /// What the solver did since the world was made or cleared.
+  struct SolverCounts {
+    std::uint64_t steps = 0;
+    std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
+    std::uint64_t iterative = 0;  ///< of them, those that the iterative solver made in the end
+  };
+
   static PluginDescription describe();
 
   Dynamics3d() = default;
@@ -53,6 +62,8 @@ class Dynamics3d final : public Engine {
   bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
+  EngineHealth health() const override;
+  const SolverCounts& solverCounts() const { return counts_; }
 
   /// Notes what the treels of every footbot do from now on, by step and entity number; null: no longer. For comparisons
   /// with ODE alone.
@@ -73,6 +84,7 @@ class Dynamics3d final : public Engine {
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
   void finishTick(Space& space);
+  void tellTrouble(Space& space);
 
   // gripping.cpp
   Body* findInReach(const Space& space, const Body& robot) const;
@@ -92,6 +104,8 @@ class Dynamics3d final : public Engine {
   std::vector<Body*> order_;        // by entity number
   std::vector<Body*> newcomers_;    // since findLateDevices
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
+  SolverCounts counts_;
+  bool has_told_trouble_ = false;
   std::vector<Treels>* recorded_treels_ = nullptr;
 };
 

@@ -1,7 +1,6 @@
 // Phase `connect`: grippers take hold and let go; during `move` they feel the force on them, and may break.
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
@@ -22,15 +21,14 @@ double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
 
 void Dynamics3d::connect(Space& space) {
   const Turn turn(seed_);
+  tellTrouble(space);
   for (Body* body : order_) {
     if (body->gripper == nullptr || !body->is_dynamic) {
       continue;
     }
     Grip& grip = body->grip;
     if (grip.is_broken) {
-      std::ostringstream why;
-      why << "the grip broke: it was pulled with more than " << settings_.grip_strength << " N";
-      release(space, *body, why.str());
+      release(space, *body, tornText(settings_.grip_strength));
       grip.must_open = true;
     }
     if (!body->gripper->closed) {

@@ -51,7 +51,10 @@ void Dynamics3d::stepOnce(double step) {
       fly(*body, settings_.gravity, step);
     }
   }
-  if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
+  ++counts_.steps;
+  const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
+  if (is_iterative || !solveExactly(step)) {
+    counts_.iterative += is_iterative ? 0 : 1;
     contacts_.make(order_, step, 0);
     dWorldQuickStep(world_, step);
     contacts_.clear();
@@ -72,12 +75,35 @@ bool Dynamics3d::solveExactly(double step) {
     if (solverFailures() == failures) {
       return true;
     }
+    counts_.redone += attempt == 0 ? 1 : 0;
     // what is left then is a step in which some contacts hold nothing
     for (Body* body : order_) {
       body->restoreState();
     }
   }
   return false;
+}
+
+void Dynamics3d::tellTrouble(Space& space) {
+  if (counts_.iterative > 0 && !has_told_trouble_) {
+    has_told_trouble_ = true;
+    space.events.push_back({Event::Kind::kEngineTrouble, "", "",
+                            "dynamics3d '" + id_ +
+                                "': the exact solver gave up, the iterative one made the step; from now on this is "
+                                "only counted"});
+  }
+}
+
+EngineHealth Dynamics3d::health() const {
+  EngineHealth health;
+  health.steps_per_tick = settings_.subclock;
+  health.counters = {{"steps", std::to_string(counts_.steps)},
+                     {"steps redone", std::to_string(counts_.redone)},
+                     {"steps left to the iterative solver", std::to_string(counts_.iterative)}};
+  if (counts_.iterative > 0) {
+    health.warning = "the exact solver gave up in " + std::to_string(counts_.iterative) + " steps";
+  }
+  return health;
 }
 
 void Dynamics3d::finishTick(Space& space) {

@@ -5,8 +5,8 @@
 /// dimension; what it reads from the space and writes to it is in W. It may read anything in the space, and writes only
 /// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
 ///
-/// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect: `connect`.
-///          mayMeet, castRays, draw: any time but during `move`.
+/// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`.
+///          connect: `connect`. mayMeet, castRays, draw, health: any time but during `move`.
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
@@ -20,6 +20,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -33,6 +34,13 @@
 namespace swarmanoid {
 
 class Space;
+
+/// What an engine tells those who watch over it. Not part of the state: nothing in the run may depend on it.
+struct EngineHealth {
+  int steps_per_tick = 1;
+  std::string warning;                                        ///< what somebody should know; "": all is well
+  std::vector<std::pair<std::string, std::string>> counters;  ///< name and value, since the run began
+};
 
 class Engine {
  public:
@@ -93,6 +101,9 @@ class Engine {
 
   /// Shows people what the engine works with. Allocates; called on request only.
   virtual void draw(EngineDrawing& /*drawing*/) const {}
+
+  /// Likewise, in words and numbers.
+  virtual EngineHealth health() const { return {}; }
 
   const std::string& id() const { return id_; }
 
