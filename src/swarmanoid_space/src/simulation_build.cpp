@@ -58,6 +58,7 @@ void Simulation::buildEngines() {
       throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
     }
     space_.engines.push_back(cast_->engines.back().get());
+    engine_parameters_.push_back(description.parameters);
   }
 }
 

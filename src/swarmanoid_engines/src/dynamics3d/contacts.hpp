@@ -23,6 +23,8 @@ class Contacts {
 
   /// @pre a Turn is held
   void configure(dWorldID world, const Settings& settings);
+  /// Other surfaces from now on; the ground stays where it is.
+  void reconfigure(const Settings& settings) { settings_ = settings; }
   /// Gives everything back to ODE. @pre a Turn is held
   void release();
 

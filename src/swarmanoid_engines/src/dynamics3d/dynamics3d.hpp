@@ -46,6 +46,7 @@ class Dynamics3d final : public Engine {
   Dynamics3d& operator=(const Dynamics3d&) = delete;
 
   void configure(const std::string& id, const Configuration& parameters) override;
+  void reconfigure(const Configuration& parameters) override;
   std::string clocktickRefusal(Duration clocktick) const override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;

@@ -5,7 +5,7 @@
 /// dimension; what it reads from the space and writes to it is in W. It may read anything in the space, and writes only
 /// `pose` and `twist` of the entities it moves (in `move`), the structural tree and events (in `connect`).
 ///
-/// Phases   configure, add, remove, place, clear: between ticks. readMirrors, move: `move`.
+/// Phases   configure, reconfigure, add, remove, place, clear: between ticks. readMirrors, move: `move`.
 ///          connect: `connect`. mayMeet, castRays, draw, health: any time but during `move`.
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
@@ -48,6 +48,11 @@ class Engine {
 
   /// @throws ConfigError
   virtual void configure(const std::string& id, const Configuration& parameters) = 0;
+
+  /// Takes new values of the parameters that its description marks as live; all others are as in `configure`. Between
+  /// ticks, with entities in place: from the next tick on it works with them.
+  /// @throws ConfigError; then it keeps the old
+  virtual void reconfigure(const Configuration& /*parameters*/) {}
 
   /// Why this engine cannot run with ticks of that length; "" if it can. Asked once, before entities are added.
   virtual std::string clocktickRefusal(Duration /*clocktick*/) const { return ""; }
