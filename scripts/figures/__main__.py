@@ -30,7 +30,6 @@ FIGURES = {
     "dynamics3d": engines.dynamics3d,
     "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
-    "missing": lambda table, build: engines.missing(table),
     "start_up": lambda table, build: simulation.start_up(table),
     "sanitizer": lambda table, build: long_tests.sanitizer(table),
     "fresh_clone": lambda table, build: build_time.fresh_clone(table),

@@ -1,107 +1,138 @@
-// A tick of many footbots in this engine, and of the same bodies in ODE alone: its own space finds who touches whom,
-// and each contact becomes a joint without further ado. Items are robots: items per second are robots x ticks per
-// second.
+// Whole ticks of the diffusion experiment with dynamics3d (sense, control, move; one thread, no ROS), against ODE alone
+// that steps the same bodies with the drive recorded there. Items are robots: items per second are robots x ticks per
+// second. Both start from the same state, after a while of driving about, and run the same ticks in turn.
+//
+// What is recorded is the speed of each treel in each step. Forces would not do: they come from friction, which ODE
+// solves together with all other contacts, so ODE alone has to solve it too; replayed as forces on bodies that slide
+// without friction they would spare it two thirds of its equations. ODE alone finds contacts with its own spaces: one
+// that sweeps and prunes, of one simple space a robot; a hash space is slower.
 #include <benchmark/benchmark.h>
 
-#include <cstdint>
-#include <random>
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "../test/dynamics3d/world.hpp"
+#include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/treels.hpp"
+#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
 
-constexpr double kSparse = 1.6;  // m2 a robot: diffusion
-constexpr double kDense = 0.1;   // m2 a robot: a crowd
-constexpr int kSubclock = 10;
-constexpr double kStep = 0.01;  // s
+constexpr double kAreaPerRobot = 1.6;  // m2
+constexpr int kWarmUp = 5;             // s, before the bodies are copied
+constexpr int kSettle = 2;             // s, before anything is measured
+constexpr int kFollow = 2;             // s after which the copy is put where the original is
+constexpr int kStepsPerSecond = 100;
+constexpr double kStep = 1.0 / kStepsPerSecond;  // s
 
-/// Footbots in rows, turned at random, each on its own circle.
-std::vector<Row> addFootbots(World& world, int count, double area_each) {
-  const double distance = std::sqrt(area_each);
-  const int columns = static_cast<int>(std::ceil(std::sqrt(count)));
-  std::mt19937 random(1);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
-  std::vector<Row> rows;
-  for (int i = 0; i < count; ++i) {
-    const Pose pose = flatPose(distance * (i % columns), distance * (i / columns), M_PI * unit(random));
-    rows.push_back(world.addFootbot(pose));
-    world.drive(rows.back(), 0.1, unit(random));
-  }
-  return rows;
-}
-
-void benchmarkEngine(benchmark::State& state, double area_each) {
-  const int count = static_cast<int>(state.range(0));
-  World world;
-  addFootbots(world, count, area_each);
-  world.step(5);
-  for (auto _ : state) {
-    world.step();
-  }
-  state.SetItemsProcessed(state.iterations() * count);
-}
-
-/// The same bodies and solids in ODE alone.
-class BareWorld {
- public:
-  explicit BareWorld(World& source) {
-    const Turn turn(seed_);
-    world_ = dWorldCreate();
-    dWorldSetGravity(world_, 0.0, 0.0, -kGravity);
-    dWorldSetCFM(world_, 1e-6);
-    space_ = dHashSpaceCreate(nullptr);
-    joints_ = dJointGroupCreate(0);
-    dCreatePlane(space_, 0.0, 0.0, 1.0, kMargin / 2.0);
-    for (const Row row : source.space.entities.order) {
-      bodies_.push_back(makeBody(world_, source.space, row, Role::kMove));
-      Body& body = *bodies_.back();
-      body.setPose(source.pose(row));
-      body.wheels = source.space.actuation.find<FootbotWheels>(row);
-      const dSpaceID own = dSimpleSpaceCreate(space_);
-      for (Solid& solid : body.solids) {
-        dGeomSetData(solid.geom, &solid);
-        dBodySetData(body.rigid, &body);
-        dSpaceAdd(own, solid.geom);
-      }
+/// The experiment, with its engine at hand. Steps take 10 ms, so the ticks are as long as they have steps.
+struct Diffusion {
+  Diffusion(int robots, int subclock) {
+    loadBuiltInPlugins();
+    const std::string engine_element =
+        "<dynamics3d id='ground'><subclock>" + std::to_string(subclock) + "</subclock></dynamics3d>";
+    const int clocktick_ms = 10 * subclock;
+    Experiment experiment =
+        parseExperiment(diffusionExperiment(robots, kAreaPerRobot, engine_element, clocktick_ms), "diffusion.xml");
+    engine = std::make_shared<Dynamics3d>();
+    engine->configure("ground", experiment.engines.front().parameters);
+    SuppliedParts supplied;
+    supplied.engines["ground"] = engine;
+    simulation = std::make_unique<Simulation>(std::move(experiment), RunContext{}, std::move(supplied));
+    simulation->start();
+    for (int i = 0; i < kWarmUp * kStepsPerSecond / subclock; ++i) {
+      simulation->tick();
     }
   }
-  ~BareWorld() {
+
+  std::shared_ptr<Dynamics3d> engine;
+  std::unique_ptr<Simulation> simulation;
+};
+
+/// A world of the same bodies and solids, with nothing of ours in its steps but where treels push to.
+class RawWorld {
+ public:
+  explicit RawWorld(const Space& source) {
+    const Turn turn(seed_);
+    world_ = dWorldCreate();
+    dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
+    dWorldSetCFM(world_, 1e-6);
+    space_ = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+    joints_ = dJointGroupCreate(0);
+    dCreatePlane(space_, 0.0, 0.0, 1.0, kMargin / 2.0);
+    for (const Row row : source.entities.order) {
+      bodies_.push_back(makeBody(world_, source, row, Role::kMove));
+      addToSpace(*bodies_.back());
+    }
+    follow(source);
+  }
+  ~RawWorld() {
     const Turn turn(seed_);
     bodies_.clear();
     dJointGroupDestroy(joints_);
     dSpaceDestroy(space_);
     dWorldDestroy(world_);
   }
-  BareWorld(const BareWorld&) = delete;
-  BareWorld& operator=(const BareWorld&) = delete;
+  RawWorld(const RawWorld&) = delete;
+  RawWorld& operator=(const RawWorld&) = delete;
 
-  void tick() {
+  /// One tick of `subclock` steps, with the treels of these steps.
+  void tick(const Treels* treels, int subclock) {
     const Turn turn(seed_);
-    for (int i = 0; i < kSubclock; ++i) {
-      for (const auto& body : bodies_) {
-        followCommand(*body, kStep);
+    for (int i = 0; i < subclock; ++i) {
+      for (Body* body : driven_) {
+        body->treels = *treels++;
       }
-      dSpaceCollide(space_, this, &BareWorld::meet);
+      dSpaceCollide(space_, this, &RawWorld::meet);
       dWorldStep(world_, kStep);
       dJointGroupEmpty(joints_);
     }
   }
 
+  /// Puts all bodies where the originals are: with contacts found in another way they do not stay together for ever.
+  void follow(const Space& source) {
+    for (const auto& body : bodies_) {
+      const auto i = static_cast<std::size_t>(body->row);
+      body->setPose(source.entities.pose[i]);
+      if (body->rigid != nullptr) {
+        body->setTwist(source.entities.twist[i]);
+      }
+    }
+  }
+
  private:
+  void addToSpace(Body& body) {
+    const dSpaceID own = dSimpleSpaceCreate(space_);
+    for (Solid& solid : body.solids) {
+      dGeomSetData(solid.geom, &solid);
+      dSpaceAdd(own, solid.geom);
+    }
+    if (body.rigid != nullptr) {
+      dBodySetData(body.rigid, &body);
+    }
+    if (body.model->wheels) {
+      driven_.push_back(&body);
+    }
+  }
+
   static void meet(void* data, dGeomID a, dGeomID b) {
     if (dGeomIsSpace(a) != 0 || dGeomIsSpace(b) != 0) {
-      dSpaceCollide2(a, b, data, &BareWorld::meet);
+      dSpaceCollide2(a, b, data, &RawWorld::meet);
       return;
     }
-    static_cast<BareWorld*>(data)->join(a, b);
+    static_cast<RawWorld*>(data)->join(a, b);
   }
 
   void join(dGeomID a, dGeomID b) {
     if (dGeomGetBody(a) == nullptr) {
       std::swap(a, b);
+    }
+    if (dGeomGetBody(a) == nullptr) {
+      return;  // walls and the ground
     }
     dContactGeom found[4];
     const int count = dCollide(a, b, 4, found, sizeof(dContactGeom));
@@ -111,6 +142,7 @@ class BareWorld {
       contact.geom.depth -= kMargin;
       contact.surface.mode = dContactApprox1 | dContactMotionN;
       contact.surface.mu = settings_.friction;
+      // without a little difference the solver gives up where contacts tie
       contact.surface.motionN = std::min(contact.geom.depth, 0.0) / kStep - 1e-9 * (++number_ % 97);
       const auto* solid = static_cast<const Solid*>(dGeomGetData(a));
       if (solid->kind != Solid::Kind::kPlain) {
@@ -127,26 +159,59 @@ class BareWorld {
   dSpaceID space_ = nullptr;
   dJointGroupID joints_ = nullptr;
   std::vector<std::unique_ptr<Body>> bodies_;
+  std::vector<Body*> driven_;
 };
 
-void benchmarkBareOde(benchmark::State& state, double area_each) {
-  const int count = static_cast<int>(state.range(0));
-  World source;
-  addFootbots(source, count, area_each);
-  BareWorld world(source);
-  for (int i = 0; i < 5; ++i) {
-    world.tick();
+void benchmarkDiffusion(benchmark::State& state) {
+  using Clock = std::chrono::steady_clock;
+  const auto robots = static_cast<int>(state.range(0));
+  const auto subclock = static_cast<int>(state.range(1));
+  Diffusion diffusion(robots, subclock);
+  const Space& space = diffusion.simulation->space();
+  RawWorld raw(space);
+  std::vector<Treels> treels;
+  diffusion.engine->record(&treels);
+  double whole_s = 0.0;
+  double engine_s = 0.0;
+  double alone_s = 0.0;
+  const auto tick = [&] {
+    treels.clear();
+    const auto start = Clock::now();
+    diffusion.simulation->tick();
+    const auto middle = Clock::now();
+    raw.tick(treels.data(), subclock);
+    alone_s += std::chrono::duration<double>(Clock::now() - middle).count();
+    const double seconds = std::chrono::duration<double>(middle - start).count();
+    whole_s += seconds;
+    engine_s += diffusion.simulation->phaseTimes().engines.front();
+    return seconds;
+  };
+  for (int i = 0; i < kSettle * kStepsPerSecond / subclock; ++i) {
+    tick();
   }
+  whole_s = 0.0;
+  engine_s = 0.0;
+  alone_s = 0.0;
+  int ticks = 0;
   for (auto _ : state) {
-    world.tick();
+    if (++ticks % (kFollow * kStepsPerSecond / subclock) == 0) {
+      raw.follow(space);
+    }
+    state.SetIterationTime(tick());
   }
-  state.SetItemsProcessed(state.iterations() * count);
+  state.SetItemsProcessed(state.iterations() * robots);
+  state.counters["against_library"] = alone_s / whole_s;
+  state.counters["engine_alone"] = alone_s / engine_s;
 }
 
-BENCHMARK_CAPTURE(benchmarkEngine, sparse, kSparse)->ArgName("robots")->Arg(10)->Arg(100)->Arg(1000);
-BENCHMARK_CAPTURE(benchmarkBareOde, sparse, kSparse)->ArgName("robots")->Arg(10)->Arg(100)->Arg(1000);
-BENCHMARK_CAPTURE(benchmarkEngine, dense, kDense)->ArgName("robots")->Arg(10)->Arg(100);
-BENCHMARK_CAPTURE(benchmarkBareOde, dense, kDense)->ArgName("robots")->Arg(10)->Arg(100);
+void sizes(benchmark::internal::Benchmark* benchmark) {
+  for (const int subclock : {10, 1}) {
+    benchmark->Args({10, subclock})->Args({100, subclock})->Args({1000, subclock});
+  }
+  benchmark->ArgNames({"robots", "subclock"})->UseManualTime()->Unit(benchmark::kMicrosecond);
+}
+
+BENCHMARK(benchmarkDiffusion)->Apply(sizes);
 
 }  // namespace
 }  // namespace swarmanoid::dynamics3d

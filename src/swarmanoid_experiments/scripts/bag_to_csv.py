@@ -20,7 +20,8 @@ import rosbag  # noqa: E402
 
 
 KINDS = ("attached", "released", "controller_failed", "left_arena", "overflow", "spawned", "deleted", "moved",
-         "intervention", "finished", "handed_over", "handover_refused")
+         "intervention", "finished", "handed_over", "handover_refused",
+         "engine_trouble")
 
 
 def yaw(q):

@@ -28,6 +28,8 @@ const char* toString(Event::Kind kind) {
       return "handed_over";
     case Event::Kind::kHandoverRefused:
       return "handover_refused";
+    case Event::Kind::kEngineTrouble:
+      return "engine_trouble";
   }
   return "event";
 }

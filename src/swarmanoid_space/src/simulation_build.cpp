@@ -59,6 +59,7 @@ void Simulation::buildEngines() {
     }
     cast_->engines.back()->takeTerrain(experiment_.arena.terrain);
     space_.engines.push_back(cast_->engines.back().get());
+    engine_parameters_.push_back(description.parameters);
   }
 }
 

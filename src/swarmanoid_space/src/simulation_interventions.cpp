@@ -120,6 +120,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
     space_.seed = *seed;
     experiment_.framework.seed = *seed;
   }
+  restoreEngineParameters();
   build();
   for (const auto& visualisation : cast_->visualisations) {
     visualisation->reset();

@@ -2,6 +2,7 @@
 /// structural tree an entity is part of.
 #pragma once
 
+#include <sstream>
 #include <string>
 
 #include "swarmanoid_space/space.hpp"
@@ -16,6 +17,13 @@ inline void reportGrip(Space& space, Event::Kind kind, Row gripper, Row gripped,
   const auto& names = space.entities.name;
   space.events.push_back(
       {kind, names[static_cast<std::size_t>(gripper)], names[static_cast<std::size_t>(gripped)], text});
+}
+
+/// The text of the event in which a grip ends that was pulled too hard. @param strength [N]
+inline std::string tornText(double strength) {
+  std::ostringstream text;
+  text << "torn off: pulled with more than " << strength << " N";
+  return text.str();
 }
 
 /// Calls visit(gripper, gripped) with the rows of every grip that an entity has, or is held by.

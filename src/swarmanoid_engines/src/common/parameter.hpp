@@ -28,4 +28,10 @@ inline Parameter makeNumber(const std::string& name, const std::string& unit, do
   return makeParameter(name, Parameter::Type::kNumber, unit, text.str(), description, range);
 }
 
+/// One that may change while an experiment runs. @see Engine::reconfigure
+inline Parameter live(Parameter parameter) {
+  parameter.is_live = true;
+  return parameter;
+}
+
 }  // namespace swarmanoid

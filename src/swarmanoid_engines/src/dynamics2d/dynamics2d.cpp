@@ -1,6 +1,9 @@
 // What the engine is told between ticks.
 #include "dynamics2d/dynamics2d.hpp"
 
+#include <box2d/b2_contact.h>
+#include <box2d/b2_fixture.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +17,35 @@ constexpr Range kForceRange{0.0, 1e6};
 constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kFractionRange{0.0, 1.0};
 constexpr Range kIterationsRange{1.0, 1000.0};
-constexpr std::int64_t kIterations = 8;
+
+std::vector<Parameter> materialParameters() {
+  const Material standard;
+  return {makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations),
+                        "Of the solver of contacts and joints, in each step.", kIterationsRange),
+          makeNumber("gravity", "m/s2", standard.gravity, kForceRange, "Presses bodies on the plane."),
+          makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
+                     "Coefficient of what slides on the plane."),
+          makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
+                     "Coefficient of treels on the plane: beyond it they slip."),
+          makeNumber("contact_friction", "", standard.contact_friction, kFrictionRange, "Coefficient between bodies."),
+          makeNumber("restitution", "", standard.restitution, kFractionRange,
+                     "Part of the speed that bodies bounce back with."),
+          makeNumber("grip_strength", "N", standard.grip_strength, kForceRange, "A grip tears beyond this force.")};
+}
+
+Material readMaterial(const Configuration& parameters) {
+  const Material standard;
+  Material result;
+  result.iterations =
+      static_cast<int>(parameters.integer("iterations", std::int64_t{standard.iterations}, kIterationsRange));
+  result.gravity = parameters.number("gravity", standard.gravity, kForceRange);
+  result.ground_friction = parameters.number("ground_friction", standard.ground_friction, kFrictionRange);
+  result.treel_friction = parameters.number("treel_friction", standard.treel_friction, kFrictionRange);
+  result.contact_friction = parameters.number("contact_friction", standard.contact_friction, kFrictionRange);
+  result.restitution = parameters.number("restitution", standard.restitution, kFractionRange);
+  result.grip_strength = parameters.number("grip_strength", standard.grip_strength, kForceRange);
+  return result;
+}
 
 /// Box2D cannot hold shapes without extent, and integrates nothing without mass.
 std::string problemWithModel(const EntityModel& model) {
@@ -47,33 +78,33 @@ PluginDescription Dynamics2d::describe() {
   description.label = "dynamics2d";
   description.summary = "Two-dimensional rigid bodies on Box2D: masses, friction, force-limited drives, any grips.";
   description.parameters = placementParameters();
-  const Material standard;
-  const std::vector<Parameter> own = {
-      makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(kIterations),
-                    "Of the solver of contacts and joints, in each step.", kIterationsRange),
-      makeNumber("gravity", "m/s2", standard.gravity, kForceRange, "Presses bodies on the plane."),
-      makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
-                 "Coefficient of what slides on the plane."),
-      makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
-                 "Coefficient of treels on the plane: beyond it they slip."),
-      makeNumber("contact_friction", "", standard.contact_friction, kFrictionRange, "Coefficient between bodies."),
-      makeNumber("restitution", "", standard.restitution, kFractionRange,
-                 "Part of the speed that bodies bounce back with."),
-      makeNumber("grip_strength", "N", standard.grip_strength, kForceRange, "A grip tears beyond this force.")};
-  description.parameters.insert(description.parameters.end(), own.begin(), own.end());
+  for (const Parameter& own : materialParameters()) {
+    description.parameters.push_back(live(own));
+  }
   return description;
 }
 
 void Dynamics2d::configure(const std::string& id, const Configuration& parameters) {
   PlanarEngine::configure(id, parameters);
-  velocity_iterations_ = static_cast<int>(parameters.integer("iterations", kIterations, kIterationsRange));
-  const Material standard;
-  material_.gravity = parameters.number("gravity", standard.gravity, kForceRange);
-  material_.ground_friction = parameters.number("ground_friction", standard.ground_friction, kFrictionRange);
-  material_.treel_friction = parameters.number("treel_friction", standard.treel_friction, kFrictionRange);
-  material_.contact_friction = parameters.number("contact_friction", standard.contact_friction, kFrictionRange);
-  material_.restitution = parameters.number("restitution", standard.restitution, kFractionRange);
-  material_.grip_strength = parameters.number("grip_strength", standard.grip_strength, kForceRange);
+  material_ = readMaterial(parameters);
+}
+
+void Dynamics2d::reconfigure(const Configuration& parameters) {
+  material_ = readMaterial(parameters);
+  for (const BodyIndex index : bodies_.order()) {
+    for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
+      fixture->SetFriction(static_cast<float>(material_.contact_friction));
+      fixture->SetRestitution(static_cast<float>(material_.restitution));
+    }
+    dropBelt(rigid(index));  // the next tick makes another
+  }
+  for (b2Contact* contact = world_->GetContactList(); contact != nullptr; contact = contact->GetNext()) {
+    contact->ResetFriction();
+    contact->ResetRestitution();
+  }
+  for (const BodyIndex index : movers_) {
+    setGroundFriction(index);
+  }
 }
 
 std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {

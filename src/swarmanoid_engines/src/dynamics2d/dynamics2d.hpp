@@ -29,8 +29,9 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// Parameters of the engine; SI units.
+/// Parameters of the engine, all of which may change live; SI units.
 struct Material {
+  int iterations = 8;             ///< of the solver of contacts and joints, in each step
   double gravity = 9.81;          ///< that presses on the plane [m/s2]
   double ground_friction = 0.4;   ///< of what slides
   double treel_friction = 0.9;    ///< of treels
@@ -45,6 +46,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   static PluginDescription describe();
 
   void configure(const std::string& id, const Configuration& parameters) override;
+  void reconfigure(const Configuration& parameters) override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
   std::string gripRefusal(const Space&, Row) const override { return ""; }
@@ -81,6 +83,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   // motion.cpp
   void startTick(const Space& space, double step);
   void meetGround(BodyIndex index);
+  void setGroundFriction(BodyIndex index);
   bool mayTunnel(BodyIndex index, double step) const;
   void finishTick(Space& space);
 
@@ -117,7 +120,6 @@ class Dynamics2d final : public planar::PlanarEngine {
   void tearGrips(double step);
 
   Material material_;
-  int velocity_iterations_ = 8;
   double last_step_ = 0.1;               // [s]
   std::vector<RigidBody> rigid_bodies_;  // by body
   std::vector<BodyIndex> movers_;        // what Box2D moves, by entity number

@@ -19,7 +19,7 @@ void Dynamics2d::connect(Space& space) {
     }
     Grip& grip = rigid(index).grip;
     if (grip.is_torn) {
-      reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row, "torn off");
+      reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row, tornText(material_.grip_strength));
       space.structure.release(body.row);
       grip = Grip{};
       grip.must_open = true;

@@ -25,7 +25,7 @@ void Dynamics2d::move(Space& space, Duration dt) {
   }
   for (int i = 1; i <= subclock_; ++i) {
     driveTurrets(step);
-    world_->Step(static_cast<float>(step), velocity_iterations_, kPositionIterations);
+    world_->Step(static_cast<float>(step), material_.iterations, kPositionIterations);
     if (recorded_pushes_ != nullptr) {
       recordBelts(step);
     }
@@ -79,17 +79,26 @@ void Dynamics2d::meetGround(BodyIndex index) {
   if (body.wheels != nullptr || body.flight != nullptr) {
     return;
   }
-  // pressed evenly on a disc that is as wide as the body, friction resists turning on two thirds of its radius
-  const double force = material_.ground_friction * its.mass * material_.gravity;
   b2FrictionJointDef definition;
   definition.bodyA = ground_;
   definition.bodyB = its.body;
   definition.localAnchorA = its.body->GetWorldCenter();
   definition.localAnchorB = its.body->GetLocalCenter();
-  definition.maxForce = static_cast<float>(force * kUnitsPerMetre);
-  definition.maxTorque = static_cast<float>(force * 2.0 / 3.0 * body.model->radius * kSquareUnits);
   definition.collideConnected = true;
-  world_->CreateJoint(&definition);
+  rigid(index).ground = static_cast<b2FrictionJoint*>(world_->CreateJoint(&definition));
+  setGroundFriction(index);
+}
+
+void Dynamics2d::setGroundFriction(BodyIndex index) {
+  const RigidBody& its = rigid(index);
+  if (its.ground == nullptr) {
+    return;
+  }
+  // pressed evenly on a disc that is as wide as the body, friction resists turning on two thirds of its radius
+  const double force = material_.ground_friction * its.mass * material_.gravity;
+  const double radius = bodies_[index].model->radius;
+  its.ground->SetMaxForce(static_cast<float>(force * kUnitsPerMetre));
+  its.ground->SetMaxTorque(static_cast<float>(force * 2.0 / 3.0 * radius * kSquareUnits));
 }
 
 void Dynamics2d::finishTick(Space& space) {

@@ -67,6 +67,7 @@ struct RigidBody {
   Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();  ///< in each step of this tick, at heading 0 [m]
   double thickness = 0.0;                                    ///< half the thickness of the thickest shape [m]
   b2Vec2 last_push{0.0F, 0.0F};                              ///< of plain forces in the last step, in Box2D's units
+  b2FrictionJoint* ground = nullptr;                         ///< with the ground, of what slides
 
   bool isConnected() const { return grip.joint != nullptr || held_by > 0; }
   bool isFree() const { return touching == 0 && !isConnected(); }

@@ -1,6 +1,4 @@
 // Phase `connect`: hands, magnets and ropes take hold and let go; what they hold stands in the space's attachments.
-#include <sstream>
-
 #include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/rope.hpp"
@@ -24,11 +22,7 @@ Vector3d inBody(const Body& body, const Vector3d& point) {
   return body.pose.orientation.conjugate() * (point - body.pose.position);
 }
 
-std::string brokenText(Kind kind, double strength) {
-  std::ostringstream text;
-  text << toString(kind) << ": it was pulled with more than " << strength << " N";
-  return text.str();
-}
+std::string brokenText(Kind kind, double strength) { return std::string(toString(kind)) + ": " + tornText(strength); }
 
 }  // namespace
 

@@ -15,6 +15,22 @@ constexpr int kMostFound = 16;         // contacts between two solids
 constexpr int kMostUsed = 4;           // of them, and of those with rough ground: three hold a surface on another
 constexpr double kBounceSpeed = 0.02;  // m/s: what comes slower does not bounce
 
+// A mirror gives way to nothing. What it crushes against a wall must not be held with more than some hundred newtons:
+// in forces without a limit a contact that is found a little beside the right place spins a body like a top.
+constexpr double kMirrorSoftness = 1e-3;  // m/s per N
+
+bool isMirror(const Body* body) { return body != nullptr && body->rigid != nullptr && !body->is_dynamic; }
+
+/// Of what was put upon each other, solids find ways out that contradict each other, or that lead into the ground. It
+/// goes apart along the line between the two, on the level. @param into_a the contact's normal
+Eigen::Vector3d wayOut(const Body& a, const Body& b, double depth, const Eigen::Vector3d& into_a) {
+  constexpr double kDeep = 5e-3;  // m: no motion leads there
+  constexpr double kSame = 1e-6;  // m
+  Eigen::Vector3d way = toVector(dBodyGetPosition(a.rigid)) - toVector(dBodyGetPosition(b.rigid));
+  way.z() = 0.0;
+  return depth < kDeep || way.norm() < kSame ? into_a : way.normalized();
+}
+
 bool areJoined(const Body& a, const Body& b) { return a.grip.gripped == &b || b.grip.gripped == &a; }
 
 Eigen::AlignedBox3d boxAround(dGeomID geom) {
@@ -184,7 +200,12 @@ void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, con
   contact.geom = geometry;
   contact.surface.mode = dContactApprox1;
   contact.surface.mu = settings_.friction;
-  const Eigen::Vector3d normal = toVector(geometry.normal);
+  if (b != nullptr && (isMirror(&a) || isMirror(b))) {
+    Eigen::Map<Eigen::Vector3d>(contact.geom.normal) = wayOut(a, *b, geometry.depth, toVector(geometry.normal));
+    contact.surface.mode |= dContactSoftCFM;
+    contact.surface.soft_cfm = kMirrorSoftness;
+  }
+  const Eigen::Vector3d normal = toVector(contact.geom.normal);
   if (settings_.restitution > 0.0) {
     dVector3 velocity_a = {};
     dVector3 velocity_b = {};

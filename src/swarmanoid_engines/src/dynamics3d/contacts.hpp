@@ -24,6 +24,8 @@ class Contacts {
 
   /// @param ground used where it is rough; elsewhere `settings` says what there is. @pre a Turn is held
   void configure(dWorldID world, const Settings& settings, const GroundSurface& ground);
+  /// Other surfaces from now on; the ground stays where it is.
+  void reconfigure(const Settings& settings) { settings_ = settings; }
   /// Gives everything back to ODE. @pre a Turn is held
   void release();
 

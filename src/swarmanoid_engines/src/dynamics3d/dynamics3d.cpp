@@ -187,6 +187,8 @@ void Dynamics3d::destroyWorld() {
     world_ = nullptr;
   }
   seed_ = 0;
+  counts_ = SolverCounts{};
+  has_told_trouble_ = false;
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -12,7 +12,8 @@
 /// Entities at rest on the ground keep their height to a few micrometres.
 ///
 /// ODE's exact solver gives up now and then where contacts tie. Such a step is done again with ties broken otherwise, a
-/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing.
+/// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
+/// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
 /// Terrain is ground as the level one is, and takes its place in its rectangle (ground_contacts.hpp).
 ///
@@ -20,6 +21,7 @@
 /// answers for it. ODE itself is not asked, so any number of threads may cast rays.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -33,6 +35,13 @@ namespace swarmanoid::dynamics3d {
 
 class Dynamics3d final : public Engine {
  public:
+  /// What the solver did since the world was made or cleared.
+  struct SolverCounts {
+    std::uint64_t steps = 0;
+    std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
+    std::uint64_t iterative = 0;  ///< of them, those that the iterative solver made in the end
+  };
+
   static PluginDescription describe();
 
   Dynamics3d() = default;
@@ -41,6 +50,7 @@ class Dynamics3d final : public Engine {
   Dynamics3d& operator=(const Dynamics3d&) = delete;
 
   void configure(const std::string& id, const Configuration& parameters) override;
+  void reconfigure(const Configuration& parameters) override;
   void takeTerrain(const std::shared_ptr<const Terrain>& terrain) override;
   std::string clocktickRefusal(Duration clocktick) const override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
@@ -59,6 +69,12 @@ class Dynamics3d final : public Engine {
   bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
+  EngineHealth health() const override;
+  const SolverCounts& solverCounts() const { return counts_; }
+
+  /// Notes what the treels of every footbot do from now on, by step and entity number; null: no longer. For comparisons
+  /// with ODE alone.
+  void record(std::vector<Treels>* treels) { recorded_treels_ = treels; }
 
  private:
   Body* find(Row row) const {
@@ -76,6 +92,7 @@ class Dynamics3d final : public Engine {
   bool solveExactly(double step);
   void makeRopeJoints(double step);
   void finishTick(Space& space);
+  void tellTrouble(Space& space);
 
   // attaching.cpp
   struct Surface {
@@ -116,6 +133,9 @@ class Dynamics3d final : public Engine {
   std::vector<Body*> order_;        // by entity number
   std::vector<Body*> newcomers_;    // since findLateDevices
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
+  SolverCounts counts_;
+  bool has_told_trouble_ = false;
+  std::vector<Treels>* recorded_treels_ = nullptr;
 };
 
 }  // namespace swarmanoid::dynamics3d

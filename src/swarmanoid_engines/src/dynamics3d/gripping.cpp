@@ -2,7 +2,6 @@
 // and may break.
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
@@ -24,6 +23,7 @@ double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
 
 void Dynamics3d::connect(Space& space) {
   const Turn turn(seed_);
+  tellTrouble(space);
   for (Body* body : order_) {
     if (body->is_dynamic) {
       connectAttachments(space, *body);
@@ -33,9 +33,7 @@ void Dynamics3d::connect(Space& space) {
     }
     Grip& grip = body->grip;
     if (grip.is_broken) {
-      std::ostringstream why;
-      why << "the grip broke: it was pulled with more than " << settings_.grip_strength << " N";
-      release(space, *body, why.str());
+      release(space, *body, tornText(settings_.grip_strength));
       grip.must_open = true;
     }
     if (!body->gripper->closed) {

@@ -49,6 +49,9 @@ void Dynamics3d::stepOnce(double step) {
     }
     if (body->model->wheels) {
       followCommand(*body, step);
+      if (recorded_treels_ != nullptr) {
+        recorded_treels_->push_back(body->treels);
+      }
     }
     // hanging by its magnet an eyebot saves its battery
     if (body->velocity != nullptr &&
@@ -61,7 +64,10 @@ void Dynamics3d::stepOnce(double step) {
     }
     driveTurret(*body, contacts_, step);
   }
-  if (settings_.solver == Settings::Solver::kIterative || !solveExactly(step)) {
+  ++counts_.steps;
+  const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
+  if (is_iterative || !solveExactly(step)) {
+    counts_.iterative += is_iterative ? 0 : 1;
     contacts_.make(order_, step, 0);
     makeRopeJoints(step);
     dWorldQuickStep(world_, step);
@@ -87,6 +93,7 @@ bool Dynamics3d::solveExactly(double step) {
     if (solverFailures() == failures) {
       return true;
     }
+    counts_.redone += attempt == 0 ? 1 : 0;
     // what is left then is a step in which some contacts hold nothing
     for (Body* body : order_) {
       body->restoreState();
@@ -101,6 +108,28 @@ void Dynamics3d::makeRopeJoints(double step) {
       makeRopeJoint(world_, contacts_.joints(), *body, step);
     }
   }
+}
+
+void Dynamics3d::tellTrouble(Space& space) {
+  if (counts_.iterative > 0 && !has_told_trouble_) {
+    has_told_trouble_ = true;
+    space.events.push_back({Event::Kind::kEngineTrouble, "", "",
+                            "dynamics3d '" + id_ +
+                                "': the exact solver gave up, the iterative one made the step; from now on this is "
+                                "only counted"});
+  }
+}
+
+EngineHealth Dynamics3d::health() const {
+  EngineHealth health;
+  health.steps_per_tick = settings_.subclock;
+  health.counters = {{"steps", std::to_string(counts_.steps)},
+                     {"steps redone", std::to_string(counts_.redone)},
+                     {"steps left to the iterative solver", std::to_string(counts_.iterative)}};
+  if (counts_.iterative > 0) {
+    health.warning = "the exact solver gave up in " + std::to_string(counts_.iterative) + " steps";
+  }
+  return health;
 }
 
 void Dynamics3d::finishTick(Space& space) {

@@ -12,42 +12,9 @@ constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kRestitutionRange{0.0, 1.0};
 constexpr Range kStrengthRange{0.0, 1e6};
 
-}  // namespace
-
-PluginDescription Dynamics3d::describe() {
-  using Type = Parameter::Type;
-  const Settings standard;
-  PluginDescription description;
-  description.label = "dynamics3d";
-  description.summary = "Three-dimensional dynamics: masses, forces, friction, gravity, grips that break, flight.";
-  Parameter solver = makeParameter("solver", Type::kChoice, "", "exact", "How forces are found in each step.");
-  solver.choices = {"exact", "iterative"};
-  description.parameters = {
-      makeParameter("subclock", Type::kInteger, "", "10", "Steps of the engine in each tick; none may be over 10 ms.",
-                    kSubclockRange),
-      solver,
-      makeParameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.", kIterationsRange),
-      makeNumber("gravity", "m/s2", standard.gravity, kGravityRange, "Downwards along z."),
-      makeParameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
-      makeNumber("ground_height", "m", standard.ground_height, {}, "Of the ground."),
-      makeNumber("friction", "", standard.friction, kFrictionRange, "Of all surfaces but the treels'."),
-      makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange, "Of treels on what they stand on."),
-      makeNumber("restitution", "", standard.restitution, kRestitutionRange,
-                 "How much of an impact's speed comes back."),
-      makeNumber("grip_strength", "N", standard.grip_strength, kStrengthRange, "The force that opens a gripper."),
-      makeNumber("suction_strength", "N", standard.suction_strength, kStrengthRange,
-                 "The force that pulls a handbot's hand off what it holds."),
-      makeNumber("rope_strength", "N", standard.rope_strength, kStrengthRange,
-                 "The force that pulls the magnet of a handbot's rope off."),
-      makeNumber("magnet_strength", "N", standard.magnet_strength, kStrengthRange,
-                 "The force that pulls an eyebot's magnet off.")};
-  return description;
-}
-
-void Dynamics3d::configure(const std::string& id, const Configuration& parameters) {
-  id_ = id;
+Settings readSettings(const Configuration& parameters) {
   const Settings fallback;
-  Settings& s = settings_;
+  Settings s;
   s.subclock = static_cast<int>(parameters.integer("subclock", std::int64_t{fallback.subclock}, kSubclockRange));
   s.iterations =
       static_cast<int>(parameters.integer("iterations", std::int64_t{fallback.iterations}, kIterationsRange));
@@ -66,6 +33,65 @@ void Dynamics3d::configure(const std::string& id, const Configuration& parameter
   s.suction_strength = parameters.number("suction_strength", fallback.suction_strength, kStrengthRange);
   s.rope_strength = parameters.number("rope_strength", fallback.rope_strength, kStrengthRange);
   s.magnet_strength = parameters.number("magnet_strength", fallback.magnet_strength, kStrengthRange);
+  return s;
+}
+
+}  // namespace
+
+PluginDescription Dynamics3d::describe() {
+  using Type = Parameter::Type;
+  const Settings standard;
+  PluginDescription description;
+  description.label = "dynamics3d";
+  description.summary = "Three-dimensional dynamics: masses, forces, friction, gravity, grips that break, flight.";
+  Parameter solver = makeParameter("solver", Type::kChoice, "", "exact", "How forces are found in each step.");
+  solver.choices = {"exact", "iterative"};
+  description.parameters = {
+      makeParameter("subclock", Type::kInteger, "", "10", "Steps of the engine in each tick; none may be over 10 ms.",
+                    kSubclockRange),
+      solver,
+      live(makeParameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.",
+                         kIterationsRange)),
+      live(makeNumber("gravity", "m/s2", standard.gravity, kGravityRange, "Downwards along z.")),
+      makeParameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
+      makeNumber("ground_height", "m", standard.ground_height, {}, "Of the ground."),
+      live(makeNumber("friction", "", standard.friction, kFrictionRange, "Of all surfaces but the treels'.")),
+      live(makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
+                      "Of treels on what they stand on.")),
+      live(makeNumber("restitution", "", standard.restitution, kRestitutionRange,
+                      "How much of an impact's speed comes back.")),
+      live(makeNumber("grip_strength", "N", standard.grip_strength, kStrengthRange, "The force that opens a gripper.")),
+      live(makeNumber("suction_strength", "N", standard.suction_strength, kStrengthRange,
+                      "The force that pulls a handbot's hand off what it holds.")),
+      live(makeNumber("rope_strength", "N", standard.rope_strength, kStrengthRange,
+                      "The force that pulls the magnet of a handbot's rope off.")),
+      live(makeNumber("magnet_strength", "N", standard.magnet_strength, kStrengthRange,
+                      "The force that pulls an eyebot's magnet off."))};
+  return description;
+}
+
+void Dynamics3d::configure(const std::string& id, const Configuration& parameters) {
+  id_ = id;
+  settings_ = readSettings(parameters);
+}
+
+void Dynamics3d::reconfigure(const Configuration& parameters) {
+  const Settings wanted = readSettings(parameters);
+  settings_.iterations = wanted.iterations;
+  settings_.gravity = wanted.gravity;
+  settings_.friction = wanted.friction;
+  settings_.treel_friction = wanted.treel_friction;
+  settings_.restitution = wanted.restitution;
+  settings_.grip_strength = wanted.grip_strength;
+  settings_.suction_strength = wanted.suction_strength;
+  settings_.rope_strength = wanted.rope_strength;
+  settings_.magnet_strength = wanted.magnet_strength;
+  if (world_ != nullptr) {
+    const Turn turn(seed_);
+    dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
+    dWorldSetQuickStepNumIterations(world_, settings_.iterations);
+    contacts_.reconfigure(settings_);
+  }
 }
 
 }  // namespace swarmanoid::dynamics3d

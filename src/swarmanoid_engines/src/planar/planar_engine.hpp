@@ -22,6 +22,7 @@ class PlanarEngine : public Engine {
   bool mayMeet(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
+  EngineHealth health() const override { return {subclock_, "", {}}; }
 
  protected:
   /// subclock, perpendicular_axis and distance.

@@ -68,7 +68,7 @@ TEST(CrowdTest, StaysInItsBoxAtBoundedSpeeds) {
     }
     for (const Event& event : crowd.world.space.events) {
       grips += event.kind == Event::Kind::kAttached ? 1 : 0;
-      torn += event.text == "torn off" ? 1 : 0;
+      torn += event.text == "torn off: pulled with more than 15 N" ? 1 : 0;
     }
   }
   EXPECT_LT(fastest, 2.0);

@@ -145,7 +145,7 @@ TEST(GrippingTest, WhatWasTornOffIsGrippedAgainOnlyAfterOpening) {
   world.step();
   ASSERT_EQ(world.space.events.size(), 1U);
   EXPECT_EQ(world.space.events[0].kind, Event::Kind::kReleased);
-  EXPECT_EQ(world.space.events[0].text, "torn off");
+  EXPECT_EQ(world.space.events[0].text, "torn off: pulled with more than 5 N");
   world.drive(footbot, 0.0);
   world.step(3);
   EXPECT_EQ(world.space.structure.grippedBy(footbot), kNoRow);

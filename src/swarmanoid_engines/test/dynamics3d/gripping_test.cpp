@@ -163,7 +163,7 @@ TEST(GrippingTest, AGripBreaksBeyondItsStrengthAndMustBeOpenedFirst) {
       why = event.kind == Event::Kind::kReleased ? event.text : "";
     }
   }
-  EXPECT_EQ(why, "the grip broke: it was pulled with more than 10 N");
+  EXPECT_EQ(why, "torn off: pulled with more than 10 N");
   EXPECT_EQ(pair.gripped(), kNoRow);
   world.drive(pair.footbot, 0.0);
   world.step(5);

@@ -176,7 +176,7 @@ TEST(RopeTest, IsTornOffAtTheStatedForce) {
     weak.step();
     text = weak.space.events.empty() ? "" : weak.space.events[0].text;
   }
-  EXPECT_EQ(text.rfind("rope: it was pulled with more than ", 0), 0U) << text;
+  EXPECT_EQ(text.rfind("rope: torn off: pulled with more than ", 0), 0U) << text;
   EXPECT_FALSE(weak.space.attachments.isAttached(falls));
   weak.step(50);
   EXPECT_FALSE(weak.space.attachments.isAttached(falls));  // until it was called back

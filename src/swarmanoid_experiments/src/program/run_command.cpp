@@ -87,6 +87,9 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
   for (std::size_t i = 0; i < total.engines.size(); ++i) {
     print("engine '" + space.engines[i]->id() + "'", total.engines[i]);
+    for (const auto& [name, count] : space.engines[i]->health().counters) {
+      std::fprintf(stderr, "  %s: %s\n", name.c_str(), count.c_str());
+    }
   }
 }
 

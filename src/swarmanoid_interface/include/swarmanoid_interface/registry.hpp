@@ -42,6 +42,7 @@ struct Parameter {
   std::optional<std::string> value;  ///< the default, as it would stand in the file; none: must be given
   Range range;
   std::vector<std::string> choices;
+  bool is_live = false;  ///< engines: may change while an experiment runs
 };
 
 /// What a plugin says of itself.

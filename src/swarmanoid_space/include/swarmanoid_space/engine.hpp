@@ -6,9 +6,8 @@
 /// `pose`, `twist` and `joints` of the entities it moves (in `move`), the structural tree, attachments and events (in
 /// `connect`).
 ///
-/// Phases   configure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`. connect:
-/// `connect`.
-///          mayMeet, castRays, draw: any time but during `move`.
+/// Phases   configure, reconfigure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`.
+///          connect: `connect`. mayMeet, castRays, draw, health: any time but during `move`.
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
@@ -24,6 +23,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -39,12 +39,24 @@ namespace swarmanoid {
 
 class Space;
 
+/// What an engine tells those who watch over it. Not part of the state: nothing in the run may depend on it.
+struct EngineHealth {
+  int steps_per_tick = 1;
+  std::string warning;                                        ///< what somebody should know; "": all is well
+  std::vector<std::pair<std::string, std::string>> counters;  ///< name and value, since the run began
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
 
   /// @throws ConfigError
   virtual void configure(const std::string& id, const Configuration& parameters) = 0;
+
+  /// Takes new values of the parameters that its description marks as live; all others are as in `configure`. Between
+  /// ticks, with entities in place: from the next tick on it works with them.
+  /// @throws ConfigError; then it keeps the old
+  virtual void reconfigure(const Configuration& /*parameters*/) {}
 
   /// Why this engine cannot run with ticks of that length; "" if it can. Asked once, before entities are added.
   virtual std::string clocktickRefusal(Duration /*clocktick*/) const { return ""; }
@@ -111,6 +123,9 @@ class Engine {
 
   /// Shows people what the engine works with. Allocates; called on request only.
   virtual void draw(EngineDrawing& /*drawing*/) const {}
+
+  /// Likewise, in words and numbers.
+  virtual EngineHealth health() const { return {}; }
 
   const std::string& id() const { return id_; }
 

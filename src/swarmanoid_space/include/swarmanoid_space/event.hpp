@@ -20,8 +20,9 @@ struct Event {
     kMoved,         ///< put elsewhere from outside
     kIntervention,  ///< anything else that came from outside
     kFinished,
-    kHandedOver,      ///< another engine moves `entity` from now on; the text says which
-    kHandoverRefused  ///< a rule asked for it, and `entity` stays where it is; the text says why
+    kHandedOver,       ///< another engine moves `entity` from now on; the text says which
+    kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why
+    kEngineTrouble     ///< an engine had to make do with something worse than its method; the text says which and what
   };
 
   Kind kind;

@@ -9,9 +9,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/experiment.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "swarmanoid_space/visualisation.hpp"
@@ -32,6 +34,9 @@ struct PhaseTimes {
   PhaseTimes& operator+=(const PhaseTimes& other);
 };
 
+/// Names of parameters, and values as they would stand in the experiment file.
+using NamedValues = std::vector<std::pair<std::string, std::string>>;
+
 /// A robot whose controller threw, or commanded a number that is none.
 struct ControllerFailure {
   std::string robot;
@@ -43,6 +48,15 @@ struct ControllerFailure {
 struct SuppliedParts {
   std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
   std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
+};
+
+/// An engine as those see it who watch over a run.
+struct EngineReport {
+  std::string id;
+  std::string label;
+  std::size_t moved = 0;     ///< entities that it moves
+  std::size_t mirrored = 0;  ///< entities that it keeps a mirror of
+  EngineHealth health;
 };
 
 struct Seat;  // one engine that holds an entity, and its role there (src/cast.hpp)
@@ -74,6 +88,11 @@ class Simulation {
   std::size_t robotCount() const;
   std::uint64_t stateHash() const { return swarmanoid::stateHash(space_); }
   Metrics metrics() const;
+  /// In the order of Space::engines. Allocates.
+  std::vector<EngineReport> engineReports() const;
+  /// The values that an engine works with: those of the file, and what was set since.
+  /// @throws ConfigError if there is no such engine
+  const Configuration& engineParameters(const std::string& engine) const;
   /// What the visualisations that judge it agree on; nothing if none judges.
   std::optional<bool> success() const;
 
@@ -98,7 +117,12 @@ class Simulation {
   /// @throws ConfigError (unknown name, or one of them is fixed, misplaced, in the way of something else or beyond what
   /// the engine can simulate); then nothing has changed
   void handover(const std::string& name, const std::string& engine);
-  /// Back to the state before tick 0: spawned, deleted and handed over entities included. `seed` replaces the
+  /// Gives parameters of an engine new values, as they would stand in the experiment file. The engine works with them
+  /// from the next tick on. What is given the value that it has changes nothing and is no event.
+  /// @throws ConfigError (unknown engine or parameter, one that is not live, a bad value); then nothing has changed
+  void setEngineParameters(const std::string& engine, const NamedValues& values);
+  /// Back to the state before tick 0: spawned, deleted and handed over entities included, and parameters of engines as
+  /// in the file. `seed` replaces the
   /// experiment's if given. Space::time_before_reset grows so that ROS time keeps rising, unless `rewind` sets it back
   /// to 0.
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
@@ -115,6 +139,9 @@ class Simulation {
   void distribute(const EntityDescription& group);
   void stopFailedRobots();
   void unbuild();
+  void restoreEngineParameters();
+  /// Its place in the experiment. @throws ConfigError if there is none
+  std::size_t engineIndex(const std::string& id) const;
   std::vector<Seat> seatsOf(const std::string& entity) const;
   void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                       const std::vector<Seat>& seats) const;
@@ -128,6 +155,7 @@ class Simulation {
   SuppliedParts supplied_;
   Space space_;
   std::unique_ptr<Cast> cast_;
+  std::vector<Configuration> engine_parameters_;  // as of now, in the order of Space::engines
   PhaseTimes phase_times_;
   std::vector<ControllerFailure> failures_;
   std::vector<Event> pending_events_;

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <thread>
 
+#include "engine_diagnostics.hpp"
+#include "engine_parameters.hpp"
 #include "exit_code.hpp"
 #include "recorder.hpp"
 #include "run_result.hpp"
@@ -57,6 +59,8 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::unique_ptr<SimulationThread> thread_;
   std::unique_ptr<SpaceServices> services_;
   std::unique_ptr<SpaceDiagnostics> diagnostics_;
+  std::unique_ptr<EngineDiagnostics> engine_diagnostics_;
+  std::vector<std::unique_ptr<EngineParameters>> engine_parameters_;
   ros::WallTimer end_;
 };
 
@@ -89,6 +93,12 @@ void SpaceNodelet::startUp(Experiment experiment) {
     display_->serveNewcomers(thread_.get());
     diagnostics_ = std::make_unique<SpaceDiagnostics>(getMTPrivateNodeHandle(), simulation_->experiment().name,
                                                       *display_, *thread_);
+    engine_diagnostics_ =
+        std::make_unique<EngineDiagnostics>(getMTPrivateNodeHandle(), simulation_->experiment(), *display_, *thread_);
+    for (auto& [engine, live] : liveParameters(simulation_->experiment())) {
+      engine_parameters_.push_back(std::make_unique<EngineParameters>(
+          ros::NodeHandle(getMTPrivateNodeHandle(), "engines/" + engine), engine, std::move(live), *thread_));
+    }
     services_ = std::make_unique<SpaceServices>(getMTPrivateNodeHandle(), *thread_);
   } catch (const std::exception& error) {
     if (ros::ok()) {
@@ -188,6 +198,8 @@ SpaceNodelet::~SpaceNodelet() {
     thread_->stop(ros::ok() ? "the space was unloaded" : "shut down");
   }
   services_.reset();
+  engine_parameters_.clear();
+  engine_diagnostics_.reset();
   diagnostics_.reset();
   if (display_ != nullptr) {
     display_->shutdown();

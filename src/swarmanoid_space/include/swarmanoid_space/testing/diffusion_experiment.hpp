@@ -6,14 +6,16 @@
 
 namespace swarmanoid {
 
-/// Footbots at random places in a square arena with walls, all running `diffusion`: 24 proximity rays of 10 cm, ticks
-/// of 100 ms. @param area_per_robot [m2]; @param engine the element of <engines>, with the id "ground"
-inline std::string diffusionExperiment(int robots, double area_per_robot, const std::string& engine) {
+/// Footbots at random places in a square arena with walls, all running `diffusion`: 24 proximity rays of 10 cm.
+/// @param area_per_robot [m2]; @param engine the element of <engines>, with the id "ground"; @param clocktick_ms [ms]
+inline std::string diffusionExperiment(int robots, double area_per_robot, const std::string& engine,
+                                       int clocktick_ms = 100) {
   const double side = std::sqrt(robots * area_per_robot);
   const std::string length = std::to_string(side);
   const std::string low = std::to_string(0.15);
   const std::string high = std::to_string(side - 0.15);
-  return "<ahss-config><framework><clocktick>100</clocktick><maxclock>1000000000</maxclock></framework><controllers>"
+  return "<ahss-config><framework><clocktick>" + std::to_string(clocktick_ms) +
+         "</clocktick><maxclock>1000000000</maxclock></framework><controllers>"
          "<diffusion id='dc' library='diffusion'><actuators><footbot_wheels/></actuators><sensors>"
          "<footbot_proximity><range>0.1</range></footbot_proximity></sensors></diffusion></controllers><arena size='" +
          length + "," + length + ",1' optimization='2D' bounded='true'><distribute quantity='" +

@@ -1,0 +1,26 @@
+/// Between an engine's parameters and the messages of dynamic_reconfigure.
+///
+/// Numbers and angles (in degrees) are doubles, integers are integers, everything else is text.
+#pragma once
+
+#include <dynamic_reconfigure/Config.h>
+#include <dynamic_reconfigure/ConfigDescription.h>
+
+#include <vector>
+
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+
+dynamic_reconfigure::ConfigDescription describe(const std::vector<Parameter>& parameters);
+
+/// @param values of each of the parameters
+dynamic_reconfigure::Config toConfig(const std::vector<Parameter>& parameters, const NamedValues& values);
+
+/// All that the message names, as it would stand in the experiment file.
+NamedValues fromConfig(const dynamic_reconfigure::Config& config);
+
+/// What each of the parameters is set to.
+NamedValues valuesOf(const std::vector<Parameter>& parameters, const Configuration& configuration);
+
+}  // namespace swarmanoid

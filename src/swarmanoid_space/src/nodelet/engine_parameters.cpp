@@ -1,0 +1,74 @@
+#include "engine_parameters.hpp"
+
+#include <dynamic_reconfigure/ConfigDescription.h>
+#include <ros/console.h>
+
+#include <stdexcept>
+
+#include "engine_config.hpp"
+
+namespace swarmanoid {
+
+EngineParameters::EngineParameters(ros::NodeHandle own, const std::string& engine, std::vector<Parameter> live,
+                                   SimulationThread& thread)
+    : engine_(engine), live_(std::move(live)), thread_(thread) {
+  constexpr bool kLatched = true;
+  constexpr double kInterval = 0.5;  // [s]
+  descriptions_ = own.advertise<dynamic_reconfigure::ConfigDescription>("parameter_descriptions", 1, kLatched);
+  updates_ = own.advertise<dynamic_reconfigure::Config>("parameter_updates", 1, kLatched);
+  descriptions_.publish(describe(live_));
+  publishChanges();
+  server_ = own.advertiseService("set_parameters", &EngineParameters::set, this);
+  timer_ = own.createWallTimer(ros::WallDuration(kInterval), [this](const ros::WallTimerEvent&) { publishChanges(); });
+}
+
+bool EngineParameters::set(dynamic_reconfigure::Reconfigure::Request& request,
+                           dynamic_reconfigure::Reconfigure::Response& response) {
+  try {
+    NamedValues values;
+    thread_.call([&](Simulation& simulation) {
+      simulation.setEngineParameters(engine_, fromConfig(request.config));
+      values = valuesOf(live_, simulation.engineParameters(engine_));
+    });
+    response.config = toConfig(live_, values);
+    publishChanges();
+    return true;
+  } catch (const std::exception& error) {
+    // the protocol has no place for a message
+    ROS_ERROR("set_parameters: %s", error.what());
+    return false;
+  }
+}
+
+void EngineParameters::publishChanges() {
+  NamedValues values;
+  try {
+    thread_.look([&](const Simulation& simulation) { values = valuesOf(live_, simulation.engineParameters(engine_)); });
+  } catch (const std::exception&) {
+    return;  // stopped: nothing changes any more
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (values != published_) {
+    updates_.publish(toConfig(live_, values));
+    published_ = values;
+  }
+}
+
+std::vector<std::pair<std::string, std::vector<Parameter>>> liveParameters(const Experiment& experiment) {
+  std::vector<std::pair<std::string, std::vector<Parameter>>> result;
+  for (const EngineDescription& engine : experiment.engines) {
+    std::vector<Parameter> live;
+    for (const Parameter& parameter :
+         Registry::instance().find(PluginKind::kEngine, engine.label)->description.parameters) {
+      if (parameter.is_live) {
+        live.push_back(parameter);
+      }
+    }
+    if (!live.empty()) {
+      result.emplace_back(engine.id, std::move(live));
+    }
+  }
+  return result;
+}
+
+}  // namespace swarmanoid

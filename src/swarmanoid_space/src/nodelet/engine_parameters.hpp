@@ -1,0 +1,47 @@
+/// The parameters of one engine that may change while the experiment runs, for clients of dynamic_reconfigure:
+/// ~parameter_descriptions, ~parameter_updates, ~set_parameters next to the engine's nodelet.
+///
+/// What there is comes from the engine's own description at run time, so engines of other packages have it too. A
+/// request is one intervention: it takes effect at the next tick boundary, as a whole or, with a message in the log,
+/// not at all.
+#pragma once
+
+#include <dynamic_reconfigure/Reconfigure.h>
+#include <ros/node_handle.h>
+
+#include <mutex>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "swarmanoid_space/simulation_thread.hpp"
+
+namespace swarmanoid {
+
+class EngineParameters {
+ public:
+  /// @param own the engine's namespace; its queue is served by several threads
+  /// @param live parameters of the engine that may change
+  EngineParameters(ros::NodeHandle own, const std::string& engine, std::vector<Parameter> live,
+                   SimulationThread& thread);
+
+ private:
+  bool set(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response);
+  /// Tells clients of changes, those too that did not come through here, such as a reset.
+  void publishChanges();
+
+  std::string engine_;
+  std::vector<Parameter> live_;
+  SimulationThread& thread_;
+  ros::Publisher descriptions_;
+  ros::Publisher updates_;
+  ros::ServiceServer server_;
+  ros::WallTimer timer_;
+  std::mutex mutex_;  // guards what was published last
+  NamedValues published_;
+};
+
+/// Parameters of the experiment's engines that may change, by engine; those that have none are left out.
+std::vector<std::pair<std::string, std::vector<Parameter>>> liveParameters(const Experiment& experiment);
+
+}  // namespace swarmanoid
