@@ -171,7 +171,7 @@ class OtherCommandsTest(ProgramTest):
         self.assertNotIn("footbot_wheels", sensors)
         self.assertEqual(self.call("list", "experiment").stdout,
                          "experiment\n  climbing\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
-                         "  rough_terrain\n")
+                         "  rough_terrain\n  shelf_retrieval\n")
         self.assert_refused("list: found 'sensors', allowed: experiment, controller, sensor, actuator, engine, "
                             "visualisation, entity; did you mean 'sensor'?", "list", "sensors")
 
