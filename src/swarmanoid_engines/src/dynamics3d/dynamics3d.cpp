@@ -172,6 +172,9 @@ void Dynamics3d::makeWorld() {
   dWorldSetContactMaxCorrectingVel(world_, kFastestCorrection);
   dWorldSetMaxAngularSpeed(world_, kFastestTurn);
   dWorldSetQuickStepNumIterations(world_, settings_.iterations);
+  // when more bodies than ever touch, the memory for a step grows: by so much that it hardly happens again
+  const dWorldStepReserveInfo memory = {sizeof(dWorldStepReserveInfo), 2.0F, 1U << 20U};
+  dWorldSetStepMemoryReservationPolicy(world_, &memory);
   contacts_.configure(world_, settings_, ground_);
 }
 
