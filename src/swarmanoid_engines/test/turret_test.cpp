@@ -211,25 +211,31 @@ std::vector<double> crowd(bool has_turrets, bool turns) {
   World world({3.0, 3.0, 2.0}, 2);
   std::vector<Row> rows;
   for (int i = 0; i < 36; ++i) {
-    const Pose pose = flatPose(0.4 + 0.4 * (i % 6), 0.4 + 0.4 * (i / 6), 0.7 * i);
-    rows.push_back(has_turrets ? world.addTurret(pose) : world.addRobot(robotModel("footbot"), pose));
-    world.drive(rows.back(), 0.15, 0.2 * (i % 7 - 3));
-    world.setGripper(rows.back(), i % 3 == 0);
+    const double heading = 0.7 * i;
+    const Pose pose = flatPose(0.25 + 0.5 * (i % 6), 0.25 + 0.5 * (i / 6), heading);
+    const Row row = has_turrets ? world.addTurret(pose) : world.addRobot(robotModel("footbot"), pose);
+    rows.push_back(row);
+    world.drive(row, 0.15, 0.2 * (i % 7 - 3));
+    world.setGripper(row, i % 3 == 0);
     if (turns) {
-      world.turret(rows.back()).turnAt(0.3 * (i % 5 - 2));
+      world.turret(row).turnAt(0.3 * (i % 5 - 2));
     }
-  }
-  for (int i = 0; i < 5; ++i) {
-    rows.push_back(world.addPrey(0.06, 0.12, 0.6 + 0.4 * i, 0.6 + 0.4 * i));
+    if (i % 9 == 0) {
+      rows.push_back(world.addPrey(0.06, 0.12, pose.position.x() + 0.18 * std::cos(heading),
+                                   pose.position.y() + 0.18 * std::sin(heading)));
+    }
   }
   world.step(200);
   std::vector<double> state;
+  int grips = 0;
   for (const Row row : rows) {
+    grips += world.space.structure.grippedBy(row) != kNoRow ? 1 : 0;
     const Pose& pose = world.pose(row);
     const auto& q = pose.orientation;
     state.insert(state.end(), {pose.position.x(), pose.position.y(), q.z(), q.w(), world.turretState(row).angle,
                                world.twist(row).linear.x()});
   }
+  EXPECT_GT(grips, 0);
   return state;
 }
 

@@ -21,6 +21,7 @@ from space_client import Space
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
 ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
+ELSEWHERE = ("/turret/state",)  # of devices that this experiment does not use: turret_test.py looks at them
 
 
 def section(title):
@@ -31,6 +32,8 @@ def named_in(title):
     """Names and types of a table whose rows begin with them, placeholders replaced by the robots there are."""
     found = {}
     for name, kind in re.findall(r"^\| `(/\S+)` \| `(\S+)` \|", section(title), re.M):
+        if name.endswith(ELSEWHERE):
+            continue
         for placeholder, robots in ROBOTS.items():
             if placeholder in name:
                 found.update({name.replace(placeholder, robot): kind for robot in robots})

@@ -154,7 +154,7 @@ void Contacts::meetRoughGround(Body& body, const Solid& solid) {
     Eigen::Map<Eigen::Vector3d>(geometry.normal) = contact.normal;
     Eigen::Map<Eigen::Vector3d>(geometry.pos) = contact.position;
     geometry.g1 = solid.geom;
-    makeJoint(body, solid, nullptr, geometry);
+    makeJoint(body, solid, nullptr, level_ground_, geometry);
   }
 }
 
