@@ -1,10 +1,11 @@
 // Turrets without forces: they turn as told, with what they hold, and never into anything.
+#include "swarmanoid_interface/testing/count_allocations.hpp"
+
 #include <gtest/gtest.h>
 
 #include <tuple>
 #include <vector>
 
-#include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "turret_models.hpp"
 #include "world.hpp"
 
