@@ -21,7 +21,8 @@ from space_client import Space
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
 ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
-ELSEWHERE = ("/turret/state",)  # of devices that this experiment does not use: turret_test.py looks at them
+# of devices that this experiment does not use: turret_test.py and climbing_test.py look at them
+ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state")
 
 
 def section(title):

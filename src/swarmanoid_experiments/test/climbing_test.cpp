@@ -63,6 +63,17 @@ void expectTheBoxIsDown(Simulation& simulation) {
 
 TEST(ClimbingTest, TheHandbotBringsTheBoxDown) { expectTheBoxIsDown(*start(climbing())); }
 
+TEST(ClimbingTest, FootbotsCarryItThereInTwoDimensions) {
+  loadBuiltInPlugins();
+  auto simulation = start(readExperiment(findShared("swarmanoid_experiments", "experiments/shelf_retrieval.xml")));
+  ASSERT_EQ(moverOf(*simulation, "hb"), "ground");
+  tick(*simulation, 150);
+  EXPECT_EQ(simulation->space().structure.grippersOf(rowOf(*simulation, "hb")).size(), 2U);
+  EXPECT_NEAR(poseOf(*simulation, "hb").position.x(), 2.295, 2e-3);  // its hands touch the cabinet
+  expectTheBoxIsDown(*simulation);
+  EXPECT_EQ(moverOf(*simulation, "hb"), "space");
+}
+
 TEST(ClimbingTest, TheSameBitsAgainAndAfterAReset) {
   const auto expected = hashesOf(*start(climbing()), 150);
   auto again = start(climbing());
