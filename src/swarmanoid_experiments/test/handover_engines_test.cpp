@@ -11,8 +11,13 @@ namespace {
 constexpr std::array<const char*, 3> kEngines = {"ground", "forces", "space"};
 
 /// Each engine in one world; the footbot grips the prey in the first ticks and drives an arc.
-std::unique_ptr<Simulation> worldOfThreeEngines() {
+/// @param place of the footbot, along x and along y [m]; @param drive the controller's parameters
+std::unique_ptr<Simulation> worldOfThreeEngines(double place = 5.0,
+                                                const std::string& drive = "<left>2</left><right>3</right>") {
   World world = carrierWorld();
+  world.size = "100,100,2";
+  world.entities = footbot("fb", place, place, 90) + prey("prey", place, place + 0.171);
+  world.drive = drive + "<close_at>0</close_at>";
   world.engines =
       "<dynamics2d id='forces'><subclock>10</subclock></dynamics2d>"
       "<dynamics3d id='space'><subclock>10</subclock></dynamics3d>";
@@ -57,6 +62,28 @@ std::vector<std::uint64_t> carry(Simulation& simulation, int handovers) {
   }
   return hashes;
 }
+
+class HandoverPlaceTest : public testing::TestWithParam<double> {};
+
+TEST_P(HandoverPlaceTest, StateIsKeptFarFromTheOrigin) {
+  auto simulation = worldOfThreeEngines(GetParam());
+  carry(*simulation, 60);
+}
+
+TEST_P(HandoverPlaceTest, WhoStandsStaysWhereItIs) {
+  auto simulation = worldOfThreeEngines(GetParam(), "<left>0</left><right>0</right>");
+  tick(*simulation, 3);
+  const State before = stateOf(*simulation, "fb");
+  for (int i = 0; i < 50; ++i) {
+    simulation->handover("fb", i % 2 == 0 ? "forces" : "ground");
+    tick(*simulation, 2);
+    const State after = stateOf(*simulation, "fb");
+    ASSERT_LT((after.pose.position - before.pose.position).norm(), 2e-6) << "handover " << i;
+    ASSERT_LT(after.pose.orientation.angularDistance(before.pose.orientation), 2e-6) << "handover " << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Metres, HandoverPlaceTest, testing::Values(0.0, 10.0, 50.0));
 
 TEST(HandoverEnginesTest, AThousandHandoversKeepStateGripAndCourse) {
   auto simulation = worldOfThreeEngines();
