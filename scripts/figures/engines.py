@@ -136,6 +136,12 @@ def oracles(table, build):
             ("dynamics3d", "pushing", "pushing force and slip limit of a footbot", "5 % below and above the limit"),
             ("dynamics3d", "gripping", "grips: chains, ten pull what one cannot, breaking under a load",
              "breaks at the stated force within 5 %"),
+            ("dynamics2d", "turret", "turrets: a heavy load turns the chassis, torque limit, passive",
+             "angles within 1 %; slips within 5 % of the computed torque"),
+            ("dynamics3d", "turret", "turrets: a heavy load turns the chassis, torque limit, passive",
+             "angles within 1 %; slips within 5 % of the computed torque"),
+            ("dynamics3d", "rough_ground", "a heightfield: slopes of friction, driving, climbing, holes, a crowd of 8 for 2,000 ticks",
+             "friction angle within 3 %; 5 mm and 0.5 degrees in 1 m; pitch within 1 degree"),
             ("dynamics3d", "rope", "the rope: pendulum, tension of a hanging handbot, winding, tearing",
              "period and weight within 1 %; tears within 5 %"),
             ("dynamics3d", "arms", "arms under load, suction of hands, magnets of eyebots", "come off within 5 % of the stated force"),
@@ -146,8 +152,11 @@ def oracles(table, build):
         file = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_{test}_test"
         done = subprocess.run([file], capture_output=True, text=True, env=environment)
         table.add(f"{engine}: {what}", figure, last_word(done.stdout), done.returncode == 0)
-    file = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_handover_engines_test"
-    done = subprocess.run([file], capture_output=True, text=True, env=environment)
-    table.add("a footbot with a prey through kinematics2d, dynamics2d and dynamics3d, 1,000 handovers at speed",
-              "pose and twist kept to the bit, grip and course kept, equal hash on repeat", last_word(done.stdout),
-              done.returncode == 0)
+    for test, what, figure in (
+            ("handover_engines", "a footbot with a prey through kinematics2d, dynamics2d and dynamics3d, 1,000 handovers at speed",
+             "pose and twist kept to the bit, grip and course kept, equal hash on repeat"),
+            ("climbing", "a handbot carried by footbots in dynamics2d climbs in dynamics3d and brings a box; handed over while it hangs",
+             "the box is down; pose, twist, joints, rope kept to the bit")):
+        file = build / f"devel/lib/swarmanoid_experiments/swarmanoid_experiments_{test}_test"
+        done = subprocess.run([file], capture_output=True, text=True, env=environment)
+        table.add(what, figure, last_word(done.stdout), done.returncode == 0)

@@ -26,16 +26,16 @@ std::string brokenText(Kind kind, double strength) { return std::string(toString
 
 }  // namespace
 
-bool Dynamics3d::isToldToHold(const Body& robot, Kind kind) {
+bool Dynamics3d::isToldToHold(const Holding& holding, Kind kind) {
   switch (kind) {
     case Kind::kLeftHand:
-      return robot.hands != nullptr && robot.hands->left;
+      return holding.hands != nullptr && holding.hands->left;
     case Kind::kRightHand:
-      return robot.hands != nullptr && robot.hands->right;
+      return holding.hands != nullptr && holding.hands->right;
     case Kind::kMagnet:
-      return robot.magnet != nullptr && robot.magnet->on;
+      return holding.magnet != nullptr && holding.magnet->on;
     case Kind::kRope:
-      return robot.rope_command != nullptr && robot.rope_command->shot;
+      return holding.rope_command != nullptr && holding.rope_command->shot;
   }
   return false;
 }
@@ -78,26 +78,26 @@ Dynamics3d::Surface Dynamics3d::findSurface(const Body& robot, const Segment& se
 }
 
 void Dynamics3d::connectAttachments(Space& space, Body& robot) {
-  if (robot.hands != nullptr) {
+  if (robot.holding->hands != nullptr) {
     connectHold(space, robot, Kind::kLeftHand);
     connectHold(space, robot, Kind::kRightHand);
   }
-  if (robot.magnet != nullptr) {
+  if (robot.holding->magnet != nullptr) {
     connectHold(space, robot, Kind::kMagnet);
   }
-  if (robot.rope_command != nullptr) {
+  if (robot.holding->rope_command != nullptr) {
     connectRope(space, robot, toSeconds(space.clocktick));
   }
   tellForces(space, robot);
 }
 
 void Dynamics3d::connectHold(Space& space, Body& robot, Kind kind) {
-  Grip& hold = robot.holds[static_cast<std::size_t>(kind)];
+  Grip& hold = robot.holding->grip(kind);
   if (hold.is_broken) {
     detach(space, robot, kind, brokenText(kind, strengthOf(kind)));
     hold.must_open = true;
   }
-  if (!isToldToHold(robot, kind)) {
+  if (!isToldToHold(*robot.holding, kind)) {
     hold.must_open = false;
     if (hold.gripped != nullptr) {
       detach(space, robot, kind, toString(kind));
@@ -117,12 +117,12 @@ void Dynamics3d::connectHold(Space& space, Body& robot, Kind kind) {
 }
 
 void Dynamics3d::connectRope(Space& space, Body& robot, double dt) {
-  Rope& rope = robot.rope;
+  Rope& rope = robot.holding->rope;
   if (rope.is_broken) {
     detach(space, robot, Kind::kRope, brokenText(Kind::kRope, strengthOf(Kind::kRope)));
     rope.must_rewind = true;
   }
-  if (!isToldToHold(robot, Kind::kRope)) {
+  if (!isToldToHold(*robot.holding, Kind::kRope)) {
     if (rope.held != nullptr) {
       detach(space, robot, Kind::kRope, toString(Kind::kRope));
     }
@@ -159,15 +159,18 @@ void Dynamics3d::attach(Space& space, Body& robot, Kind kind, const Surface& sur
 }
 
 void Dynamics3d::hold(Body& robot, Kind kind, Body& object, const Attachment& attachment) {
+  if (robot.holding == nullptr) {
+    robot.holding = std::make_unique<Holding>();
+  }
   if (kind == Kind::kRope) {
-    robot.rope = Rope{};
-    robot.rope.held = &object;
-    robot.rope.anchor = attachment.anchor;
-    robot.rope.length = attachment.length;
-    robot.rope.tension = attachment.force;
+    robot.holding->rope = Rope{};
+    robot.holding->rope.held = &object;
+    robot.holding->rope.anchor = attachment.anchor;
+    robot.holding->rope.length = attachment.length;
+    robot.holding->rope.tension = attachment.force;
     return;
   }
-  Grip& grip = robot.holds[static_cast<std::size_t>(kind)];
+  Grip& grip = robot.holding->grip(kind);
   grip = Grip{};
   const int joint = robot.model->mount(mountOf(kind)).joint;
   const bool is_on_link = joint >= 0 && !robot.links.empty();
@@ -179,9 +182,9 @@ void Dynamics3d::detach(Space& space, Body& robot, Kind kind, const std::string&
   reportGrip(space, Event::Kind::kReleased, robot.row, space.attachments.of(robot.row, kind).held, why);
   space.attachments.detach(robot.row, kind);
   if (kind == Kind::kRope) {
-    robot.rope = Rope{};
+    robot.holding->rope = Rope{};
   } else {
-    letGo(robot.holds[static_cast<std::size_t>(kind)]);
+    letGo(robot.holding->grip(kind));
     robot.flight = Flight{};  // an eyebot flies on from where it is
   }
 }
@@ -193,7 +196,9 @@ void Dynamics3d::takeOverAttachments(const Space& space, Body& body) {
   const auto takeOver = [&](Body& robot) {
     space.attachments.visit(robot.row, [&](Kind kind, const Attachment& attachment) {
       Body* object = find(attachment.held);
-      const Body* held = kind == Kind::kRope ? robot.rope.held : robot.holds[static_cast<std::size_t>(kind)].gripped;
+      const Body* held = robot.holding == nullptr ? nullptr
+                         : kind == Kind::kRope    ? robot.holding->rope.held
+                                                  : robot.holding->grip(kind).gripped;
       if (robot.is_dynamic && object != nullptr && held == nullptr &&
           (object->is_dynamic || object->rigid == nullptr)) {
         hold(robot, kind, *object, attachment);
@@ -209,11 +214,11 @@ void Dynamics3d::takeOverAttachments(const Space& space, Body& body) {
 }
 
 void Dynamics3d::tellForces(Space& space, const Body& robot) {
-  if (robot.rope.held != nullptr) {
-    space.attachments.update(robot.row, Kind::kRope, robot.rope.length, robot.rope.tension);
+  if (robot.holding->rope.held != nullptr) {
+    space.attachments.update(robot.row, Kind::kRope, robot.holding->rope.length, robot.holding->rope.tension);
   }
   for (const Kind kind : {Kind::kLeftHand, Kind::kRightHand, Kind::kMagnet}) {
-    const Grip& grip = robot.holds[static_cast<std::size_t>(kind)];
+    const Grip& grip = robot.holding->grip(kind);
     if (grip.gripped != nullptr) {
       space.attachments.update(robot.row, kind, 0.0, grip.force.norm());
     }

@@ -28,9 +28,11 @@ Body::~Body() {
   if (grip.joint != nullptr) {
     dJointDestroy(grip.joint);
   }
-  for (const Grip& hold : holds) {
-    if (hold.joint != nullptr) {
-      dJointDestroy(hold.joint);
+  if (holding != nullptr) {
+    for (const Grip& hold : holding->grips) {
+      if (hold.joint != nullptr) {
+        dJointDestroy(hold.joint);
+      }
     }
   }
   for (const Solid& solid : solids) {

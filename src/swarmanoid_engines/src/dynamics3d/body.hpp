@@ -33,8 +33,9 @@ struct Solid {
 
   dGeomID geom = nullptr;
   Kind kind = Kind::kPlain;
-  int side = 0;    ///< of a wheel: 0 left, 1 right
-  int joint = -1;  ///< that turns it, in the model; -1: none
+  int side = 0;             ///< of a wheel: 0 left, 1 right
+  int joint = -1;           ///< that turns it, in the model; -1: none
+  Eigen::AlignedBox3d box;  ///< around it, in the step under way
 };
 
 /// A link that a joint of the model turns. See arms.hpp.
@@ -85,6 +86,21 @@ struct Rope {
   bool must_rewind = false;  ///< it broke or met nothing to hold, and was not called back since
 };
 
+/// What a robot holds on to by its hands, its magnet and its rope. Few robots have any, and none of the others is to
+/// pay for them.
+struct Holding {
+  // What it is told; null if it has no such device.
+  const HandbotHands* hands = nullptr;
+  const HandbotRope* rope_command = nullptr;
+  const EyebotMagnet* magnet = nullptr;
+
+  std::array<Grip, Attachment::kKinds> grips;  ///< by hands and magnet; the rope is not among them
+  Rope rope;
+
+  Grip& grip(Attachment::Kind kind) { return grips[static_cast<std::size_t>(kind)]; }
+  const Grip& grip(Attachment::Kind kind) const { return grips[static_cast<std::size_t>(kind)]; }
+};
+
 struct Body {
   Body() = default;
   ~Body();
@@ -111,15 +127,11 @@ struct Body {
   const FootbotWheels* wheels = nullptr;
   const EyebotVelocity* velocity = nullptr;
   const FootbotGripper* gripper = nullptr;
-  const HandbotHands* hands = nullptr;
-  const HandbotRope* rope_command = nullptr;
-  const EyebotMagnet* magnet = nullptr;
 
   Treels treels;
   Flight flight;
   Grip grip;
-  std::array<Grip, Attachment::kKinds> holds;  ///< by hands and magnet; the rope is not among them
-  Rope rope;
+  std::unique_ptr<Holding> holding;  ///< null: it has neither hands nor a rope nor a magnet
   Turret turret;
 
   /// What rays meet: the model with its shapes where the joints have turned them.

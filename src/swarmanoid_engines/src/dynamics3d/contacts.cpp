@@ -50,9 +50,10 @@ bool areApart(dGeomID a, dGeomID b) {
 
 /// Whether a hand or a magnet of `robot`, of which `solid` is part, holds the object.
 bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
-  return std::any_of(robot.holds.begin(), robot.holds.end(), [&](const Grip& hold) {
-    return hold.gripped == &object && hold.holder == dGeomGetBody(solid.geom);
-  });
+  const auto holds = [&](const Grip& grip) {
+    return grip.gripped == &object && grip.holder == dGeomGetBody(solid.geom);
+  };
+  return robot.holding != nullptr && std::any_of(robot.holding->grips.begin(), robot.holding->grips.end(), holds);
 }
 
 }  // namespace
@@ -80,10 +81,11 @@ void Contacts::release() {
   points_.clear();
 }
 
-Eigen::AlignedBox3d Contacts::boundsNow(const Body& body) {
+Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
   Eigen::AlignedBox3d bounds;
-  for (const Solid& solid : body.solids) {
-    bounds.extend(boxAround(solid.geom));
+  for (Solid& solid : body.solids) {
+    solid.box = boxAround(solid.geom);
+    bounds.extend(solid.box);
   }
   return bounds;
 }
@@ -93,7 +95,7 @@ void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) 
   attempt_ = attempt;
   joints_made_ = 0;
   points_.clear();
-  near_.update([](const Body* body) { return boundsNow(*body); });
+  near_.update([](Body* body) { return boundsNow(*body); });
   pairs_.clear();
   near_.visitPairs([&](const Body* a, const Body* b) {
     if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b)) {
@@ -136,10 +138,9 @@ double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
 void Contacts::meetGround(Body& body) {
   const double reach = settings_.ground_height + kMargin / 2.0;
   for (const Solid& solid : body.solids) {
-    const Eigen::AlignedBox3d box = boxAround(solid.geom);
-    if (ground_.isRoughAt(box)) {
+    if (ground_.isRoughAt(solid.box)) {
       meetRoughGround(body, solid);
-    } else if (level_ground_.geom != nullptr && box.min().z() <= reach) {
+    } else if (level_ground_.geom != nullptr && solid.box.min().z() <= reach) {
       meetSolids(body, solid, nullptr, level_ground_);
     }
   }
@@ -162,7 +163,7 @@ void Contacts::meetPair(Body& a, Body& b) {
   for (const Solid& solid_a : a.solids) {
     for (const Solid& solid_b : b.solids) {
       const bool are_both_balls = solid_a.kind != Solid::Kind::kPlain && solid_b.kind != Solid::Kind::kPlain;
-      if (are_both_balls || areApart(solid_a.geom, solid_b.geom) || isHeldWith(a, solid_a, b) ||
+      if (are_both_balls || !solid_a.box.intersects(solid_b.box) || isHeldWith(a, solid_a, b) ||
           isHeldWith(b, solid_b, a)) {
         continue;
       }

@@ -46,7 +46,8 @@ class Contacts {
   void clear() { dJointGroupEmpty(joints_); }
 
  private:
-  static Eigen::AlignedBox3d boundsNow(const Body& body);
+  /// Refreshes the boxes of its solids too.
+  static Eigen::AlignedBox3d boundsNow(Body& body);
   void meetGround(Body& body);
   void meetRoughGround(Body& body, const Solid& solid);
   void meetPair(Body& a, Body& b);

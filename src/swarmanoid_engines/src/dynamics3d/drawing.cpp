@@ -66,13 +66,16 @@ void drawShape(const CollisionShape& shape, const Pose& body, EngineDrawing& dra
 
 void Dynamics3d::drawAttachments(EngineDrawing& drawing) const {
   for (const Body* body : order_) {
-    if (const Rope& rope = body->rope; rope.held != nullptr) {
+    if (body->holding == nullptr) {
+      continue;
+    }
+    if (const Rope& rope = body->holding->rope; rope.held != nullptr) {
       const Vector3d launcher = launcherOf(*body);
       const Pose& held = rope.held->pose;
       drawing.add(Kind::kJoint, launcher, held.position + held.orientation * rope.anchor);
       drawing.add(Kind::kForce, launcher, launcher + EngineDrawing::kMetresPerNewton * rope.tension * rope.towards);
     }
-    for (const Grip& hold : body->holds) {
+    for (const Grip& hold : body->holding->grips) {
       if (hold.joint != nullptr) {
         const Vector3d holder = toVector(dBodyGetPosition(hold.holder));
         drawing.add(Kind::kJoint, body->pose.position, holder);

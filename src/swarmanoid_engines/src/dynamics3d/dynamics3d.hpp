@@ -100,7 +100,7 @@ class Dynamics3d final : public Engine {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in W
     bool can_be_held = false;
   };
-  static bool isToldToHold(const Body& robot, Attachment::Kind kind);
+  static bool isToldToHold(const Holding& holding, Attachment::Kind kind);
   double strengthOf(Attachment::Kind kind) const;
   Surface findSurface(const Body& robot, const Segment& segment, bool is_magnetic) const;
   void connectAttachments(Space& space, Body& robot);

@@ -25,7 +25,7 @@ void Dynamics3d::connect(Space& space) {
   const Turn turn(seed_);
   tellTrouble(space);
   for (Body* body : order_) {
-    if (body->is_dynamic) {
+    if (body->holding != nullptr && body->is_dynamic) {
       connectAttachments(space, *body);
     }
     if (body->gripper == nullptr || !body->is_dynamic) {
@@ -129,13 +129,16 @@ void Dynamics3d::forgetGrips(Body& body) {
     if (robot == &body || robot->grip.gripped == &body) {
       letGo(robot->grip);
     }
-    for (Grip& hold : robot->holds) {
+    if (robot->holding == nullptr) {
+      continue;
+    }
+    for (Grip& hold : robot->holding->grips) {
       if (robot == &body || hold.gripped == &body) {
         letGo(hold);
       }
     }
-    if (robot == &body || robot->rope.held == &body) {
-      robot->rope = Rope{};
+    if (robot == &body || robot->holding->rope.held == &body) {
+      robot->holding->rope = Rope{};
     }
   }
 }
@@ -163,11 +166,15 @@ void Dynamics3d::feelGrips(double step) {
   };
   for (Body* body : order_) {
     feel(*body, body->grip, settings_.grip_strength);
-    for (std::size_t kind = 0; kind < body->holds.size(); ++kind) {
-      feel(*body, body->holds[kind], strengthOf(static_cast<Attachment::Kind>(kind)));
+    if (body->holding == nullptr) {
+      continue;
     }
-    if (body->rope.held != nullptr && !body->rope.is_broken) {
-      feelRope(*body, step, share, settings_.rope_strength);
+    for (const Attachment::Kind kind :
+         {Attachment::Kind::kLeftHand, Attachment::Kind::kRightHand, Attachment::Kind::kMagnet}) {
+      feel(*body, body->holding->grip(kind), strengthOf(kind));
+    }
+    if (const Rope& rope = body->holding->rope; rope.held != nullptr && !rope.is_broken) {
+      feelRope(body->holding->rope, step, share, settings_.rope_strength);
     }
   }
 }

@@ -29,14 +29,36 @@ void Dynamics3d::move(Space& space, Duration dt) {
   finishTick(space);
 }
 
+namespace {
+
+void findHolding(Body& body, const Space& space) {
+  const auto* hands = space.actuation.find<HandbotHands>(body.row);
+  const auto* rope = space.actuation.find<HandbotRope>(body.row);
+  const auto* magnet = space.actuation.find<EyebotMagnet>(body.row);
+  if (hands == nullptr && rope == nullptr && magnet == nullptr) {
+    return;
+  }
+  if (body.holding == nullptr) {
+    body.holding = std::make_unique<Holding>();
+  }
+  body.holding->hands = hands;
+  body.holding->rope_command = rope;
+  body.holding->magnet = magnet;
+}
+
+/// Hanging by its magnet an eyebot saves its battery.
+bool hangsByMagnet(const Body& eyebot) {
+  return eyebot.holding != nullptr && eyebot.holding->grip(Attachment::Kind::kMagnet).joint != nullptr;
+}
+
+}  // namespace
+
 void Dynamics3d::findLateDevices(const Space& space) {
   for (Body* body : newcomers_) {
     body->wheels = body->model->wheels ? space.actuation.find<FootbotWheels>(body->row) : nullptr;
     body->velocity = space.actuation.find<EyebotVelocity>(body->row);
     body->gripper = body->model->gripper ? space.actuation.find<FootbotGripper>(body->row) : nullptr;
-    body->hands = space.actuation.find<HandbotHands>(body->row);
-    body->rope_command = space.actuation.find<HandbotRope>(body->row);
-    body->magnet = space.actuation.find<EyebotMagnet>(body->row);
+    findHolding(*body, space);
     findTurret(*body, space);
   }
   newcomers_.clear();
@@ -53,14 +75,12 @@ void Dynamics3d::stepOnce(double step) {
         recorded_treels_->push_back(body->treels);
       }
     }
-    // hanging by its magnet an eyebot saves its battery
-    if (body->velocity != nullptr &&
-        body->holds[static_cast<std::size_t>(Attachment::Kind::kMagnet)].joint == nullptr) {
+    if (body->velocity != nullptr && !hangsByMagnet(*body)) {
       fly(*body, settings_.gravity, step);
     }
     driveLinks(*body);
-    if (body->rope.held != nullptr) {
-      windRope(*body, step);
+    if (body->holding != nullptr && body->holding->rope.held != nullptr) {
+      windRope(*body->holding, step);
     }
     driveTurret(*body, contacts_, step);
   }
@@ -104,7 +124,7 @@ bool Dynamics3d::solveExactly(double step) {
 
 void Dynamics3d::makeRopeJoints(double step) {
   for (Body* body : order_) {
-    if (body->rope.held != nullptr && !body->rope.is_broken) {
+    if (body->holding != nullptr && body->holding->rope.held != nullptr && !body->holding->rope.is_broken) {
       makeRopeJoint(world_, contacts_.joints(), *body, step);
     }
   }

@@ -31,9 +31,9 @@ Vector3d launcherOf(const Body& robot) {
   return pose.position + pose.orientation * robot.model->mount("rope_launcher").position;
 }
 
-void windRope(Body& robot, double step) {
-  Rope& rope = robot.rope;
-  double wanted = robot.rope_command == nullptr ? 0.0 : robot.rope_command->winding_speed;
+void windRope(Holding& holding, double step) {
+  Rope& rope = holding.rope;
+  double wanted = holding.rope_command == nullptr ? 0.0 : holding.rope_command->winding_speed;
   if (wanted > 0.0 && rope.tension > kWindingForce) {
     wanted = 0.0;
   }
@@ -41,7 +41,7 @@ void windRope(Body& robot, double step) {
 }
 
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step) {
-  Rope& rope = robot.rope;
+  Rope& rope = robot.holding->rope;
   const Vector3d launcher = launcherOf(robot);
   const Vector3d anchor = anchorOf(rope);
   const Vector3d way = anchor - launcher;
@@ -63,8 +63,7 @@ dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double
   return joint;
 }
 
-void feelRope(Body& robot, double step, double share, double strength) {
-  Rope& rope = robot.rope;
+void feelRope(Rope& rope, double step, double share, double strength) {
   rope.length -= step * rope.winding;
   rope.tension += share * (toVector(rope.feedback.f1).dot(rope.towards) - rope.tension);
   if (rope.tension > strength) {

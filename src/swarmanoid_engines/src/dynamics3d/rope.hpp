@@ -16,10 +16,10 @@ constexpr double kRopeLength = 3.0;  // m: what is in the launcher
 Eigen::Vector3d launcherOf(const Body& robot);
 
 /// Before each step: looks how fast the rope is wound, and whether it is taut.
-void windRope(Body& robot, double step);
-/// Makes the rope's joint of a step. @pre robot.rope.held
+void windRope(Holding& holding, double step);
+/// Makes the rope's joint of a step. @pre its rope holds something
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step);
 /// After each step: how strong it was pulled. @param share of the step in the lasting tension
-void feelRope(Body& robot, double step, double share, double strength);
+void feelRope(Rope& rope, double step, double share, double strength);
 
 }  // namespace swarmanoid::dynamics3d

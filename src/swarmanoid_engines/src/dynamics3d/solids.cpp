@@ -82,7 +82,7 @@ void addSolids(Body& body) {
   const bool is_driven = body.is_dynamic && body.model->wheels;
   for (const CollisionShape& shape : body.model->shapes) {
     const CollisionShape used = is_driven ? clearOfGround(shape) : shape;
-    addSolid(body, {makeGeom(used, kMargin / 2.0), Solid::Kind::kPlain, 0, shape.joint}, used.position,
+    addSolid(body, {makeGeom(used, kMargin / 2.0), Solid::Kind::kPlain, 0, shape.joint, {}}, used.position,
              used.orientation);
   }
   if (is_driven) {

@@ -47,7 +47,7 @@ void PlanarEngine::configure(const std::string& id, const Configuration& paramet
 }
 
 std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  const std::string problem = deviceRefusal(model, devices);
+  std::string problem = deviceRefusal(model, devices);
   if (!problem.empty()) {
     return problem;
   }
