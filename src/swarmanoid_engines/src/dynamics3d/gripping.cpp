@@ -124,7 +124,7 @@ void Dynamics3d::letGo(Grip& grip) {
   grip.must_open = must_open;
 }
 
-void Dynamics3d::forgetGrips(Body& body) {
+void Dynamics3d::forgetHolds(Body& body) {
   for (Body* robot : order_) {
     if (robot == &body || robot->grip.gripped == &body) {
       letGo(robot->grip);
@@ -135,7 +135,9 @@ void Dynamics3d::forgetGrips(Body& body) {
       }
     }
     if (robot == &body || robot->rope.held == &body) {
+      const bool must_rewind = robot->rope.held != nullptr || robot->rope.must_rewind;
       robot->rope = Rope{};
+      robot->rope.must_rewind = must_rewind;
     }
   }
 }
