@@ -104,7 +104,7 @@ class PlanarWorld {
   /// A robot that is told all of that and what to do with its turret.
   Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
     const Row row = addRobot(model, pose);
-    space.actuation.bank<FootbotTurret>().add(row);  // late, as in an experiment
+    space.actuation.bank<FootbotTurret>().add(row);  // late: engines find it all the same
     return row;
   }
   FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }

@@ -78,6 +78,7 @@ TEST(ClimbingTest, TheSameBitsAgainAndAfterAReset) {
   const auto expected = hashesOf(*start(climbing()), 150);
   auto again = start(climbing());
   EXPECT_EQ(hashesOf(*again, 150), expected);
+  ASSERT_TRUE(again->space().attachments.isAttached(rowOf(*again, "hb"), Kind::kRope)) << "it hangs when it is reset";
   again->reset();
   EXPECT_EQ(hashesOf(*again, 150), expected);
 }
@@ -145,6 +146,26 @@ TEST(ClimbingTest, RopeArmsAndHandsGoFromEngineToEngine) {
   goAndReturn(10, "descending");
   EXPECT_EQ(moverOf(*simulation, "box"), "space");  // it came along, there and back
   expectTheBoxIsDown(*simulation);
+}
+
+TEST(ClimbingTest, WhoIsMovedFromOutsideLetsGo) {
+  auto simulation = start(climbing());
+  runUntil(*simulation, "descending");
+  simulation->move("hb", {{1.0, 1.0, 0.0}, Eigen::Quaterniond::Identity()});
+  EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb")));
+  runUntil(*simulation, "done");
+  EXPECT_LT((poseOf(*simulation, "hb").position - Eigen::Vector3d(1.0, 1.0, 0.0)).norm(), 5e-3);
+  tick(*simulation, 20);
+  EXPECT_LT(poseOf(*simulation, "box").position.z(), 0.1) << "it fell";
+}
+
+TEST(ClimbingTest, WithoutItsCeilingItFalls) {
+  auto simulation = start(climbing());
+  runUntil(*simulation, "reaching");
+  simulation->remove("ceiling");
+  EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), Kind::kRope));
+  tick(*simulation, 20);
+  EXPECT_LT(poseOf(*simulation, "hb").position.z(), 0.2);
 }
 
 TEST(ClimbingTest, WhatTheRopeHoldsOnToMustBeThere) {

@@ -20,7 +20,8 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
   if (!model.is_movable) {
     return "is fixed, no engine moves it";
   }
-  std::string problem = engine.misplacement(model, pose);
+  const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
+  std::string problem = engine.misplacement(*posed, pose);
   if (problem.empty()) {
     problem = refusalOf(engine, model, devicesOf(groupOf(drivers, row)), seats);
   }
@@ -31,7 +32,6 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
     problem = engine.stateRefusal(space, row);
   }
   if (problem.empty()) {
-    const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
     const Row other = engine.overlap(*posed, pose, members);
     problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[static_cast<std::size_t>(other)] + "'";
   }

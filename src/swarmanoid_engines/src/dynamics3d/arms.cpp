@@ -25,24 +25,13 @@ dBodyID carrierOf(const Body& body, const std::vector<Link>& links, int joint) {
   return carrier < 0 ? body.rigid : links[static_cast<std::size_t>(carrier)].rigid;
 }
 
-void place(dBodyID rigid, const Pose& pose, const Eigen::Isometry3d& displacement, const Vector3d& centre) {
-  const Vector3d at = pose.position + pose.orientation * (displacement * centre);
-  const Eigen::Quaterniond turn = (pose.orientation * Eigen::Quaterniond(displacement.linear())).normalized();
-  const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
-  dBodySetPosition(rigid, at.x(), at.y(), at.z());
-  dBodySetQuaternion(rigid, q);
-}
-
 }  // namespace
 
 std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms& arms) {
   const std::vector<EntityModel::Joint>& joints = body.model->joints;
   std::vector<Link> links(joints.size());
   // hinges remember how their bodies are when they are made as their zero
-  const Vector3d& centre = body.own.centre_of_mass;
-  const dQuaternion upright = {1.0, 0.0, 0.0, 0.0};
-  dBodySetPosition(body.rigid, centre.x(), centre.y(), centre.z());
-  dBodySetQuaternion(body.rigid, upright);
+  setBodyPose(body.rigid, body.own.centre_of_mass, Eigen::Quaterniond::Identity());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const EntityModel::Joint& joint = joints[i];
     Link& link = links[i];
@@ -67,7 +56,10 @@ void placeLinks(Body& body, const JointState* joints) {
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     const Eigen::Isometry3d displacement =
         displacementOf(*body.model, joints == nullptr ? zero : joints, static_cast<int>(i));
-    place(body.links[i].rigid, body.pose, displacement, body.model->joints[i].part.centre_of_mass);
+    const Vector3d& centre = body.model->joints[i].part.centre_of_mass;
+    const Eigen::Quaterniond turn = body.pose.orientation * Eigen::Quaterniond(displacement.linear());
+    setBodyPose(body.links[i].rigid, body.pose.position + body.pose.orientation * (displacement * centre),
+                turn.normalized());
   }
 }
 
@@ -107,11 +99,7 @@ void turnSolids(Body& body, const JointState* joints) {
       continue;
     }
     const CollisionShape shape = placeOf(*body.model, joints, body.model->shapes[i]);
-    const Vector3d offset = shape.position - body.own.centre_of_mass;
-    const Eigen::Quaterniond& turn = shape.orientation;
-    const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
-    dGeomSetOffsetPosition(body.solids[i].geom, offset.x(), offset.y(), offset.z());
-    dGeomSetOffsetQuaternion(body.solids[i].geom, q);
+    setGeomOffset(body.solids[i].geom, shape.position - body.own.centre_of_mass, shape.orientation);
   }
 }
 

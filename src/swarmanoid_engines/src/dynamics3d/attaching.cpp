@@ -172,6 +172,7 @@ void Dynamics3d::hold(Body& robot, Kind kind, Body& object, const Attachment& at
   }
   Grip& grip = robot.holding->grip(kind);
   grip = Grip{};
+  robot.flight = Flight{};  // wherever it comes off again, an eyebot flies on from there
   const int joint = robot.model->mount(mountOf(kind)).joint;
   const bool is_on_link = joint >= 0 && !robot.links.empty();
   grip.holder = is_on_link ? robot.links[static_cast<std::size_t>(joint)].rigid : robot.rigid;
@@ -185,7 +186,6 @@ void Dynamics3d::detach(Space& space, Body& robot, Kind kind, const std::string&
     robot.holding->rope = Rope{};
   } else {
     letGo(robot.holding->grip(kind));
-    robot.flight = Flight{};  // an eyebot flies on from where it is
   }
 }
 

@@ -16,12 +16,6 @@ void setMass(dBodyID rigid, const Inertial& inertial) {
   dBodySetMass(rigid, &mass);
 }
 
-void placeRigid(dBodyID rigid, const Eigen::Vector3d& centre, const Eigen::Quaterniond& turn) {
-  const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
-  dBodySetPosition(rigid, centre.x(), centre.y(), centre.z());
-  dBodySetQuaternion(rigid, q);
-}
-
 }  // namespace
 
 Body::~Body() {
@@ -68,7 +62,7 @@ void Body::setPose(const Pose& new_pose, const JointState* joints) {
     }
     return;
   }
-  placeRigid(rigid, pose.position + pose.orientation * own.centre_of_mass, pose.orientation);
+  setBodyPose(rigid, pose.position + pose.orientation * own.centre_of_mass, pose.orientation);
   if (!links.empty()) {
     placeLinks(*this, joints);
   } else if (posed_ != nullptr && joints != nullptr && turret.joint < 0) {

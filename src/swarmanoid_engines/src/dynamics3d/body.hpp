@@ -80,10 +80,9 @@ struct Rope {
   double tension = 0.0;                                ///< without the noise of single steps [N]
   dJointFeedback feedback = {};                        ///< of the step
   Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  ///< the anchor, from the launcher, in the step; in W
-  bool is_flying = false;                              ///< shot, and has met nothing so far
-  double flown = 0.0;                                  ///< how far [m]
+  double flown = 0.0;                                  ///< how far, if it was shot and has met nothing so far [m]
   bool is_broken = false;                              ///< in this tick; `connect` tells everybody
-  bool must_rewind = false;  ///< it broke or met nothing to hold, and was not called back since
+  bool must_rewind = false;  ///< it broke, met nothing to hold or lost what it held, and was not called back since
 };
 
 /// What a robot holds on to by its hands, its magnet and its rope. Few robots have any, and none of the others is to
@@ -143,7 +142,7 @@ struct Body {
   Twist currentTwist() const;
   /// @param joints states of the model's joints; null: all are zero
   void setPose(const Pose& pose, const JointState* joints = nullptr);
-  /// @pre rigid
+  /// After setPose. @pre rigid
   void setTwist(const Twist& twist, const JointState* joints = nullptr);
 
   /// Of ODE's bodies, for a step that may have to be done again.

@@ -114,8 +114,6 @@ void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) 
 }
 
 double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
-  dReal box[6];
-  dGeomGetAABB(solid.geom, box);
   double deepest = 0.0;
   const auto meet = [&](const Body* other, const Eigen::AlignedBox3d&) {
     for (const Solid& its : other->solids) {
@@ -130,8 +128,7 @@ double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
     }
     return true;
   };
-  const Eigen::AlignedBox3d bounds(Eigen::Vector3d(box[0], box[2], box[4]), Eigen::Vector3d(box[1], box[3], box[5]));
-  near_.visitNear(bounds, meet);
+  near_.visitNear(boxAround(solid.geom), meet);
   return deepest;
 }
 

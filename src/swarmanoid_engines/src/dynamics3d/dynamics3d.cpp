@@ -125,7 +125,7 @@ void Dynamics3d::remove(Space&, Row row) {
   const Turn turn(seed_);
   const auto i = static_cast<std::size_t>(row);
   Body* body = by_row_[i].get();
-  forgetGrips(*body);
+  forgetHolds(*body);
   contacts_.remove(*body);
   seen_.remove(body);
   order_.erase(std::find(order_.begin(), order_.end(), body));
@@ -139,12 +139,14 @@ void Dynamics3d::remove(Space&, Row row) {
 void Dynamics3d::place(Space& space, Row row) {
   const Turn turn(seed_);
   Body& body = *find(row);
-  forgetGrips(body);
+  forgetHolds(body);
   body.treels = Treels{};
   body.flight = Flight{};
   takePose(space, body);
   seen_.remove(&body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
+  contacts_.remove(body);
+  contacts_.add(body);
 }
 
 void Dynamics3d::clear() {

@@ -121,7 +121,8 @@ class Dynamics3d final : public Engine {
   void takeOverGrips(const Space& space, Body& body);
   void release(Space& space, Body& robot, const std::string& why);
   static void letGo(Grip& grip);
-  void forgetGrips(Body& body);
+  /// What grippers, hands, magnet and rope of the body hold, and those of others that hold it.
+  void forgetHolds(Body& body);
   void feelGrips(double step);
 
   Settings settings_;

@@ -124,7 +124,7 @@ void Dynamics3d::letGo(Grip& grip) {
   grip.must_open = must_open;
 }
 
-void Dynamics3d::forgetGrips(Body& body) {
+void Dynamics3d::forgetHolds(Body& body) {
   for (Body* robot : order_) {
     if (robot == &body || robot->grip.gripped == &body) {
       letGo(robot->grip);
@@ -138,7 +138,9 @@ void Dynamics3d::forgetGrips(Body& body) {
       }
     }
     if (robot == &body || robot->holding->rope.held == &body) {
+      const bool must_rewind = robot->holding->rope.held != nullptr || robot->holding->rope.must_rewind;
       robot->holding->rope = Rope{};
+      robot->holding->rope.must_rewind = must_rewind;
     }
   }
 }

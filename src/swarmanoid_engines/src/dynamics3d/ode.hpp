@@ -35,10 +35,23 @@ long solverFailures();
 inline Eigen::Vector3d toVector(const dReal* v) { return {v[0], v[1], v[2]}; }
 inline Eigen::Quaterniond toQuaternion(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
 
+/// Of a body's centre of mass.
+inline void setBodyPose(dBodyID rigid, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
+  dBodySetPosition(rigid, position.x(), position.y(), position.z());
+  dBodySetQuaternion(rigid, q);
+}
+/// Of a solid without a body.
 inline void setGeomPose(dGeomID geom, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
   const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
   dGeomSetPosition(geom, position.x(), position.y(), position.z());
   dGeomSetQuaternion(geom, q);
+}
+/// Of a solid, against the centre of mass of its body.
+inline void setGeomOffset(dGeomID geom, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
+  const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};
+  dGeomSetOffsetPosition(geom, position.x(), position.y(), position.z());
+  dGeomSetOffsetQuaternion(geom, q);
 }
 
 }  // namespace swarmanoid::dynamics3d

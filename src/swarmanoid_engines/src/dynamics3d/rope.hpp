@@ -12,14 +12,15 @@ namespace swarmanoid::dynamics3d {
 
 constexpr double kRopeLength = 3.0;  // m: what is in the launcher
 
-/// Where the rope leaves the robot, in W, now, and its velocity there.
+/// Where the rope leaves the robot, in W, now.
 Eigen::Vector3d launcherOf(const Body& robot);
 
-/// Before each step: looks how fast the rope is wound, and whether it is taut.
+/// Before each step: how fast the rope is wound in it. @pre the rope holds something
 void windRope(Holding& holding, double step);
-/// Makes the rope's joint of a step. @pre its rope holds something
+/// Makes the rope's joint of a step. @pre it holds something
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step);
-/// After each step: how strong it was pulled. @param share of the step in the lasting tension
+/// After each step: how strong it was pulled, and how long it is now. @pre it holds something
+/// @param share of the step in the lasting tension
 void feelRope(Rope& rope, double step, double share, double strength);
 
 }  // namespace swarmanoid::dynamics3d

@@ -18,11 +18,8 @@ void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, c
   const bool is_on_link = solid.joint >= 0 && !body.links.empty();
   const auto joint = static_cast<std::size_t>(is_on_link ? solid.joint : 0);
   const Eigen::Vector3d& centre = is_on_link ? body.model->joints[joint].part.centre_of_mass : body.own.centre_of_mass;
-  const Eigen::Vector3d offset = position - centre;
-  const dQuaternion q = {turn.w(), turn.x(), turn.y(), turn.z()};
   dGeomSetBody(solid.geom, is_on_link ? body.links[joint].rigid : body.rigid);
-  dGeomSetOffsetPosition(solid.geom, offset.x(), offset.y(), offset.z());
-  dGeomSetOffsetQuaternion(solid.geom, q);
+  setGeomOffset(solid.geom, position - centre, turn);
 }
 
 /// Cuts off what would drag over the ground.

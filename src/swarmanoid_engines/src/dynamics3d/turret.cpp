@@ -32,12 +32,9 @@ void visitTurned(const Body& robot, Visit visit) {
 void turnSolids(const Body& robot, double angle) {
   const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()));
   visitTurned(robot, [&](const Solid& solid, const CollisionShape& shape) {
-    const Eigen::Vector3d offset = turn * shape.position - robot.model->centre_of_mass;
-    const Eigen::Quaterniond turned = turn * shape.orientation;
-    const dQuaternion q = {turned.w(), turned.x(), turned.y(), turned.z()};
-    // the height stays: what was near the ground has been cut
-    dGeomSetOffsetPosition(solid.geom, offset.x(), offset.y(), dGeomGetOffsetPosition(solid.geom)[2]);
-    dGeomSetOffsetQuaternion(solid.geom, q);
+    Eigen::Vector3d offset = turn * shape.position - robot.model->centre_of_mass;
+    offset.z() = dGeomGetOffsetPosition(solid.geom)[2];  // what was near the ground has been cut
+    setGeomOffset(solid.geom, offset, turn * shape.orientation);
   });
 }
 

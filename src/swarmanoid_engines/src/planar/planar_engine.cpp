@@ -60,9 +60,10 @@ bool PlanarEngine::mayStandIdle(const std::string& device) const { return isSpat
 std::string PlanarEngine::stateRefusal(const Space& space, Row row) const {
   constexpr double kStretched = 0.02;  // rad
   const EntityModel& model = *space.entities.model[static_cast<std::size_t>(row)];
+  const int turret = turretJoint(model);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
-    // in a plane shapes are as with the joints at zero, but for the turret
-    if (static_cast<int>(i) != turretJoint(model) && std::abs(space.jointsOf(row)[i].angle) > kStretched) {
+    // arms stand idle in a plane, and weigh what they weigh there with the joints at zero
+    if (static_cast<int>(i) != turret && std::abs(space.jointsOf(row)[i].angle) > kStretched) {
       return "its joint '" + model.joints[i].name + "' is not at zero";
     }
   }

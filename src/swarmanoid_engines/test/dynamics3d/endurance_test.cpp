@@ -76,10 +76,7 @@ class Box {
       return;
     }
     ++falls;
-    world.space.structure.isolate(row);
-    world.pose(row) = pose;
-    world.twist(row) = Twist{};
-    world.engine.place(world.space, row);
+    world.place(row, pose);
   }
 
   std::mt19937 random_{3};

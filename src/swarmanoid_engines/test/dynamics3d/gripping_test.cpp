@@ -250,9 +250,7 @@ TEST(GrippingTest, WhatIsPutElsewhereIsLetGo) {
   World& world = pair.world;
   world.setGripper(pair.footbot, true);
   world.step();
-  world.space.structure.isolate(pair.prey);
-  world.pose(pair.prey) = flatPose(5.0, 5.0);
-  world.engine.place(world.space, pair.prey);
+  world.place(pair.prey, flatPose(5.0, 5.0));
   world.drive(pair.footbot, 0.1);
   world.step(10);
   EXPECT_LT((world.pose(pair.prey).position - Vector3d(5.0, 5.0, 0.0)).norm(), 1e-4);

@@ -13,14 +13,8 @@ class HandbotWorld : public World {
     ceiling = add(blockModel({5.0, 5.0, 0.1}, 0.0, is_ferromagnetic), flatPose(2.5, 2.5, 0.0, kCeiling + 0.05));
   }
 
-  Row addHandbot(const Pose& pose) {
-    const Row row = addToSpace(robotModel("handbot"), pose);
-    space.actuation.bank<HandbotArms>().add(row);
-    space.actuation.bank<HandbotHands>().add(row);
-    space.actuation.bank<HandbotRope>().add(row);
-    engine.add(space, row, Role::kMove);
-    space.mover[static_cast<std::size_t>(row)] = &engine;
-    return row;
+  Row addHandbot(const Pose& pose, Role role = Role::kMove) {
+    return addRobot<HandbotArms, HandbotHands, HandbotRope>(robotModel("handbot"), pose, role);
   }
   HandbotArms& arms(Row row) { return *space.actuation.bank<HandbotArms>().find(row); }
   HandbotHands& hands(Row row) { return *space.actuation.bank<HandbotHands>().find(row); }

@@ -92,6 +92,25 @@ TEST(TurretTest, WithoutLoadItStopsBeforeWhatIsInTheWay) {
   EXPECT_NEAR(world.turretState(footbot).speed, -1.0, 1e-9);
 }
 
+TEST(TurretTest, WithoutLoadItStopsBeforeWhatWasPutThere) {
+  // the gripper would meet it in the first step
+  const auto turned = [](bool is_put_there) {
+    World world;
+    const Row footbot = world.addTurret(flatPose(2.0, 2.0, 0.92));
+    const Pose near = flatPose(2.0, 2.11, 0.0, 0.1);
+    const Row block = world.addBlock({0.5, 0.02, 0.2}, 0.0, is_put_there ? flatPose(7.0, 7.0, 0.0, 0.1) : near);
+    world.step();
+    if (is_put_there) {
+      world.place(block, near);
+    }
+    world.turret(footbot).turnAt(kTurretSpeed);
+    world.step();
+    return world.turretState(footbot).angle;
+  };
+  EXPECT_EQ(turned(false), 0.0);
+  EXPECT_EQ(turned(true), 0.0);
+}
+
 TEST(TurretTest, ALightLoadTurnsAroundTheRobot) {
   Holder holder(0.3);
   ASSERT_TRUE(holder.isHolding());

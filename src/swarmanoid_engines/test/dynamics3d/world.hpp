@@ -59,47 +59,33 @@ class World {
     return row;
   }
   Row add(const std::shared_ptr<const EntityModel>& model, const Pose& pose, Role role = Role::kMove) {
+    return addRobot<>(model, pose, role);
+  }
+  /// A robot with actuators.
+  template <class... Devices>
+  Row addRobot(const std::shared_ptr<const EntityModel>& model, const Pose& pose, Role role = Role::kMove) {
     const Row row = addToSpace(model, pose);
+    (space.actuation.bank<Devices>().add(row), ...);
     engine.add(space, row, role);
     if (role == Role::kMove) {
       space.mover[static_cast<std::size_t>(row)] = &engine;
     }
     return row;
   }
-  /// A robot that is told wheel speeds and what to do with its gripper.
-  Row addFootbot(const Pose& pose) {
-    const Row row = addToSpace(robotModel("footbot"), pose);
-    space.actuation.bank<FootbotWheels>().add(row);
-    space.actuation.bank<FootbotGripper>().add(row);
-    engine.add(space, row, Role::kMove);
-    space.mover[static_cast<std::size_t>(row)] = &engine;
-    return row;
-  }
-  /// A robot that is told all of that and what to do with its turret.
+  Row addFootbot(const Pose& pose) { return addRobot<FootbotWheels, FootbotGripper>(robotModel("footbot"), pose); }
   Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
-    const Row row = addToSpace(model, pose);
-    space.actuation.bank<FootbotWheels>().add(row);
-    space.actuation.bank<FootbotGripper>().add(row);
-    space.actuation.bank<FootbotTurret>().add(row);
-    engine.add(space, row, Role::kMove);
-    space.mover[static_cast<std::size_t>(row)] = &engine;
-    return row;
+    return addRobot<FootbotWheels, FootbotGripper, FootbotTurret>(model, pose);
   }
+  Row addEyebot(const Pose& pose) { return addRobot<EyebotVelocity>(robotModel("eyebot"), pose); }
   FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }
   const JointState& turretState(Row row) const { return space.jointsOf(row)[0]; }
-  Row addEyebot(const Pose& pose) {
-    const Row row = addToSpace(robotModel("eyebot"), pose);
-    space.actuation.bank<EyebotVelocity>().add(row);
-    engine.add(space, row, Role::kMove);
-    space.mover[static_cast<std::size_t>(row)] = &engine;
-    return row;
-  }
   Row addBlock(const Eigen::Vector3d& size, double mass, const Pose& pose) { return add(blockModel(size, mass), pose); }
   Row addPrey(double radius, double height, double mass, double x, double y) {
     return add(cylindricPreyModel(radius, height, mass), flatPose(x, y));
   }
   void remove(Row row) {
     space.structure.isolate(row);
+    space.attachments.isolate(row);
     engine.remove(space, row);
     space.mover[static_cast<std::size_t>(row)] = nullptr;
     space.entities.remove(row);
@@ -111,6 +97,14 @@ class World {
     const double difference = 0.5 * turn_rate * geometry.separation;
     space.actuation.bank<FootbotWheels>().find(row)->setAngularVelocity((speed - difference) / geometry.radius,
                                                                         (speed + difference) / geometry.radius);
+  }
+  /// Puts an entity elsewhere from outside.
+  void place(Row row, const Pose& pose) {
+    space.structure.isolate(row);
+    space.attachments.isolate(row);
+    this->pose(row) = pose;
+    twist(row) = Twist{};
+    engine.place(space, row);
   }
   void setGripper(Row row, bool closed) { space.actuation.bank<FootbotGripper>().find(row)->closed = closed; }
   EyebotVelocity& flight(Row row) { return *space.actuation.bank<EyebotVelocity>().find(row); }

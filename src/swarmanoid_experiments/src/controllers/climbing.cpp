@@ -1,6 +1,6 @@
 // A handbot that climbs to a shelf by its rope, takes what stands there with its left hand and brings it down.
+#include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"

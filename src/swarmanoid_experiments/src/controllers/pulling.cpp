@@ -1,6 +1,4 @@
 // Group transport: up to the object ahead, grip it, wait for the others, then pull together.
-#include <cmath>
-
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"

@@ -11,12 +11,12 @@
 /// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
-/// Handover  (thesis chapter 5) an entity changes the engine that moves it, with all that it is connected to:
-/// `refusal`,
-///          `misplacement`, `overlap`, `gripRefusal` and `stateRefusal` decide, without any change; then the old
-///          engine gets `remove` for each member and the new one `add`, parents before children. The space keeps pose,
-///          twist, joints, grips, attachments, devices and everything else meanwhile, so what an engine knows beyond
-///          them, it makes anew from them.
+/// Handover (thesis chapter 5)
+///          an entity changes the engine that moves it, with all that it is connected to: `refusal`, `misplacement`,
+///          `overlap`, `gripRefusal` and `stateRefusal` decide, without any change; then the old engine gets `remove`
+///          for each member and the new one `add`, parents before children. The space keeps pose, twist, joints,
+///          grips, attachments, devices and everything else meanwhile, so what an engine knows beyond them, it makes
+///          anew from them.
 ///
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
 #pragma once
@@ -93,9 +93,9 @@ class Engine {
   /// Likewise for the rest of an entity's state: what it holds on to in `attachments`, where its joints are.
   virtual std::string stateRefusal(const Space& space, Row row) const;
 
-  /// Takes charge of an entity at the pose, and with the twist, that it has in the space. As soon as both ends of a
-  /// grip in `structure` are moved here, the grip holds here; likewise attachments, whose other end may be fixed. @pre
-  /// no misplacement, no overlap
+  /// Takes charge of an entity at the pose, and with the twist, that it has in the space; its devices are there too. As
+  /// soon as both ends of a grip in `structure` are moved here, the grip holds here; likewise attachments, whose other
+  /// end may be fixed. @pre no misplacement, no overlap
   virtual void add(Space& space, Row row, Role role) = 0;
   /// Gives an entity back; its pose and twist in the space are already what they should be. Grips in `structure` stay,
   /// for whoever gets it next.

@@ -6,8 +6,9 @@
 
 namespace swarmanoid {
 
-/// Shot: the rope flies up, and holds if it meets something ferromagnetic within its length; else it comes back, and
-/// is shot again only after `shot` was false. Not shot: the magnet lets go and the rope is back in its launcher.
+/// Shot: the rope flies up, and holds if it meets something ferromagnetic within its length. If it meets nothing such,
+/// is torn off, or loses what it holds, it comes back, and is shot again only after `shot` was false. Not shot: the
+/// magnet lets go and the rope is back in its launcher.
 struct HandbotRope {
   static constexpr const char* kType = "handbot_rope";
 
