@@ -89,14 +89,18 @@ class InterfaceTest(unittest.TestCase):
             file = str(REPOSITORY / f"launch/{name}.launch")
             written = set(re.findall(r"`([a-z_]+)`", text)) - {"stay"}
             self.assertEqual(set(roslaunch.arg_dump.get_args([file])), written)
+        written = section("Lockstep").split("`launch/robot.launch` starts a participant: ")[1].split(".\n")[0].split(". ")[0]
+        self.assertEqual(set(roslaunch.arg_dump.get_args([str(REPOSITORY / "launch/robot.launch")])),
+                         set(re.findall(r"`([a-z_]+)`", written)))
 
     def test_launch_files_load_and_explain_their_arguments(self):
         folder = str(REPOSITORY / "launch") + "/"
         for name, arguments in (("object_retrieval", ["rviz:=true"]), ("object_retrieval", ["rviz:=false"]),
-                                ("play_bag", ["bag:=/tmp/run.bag", "loop:=true"])):
+                                ("play_bag", ["bag:=/tmp/run.bag", "loop:=true"]),
+                                ("robot", ["robot:=fb_1 fb_2", "controller:=footbot_retrieval"])):
             config = roslaunch.config.load_config_default([(folder + name + ".launch", arguments)], None)
             self.assertEqual([], config.config_errors)
-        for name in ("object_retrieval", "play_bag"):
+        for name in ("object_retrieval", "play_bag", "robot"):
             for argument, (doc, _) in roslaunch.arg_dump.get_args([folder + name + ".launch"]).items():
                 self.assertTrue(doc, f"{name}.launch: {argument} has no doc")
 

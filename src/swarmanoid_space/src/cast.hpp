@@ -10,6 +10,7 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/engine.hpp"
+#include "swarmanoid_space/lockstep.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "swarmanoid_space/simulation.hpp"
 #include "swarmanoid_space/visualisation.hpp"
@@ -33,7 +34,8 @@ struct Driver {
   Row row = kNoRow;
   Robot* robot = nullptr;
   ControllerGroup* group = nullptr;
-  std::shared_ptr<Controller> controller;
+  CommandSource source = CommandSource::kController;
+  std::shared_ptr<Controller> controller;  ///< null unless the source is kController
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };
@@ -68,6 +70,7 @@ struct Simulation::Cast {
   std::vector<HandoverWatch> watches;    ///< by entity number, then as in the file
   std::vector<std::shared_ptr<Visualisation>> visualisations;
   std::vector<Row> faulty;  ///< scratch of `actuate`
+  Lockstep lockstep;
 
   Engine* findEngine(const std::string& id) const;
   ControllerGroup* findGroup(const std::string& id) const;

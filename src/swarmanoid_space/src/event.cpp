@@ -30,6 +30,12 @@ const char* toString(Event::Kind kind) {
       return "handover_refused";
     case Event::Kind::kEngineTrouble:
       return "engine_trouble";
+    case Event::Kind::kParticipantLate:
+      return "participant_late";
+    case Event::Kind::kParticipantJoined:
+      return "participant_joined";
+    case Event::Kind::kAnswerRefused:
+      return "answer_refused";
   }
   return "event";
 }

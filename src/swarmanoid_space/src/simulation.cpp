@@ -36,7 +36,7 @@ void Simulation::tick() {
 
   phases::sense(space_, cast_->groups, cast_->workers);
   stopwatch.lap(phase_times_.sense);
-  phases::control(space_, cast_->drivers, cast_->workers);
+  phases::control(space_, cast_->drivers, cast_->workers, cast_->lockstep, log_sink_);
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);
   stopFailedRobots();

@@ -77,6 +77,7 @@ void Simulation::build() {
   buildBoundary();
   buildEntities();
   buildWatches();
+  offerRobots();
 }
 
 void Simulation::buildControllerGroups() {

@@ -89,6 +89,7 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   driver.row = row;
   driver.robot = robot.get();
   driver.group = group;
+  driver.source = entity.source;
   space_.robots[i] = std::move(robot);
   try {
     for (const auto& sensor : group->sensors) {
@@ -97,8 +98,12 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
     for (const auto& actuator : group->actuators) {
       driver.robot->provideActuator(actuator->type(), actuator->add(space_, row));
     }
-    driver.controller = group->make();
-    driver.controller->init(*driver.robot, group->description->parameters);
+    if (driver.source == CommandSource::kController) {
+      driver.controller = group->make();
+      driver.controller->init(*driver.robot, group->description->parameters);
+    } else if (driver.source == CommandSource::kRemote) {
+      refuseUnlessRemote(driver);
+    }
   } catch (const ConfigError&) {
     throw;
   } catch (const std::exception& error) {
@@ -138,7 +143,9 @@ void Simulation::removeEntity(Row row) {
 
 void Simulation::unbuild() {
   for (Driver& driver : cast_->drivers) {
-    driver.controller->destroy();
+    if (driver.controller) {
+      driver.controller->destroy();
+    }
   }
   cast_->drivers.clear();
   for (const auto& engine : cast_->engines) {

@@ -63,6 +63,7 @@ void Simulation::spawn(const EntityDescription& entity, const std::vector<std::s
   }
   checkController(entity);
   addEntity(entity, seats);
+  offerRobots();
   space_.index.rebuild(space_.entities);
   pending_events_.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});
 }
@@ -73,6 +74,7 @@ void Simulation::remove(const std::string& name) {
     throw ConfigError({}, "there is no entity '" + name + "'");
   }
   removeEntity(row);
+  offerRobots();
   space_.index.rebuild(space_.entities);
   pending_events_.push_back({Event::Kind::kDeleted, name, "", ""});
 }

@@ -121,6 +121,7 @@ void SimulationThread::stop(const std::string& reason) {
   if (!stop_reason_) {
     stop_reason_ = reason;
   }
+  simulation_->interrupt();
   wake_.notify_all();
   wake_.wait(lock, [this] { return is_over_; });
 }
@@ -131,6 +132,9 @@ void SimulationThread::run() {
     // a job or a tick threw on this thread; the lock may be held or not
     if (!lock.owns_lock()) {
       lock.lock();
+    }
+    if (stop_reason_) {
+      return;  // stopped meanwhile, which may be why it threw
     }
     stop_reason_ = "tick " + std::to_string(simulation_->space().tick) + ": " + error.what();
   };

@@ -58,6 +58,17 @@ Experiment readExperiment(const RunOptions& options) {
   return experiment;
 }
 
+/// Nobody carries frames here.
+void refuseRemoteRobots(const Experiment& experiment) {
+  for (const EntityDescription& entity : experiment.arena.entities) {
+    if (entity.source == CommandSource::kRemote) {
+      throw ConfigError(entity.location, "'" + entity.id +
+                                             "' is commanded by another process (source=\"remote\"), which "
+                                             "needs ROS; allowed: roslaunch, or another source");
+    }
+  }
+}
+
 /// A visualisation that the command line asks for, not the file.
 void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& label,
                         const std::string& library, const std::string& file) {
@@ -137,6 +148,7 @@ int run(const RunOptions& options) {
   context.out_folder = options.out;
   Experiment experiment = readExperiment(options);
   OutFolder out(options.out);
+  refuseRemoteRobots(experiment);
   Simulation simulation(std::move(experiment), context);
   if (!options.hashes.empty()) {
     addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);

@@ -13,6 +13,9 @@ PartNodelet::~PartNodelet() {
 }
 
 void PartNodelet::onInit() {
+  if (runAlone()) {
+    return;
+  }
   std::string space;
   getPrivateNodeHandle().getParam("space", space);
   getPrivateNodeHandle().getParam("id", id_);

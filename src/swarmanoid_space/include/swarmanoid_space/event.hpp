@@ -22,7 +22,10 @@ struct Event {
     kFinished,
     kHandedOver,       ///< another engine moves `entity` from now on; the text says which
     kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why
-    kEngineTrouble     ///< an engine had to make do with something worse than its method; the text says which and what
+    kEngineTrouble,    ///< an engine had to make do with something worse than its method; the text says which and what
+    kParticipantLate,  ///< a process that commands robots has not answered in time; the text says what follows
+    kParticipantJoined,  ///< one has registered, or is back
+    kAnswerRefused       ///< one answered twice, or for a wrong tick; the first time
   };
 
   Kind kind;

@@ -60,14 +60,27 @@ struct Distribution {
   int max_trials = 100;        ///< for each entity, before it is an error
 };
 
+/// Who commands a robot.
+enum class CommandSource {
+  kController,  ///< its controller, in the simulator's process
+  kRemote,      ///< its controller, in another process that has registered for it
+  kNone         ///< nobody
+};
+
+/// "controller", "remote", "none".
+const char* toString(CommandSource source);
+/// @return nothing if it is none
+std::optional<CommandSource> parseCommandSource(const std::string& text);
+
 struct EntityDescription {
   std::string type;
   std::string id;  ///< with a distribution, the entities are id_1, id_2, ...
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();  ///< Euler angles [rad]
   std::string controller;                            ///< id of a controller; "" for none
-  Color color;                                       ///< of the surface (preys, lights); black: not seen by cameras
-  Configuration parameters;                          ///< the type's own values, defaults filled in
+  CommandSource source = CommandSource::kController;
+  Color color;               ///< of the surface (preys, lights); black: not seen by cameras
+  Configuration parameters;  ///< the type's own values, defaults filled in
   std::optional<Distribution> distribution;
   SourceLocation location;
 };

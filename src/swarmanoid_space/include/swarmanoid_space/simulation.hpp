@@ -59,6 +59,8 @@ struct EngineReport {
   EngineHealth health;
 };
 
+class Lockstep;
+struct Driver;
 struct Seat;  // one engine that holds an entity, and its role there (src/cast.hpp)
 
 class Simulation {
@@ -96,6 +98,11 @@ class Simulation {
   /// What the visualisations that judge it agree on; nothing if none judges.
   std::optional<bool> success() const;
 
+  /// For whoever carries frames between this simulation and participants.
+  Lockstep& lockstep();
+  /// A tick that waits for participants ends with an exception; later ticks do not wait. From any thread.
+  void interrupt();
+
   /// One more who looks at the run. Before start(), or between ticks.
   void addVisualisation(std::shared_ptr<Visualisation> visualisation);
 
@@ -121,6 +128,11 @@ class Simulation {
   /// from the next tick on. What is given the value that it has changes nothing and is no event.
   /// @throws ConfigError (unknown engine or parameter, one that is not live, a bad value); then nothing has changed
   void setEngineParameters(const std::string& engine, const NamedValues& values);
+  /// Another source commands the robot from now on. A controller in this process starts anew; a robot that nobody
+  /// commands stops; one whose commands come from elsewhere keeps the last ones until a participant answers.
+  /// @throws ConfigError (no such robot, a controller that does not start, a device that cannot travel); then nothing
+  /// has changed
+  void setCommandSource(const std::string& robot, CommandSource source);
   /// Back to the state before tick 0: spawned, deleted and handed over entities included, and parameters of engines as
   /// in the file. `seed` replaces the
   /// experiment's if given. Space::time_before_reset grows so that ROS time keeps rising, unless `rewind` sets it back
@@ -149,6 +161,8 @@ class Simulation {
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
   void removeEntity(Row row);
+  void refuseUnlessRemote(const Driver& driver) const;
+  void offerRobots();
 
   Experiment experiment_;
   RunContext context_;

@@ -70,7 +70,8 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
   entity.angles = entity.parameters.vector3("orientation") * kRadPerDeg;
   entity.color = entity.parameters.color("color", colors::kBlack);
   if (const auto controller = element.child("controller")) {
-    controller->allowAttributes({});
+    controller->allowAttributes(controllerAttributes());
+    entity.source = *parseCommandSource(readChoice(*controller, "source", commandSources(), commandSources().front()));
     const ControllerDescription& found = findController(*controller, entity.type, reader);
     checkDevices(*controller, entity.type, found);
     entity.controller = found.id;

@@ -92,6 +92,9 @@ bool isAttribute(const XMLElement* element, const std::string& name) {
   if (parent_tag == "handover") {
     return among(hasTag(element, "debug") ? debugAttributes() : gripAttributes());
   }
+  if (hasTag(element, "controller") && parent_tag != "controllers") {
+    return among(controllerAttributes());
+  }
   const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "visualisations" ||
                          parent_tag == "visualizations";
   const bool is_device = parent_tag == "actuators" || parent_tag == "sensors";

@@ -173,6 +173,16 @@ const std::vector<std::string>& distributeAttributes() {
   return names;
 }
 
+const std::vector<std::string>& controllerAttributes() {
+  static const std::vector<std::string> names{"source"};
+  return names;
+}
+
+const std::vector<std::string>& commandSources() {
+  static const std::vector<std::string> names{"controller", "remote", "none"};
+  return names;
+}
+
 const std::vector<std::string>& memberAttributes() {
   static const std::vector<std::string> names{"id", "role"};
   return names;

@@ -44,6 +44,9 @@ const std::vector<std::string>& arenaAttributes();
 const std::vector<std::string>& pluginAttributes();
 const std::vector<std::string>& distributeAttributes();
 const std::vector<std::string>& memberAttributes();
+/// Of a robot's <controller>, and what `source` may be.
+const std::vector<std::string>& controllerAttributes();
+const std::vector<std::string>& commandSources();
 const std::vector<std::string>& handoverAttributes();
 /// Of <handover>, by HandoverDescription::Condition.
 const std::vector<std::string>& conditions();

@@ -32,7 +32,13 @@ void writeEntities(bool is_distributed, SchemaWriter& out) {
       out.open("all");
       out.parameters(entityParameters(entry->description, is_distributed));
       if (makePlugin<EntityType>(*entry)->isRobot()) {
-        out.leaf("element", {{"name", "controller"}, {"type", "name"}, {"minOccurs", "0"}});
+        out.openElement("controller", false);
+        out.open("simpleContent");
+        out.open("extension", {{"base", "name"}});
+        out.choiceAttribute("source", commandSources(), false);
+        out.close();
+        out.close();
+        out.closeElement();
       }
       out.close();
       out.attribute("id", "name", true);

@@ -9,6 +9,7 @@
 #include "engine_diagnostics.hpp"
 #include "engine_parameters.hpp"
 #include "exit_code.hpp"
+#include "lockstep_server.hpp"
 #include "recorder.hpp"
 #include "run_result.hpp"
 #include "space_diagnostics.hpp"
@@ -58,6 +59,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   State last_state_ = State::kPaused;
   std::unique_ptr<SimulationThread> thread_;
   std::unique_ptr<SpaceServices> services_;
+  std::unique_ptr<LockstepServer> lockstep_;
   std::unique_ptr<SpaceDiagnostics> diagnostics_;
   std::unique_ptr<EngineDiagnostics> engine_diagnostics_;
   std::vector<std::unique_ptr<EngineParameters>> engine_parameters_;
@@ -88,6 +90,8 @@ void SpaceNodelet::startUp(Experiment experiment) {
     pace.real_time_factor = experiment.framework.real_time_factor;
     pace.on_change = [this](const Simulation&, State state, const std::string& reason) { onChange(state, reason); };
     auto simulation = build(std::move(experiment));
+    Lockstep& lockstep = simulation->lockstep();
+    lockstep.setOptions(options_.lockstep);
     thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
     point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
     display_->serveNewcomers(thread_.get());
@@ -99,6 +103,7 @@ void SpaceNodelet::startUp(Experiment experiment) {
       engine_parameters_.push_back(std::make_unique<EngineParameters>(
           ros::NodeHandle(getMTPrivateNodeHandle(), "engines/" + engine), engine, std::move(live), *thread_));
     }
+    lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_->experiment().name, lockstep);
     services_ = std::make_unique<SpaceServices>(getMTPrivateNodeHandle(), *thread_);
   } catch (const std::exception& error) {
     if (ros::ok()) {
@@ -198,6 +203,7 @@ SpaceNodelet::~SpaceNodelet() {
     thread_->stop(ros::ok() ? "the space was unloaded" : "shut down");
   }
   services_.reset();
+  lockstep_.reset();
   engine_parameters_.clear();
   engine_diagnostics_.reset();
   diagnostics_.reset();

@@ -62,6 +62,12 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.device_topics = reader.words("device_topics");
   options.stays_at_end = reader.choice("on_end", {"shutdown", "stay"}) == "stay";
   options.timeout = reader.number("timeout", options.timeout, {0.1, 3600.0});
+  const Range waiting{0.001, 3600.0};
+  options.lockstep.policy = *parseLatePolicy(reader.choice("lockstep/policy", {"wait", "skip", "stop"}));
+  options.lockstep.timeout =
+      Lockstep::Seconds(reader.number("lockstep/timeout", options.lockstep.timeout.count(), waiting));
+  options.lockstep.join_timeout =
+      Lockstep::Seconds(reader.number("lockstep/join_timeout", options.lockstep.join_timeout.count(), waiting));
   reader.refuseUnread();
   return options;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/lockstep.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
 
 namespace ros {
@@ -33,6 +34,7 @@ struct SpaceOptions {
   std::vector<std::string> device_topics;  ///< robots whose devices have topics; "all" alone: all of them
   bool stays_at_end = false;               ///< false: the process is shut down when the run is over
   double timeout = 20.0;                   ///< for all parts to attach [s]
+  Lockstep::Options lockstep;              ///< how long participants may take
 };
 
 /// @throws ConfigError naming the parameter, what was found and what is allowed; unknown parameters too

@@ -63,7 +63,8 @@ SpaceServices::SpaceServices(ros::NodeHandle own, SimulationThread& thread) : th
               own.advertiseService("spawn", &SpaceServices::spawn, this),
               own.advertiseService("delete", &SpaceServices::remove, this),
               own.advertiseService("move", &SpaceServices::move, this),
-              own.advertiseService("handover", &SpaceServices::handover, this)};
+              own.advertiseService("handover", &SpaceServices::handover, this),
+              own.advertiseService("set_command_source", &SpaceServices::setCommandSource, this)};
 }
 
 bool SpaceServices::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -128,6 +129,19 @@ bool SpaceServices::handover(swarmanoid_msgs::Handover::Request& request,
                              swarmanoid_msgs::Handover::Response& response) {
   return intervene(thread_, request.names, response, [&request](Simulation& simulation, const std::string& name) {
     simulation.handover(name, request.engine);
+  });
+}
+
+bool SpaceServices::setCommandSource(swarmanoid_msgs::SetCommandSource::Request& request,
+                                     swarmanoid_msgs::SetCommandSource::Response& response) {
+  const auto source = parseCommandSource(request.source);
+  if (!source) {
+    response.message = "source: found '" + request.source + "', allowed: controller, remote, none";
+    response.success = 0;
+    return true;
+  }
+  return intervene(thread_, request.names, response, [source](Simulation& simulation, const std::string& name) {
+    simulation.setCommandSource(name, *source);
   });
 }
 

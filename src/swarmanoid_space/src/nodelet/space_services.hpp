@@ -1,4 +1,5 @@
-/// The services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover.
+/// The services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover,
+/// ~set_command_source.
 ///
 /// Each answers when what was asked for is done. Several may be under way at once, so that a pause ends a long step.
 #pragma once
@@ -9,6 +10,7 @@
 #include <swarmanoid_msgs/Handover.h>
 #include <swarmanoid_msgs/Move.h>
 #include <swarmanoid_msgs/Reset.h>
+#include <swarmanoid_msgs/SetCommandSource.h>
 #include <swarmanoid_msgs/Spawn.h>
 #include <swarmanoid_msgs/Step.h>
 
@@ -33,6 +35,8 @@ class SpaceServices {
   bool remove(swarmanoid_msgs::Delete::Request& request, swarmanoid_msgs::Delete::Response& response);
   bool move(swarmanoid_msgs::Move::Request& request, swarmanoid_msgs::Move::Response& response);
   bool handover(swarmanoid_msgs::Handover::Request& request, swarmanoid_msgs::Handover::Response& response);
+  bool setCommandSource(swarmanoid_msgs::SetCommandSource::Request& request,
+                        swarmanoid_msgs::SetCommandSource::Response& response);
 
   SimulationThread& thread_;
   std::vector<ros::ServiceServer> servers_;

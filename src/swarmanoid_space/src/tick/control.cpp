@@ -21,15 +21,18 @@ void step(const Space& space, Driver& driver) {
 
 }  // namespace
 
-void control(const Space& space, std::vector<Driver>& drivers, const Workers& workers) {
+void control(Space& space, std::vector<Driver>& drivers, const Workers& workers, Lockstep& lockstep,
+             const Robot::LogSink& log) {
+  lockstep.send(space, drivers);
   constexpr std::size_t kGrain = 64;
   workers.forRanges(drivers.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      if (!drivers[i].has_failed) {
+      if (!drivers[i].has_failed && drivers[i].controller != nullptr) {
         step(space, drivers[i]);
       }
     }
   });
+  lockstep.receive(space, drivers, log);
 }
 
 }  // namespace swarmanoid::phases

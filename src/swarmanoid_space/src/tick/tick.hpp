@@ -11,8 +11,10 @@ namespace swarmanoid::phases {
 /// Banks of sensors read the space.
 void sense(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
 
-/// Every controller turns readings into commands. An exception marks its driver as failed.
-void control(const Space& space, std::vector<Driver>& drivers, const Workers& workers);
+/// Every controller turns readings into commands, those of participants at the same time as those of this process. An
+/// exception marks its driver as failed. @throws std::runtime_error if a participant is late and the run is to stop
+void control(Space& space, std::vector<Driver>& drivers, const Workers& workers, Lockstep& lockstep,
+             const Robot::LogSink& log);
 
 /// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);

@@ -2,9 +2,13 @@
 ///
 /// swarmanoid_add_controller makes one for each controller, named <package>/<label>. The plain
 /// swarmanoid_interface/ControllerNodelet hosts any controller, such as one whose library is only named by a path.
+///
+/// With the private parameter `robots` it needs no space in its process: it takes part from elsewhere
+/// (participant.hpp).
 #pragma once
 
 #include "swarmanoid_interface/ros/part_nodelet.hpp"
+#include "swarmanoid_interface/ros/participant.hpp"
 
 namespace swarmanoid {
 
@@ -15,8 +19,10 @@ class ControllerNodelet : public PartNodelet {
 
  private:
   std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) override;
+  bool runAlone() override;
 
   std::string label_;
+  std::unique_ptr<Participant> participant_;
 };
 
 }  // namespace swarmanoid

@@ -26,6 +26,9 @@ class PartNodelet : public nodelet::Nodelet {
   /// @throws std::exception: the nodelet does not load
   virtual std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) = 0;
 
+  /// Does without a space in this process. @return false: it is to attach to one
+  virtual bool runAlone() { return false; }
+
  private:
   void onInit() final;
 

@@ -1,0 +1,172 @@
+#include "swarmanoid_interface/controller_host.hpp"
+
+#include <stdexcept>
+
+namespace swarmanoid {
+namespace {
+
+const DeviceType* requireType(const DeviceLayout& device, const std::string& robot) {
+  const DeviceType* type = findDeviceType(device.type);
+  const std::string title = "device '" + device.type + "' of robot '" + robot + "'";
+  if (type == nullptr) {
+    std::vector<std::string> known;
+    for (const DeviceType* candidate : deviceTypes()) {
+      known.push_back(candidate->type);
+    }
+    throw std::runtime_error(title + " is not registered in this process, so its bytes cannot be read; there are: " +
+                             joinNames(known) + didYouMean(device.type, known));
+  }
+  if (type->layout != device.layout) {
+    throw std::runtime_error(title + " has the fields '" + device.layout + "' in the space, and '" + type->layout +
+                             "' here; build both from the same version");
+  }
+  return type;
+}
+
+}  // namespace
+
+ControllerHost::ControllerHost(Registration registration, Factory make, Robot::LogSink log)
+    : registration_(std::move(registration)),
+      make_(std::move(make)),
+      log_(std::move(log)),
+      run_(registration_.run),
+      seed_(registration_.seed),
+      hosted_(registration_.robots.size()) {
+  for (std::size_t i = 0; i < hosted_.size(); ++i) {
+    const RemoteRobot& description = registration_.robots[i];
+    for (const DeviceLayout& device : description.sensors) {
+      hosted_[i].sensors.push_back({requireType(device, description.name), nullptr, {}});
+    }
+    for (const DeviceLayout& device : description.actuators) {
+      hosted_[i].actuators.push_back({requireType(device, description.name), nullptr, {}});
+    }
+    give(hosted_[i], description);
+  }
+}
+
+ControllerHost::~ControllerHost() {
+  for (Hosted& hosted : hosted_) {
+    take(hosted);
+  }
+}
+
+void ControllerHost::give(Hosted& hosted, const RemoteRobot& description) {
+  take(hosted);
+  auto robot = std::make_unique<Robot>(description.name, description.type, seed_);
+  robot->setLogSink(log_);
+  for (Device& device : hosted.sensors) {
+    device.data = device.type->make();
+    robot->provideSensor(device.type->type, device.data.get());
+  }
+  for (Device& device : hosted.actuators) {
+    device.data = device.type->make();
+    robot->provideActuator(device.type->type, device.data.get());
+  }
+  auto controller = make_();
+  controller->init(*robot, description.parameters);
+  hosted.robot = std::move(robot);
+  hosted.controller = std::move(controller);
+}
+
+void ControllerHost::take(Hosted& hosted) {
+  if (hosted.controller != nullptr) {
+    hosted.controller->destroy();
+  }
+  hosted.controller.reset();
+  hosted.robot.reset();
+  hosted.failure.clear();
+}
+
+const CommandFrame& ControllerHost::answer(const SensorFrame& frame) {
+  if (has_answered_ && frame.stamp == answer_.stamp) {
+    return answer_;
+  }
+  if (frame.stamp.run != run_ || frame.seed != seed_) {
+    run_ = frame.stamp.run;
+    seed_ = frame.seed;
+    for (Hosted& hosted : hosted_) {
+      take(hosted);
+    }
+  }
+  read(frame);
+  answer_.stamp = frame.stamp;
+  answer_.data.clear();
+  ByteWriter out(answer_.data);
+  for (Hosted& hosted : hosted_) {
+    if (hosted.is_present && hosted.failure.empty()) {
+      step(hosted, frame);
+    }
+    write(hosted, out);
+  }
+  has_answered_ = true;
+  return answer_;
+}
+
+void ControllerHost::read(const SensorFrame& frame) {
+  ByteReader in(frame.data);
+  for (std::size_t i = 0; i < hosted_.size(); ++i) {
+    Hosted& hosted = hosted_[i];
+    hosted.is_present = in.number<std::uint8_t>() != 0;
+    if (!hosted.is_present) {
+      take(hosted);
+      continue;
+    }
+    if (hosted.robot == nullptr && hosted.failure.empty()) {
+      try {
+        give(hosted, registration_.robots[i]);
+      } catch (const std::exception& error) {
+        take(hosted);
+        hosted.failure = std::string("does not start: ") + error.what();
+      }
+    }
+    for (Device& device : hosted.sensors) {
+      ByteReader block = in.block();
+      try {
+        if (hosted.failure.empty()) {
+          device.type->read(block, device.data.get(), device.parts);
+          if (block.left() > 0) {
+            throw ByteError("found " + std::to_string(block.left()) + " bytes more than expected");
+          }
+        }
+      } catch (const ByteError& error) {
+        throw ByteError(registration_.robots[i].name + ", " + device.type->type + ": " + error.what());
+      }
+    }
+  }
+}
+
+void ControllerHost::step(Hosted& hosted, const SensorFrame& frame) {
+  hosted.robot->startTick(frame.stamp.tick, frame.time);
+  try {
+    hosted.controller->step(frame.time, frame.clocktick);
+  } catch (const std::exception& error) {
+    hosted.failure = *error.what() == '\0' ? "threw an exception without a text" : error.what();
+  } catch (...) {
+    hosted.failure = "threw something that is no std::exception";
+  }
+}
+
+void ControllerHost::write(const Hosted& hosted, ByteWriter& out) const {
+  const RobotWord word = !hosted.is_present        ? RobotWord::kNothing
+                         : !hosted.failure.empty() ? RobotWord::kFailed
+                                                   : RobotWord::kStepped;
+  out.number(static_cast<std::uint8_t>(word));
+  if (word == RobotWord::kFailed) {
+    out.text(hosted.failure);
+  }
+  if (word != RobotWord::kStepped) {
+    return;
+  }
+  for (const Device& device : hosted.actuators) {
+    const std::size_t begin = out.openBlock();
+    device.type->write(device.data.get(), out);
+    out.closeBlock(begin);
+  }
+  out.number(static_cast<std::uint32_t>(hosted.robot->debugValues().size()));
+  for (const auto& [key, value] : hosted.robot->debugValues()) {
+    out.text(key);
+    out.text(value);
+  }
+}
+
+}  // namespace swarmanoid

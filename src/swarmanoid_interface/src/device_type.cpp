@@ -1,0 +1,33 @@
+#include "swarmanoid_interface/device_type.hpp"
+
+#include <map>
+
+namespace swarmanoid {
+namespace {
+
+std::map<std::string, DeviceType>& types() {
+  static std::map<std::string, DeviceType> types;
+  return types;
+}
+
+}  // namespace
+
+void registerDeviceType(DeviceType type) {
+  const std::string name = type.type;
+  types().emplace(name, std::move(type));
+}
+
+const DeviceType* findDeviceType(const std::string& type) {
+  const auto found = types().find(type);
+  return found == types().end() ? nullptr : &found->second;
+}
+
+std::vector<const DeviceType*> deviceTypes() {
+  std::vector<const DeviceType*> result;
+  for (const auto& [name, type] : types()) {
+    result.push_back(&type);
+  }
+  return result;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,174 @@
+#include "swarmanoid_interface/ros/participant.hpp"
+
+#include <ros/ros.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+namespace {
+
+void logRobot(LogLevel level, const std::string& robot, const std::string& text) {
+  switch (level) {
+    case LogLevel::kInfo:
+      ROS_INFO("%s: %s", robot.c_str(), text.c_str());
+      break;
+    case LogLevel::kWarning:
+      ROS_WARN("%s: %s", robot.c_str(), text.c_str());
+      break;
+    case LogLevel::kError:
+      ROS_ERROR("%s: %s", robot.c_str(), text.c_str());
+      break;
+  }
+}
+
+std::string textOf(const XmlRpc::XmlRpcValue& value) {
+  XmlRpc::XmlRpcValue copy = value;  // its readers are not const
+  std::ostringstream text;
+  switch (copy.getType()) {
+    case XmlRpc::XmlRpcValue::TypeBoolean:
+      return static_cast<bool>(copy) ? "true" : "false";
+    case XmlRpc::XmlRpcValue::TypeString:
+      return static_cast<std::string>(copy);
+    default:
+      text << copy;
+      return text.str();
+  }
+}
+
+void addAll(const XmlRpc::XmlRpcValue& values, const SourceLocation& location, Configuration& element) {
+  XmlRpc::XmlRpcValue copy = values;
+  if (copy.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+    throw ConfigError(location, "found '" + textOf(copy) + "', allowed: names with values");
+  }
+  for (auto& [name, value] : copy) {
+    const bool is_inner = value.getType() == XmlRpc::XmlRpcValue::TypeStruct;
+    Configuration child(name, is_inner ? "" : textOf(value), location);
+    if (is_inner) {
+      addAll(value, location, child);
+    }
+    element.add(std::move(child));
+  }
+}
+
+}  // namespace
+
+Participant::Participant(const ros::NodeHandle& own, std::string name, std::string label)
+    : own_(own), name_(std::move(name)), label_(std::move(label)) {
+  own_.setCallbackQueue(&queue_);
+  thread_ = std::thread([this] { run(); });
+}
+
+Participant::~Participant() {
+  is_over_ = true;
+  thread_.join();
+}
+
+void Participant::run() {
+  try {
+    swarmanoid_msgs::Register::Response response;
+    if (!registerWithSpace(response)) {
+      return;
+    }
+    const Registration registration = adapt(fromMessage(response));
+    session_ = registration.session;
+    const auto* entry = Registry::instance().find(PluginKind::kController, label_);
+    host_ = std::make_unique<ControllerHost>(
+        registration, [entry] { return makePlugin<Controller>(*entry); }, logRobot);
+    const std::string topics = space_ + "/participants/" + name_;
+    constexpr bool kLatched = true;  // whichever side is connected first, nothing is lost
+    commands_ = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
+    sensors_ = own_.subscribe(topics + "/sensors", 1, &Participant::answer, this, ros::TransportHints().tcpNoDelay());
+    ROS_INFO("commanding %zu robot(s) of %s with %s", registration.robots.size(), space_.c_str(), label_.c_str());
+    bool was_there = false;
+    while (!isOver()) {
+      constexpr double kInterval = 0.1;  // [s]
+      queue_.callAvailable(ros::WallDuration(kInterval));
+      const bool is_there = sensors_.getNumPublishers() > 0;
+      if (was_there && !is_there) {
+        ROS_INFO("%s is gone", space_.c_str());
+        break;
+      }
+      was_there = is_there;
+    }
+  } catch (const std::exception& error) {
+    if (!isOver()) {
+      ROS_FATAL("participant '%s': %s", name_.c_str(), error.what());
+    }
+  }
+  sensors_.shutdown();
+  host_.reset();
+  if (!is_over_) {
+    ros::requestShutdown();
+  }
+}
+
+bool Participant::registerWithSpace(swarmanoid_msgs::Register::Response& response) {
+  swarmanoid_msgs::Register::Request request;
+  std::string robots;
+  own_.getParam("robots", robots);
+  std::istringstream words(robots);
+  for (std::string word; words >> word;) {
+    request.robots.push_back(word);
+  }
+  request.participant = name_;
+  request.timeout = own_.param("timeout", 0.0);
+  request.policy = own_.param("policy", std::string());
+  space_ = own_.param("space", std::string("/space"));
+  const std::string service = space_ + "/register";
+  bool is_told = false;
+  while (!isOver()) {
+    if (ros::service::exists(service, false) && ros::service::call(service, request, response)) {
+      if (response.success == 0) {
+        throw std::runtime_error(response.message);
+      }
+      return true;
+    }
+    if (!is_told) {
+      ROS_INFO("waiting for %s", service.c_str());
+      is_told = true;
+    }
+    constexpr double kInterval = 0.1;  // [s]
+    ros::WallDuration(kInterval).sleep();
+  }
+  return false;
+}
+
+Registration Participant::adapt(Registration registration) {
+  XmlRpc::XmlRpcValue values;
+  const bool has_own_parameters = own_.getParam("parameters", values);
+  if (label_.empty()) {
+    label_ = registration.robots.front().label;
+  }
+  if (Registry::instance().find(PluginKind::kController, label_) == nullptr) {
+    loadPluginLibrary(own_.param("library", label_), {}, {own_.getNamespace(), 0});
+  }
+  if (Registry::instance().find(PluginKind::kController, label_) == nullptr) {
+    const std::vector<std::string> known = Registry::instance().labels(PluginKind::kController);
+    throw std::runtime_error("controller '" + label_ + "' is not registered; there are: " + joinNames(known) +
+                             didYouMean(label_, known));
+  }
+  for (RemoteRobot& robot : registration.robots) {
+    if (has_own_parameters) {
+      const SourceLocation location{own_.getNamespace() + "/parameters", 0};
+      robot.parameters = Configuration("parameters", "", location);
+      addAll(values, location, robot.parameters);
+    } else if (robot.label != label_) {
+      throw std::runtime_error("robot '" + robot.name + "' has the controller '" + robot.label +
+                               "' in the experiment; for '" + label_ + "' set ~parameters");
+    }
+  }
+  return registration;
+}
+
+void Participant::answer(const swarmanoid_msgs::SensorFrameConstPtr& message) {
+  if (message->session != session_) {
+    return;  // for a former self, still latched
+  }
+  toMessage(host_->answer(fromMessage(*message)), commands_message_);
+  commands_.publish(commands_message_);
+}
+
+}  // namespace swarmanoid

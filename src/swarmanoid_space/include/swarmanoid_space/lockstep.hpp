@@ -1,0 +1,160 @@
+/// Lockstep with participants: processes that run controllers for a space. Each tick every participant gets one sensor
+/// frame and gives one command frame; the tick waits for it. No ROS here: whoever carries the frames passes a function
+/// that sends them, and calls `answer` with what comes back.
+///
+/// Results do not depend on when an answer comes, or in which order: with equal answers a run has the bits of one whose
+/// controllers are in process.
+///
+/// Time     time-outs are wall time; nothing here needs simulated time to advance.
+/// Threads  join, answer, cancel, reports: any thread. The rest: the space's. A Send is called on the space's thread,
+///          without locks, and may answer at once.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/frames.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+struct Driver;
+
+/// What becomes of a tick when a participant is late.
+enum class LatePolicy {
+  kWait,  ///< it waits on, as long as it takes
+  kSkip,  ///< it goes on: the robots keep their last commands, and nobody waits for the participant until it answers
+  kStop   ///< the run stops
+};
+
+/// "wait", "skip", "stop".
+const char* toString(LatePolicy policy);
+/// @return nothing if it is none
+std::optional<LatePolicy> parseLatePolicy(const std::string& text);
+
+class Lockstep {
+ public:
+  using Seconds = std::chrono::duration<double>;
+  using Send = std::function<void(const SensorFrame&)>;
+
+  struct Options {
+    LatePolicy policy = LatePolicy::kWait;
+    Seconds timeout{1.0};        ///< for the answer of a participant
+    Seconds join_timeout{20.0};  ///< for a robot that nobody has registered for
+  };
+
+  struct Request {
+    std::string participant;           ///< its name; who joins again under it replaces its former self
+    std::vector<std::string> robots;   ///< that it commands, at least one
+    std::optional<LatePolicy> policy;  ///< instead of the space's
+    std::optional<Seconds> timeout;    ///< likewise
+  };
+
+  /// A participant as those see it who watch over a run. One without a name stands for robots that nobody commands.
+  struct Report {
+    std::string participant;
+    std::vector<std::string> robots;
+    bool is_late = false;
+    std::uint64_t answers = 0;
+    std::uint64_t times_late = 0;
+    std::uint64_t refused = 0;  ///< answers for a wrong tick, doubled, or of a former self
+  };
+
+  // For the carrier.
+
+  /// From the next frame on the participant commands these robots. Another participant that is late with one of them
+  /// is dropped.
+  /// @throws std::runtime_error for a robot that is not commanded from elsewhere, or by another participant that is not
+  /// late; then nothing has changed
+  Registration join(const Request& request, Send send);
+  /// The answer to a frame. One that nobody waits for is refused, and told of once for each participant.
+  /// @return why it is refused; "" if it is not
+  std::string answer(CommandFrame frame);
+  std::vector<Report> reports() const;
+
+  // For the simulation.
+
+  void setOptions(const Options& options);
+  /// Between ticks, whenever robots, their devices or their commanders have changed.
+  /// @param robots with the indices of their drivers
+  void offer(std::vector<std::pair<RemoteRobot, std::size_t>> robots, const Space& space);
+  /// Sends the readings to all participants.
+  void send(const Space& space, const std::vector<Driver>& drivers);
+  /// Waits for all answers, and makes them the commands of the robots.
+  /// @throws std::runtime_error naming who is late, by LatePolicy::kStop, or if it is cancelled
+  void receive(Space& space, std::vector<Driver>& drivers, const Robot::LogSink& log);
+  /// `receive` waits no more, now and later.
+  void cancel();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::size_t kNowhere = ~std::size_t{0};
+
+  struct Offered {
+    RemoteRobot robot;
+    std::size_t driver = 0;
+    bool is_commanded = false;
+  };
+  struct Participant {
+    std::string name;
+    std::vector<RemoteRobot> robots;
+    std::vector<std::size_t> drivers;  // of the robots; kNowhere: not to be commanded now
+    Send send;
+    LatePolicy policy = LatePolicy::kWait;
+    Seconds timeout{1.0};
+    SensorFrame frame;  // the last one, filled on the space's thread
+    CommandFrame answer;
+    Clock::time_point sent;
+    bool is_asked = false;     // this tick
+    bool is_answered = false;  // this tick
+    bool is_late = false;      // and that has been told
+    bool is_new = true;
+    std::uint64_t answers = 0;
+    std::uint64_t times_late = 0;
+    std::uint64_t refused = 0;
+  };
+  struct Note {
+    Event::Kind kind;
+    std::string participant;
+    std::string text;
+  };
+  using Lock = std::unique_lock<std::mutex>;
+
+  void resolve(Participant& participant);
+  void markCommanded();
+  /// Drops its former self, and who is late with a robot of it. @return whether there was a former self
+  bool replace(Participant& joined);
+  void ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers);
+  bool isDone() const;
+  std::vector<std::string> lonelyRobots() const;
+  Clock::time_point nextDeadline() const;
+  void checkDeadlines(const Space& space);
+  void tell(const Note& note, Space& space, const Robot::LogSink& log) const;
+  void tellAll(Lock& lock, Space& space, const Robot::LogSink& log);
+  static void obey(const Participant& participant, Space& space, std::vector<Driver>& drivers);
+
+  mutable std::mutex mutex_;  // guards what follows
+  std::condition_variable changed_;
+  Options options_;
+  std::vector<Offered> offered_;
+  std::vector<std::shared_ptr<Participant>> participants_;  // by name
+  std::vector<Note> notes_;                                 // to be told on the space's thread
+  std::string stop_reason_;
+  std::uint64_t last_session_ = 0;
+  std::uint64_t run_ = 0;
+  std::uint64_t tick_ = 0;
+  std::uint64_t seed_ = 1;
+  Duration clocktick_{};
+  Clock::time_point started_;     // this tick's waiting
+  bool are_lonely_told_ = false;  // robots without a participant
+  bool is_cancelled_ = false;
+};
+
+}  // namespace swarmanoid

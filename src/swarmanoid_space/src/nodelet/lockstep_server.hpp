@@ -1,0 +1,44 @@
+/// Carries frames between a simulation and its participants: the service ~register, the topics ~participants/<name>/
+/// sensors and commands, and a status in /diagnostics that names who is late.
+///
+/// Threads  a queue and a thread of its own, so that it answers while a tick waits.
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <swarmanoid_msgs/Register.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "swarmanoid_space/lockstep.hpp"
+
+namespace swarmanoid {
+
+class LockstepServer {
+ public:
+  /// @param lockstep of a simulation that lives longer
+  LockstepServer(const ros::NodeHandle& own, const std::string& experiment, Lockstep& lockstep);
+  ~LockstepServer();
+
+ private:
+  struct Channel;
+
+  bool join(swarmanoid_msgs::Register::Request& request, swarmanoid_msgs::Register::Response& response);
+  std::shared_ptr<Channel> open(const std::string& participant);
+  void report(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  Lockstep& lockstep_;
+  ros::CallbackQueue queue_;
+  ros::NodeHandle own_;
+  std::map<std::string, std::shared_ptr<Channel>> channels_;  // by participant
+  ros::ServiceServer server_;
+  diagnostic_updater::Updater updater_;
+  ros::WallTimer timer_;
+  ros::AsyncSpinner spinner_;
+};
+
+}  // namespace swarmanoid

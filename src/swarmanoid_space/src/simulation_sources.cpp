@@ -1,0 +1,104 @@
+// Who commands a robot: its controller here, a participant elsewhere, or nobody.
+#include "cast.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// @throws std::runtime_error for a device that cannot travel
+std::vector<DeviceLayout> layoutsOf(const std::vector<DeviceDescription>& devices) {
+  std::vector<DeviceLayout> layouts;
+  for (const DeviceDescription& device : devices) {
+    const DeviceType* type = findDeviceType(device.type);
+    if (type == nullptr) {
+      throw std::runtime_error("device '" + device.type +
+                               "' cannot travel to another process: no REGISTER_DEVICE says which fields it has");
+    }
+    layouts.push_back({type->type, type->layout});
+  }
+  return layouts;
+}
+
+RemoteRobot describe(const Driver& driver) {
+  const ControllerDescription& controller = *driver.group->description;
+  return {driver.robot->name(), driver.robot->type(),          controller.id,
+          controller.label,     layoutsOf(controller.sensors), layoutsOf(controller.actuators),
+          controller.parameters};
+}
+
+}  // namespace
+
+const char* toString(CommandSource source) {
+  switch (source) {
+    case CommandSource::kController:
+      return "controller";
+    case CommandSource::kRemote:
+      return "remote";
+    case CommandSource::kNone:
+      return "none";
+  }
+  return "";
+}
+
+std::optional<CommandSource> parseCommandSource(const std::string& text) {
+  for (const CommandSource source : {CommandSource::kController, CommandSource::kRemote, CommandSource::kNone}) {
+    if (text == toString(source)) {
+      return source;
+    }
+  }
+  return std::nullopt;
+}
+
+Lockstep& Simulation::lockstep() { return cast_->lockstep; }
+
+void Simulation::interrupt() { cast_->lockstep.cancel(); }
+
+void Simulation::refuseUnlessRemote(const Driver& driver) const { describe(driver); }
+
+void Simulation::offerRobots() {
+  std::vector<std::pair<RemoteRobot, std::size_t>> robots;
+  for (std::size_t i = 0; i < cast_->drivers.size(); ++i) {
+    if (cast_->drivers[i].source == CommandSource::kRemote) {
+      robots.emplace_back(describe(cast_->drivers[i]), i);
+    }
+  }
+  cast_->lockstep.offer(std::move(robots), space_);
+}
+
+void Simulation::setCommandSource(const std::string& robot, CommandSource source) {
+  Driver* driver = cast_->findDriver(space_.entities.find(robot));
+  if (driver == nullptr) {
+    throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
+  }
+  if (driver->source == source) {
+    return;
+  }
+  std::shared_ptr<Controller> controller;
+  try {
+    if (source == CommandSource::kController) {
+      controller = driver->group->make();
+      controller->init(*driver->robot, driver->group->description->parameters);
+    } else if (source == CommandSource::kRemote) {
+      refuseUnlessRemote(*driver);
+    }
+  } catch (const std::exception& error) {
+    throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + error.what());
+  }
+  if (driver->controller) {
+    driver->controller->destroy();
+  }
+  driver->controller = std::move(controller);
+  pending_events_.push_back(
+      {Event::Kind::kIntervention, robot, "",
+       std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});
+  driver->source = source;
+  if (source == CommandSource::kNone) {
+    for (const auto& actuator : driver->group->actuators) {
+      actuator->stop(space_, driver->row);
+    }
+  }
+  offerRobots();
+}
+
+}  // namespace swarmanoid
