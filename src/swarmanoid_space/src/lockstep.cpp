@@ -32,11 +32,11 @@ void Lockstep::setOptions(const Options& options) {
   options_ = options;
 }
 
-void Lockstep::offer(std::vector<std::pair<RemoteRobot, std::size_t>> robots, const Space& space) {
+void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space) {
   const std::lock_guard<std::mutex> lock(mutex_);
   offered_.clear();
-  for (auto& [robot, driver] : robots) {
-    offered_.push_back({std::move(robot), driver, false});
+  for (const auto& [robot, driver] : robots) {
+    offered_.push_back({robot, driver, false});
   }
   for (const auto& participant : participants_) {
     resolve(*participant);
@@ -162,11 +162,11 @@ std::string Lockstep::answer(CommandFrame frame) {
                       "is back: it answered for tick " + std::to_string(frame.stamp.tick)});
     return "too late for tick " + std::to_string(frame.stamp.tick);
   }
-  const std::string problem = is_this_tick ? "answered twice for tick " + std::to_string(frame.stamp.tick)
-                                           : "answered for tick " + std::to_string(frame.stamp.tick) + " of run " +
-                                                 std::to_string(frame.stamp.run) + ", asked for tick " +
-                                                 std::to_string(participant.frame.stamp.tick) + " of run " +
-                                                 std::to_string(participant.frame.stamp.run);
+  std::string problem = is_this_tick ? "answered twice for tick " + std::to_string(frame.stamp.tick)
+                                     : "answered for tick " + std::to_string(frame.stamp.tick) + " of run " +
+                                           std::to_string(frame.stamp.run) + ", asked for tick " +
+                                           std::to_string(participant.frame.stamp.tick) + " of run " +
+                                           std::to_string(participant.frame.stamp.run);
   if (participant.refused++ == 0) {
     notes_.push_back({Event::Kind::kAnswerRefused, participant.name, problem + "; more of the like is only counted"});
   }

@@ -63,7 +63,7 @@ void Simulation::offerRobots() {
       robots.emplace_back(describe(cast_->drivers[i]), i);
     }
   }
-  cast_->lockstep.offer(std::move(robots), space_);
+  cast_->lockstep.offer(robots, space_);
 }
 
 void Simulation::setCommandSource(const std::string& robot, CommandSource source) {

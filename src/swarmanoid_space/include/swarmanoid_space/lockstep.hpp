@@ -84,7 +84,7 @@ class Lockstep {
   void setOptions(const Options& options);
   /// Between ticks, whenever robots, their devices or their commanders have changed.
   /// @param robots with the indices of their drivers
-  void offer(std::vector<std::pair<RemoteRobot, std::size_t>> robots, const Space& space);
+  void offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space);
   /// Sends the readings to all participants.
   void send(const Space& space, const std::vector<Driver>& drivers);
   /// Waits for all answers, and makes them the commands of the robots.
