@@ -19,7 +19,7 @@ class Participant:
 
     def __init__(self, robot, controller=None, **parameters):
         self.name = robot + "_controller"
-        nodelet = "swarmanoid_experiments/" + (controller or CONTROLLERS[robot])
+        nodelet = "swarmanoid_controllers/" + (controller or CONTROLLERS[robot])
         parameters = dict(parameters, robots=robot, space="/space")
         arguments = [f"_{name}:={value}" for name, value in parameters.items()]
         self._process = subprocess.Popen(["rosrun", "nodelet", "nodelet", "standalone", nodelet,

@@ -21,7 +21,7 @@ class UnloadTest(unittest.TestCase):
 
     def test_1_a_part_without_a_space_does_not_load(self):
         self.assertFalse(load("/lonely", "swarmanoid_engines/EngineNodelet"))
-        self.assertFalse(load("/lonely", "swarmanoid_experiments/diffusion"))
+        self.assertFalse(load("/lonely", "swarmanoid_controllers/diffusion"))
 
     def test_2_a_space_with_a_bad_parameter_does_not_load(self):
         rospy.set_param("/second/experiment", "object_retrieval")

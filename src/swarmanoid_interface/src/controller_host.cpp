@@ -2,6 +2,8 @@
 
 #include <stdexcept>
 
+#include "swarmanoid_interface/step_controller.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -94,7 +96,7 @@ const CommandFrame& ControllerHost::answer(const SensorFrame& frame) {
   ByteWriter out(answer_.data);
   for (Hosted& hosted : hosted_) {
     if (hosted.is_present && hosted.failure.empty()) {
-      step(hosted, frame);
+      hosted.failure = stepController(*hosted.controller, *hosted.robot, frame.stamp.tick, frame.time, frame.clocktick);
     }
     write(hosted, out);
   }
@@ -132,17 +134,6 @@ void ControllerHost::read(const SensorFrame& frame) {
         throw ByteError(registration_.robots[i].name + ", " + device.type->type + ": " + error.what());
       }
     }
-  }
-}
-
-void ControllerHost::step(Hosted& hosted, const SensorFrame& frame) {
-  hosted.robot->startTick(frame.stamp.tick, frame.time);
-  try {
-    hosted.controller->step(frame.time, frame.clocktick);
-  } catch (const std::exception& error) {
-    hosted.failure = *error.what() == '\0' ? "threw an exception without a text" : error.what();
-  } catch (...) {
-    hosted.failure = "threw something that is no std::exception";
   }
 }
 

@@ -1,6 +1,7 @@
 #include "swarmanoid_interface/registry.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <tuple>
 
 namespace swarmanoid {
@@ -61,6 +62,16 @@ const Registry::Entry* Registry::find(PluginKind kind, const std::string& label,
     }
   }
   return nullptr;
+}
+
+const Registry::Entry& Registry::require(PluginKind kind, const std::string& label) const {
+  const Entry* entry = find(kind, label);
+  if (entry == nullptr) {
+    const std::vector<std::string> known = labels(kind);
+    throw std::runtime_error(std::string(toString(kind)) + " '" + label +
+                             "' is not registered; there are: " + joinNames(known) + didYouMean(label, known));
+  }
+  return *entry;
 }
 
 std::vector<const Registry::Entry*> Registry::all(PluginKind kind) const {

@@ -48,7 +48,7 @@ bool Attachments::isAttached(Row owner) const {
 }
 
 bool Attachments::isHeld(Row held) const {
-  return std::any_of(by_owner_.begin(), by_owner_.end(), [held](const Slots& slots) {
+  return !isEmpty() && std::any_of(by_owner_.begin(), by_owner_.end(), [held](const Slots& slots) {
     return std::any_of(slots.begin(), slots.end(), [held](const Attachment& slot) { return slot.held == held; });
   });
 }

@@ -113,7 +113,7 @@ Registration Lockstep::join(const Request& request, Send send) {
                                   [&](const auto& other) { return joined->name < other->name; });
   participants_.insert(place, joined);
   markCommanded();
-  are_lonely_told_ = are_lonely_told_ && !lonelyRobots().empty();
+  are_lonely_told_ = are_lonely_told_ && isAnybodyLonely();
   notes_.push_back({Event::Kind::kParticipantJoined, joined->name,
                     std::string(is_again ? "again, " : "") + "for " + joinNames(request.robots)});
   changed_.notify_all();
@@ -189,6 +189,10 @@ std::vector<Lockstep::Report> Lockstep::reports() const {
     reports.push_back({"", lonely, true, 0, 0, 0});
   }
   return reports;
+}
+
+bool Lockstep::isAnybodyLonely() const {
+  return std::any_of(offered_.begin(), offered_.end(), [](const Offered& offered) { return !offered.is_commanded; });
 }
 
 std::vector<std::string> Lockstep::lonelyRobots() const {

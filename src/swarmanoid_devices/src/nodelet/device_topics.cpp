@@ -1,6 +1,5 @@
 #include "device_topics.hpp"
 
-#include "swarmanoid_interface/ros/device_messages.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -9,24 +8,20 @@ DeviceTopics::DeviceTopics(const std::string& robot, const ros::NodeHandle& robo
   id_ = robot;
 }
 
-template <class Device, class Message>
-void DeviceTopics::addSensor(const Space& space, Row row, const std::string& topic, const std::string& link) {
-  if (space.readings.find<Device>(row) == nullptr) {
+void DeviceTopics::addReadings(const Space& space, Row row, const DeviceTopic& device) {
+  if (space.readings.find(device.device, row) == nullptr) {
     return;
   }
-  constexpr std::uint32_t kQueue = 10;
-  const std::string frame = frameOf(id_, link);
-  topics_.push_back({handle_.advertise<Message>(topic, kQueue),
-                     [frame](const ros::Publisher& publisher, const Space& seen, Row reader) {
+  std_msgs::Header header;
+  header.frame_id = frameOf(id_, device.frame);
+  topics_.push_back({device.advertise(handle_, device),
+                     [header, &device](const ros::Publisher& publisher, const Space& seen, Row reader) mutable {
                        if (publisher.getNumSubscribers() == 0) {
                          return;
                        }
-                       if (const auto* readings = seen.readings.find<Device>(reader)) {
-                         Message message;
-                         toMessage(*readings, message);
-                         message.header.stamp = stampOf(seen);
-                         message.header.frame_id = frame;
-                         publisher.publish(message);
+                       if (const void* readings = seen.readings.find(device.device, reader)) {
+                         header.stamp = stampOf(seen);
+                         device.publish(publisher, readings, header);
                        }
                      }});
 }
@@ -55,15 +50,11 @@ void DeviceTopics::addLeds(const Space& space, Row row) {
 }
 
 void DeviceTopics::addAll(const Space& space, Row row) {
-  addSensor<FootbotProximity, swarmanoid_msgs::ProximityArray>(space, row, "proximity", "base_link");
-  addSensor<FootbotCamera, swarmanoid_msgs::ColorBlobs>(space, row, "camera/blobs", "base_link");
-  addSensor<EyebotCamera, swarmanoid_msgs::ColorBlobs>(space, row, "camera/blobs", "base_link");
-  addSensor<FootbotGripperState, swarmanoid_msgs::GripperState>(space, row, "gripper/state", "gripper_tip");
-  addSensor<HandbotArmsState, sensor_msgs::JointState>(space, row, "joint_states", "base_link");
-  addSensor<HandbotHandsState, swarmanoid_msgs::HandsState>(space, row, "hands/state", "base_link");
-  addSensor<HandbotRopeState, swarmanoid_msgs::RopeState>(space, row, "rope/state", "rope_launcher");
-  addSensor<EyebotMagnetState, swarmanoid_msgs::GripperState>(space, row, "magnet/state", "magnet");
-  addSensor<FootbotTurretState, sensor_msgs::JointState>(space, row, "turret/state", "base_link");
+  for (const DeviceTopic* device : deviceTopics()) {
+    if (device->kind == DeviceTopic::Kind::kReading) {
+      addReadings(space, row, *device);
+    }
+  }
   addLeds(space, row);
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_interface/ros/device_topic.hpp"
 #include "swarmanoid_space/visualisation.hpp"
 
 namespace swarmanoid {
@@ -30,8 +31,7 @@ class DeviceTopics final : public Visualisation {
     std::function<void(const ros::Publisher&, const Space&, Row)> publish;
   };
 
-  template <class Device, class Message>
-  void addSensor(const Space& space, Row row, const std::string& topic, const std::string& link);
+  void addReadings(const Space& space, Row row, const DeviceTopic& device);
   void addLeds(const Space& space, Row row);
   void addAll(const Space& space, Row row);
 

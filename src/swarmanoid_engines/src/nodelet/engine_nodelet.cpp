@@ -1,6 +1,5 @@
 // One engine of an experiment as a nodelet. It hosts engines of any label, from this package or another.
 #include <pluginlib/class_list_macros.hpp>
-#include <stdexcept>
 
 #include "swarmanoid_interface/ros/part_nodelet.hpp"
 #include "swarmanoid_space/engine.hpp"
@@ -13,13 +12,7 @@ class EngineNodelet final : public PartNodelet {
 
  private:
   std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) override {
-    const auto* entry = Registry::instance().find(PluginKind::kEngine, request.label);
-    if (entry == nullptr) {
-      const std::vector<std::string> known = Registry::instance().labels(PluginKind::kEngine);
-      throw std::runtime_error("engine '" + request.label + "' is not registered; there are: " + joinNames(known) +
-                               didYouMean(request.label, known));
-    }
-    auto engine = makePlugin<Engine>(*entry);
+    auto engine = makePlugin<Engine>(Registry::instance().require(PluginKind::kEngine, request.label));
     engine->configure(request.id, request.parameters);
     return engine;
   }

@@ -51,7 +51,6 @@ class ControllerHost {
   void give(Hosted& hosted, const RemoteRobot& description);
   void take(Hosted& hosted);
   void read(const SensorFrame& frame);
-  void step(Hosted& hosted, const SensorFrame& frame);
   void write(const Hosted& hosted, ByteWriter& out) const;
 
   Registration registration_;

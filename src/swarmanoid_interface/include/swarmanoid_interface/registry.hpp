@@ -78,6 +78,10 @@ class Registry {
   /// @return null if there is none
   const Entry* find(PluginKind kind, const std::string& label, const std::string& implementation = "") const;
 
+  /// By label or alias.
+  /// @throws std::runtime_error naming all labels of the kind, if there is none
+  const Entry& require(PluginKind kind, const std::string& label) const;
+
   /// All entries of a kind, sorted by label and implementation.
   std::vector<const Entry*> all(PluginKind kind) const;
 

@@ -19,13 +19,8 @@ std::shared_ptr<void> ControllerNodelet::makePart(const AttachmentPoint::Request
     throw std::runtime_error("this nodelet hosts '" + label_ + "', controller '" + request.id + "' is a '" +
                              request.label + "'");
   }
-  const auto* entry = Registry::instance().find(PluginKind::kController, request.label);
-  if (entry == nullptr) {
-    const std::vector<std::string> known = Registry::instance().labels(PluginKind::kController);
-    throw std::runtime_error("controller '" + request.label + "' is not registered; there are: " + joinNames(known) +
-                             didYouMean(request.label, known));
-  }
-  return std::make_shared<ControllerFactory>([entry] { return makePlugin<Controller>(*entry); });
+  const Registry::Entry& entry = Registry::instance().require(PluginKind::kController, request.label);
+  return std::make_shared<ControllerFactory>([&entry] { return makePlugin<Controller>(entry); });
 }
 
 }  // namespace swarmanoid

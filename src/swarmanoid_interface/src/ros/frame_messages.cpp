@@ -72,6 +72,33 @@ void unflatten(const std::string& path, const std::string& value, const SourceLo
   element = std::move(changed);
 }
 
+void toMessage(const RemoteRobot& robot, swarmanoid_msgs::RemoteRobot& message) {
+  message.name = robot.name;
+  message.type = robot.type;
+  message.controller = robot.controller;
+  message.label = robot.label;
+  message.sensors = toMessages(robot.sensors);
+  message.actuators = toMessages(robot.actuators);
+  message.parameters.clear();
+  message.location = robot.parameters.location().toString();
+  flatten(robot.parameters, "", message);
+}
+
+RemoteRobot fromMessage(const swarmanoid_msgs::RemoteRobot& message) {
+  const SourceLocation location{message.location, 0};  // lines are in the text already
+  Configuration parameters("parameters", "", location);
+  for (const auto& parameter : message.parameters) {
+    unflatten(parameter.name, parameter.value, location, parameters);
+  }
+  return {message.name,
+          message.type,
+          message.controller,
+          message.label,
+          fromMessages(message.sensors),
+          fromMessages(message.actuators),
+          std::move(parameters)};
+}
+
 }  // namespace
 
 void toMessage(const SensorFrame& frame, swarmanoid_msgs::SensorFrame& message) {
@@ -106,15 +133,7 @@ void toMessage(const Registration& registration, swarmanoid_msgs::Register::Resp
   message.seed = registration.seed;
   message.clocktick.fromNSec(registration.clocktick.count());
   for (const RemoteRobot& robot : registration.robots) {
-    swarmanoid_msgs::RemoteRobot& sent = message.robots.emplace_back();
-    sent.name = robot.name;
-    sent.type = robot.type;
-    sent.controller = robot.controller;
-    sent.label = robot.label;
-    sent.sensors = toMessages(robot.sensors);
-    sent.actuators = toMessages(robot.actuators);
-    sent.location = robot.parameters.location().toString();
-    flatten(robot.parameters, "", sent);
+    toMessage(robot, message.robots.emplace_back());
   }
 }
 
@@ -126,15 +145,24 @@ Registration fromMessage(const swarmanoid_msgs::Register::Response& message) {
   registration.seed = message.seed;
   registration.clocktick = Duration(message.clocktick.toNSec());
   for (const auto& sent : message.robots) {
-    // lines are in the text already
-    const SourceLocation location{sent.location, 0};
-    Configuration parameters("parameters", "", location);
-    for (const auto& parameter : sent.parameters) {
-      unflatten(parameter.name, parameter.value, location, parameters);
-    }
-    registration.robots.push_back({sent.name, sent.type, sent.controller, sent.label, fromMessages(sent.sensors),
-                                   fromMessages(sent.actuators), std::move(parameters)});
+    registration.robots.push_back(fromMessage(sent));
   }
+  return registration;
+}
+
+void toMessage(const Registration& registration, std::size_t robot, swarmanoid_msgs::ControllerStart& message) {
+  toMessage(registration.robots[robot], message.robot);
+  message.seed = registration.seed;
+  message.run = registration.run;
+  message.clocktick.fromNSec(registration.clocktick.count());
+}
+
+Registration fromMessage(const swarmanoid_msgs::ControllerStart& message) {
+  Registration registration;
+  registration.run = message.run;
+  registration.seed = message.seed;
+  registration.clocktick = Duration(message.clocktick.toNSec());
+  registration.robots.push_back(fromMessage(message.robot));
   return registration;
 }
 

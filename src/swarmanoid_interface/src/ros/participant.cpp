@@ -6,23 +6,10 @@
 #include <stdexcept>
 
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/ros/log.hpp"
 
 namespace swarmanoid {
 namespace {
-
-void logRobot(LogLevel level, const std::string& robot, const std::string& text) {
-  switch (level) {
-    case LogLevel::kInfo:
-      ROS_INFO("%s: %s", robot.c_str(), text.c_str());
-      break;
-    case LogLevel::kWarning:
-      ROS_WARN("%s: %s", robot.c_str(), text.c_str());
-      break;
-    case LogLevel::kError:
-      ROS_ERROR("%s: %s", robot.c_str(), text.c_str());
-      break;
-  }
-}
 
 std::string textOf(const XmlRpc::XmlRpcValue& value) {
   XmlRpc::XmlRpcValue copy = value;  // its readers are not const
@@ -74,9 +61,9 @@ void Participant::run() {
     }
     const Registration registration = adapt(fromMessage(response));
     session_ = registration.session;
-    const auto* entry = Registry::instance().find(PluginKind::kController, label_);
+    const Registry::Entry& entry = Registry::instance().require(PluginKind::kController, label_);
     host_ = std::make_unique<ControllerHost>(
-        registration, [entry] { return makePlugin<Controller>(*entry); }, logRobot);
+        registration, [&entry] { return makePlugin<Controller>(entry); }, logRobot);
     const std::string topics = space_ + "/participants/" + name_;
     constexpr bool kLatched = true;  // whichever side is connected first, nothing is lost
     commands_ = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
@@ -144,11 +131,6 @@ Registration Participant::adapt(Registration registration) {
   }
   if (Registry::instance().find(PluginKind::kController, label_) == nullptr) {
     loadPluginLibrary(own_.param("library", label_), {}, {own_.getNamespace(), 0});
-  }
-  if (Registry::instance().find(PluginKind::kController, label_) == nullptr) {
-    const std::vector<std::string> known = Registry::instance().labels(PluginKind::kController);
-    throw std::runtime_error("controller '" + label_ + "' is not registered; there are: " + joinNames(known) +
-                             didYouMean(label_, known));
   }
   for (RemoteRobot& robot : registration.robots) {
     if (has_own_parameters) {

@@ -53,7 +53,7 @@ class Attachments {
   bool isAttached(Row owner, Attachment::Kind kind) const { return of(owner, kind).held != kNoRow; }
   /// Whether the entity holds on to anything.
   bool isAttached(Row owner) const;
-  /// Whether anybody holds on to the entity. Goes through all entities.
+  /// Whether anybody holds on to the entity. Goes through all entities if anything is attached.
   bool isHeld(Row held) const;
 
   /// Calls visit(kind, attachment) for what an entity holds on to, in the order of kinds.

@@ -133,6 +133,7 @@ class Lockstep {
   bool replace(Participant& joined);
   void ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers);
   bool isDone() const;
+  bool isAnybodyLonely() const;
   std::vector<std::string> lonelyRobots() const;
   Clock::time_point nextDeadline() const;
   void checkDeadlines(const Space& space);

@@ -1,10 +1,11 @@
 #include "engine_config.hpp"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cstdint>
 #include <limits>
-#include <locale>
-#include <sstream>
+#include <string>
 
 namespace swarmanoid {
 namespace {
@@ -92,17 +93,11 @@ void addGroup(Config& config) {
   config.groups = {group};
 }
 
+/// The shortest text that is read as this number.
 std::string toText(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(15);
-  text << value;
-  if (std::stod(text.str()) != value) {
-    text.str("");
-    text.precision(std::numeric_limits<double>::max_digits10);
-    text << value;
-  }
-  return text.str();
+  std::array<char, 32> text{};  // the longest has 24 letters
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
 }
 
 }  // namespace

@@ -15,26 +15,9 @@
 #include "space_diagnostics.hpp"
 #include "space_parts.hpp"
 #include "space_services.hpp"
+#include "swarmanoid_interface/ros/log.hpp"
 
 namespace swarmanoid {
-namespace {
-
-void logRobot(LogLevel level, const std::string& robot, const std::string& text) {
-  switch (level) {
-    case LogLevel::kInfo:
-      ROS_INFO("%s: %s", robot.c_str(), text.c_str());
-      break;
-    case LogLevel::kWarning:
-      ROS_WARN("%s: %s", robot.c_str(), text.c_str());
-      break;
-    case LogLevel::kError:
-      ROS_ERROR("%s: %s", robot.c_str(), text.c_str());
-      break;
-  }
-}
-
-}  // namespace
-
 class SpaceNodelet final : public nodelet::Nodelet {
  public:
   ~SpaceNodelet() override;

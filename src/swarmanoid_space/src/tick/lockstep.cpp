@@ -96,7 +96,7 @@ void Lockstep::ask(Participant& participant, const Space& space, const std::vect
 
 bool Lockstep::isDone() const {
   const bool is_skipping = are_lonely_told_ && options_.policy == LatePolicy::kSkip;
-  return (is_skipping || lonelyRobots().empty()) &&
+  return (is_skipping || !isAnybodyLonely()) &&
          std::all_of(participants_.begin(), participants_.end(), [](const auto& participant) {
            const bool is_skipped = participant->is_late && participant->policy == LatePolicy::kSkip;
            return !participant->is_new && (!participant->is_asked || participant->is_answered || is_skipped);
@@ -109,7 +109,7 @@ Lockstep::Clock::time_point Lockstep::nextDeadline() const {
   };
   // who has been told of is waited for without an end, so this is the next moment at which something is to be told
   Clock::time_point next = after(Clock::now(), Seconds(3600.0));
-  if (!are_lonely_told_ && !lonelyRobots().empty()) {
+  if (!are_lonely_told_ && isAnybodyLonely()) {
     next = std::min(next, after(started_, options_.join_timeout));
   }
   for (const auto& participant : participants_) {

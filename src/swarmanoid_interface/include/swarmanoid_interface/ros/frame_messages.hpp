@@ -1,7 +1,8 @@
-/// What space and participants tell each other, as messages.
+/// What space and participants tell each other, and what is recorded of it, as messages.
 #pragma once
 
 #include <swarmanoid_msgs/CommandFrame.h>
+#include <swarmanoid_msgs/ControllerStart.h>
 #include <swarmanoid_msgs/Register.h>
 #include <swarmanoid_msgs/SensorFrame.h>
 
@@ -18,5 +19,10 @@ CommandFrame fromMessage(const swarmanoid_msgs::CommandFrame& message);
 /// All but `success` and `message`.
 void toMessage(const Registration& registration, swarmanoid_msgs::Register::Response& message);
 Registration fromMessage(const swarmanoid_msgs::Register::Response& message);
+
+/// One robot of it. The stamp of the header is the caller's.
+void toMessage(const Registration& registration, std::size_t robot, swarmanoid_msgs::ControllerStart& message);
+/// Of one robot, in session 0.
+Registration fromMessage(const swarmanoid_msgs::ControllerStart& message);
 
 }  // namespace swarmanoid

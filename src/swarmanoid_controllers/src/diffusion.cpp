@@ -17,10 +17,10 @@ class Diffusion final : public Controller {
   void step(Time, Duration) override {
     const ObstacleVector obstacle(*proximity_);
     if (obstacle.length() <= threshold_ || obstacle.x < 0.0) {
-      DifferentialDrive::drive(*wheels_, speed_, 0.0);
+      wheels_->drive(speed_, 0.0);
     } else {
       constexpr double kTurnRate = 1.5;  // rad/s
-      DifferentialDrive::drive(*wheels_, 0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
+      wheels_->drive(0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
     }
   }
 

@@ -51,7 +51,7 @@ class Carrying final : public Controller {
   void show(const char* state, Color color, double speed) {
     robot_->debug("state", state);
     leds_->setAll(color);
-    DifferentialDrive::drive(*wheels_, speed, 0.0);
+    wheels_->drive(speed, 0.0);
   }
 
   Robot* robot_ = nullptr;

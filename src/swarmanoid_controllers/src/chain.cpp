@@ -1,4 +1,4 @@
-// Group transport: up to the object ahead, grip it, wait for the others, then pull together.
+// A chain: hold the footbot ahead, and drive on together.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -6,40 +6,26 @@
 
 namespace swarmanoid {
 
-class Pulling final : public Controller {
+class Chain final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
-    robot_ = &robot;
     wheels_ = &robot.actuator<FootbotWheels>();
     gripper_ = &robot.actuator<FootbotGripper>();
     leds_ = &robot.actuator<FootbotLeds>();
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.1, {0.0, 0.3});
-    start_ = parameters.number("start", 5.0, {0.0, 1e6});
+    start_ = parameters.number("start", 1.0, {0.0, 1e6});
     parameters.refuseUnread({"speed", "start"});
   }
 
   void step(Time time, Duration) override {
+    const bool is_time = toSeconds(time - kEpoch) >= start_;
     gripper_->close();
-    if (!gripper_state_->gripping) {
-      show("approaching", colors::kYellow);
-      DifferentialDrive::drive(*wheels_, speed_, 0.0);
-    } else if (toSeconds(time - kEpoch) < start_) {
-      show("waiting", colors::kBlue);
-      DifferentialDrive::drive(*wheels_, 0.0, 0.0);
-    } else {
-      show("pulling", colors::kGreen);
-      DifferentialDrive::drive(*wheels_, -speed_, 0.0);
-    }
+    leds_->setAll(gripper_state_->gripping ? colors::kGreen : colors::kYellow);
+    wheels_->drive(is_time ? speed_ : 0.0, 0.0);
   }
 
  private:
-  void show(const char* state, Color color) {
-    robot_->debug("state", state);
-    leds_->setAll(color);
-  }
-
-  Robot* robot_ = nullptr;
   FootbotWheels* wheels_ = nullptr;
   FootbotGripper* gripper_ = nullptr;
   FootbotLeds* leds_ = nullptr;
@@ -50,4 +36,4 @@ class Pulling final : public Controller {
 
 }  // namespace swarmanoid
 
-REGISTER_CONTROLLER(swarmanoid::Pulling, "pulling")
+REGISTER_CONTROLLER(swarmanoid::Chain, "chain")

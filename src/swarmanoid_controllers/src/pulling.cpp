@@ -1,4 +1,4 @@
-// A chain: hold the footbot ahead, and drive on together.
+// Group transport: up to the object ahead, grip it, wait for the others, then pull together.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -6,26 +6,40 @@
 
 namespace swarmanoid {
 
-class Chain final : public Controller {
+class Pulling final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
+    robot_ = &robot;
     wheels_ = &robot.actuator<FootbotWheels>();
     gripper_ = &robot.actuator<FootbotGripper>();
     leds_ = &robot.actuator<FootbotLeds>();
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.1, {0.0, 0.3});
-    start_ = parameters.number("start", 1.0, {0.0, 1e6});
+    start_ = parameters.number("start", 5.0, {0.0, 1e6});
     parameters.refuseUnread({"speed", "start"});
   }
 
   void step(Time time, Duration) override {
-    const bool is_time = toSeconds(time - kEpoch) >= start_;
     gripper_->close();
-    leds_->setAll(gripper_state_->gripping ? colors::kGreen : colors::kYellow);
-    DifferentialDrive::drive(*wheels_, is_time ? speed_ : 0.0, 0.0);
+    if (!gripper_state_->gripping) {
+      show("approaching", colors::kYellow);
+      wheels_->drive(speed_, 0.0);
+    } else if (toSeconds(time - kEpoch) < start_) {
+      show("waiting", colors::kBlue);
+      wheels_->drive(0.0, 0.0);
+    } else {
+      show("pulling", colors::kGreen);
+      wheels_->drive(-speed_, 0.0);
+    }
   }
 
  private:
+  void show(const char* state, Color color) {
+    robot_->debug("state", state);
+    leds_->setAll(color);
+  }
+
+  Robot* robot_ = nullptr;
   FootbotWheels* wheels_ = nullptr;
   FootbotGripper* gripper_ = nullptr;
   FootbotLeds* leds_ = nullptr;
@@ -36,4 +50,4 @@ class Chain final : public Controller {
 
 }  // namespace swarmanoid
 
-REGISTER_CONTROLLER(swarmanoid::Chain, "chain")
+REGISTER_CONTROLLER(swarmanoid::Pulling, "pulling")

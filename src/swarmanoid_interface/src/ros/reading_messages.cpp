@@ -1,9 +1,34 @@
+// Sensors as messages, and back.
 #include "swarmanoid_interface/ros/device_messages.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace swarmanoid {
+namespace {
+
+/// @throws std::runtime_error if the joint, or one of its three values, is not there
+struct Joint {
+  double position = 0.0;
+  double velocity = 0.0;
+  double effort = 0.0;
+};
+
+Joint jointOf(const sensor_msgs::JointState& message, const std::string& name) {
+  const auto found = std::find(message.name.begin(), message.name.end(), name);
+  const auto i = static_cast<std::size_t>(found - message.name.begin());
+  const std::size_t least = std::min({message.position.size(), message.velocity.size(), message.effort.size()});
+  if (found == message.name.end() || i >= least) {
+    throw std::runtime_error("found " + std::to_string(message.name.size()) + " joints and at least " +
+                             std::to_string(least) + " values, expected joint '" + name +
+                             "' with position, velocity and effort");
+  }
+  return {message.position[i], message.velocity[i], message.effort[i]};
+}
+
+}  // namespace
 
 std_msgs::ColorRGBA toMessage(Color color) {
   std_msgs::ColorRGBA message;
@@ -89,9 +114,52 @@ void toMessage(const FootbotTurretState& readings, sensor_msgs::JointState& mess
   message.effort.assign(1, readings.torque);
 }
 
-void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message) {
-  message.colors.resize(ring.size());
-  std::transform(ring.begin(), ring.end(), message.colors.begin(), [](Color color) { return toMessage(color); });
+void fromMessage(const swarmanoid_msgs::ProximityArray& message, FootbotProximity& readings) {
+  if (message.values.size() != FootbotProximity::kCount) {
+    throw std::runtime_error("found " + std::to_string(message.values.size()) + " values, expected " +
+                             std::to_string(FootbotProximity::kCount));
+  }
+  std::copy(message.values.begin(), message.values.end(), readings.value.begin());
+}
+
+void fromMessage(const swarmanoid_msgs::ColorBlobs& message, ColorBlobs& readings, VariableParts& parts) {
+  const std::size_t count = message.blobs.size();
+  parts.clear();
+  ColorBlob* blobs = parts.room<ColorBlob>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    blobs[i] = {fromMessage(message.blobs[i].color), message.blobs[i].bearing, message.blobs[i].distance};
+  }
+  readings.blobs = Span<const ColorBlob>(blobs, count);
+  readings.overflowed = message.overflowed != 0;
+}
+
+void fromMessage(const swarmanoid_msgs::GripperState& message, FootbotGripperState& readings) {
+  readings.gripping = message.gripping != 0;
+}
+
+void fromMessage(const sensor_msgs::JointState& message, HandbotArmsState& readings) {
+  for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
+    const Joint joint = jointOf(message, HandbotArmsState::kNames[i]);
+    readings.joints[i] = {joint.position, joint.velocity, joint.effort};
+  }
+}
+
+void fromMessage(const swarmanoid_msgs::HandsState& message, HandbotHandsState& readings) {
+  readings.left = {message.left_holding != 0, message.left_force};
+  readings.right = {message.right_holding != 0, message.right_force};
+}
+
+void fromMessage(const swarmanoid_msgs::RopeState& message, HandbotRopeState& readings) {
+  readings = {message.attached != 0, message.length, message.tension};
+}
+
+void fromMessage(const swarmanoid_msgs::GripperState& message, EyebotMagnetState& readings) {
+  readings.attached = message.gripping != 0;
+}
+
+void fromMessage(const sensor_msgs::JointState& message, FootbotTurretState& readings) {
+  const Joint joint = jointOf(message, "turret");
+  readings = {joint.position, joint.velocity, joint.effort};
 }
 
 }  // namespace swarmanoid

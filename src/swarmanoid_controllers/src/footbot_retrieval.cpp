@@ -38,7 +38,7 @@ class FootbotRetrieval final : public Controller {
     signaller_ = nearestBlob(*camera_, colors::kBlue);
     if (memory_.wiggle_time > 0.0) {
       memory_.wiggle_time -= dt_;
-      return DifferentialDrive::drive(*wheels_, memory_.wiggle_speed, memory_.wiggle_turn_rate);
+      return wheels_->drive(memory_.wiggle_speed, memory_.wiggle_turn_rate);
     }
     switch (memory_.state) {
       case State::kSearchForLaser:
@@ -100,7 +100,7 @@ class FootbotRetrieval final : public Controller {
   void retreat() {
     constexpr double kBackwards = 1.0;  // s
     if (memory_.time_in_state < kBackwards) {
-      DifferentialDrive::drive(*wheels_, -speed_, 0.0);
+      wheels_->drive(-speed_, 0.0);
     } else {
       wander();
     }
@@ -124,7 +124,7 @@ class FootbotRetrieval final : public Controller {
       return enter(State::kGripPrey);
     }
     if (!avoidObstacle()) {
-      DifferentialDrive::steer(*wheels_, spot_->bearing(), speed_);
+      steer(*wheels_, spot_->bearing(), speed_);
     }
   }
 
@@ -147,9 +147,9 @@ class FootbotRetrieval final : public Controller {
     const double bearing = prey->bearing();
     if (std::abs(bearing) > kAligned) {
       // close to the prey the gripper would hit it in turning: back off first
-      DifferentialDrive::drive(*wheels_, prey->distance() < kInGripperReach ? -0.5 * speed_ : 0.0, 2.0 * bearing);
+      wheels_->drive(prey->distance() < kInGripperReach ? -0.5 * speed_ : 0.0, 2.0 * bearing);
     } else {
-      DifferentialDrive::drive(*wheels_, 0.3 * speed_, 2.0 * bearing);
+      wheels_->drive(0.3 * speed_, 2.0 * bearing);
     }
   }
 
@@ -163,18 +163,18 @@ class FootbotRetrieval final : public Controller {
       memory_.time_unseen = 0.0;
       memory_.last_bearing = spot_->bearing();
       if (spot_->distance() < kArrived) {
-        DifferentialDrive::drive(*wheels_, 0.0, 0.0);
+        wheels_->drive(0.0, 0.0);
       } else {
-        DifferentialDrive::steer(*wheels_, memory_.last_bearing, 0.6 * speed_);
+        steer(*wheels_, memory_.last_bearing, 0.6 * speed_);
         noticeJam(spot_->distance());
       }
       return;
     }
     memory_.time_unseen += dt_;
     if (memory_.time_unseen < kBehindPrey && std::abs(memory_.last_bearing) < 0.5) {
-      DifferentialDrive::drive(*wheels_, 0.3 * speed_, 0.0);
+      wheels_->drive(0.3 * speed_, 0.0);
     } else {
-      DifferentialDrive::drive(*wheels_, 0.0, memory_.last_bearing < 0.0 ? -0.5 : 0.5);
+      wheels_->drive(0.0, memory_.last_bearing < 0.0 ? -0.5 : 0.5);
     }
   }
 
@@ -193,9 +193,9 @@ class FootbotRetrieval final : public Controller {
       return;
     }
     if (signaller_->distance() < kRoom) {
-      DifferentialDrive::steer(*wheels_, std::remainder(signaller_->bearing() + M_PI, 2.0 * M_PI), speed_);
+      steer(*wheels_, std::remainder(signaller_->bearing() + M_PI, 2.0 * M_PI), speed_);
     } else {
-      DifferentialDrive::drive(*wheels_, 0.0, 0.0);
+      wheels_->drive(0.0, 0.0);
     }
   }
 
@@ -224,7 +224,7 @@ class FootbotRetrieval final : public Controller {
     if (robot_->random().uniform() < dt_ / kNewHeadingEvery) {
       memory_.turn_rate = robot_->random().uniform(-0.8, 0.8);
     }
-    DifferentialDrive::drive(*wheels_, speed_, memory_.turn_rate);
+    wheels_->drive(speed_, memory_.turn_rate);
   }
 
   /// Turns away from what the proximity sensors feel ahead. @return whether there was something
@@ -242,7 +242,7 @@ class FootbotRetrieval final : public Controller {
       memory_.time_avoiding = 0.0;
       wiggle();
     }
-    DifferentialDrive::drive(*wheels_, 0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
+    wheels_->drive(0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
     return true;
   }
 
