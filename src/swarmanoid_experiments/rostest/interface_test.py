@@ -22,7 +22,8 @@ REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).p
 PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
 ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
 # of devices that this experiment does not use: turret_test.py and climbing_test.py look at them
-ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state")
+ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state", "/turret/command",
+             "/arms/command", "/hands/command", "/rope/command", "/magnet/command")
 
 
 def section(title):
@@ -45,15 +46,23 @@ def named_in(title):
 
 
 class InterfaceTest(unittest.TestCase):
+    maxDiff = None
+
     def setUp(self):
         Space()  # all is there once the services are
-        publishers, _, services = rosgraph.Master("/interface_test").getSystemState()
+        publishers, subscribers, services = rosgraph.Master("/interface_test").getSystemState()
         self.publishers = {topic: nodes for topic, nodes in publishers if not topic.startswith("/rosout")}
+        self.commands = [topic for topic, nodes in subscribers
+                         if "/swarmanoid" in nodes and topic.startswith(("/fb_", "/eb/"))]
         self.services = [name for name, _ in services if "logger" not in name and "/interface" not in name]
 
     def test_topics_are_those_of_the_page(self):
         types = dict(rosgraph.Master("/interface_test").getTopicTypes())
         self.assertEqual(named_in("Topics published"), {topic: types[topic] for topic in self.publishers})
+
+    def test_commands_are_those_of_the_page(self):
+        types = dict(rosgraph.Master("/interface_test").getTopicTypes())
+        self.assertEqual(named_in("Topics subscribed"), {topic: types[topic] for topic in self.commands})
 
     def test_services_are_those_of_the_page(self):
         self.assertEqual(named_in("Services"), {name: rosservice.get_service_type(name)

@@ -75,7 +75,7 @@ class LockstepTest(unittest.TestCase):
             answer = register(RegisterRequest(**request))
             self.assertFalse(answer.success)
             self.assertEqual(reason, answer.message)
-        self.assertEqual("source: found 'topic', allowed: controller, remote, none",
+        self.assertEqual("source: found 'topic', allowed: controller, remote, topics, none",
                          set_source(["fb_1"], "topic").message)
 
     def test_a_process_ends_when_it_is_refused(self):

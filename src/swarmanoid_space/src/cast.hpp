@@ -36,6 +36,9 @@ struct Driver {
   ControllerGroup* group = nullptr;
   CommandSource source = CommandSource::kController;
   std::shared_ptr<Controller> controller;  ///< null unless the source is kController
+  Duration command_timeout{};              ///< with kTopics, these three
+  Time last_command = kEpoch;
+  bool is_told = false;  ///< a command has come, and not too long ago
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };

@@ -152,8 +152,11 @@ std::string Lockstep::answer(CommandFrame frame) {
   if (is_this_tick && !participant.is_answered) {
     participant.answer = std::move(frame);
     participant.is_answered = true;
+    participant.has_answered = true;
     ++participant.answers;
-    changed_.notify_all();
+    if (isDone()) {
+      changed_.notify_all();
+    }
     return "";
   }
   if (participant.is_late && !is_this_tick && participant.policy == LatePolicy::kSkip) {

@@ -36,6 +36,9 @@ void Simulation::tick() {
 
   phases::sense(space_, cast_->groups, cast_->workers);
   stopwatch.lap(phase_times_.sense);
+  if (supplied_.commands != nullptr) {
+    phases::obeyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
+  }
   phases::control(space_, cast_->drivers, cast_->workers, cast_->lockstep, log_sink_);
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);

@@ -90,6 +90,7 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   driver.robot = robot.get();
   driver.group = group;
   driver.source = entity.source;
+  driver.command_timeout = entity.command_timeout;
   space_.robots[i] = std::move(robot);
   try {
     for (const auto& sensor : group->sensors) {
@@ -101,9 +102,8 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
     if (driver.source == CommandSource::kController) {
       driver.controller = group->make();
       driver.controller->init(*driver.robot, group->description->parameters);
-    } else if (driver.source == CommandSource::kRemote) {
-      refuseUnlessRemote(driver);
     }
+    refuseUnlessReachable(driver, driver.source);
   } catch (const ConfigError&) {
     throw;
   } catch (const std::exception& error) {

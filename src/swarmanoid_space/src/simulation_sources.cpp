@@ -1,4 +1,6 @@
-// Who commands a robot: its controller here, a participant elsewhere, or nobody.
+// Who commands a robot: its controller here, a participant elsewhere, whoever publishes to its topics, or nobody.
+#include <set>
+
 #include "cast.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/simulation.hpp"
@@ -35,6 +37,8 @@ const char* toString(CommandSource source) {
       return "controller";
     case CommandSource::kRemote:
       return "remote";
+    case CommandSource::kTopics:
+      return "topics";
     case CommandSource::kNone:
       return "none";
   }
@@ -42,7 +46,8 @@ const char* toString(CommandSource source) {
 }
 
 std::optional<CommandSource> parseCommandSource(const std::string& text) {
-  for (const CommandSource source : {CommandSource::kController, CommandSource::kRemote, CommandSource::kNone}) {
+  for (const CommandSource source :
+       {CommandSource::kController, CommandSource::kRemote, CommandSource::kTopics, CommandSource::kNone}) {
     if (text == toString(source)) {
       return source;
     }
@@ -54,7 +59,11 @@ Lockstep& Simulation::lockstep() { return cast_->lockstep; }
 
 void Simulation::interrupt() { cast_->lockstep.cancel(); }
 
-void Simulation::refuseUnlessRemote(const Driver& driver) const { describe(driver); }
+void Simulation::refuseUnlessReachable(const Driver& driver, CommandSource source) const {
+  if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
+    describe(driver);
+  }
+}
 
 void Simulation::offerRobots() {
   std::vector<std::pair<RemoteRobot, std::size_t>> robots;
@@ -64,6 +73,15 @@ void Simulation::offerRobots() {
     }
   }
   cast_->lockstep.offer(robots, space_);
+  if (supplied_.commands != nullptr) {
+    std::set<std::string> told_by_topics;
+    for (const Driver& driver : cast_->drivers) {
+      if (driver.source == CommandSource::kTopics) {
+        told_by_topics.insert(driver.robot->name());
+      }
+    }
+    supplied_.commands->accept(std::move(told_by_topics));
+  }
 }
 
 void Simulation::setCommandSource(const std::string& robot, CommandSource source) {
@@ -79,8 +97,13 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
     if (source == CommandSource::kController) {
       controller = driver->group->make();
       controller->init(*driver->robot, driver->group->description->parameters);
-    } else if (source == CommandSource::kRemote) {
-      refuseUnlessRemote(*driver);
+    }
+    refuseUnlessReachable(*driver, source);
+    if (source == CommandSource::kTopics && supplied_.commands == nullptr) {
+      throw std::runtime_error("nobody listens to topics here, that needs ROS");
+    }
+    if (source == CommandSource::kTopics && !supplied_.commands->isOpen(robot)) {
+      throw std::runtime_error("its devices have no topics; name it in ~device_topics");
     }
   } catch (const std::exception& error) {
     throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + error.what());
@@ -93,7 +116,8 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
       {Event::Kind::kIntervention, robot, "",
        std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});
   driver->source = source;
-  if (source == CommandSource::kNone) {
+  driver->is_told = false;
+  if (source == CommandSource::kNone || source == CommandSource::kTopics) {
     for (const auto& actuator : driver->group->actuators) {
       actuator->stop(space_, driver->row);
     }

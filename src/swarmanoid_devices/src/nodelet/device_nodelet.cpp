@@ -17,7 +17,7 @@ class DeviceNodelet final : public PartNodelet {
 
  private:
   std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) override {
-    topics_ = std::make_shared<DeviceTopics>(request.id, getNodeHandle());
+    topics_ = std::make_shared<DeviceTopics>(request.id, getNodeHandle(), request.commands);
     return std::static_pointer_cast<Visualisation>(topics_);
   }
 

@@ -1,10 +1,13 @@
 #include "device_topics.hpp"
 
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
 
-DeviceTopics::DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle) : handle_(robot_handle) {
+DeviceTopics::DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle,
+                           std::shared_ptr<CommandMailbox> commands)
+    : handle_(robot_handle), commands_(std::move(commands)) {
   id_ = robot;
 }
 
@@ -24,6 +27,34 @@ void DeviceTopics::addReadings(const Space& space, Row row, const DeviceTopic& d
                          device.publish(publisher, readings, header);
                        }
                      }});
+}
+
+void DeviceTopics::addCommands(const Space& space, Row row, const DeviceTopic& device) {
+  const DeviceType* type = findDeviceType(device.device);
+  if (type == nullptr || space.commands.find(device.device, row) == nullptr) {
+    return;
+  }
+  Commanded& commanded = *commanded_.emplace_back(std::make_unique<Commanded>());
+  commanded.device = type->make();
+  commanded.subscriber =
+      device.subscribe(handle_, device, commanded.device.get(), commanded.parts,
+                       [this, &commanded, &device](const std::string& problem) { take(commanded, device, problem); });
+}
+
+void DeviceTopics::take(Commanded& commanded, const DeviceTopic& device, const std::string& problem) {
+  if (!problem.empty()) {
+    constexpr double kInterval = 1.0;  // [s]
+    ROS_WARN_THROTTLE(kInterval, "%s/%s: %s", id_.c_str(), device.name.c_str(), problem.c_str());
+    return;
+  }
+  Bytes command;
+  ByteWriter out(command);
+  findDeviceType(device.device)->write(commanded.device.get(), out);
+  const std::string refusal = commands_->put(id_, device.device, std::move(command));
+  if (!refusal.empty() && !commanded.is_refusal_told) {
+    ROS_WARN("%s/%s is refused: %s", id_.c_str(), device.name.c_str(), refusal.c_str());
+  }
+  commanded.is_refusal_told = !refusal.empty();
 }
 
 void DeviceTopics::addLeds(const Space& space, Row row) {
@@ -53,7 +84,12 @@ void DeviceTopics::addAll(const Space& space, Row row) {
   for (const DeviceTopic* device : deviceTopics()) {
     if (device->kind == DeviceTopic::Kind::kReading) {
       addReadings(space, row, *device);
+    } else if (commands_ != nullptr) {
+      addCommands(space, row, *device);
     }
+  }
+  if (commands_ != nullptr) {
+    commands_->open(id_);
   }
   addLeds(space, row);
 }
@@ -76,6 +112,10 @@ void DeviceTopics::draw(const Space& space) {
 void DeviceTopics::close() {
   const std::lock_guard<std::mutex> lock(mutex_);
   is_closed_ = true;
+  if (commands_ != nullptr) {
+    commands_->close(id_);
+  }
+  commanded_.clear();
   topics_.clear();
   handle_.shutdown();
 }

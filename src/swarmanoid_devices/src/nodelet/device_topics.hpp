@@ -1,14 +1,17 @@
 /// The devices of one robot as topics in its namespace, under the names and types that a real robot would use:
-/// proximity, camera/blobs, gripper/state, turret/state, leds/state. Views: nothing here moves a robot.
+/// proximity, camera/blobs, gripper/state, leds/state; wheels/command, cmd_vel, leds/command. Commands move the robot
+/// if its command source is `topics`; else they are refused, and the log says so once.
 #pragma once
 
 #include <ros/node_handle.h>
 
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <vector>
 
+#include "swarmanoid_interface/command_mailbox.hpp"
 #include "swarmanoid_interface/ros/device_topic.hpp"
 #include "swarmanoid_space/visualisation.hpp"
 
@@ -16,8 +19,8 @@ namespace swarmanoid {
 
 class DeviceTopics final : public Visualisation {
  public:
-  /// @param robot_handle whose namespace is the robot's
-  DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle);
+  /// @param robot_handle whose namespace is the robot's; @param commands where commands go; null: nowhere
+  DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle, std::shared_ptr<CommandMailbox> commands);
 
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
   void draw(const Space& space) override;
@@ -31,13 +34,25 @@ class DeviceTopics final : public Visualisation {
     std::function<void(const ros::Publisher&, const Space&, Row)> publish;
   };
 
+  /// What came last on the topic of an actuator.
+  struct Commanded {
+    std::shared_ptr<void> device;
+    VariableParts parts;
+    bool is_refusal_told = false;
+    ros::Subscriber subscriber;  // last, so that it goes first
+  };
+
   void addReadings(const Space& space, Row row, const DeviceTopic& device);
   void addLeds(const Space& space, Row row);
+  void addCommands(const Space& space, Row row, const DeviceTopic& device);
+  void take(Commanded& commanded, const DeviceTopic& device, const std::string& problem);
   void addAll(const Space& space, Row row);
 
   std::mutex mutex_;
   ros::NodeHandle handle_;
   std::vector<Topic> topics_;
+  std::shared_ptr<CommandMailbox> commands_;
+  std::vector<std::unique_ptr<Commanded>> commanded_;
   bool is_open_ = false;
   bool is_closed_ = false;
 };

@@ -1,6 +1,7 @@
 // Newton's, Coulomb's and Galilei's laws, for blocks and preys.
 #include <gtest/gtest.h>
 
+#include "slope.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -10,41 +11,22 @@ using Eigen::Vector3d;
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// A block on a slope, both tilted by an angle towards a direction, as an experiment file would have it.
-struct Slope {
-  Slope(double angle, double direction, World::Values values) : world(values) {
+/// Both tilted by an angle towards a direction, as an experiment file would have it.
+struct BlockSlope : Slope {
+  BlockSlope(double angle, double direction, World::Values values) : Slope(std::move(values)) {
     const Eigen::Quaterniond tilt = Eigen::AngleAxisd(direction, Vector3d::UnitZ()) *
                                     Eigen::AngleAxisd(angle, Vector3d::UnitY()) *
                                     Eigen::AngleAxisd(-direction, Vector3d::UnitZ());
     world.addBlock({4.0, 4.0, 0.2}, 0.0, {{5.0, 5.0, 2.0}, tilt});
-    down = tilt * (Eigen::AngleAxisd(direction, Vector3d::UnitZ()) * Vector3d::UnitX());
-    block = world.addBlock({0.2, 0.2, 0.1}, 1.0, {Vector3d(5.0, 5.0, 2.0) + tilt * Vector3d(0.0, 0.0, 0.15), tilt});
-    start = world.pose(block).position;
+    putBlock(Vector3d(5.0, 5.0, 2.0) + tilt * Vector3d(0.0, 0.0, 0.1), tilt,
+             Eigen::AngleAxisd(direction, Vector3d::UnitZ()) * Vector3d::UnitX());
   }
-  Vector3d way() const { return world.pose(block).position - start; }
-
-  World world;
-  Vector3d down;
-  Vector3d start;
-  Row block = kNoRow;
 };
 
 class SlopeTest : public testing::TestWithParam<double> {};
 
 TEST_P(SlopeTest, ABlockSlidesFromTheFrictionAngleOn) {
-  const double direction = GetParam() * kDegree;
-  const double friction_angle = std::atan(0.5);
-  for (const char* subclock : {"10", "50"}) {
-    Slope below(0.97 * friction_angle, direction, {{"friction", "0.5"}, {"subclock", subclock}});
-    below.world.step(50);
-    EXPECT_LT(below.way().norm(), 2e-4);
-    Slope above(1.03 * friction_angle, direction, {{"friction", "0.5"}, {"subclock", subclock}});
-    above.world.step(10);
-    const double angle = 1.03 * friction_angle;
-    const double expected = 0.5 * kGravity * (std::sin(angle) - 0.5 * std::cos(angle));
-    EXPECT_NEAR(above.way().dot(above.down), expected, 0.05 * expected + 0.01 * expected);
-    EXPECT_LT((above.way() - above.way().dot(above.down) * above.down).norm(), 0.02 * expected);
-  }
+  expectToSlideFromTheFrictionAngleOn<BlockSlope>(GetParam() * kDegree, 2e-4, 0.02);
 }
 
 INSTANTIATE_TEST_SUITE_P(Directions, SlopeTest, testing::Values(0.0, 90.0, 180.0, 30.0, 45.0, -60.0));

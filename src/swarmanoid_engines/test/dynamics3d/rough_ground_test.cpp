@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "slope.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "terrains.hpp"
 #include "world.hpp"
@@ -19,42 +20,21 @@ double flat(double, double) { return 0.0; }
 /// A footbot's pitch: how far its x axis points up [rad].
 double pitchOf(const Pose& pose) { return std::asin((pose.orientation * Vector3d::UnitX()).z()); }
 
-/// A block on a terrain that is a tilted plane.
-struct Slope {
-  Slope(double angle, double direction, World::Values values) : world(values) {
+/// A terrain that is a tilted plane.
+struct TerrainSlope : Slope {
+  TerrainSlope(double angle, double direction, World::Values values) : Slope(std::move(values)) {
     const double rise = std::tan(angle);
     const Vector3d across(std::cos(direction), std::sin(direction), 0.0);
     world.setTerrain(terrainOf(
         [&](double x, double y) { return 3.0 - rise * ((x - 5.0) * across.x() + (y - 5.0) * across.y()); }, 0.1, 2.0));
-    const Eigen::Quaterniond tilt(Eigen::AngleAxisd(angle, Vector3d::UnitZ().cross(across)));
-    down = tilt * across;
-    block = world.addBlock({0.2, 0.2, 0.1}, 1.0, {Vector3d(5.0, 5.0, 3.0) + tilt * Vector3d(0.0, 0.0, 0.05), tilt});
-    start = world.pose(block).position;
+    putBlock({5.0, 5.0, 3.0}, Eigen::Quaterniond(Eigen::AngleAxisd(angle, Vector3d::UnitZ().cross(across))), across);
   }
-  Vector3d way() const { return world.pose(block).position - start; }
-
-  World world;
-  Vector3d down;
-  Vector3d start;
-  Row block = kNoRow;
 };
 
 class TerrainSlopeTest : public testing::TestWithParam<double> {};
 
 TEST_P(TerrainSlopeTest, ABlockSlidesFromTheFrictionAngleOn) {
-  const double direction = GetParam() * kDegree;
-  const double friction_angle = std::atan(0.5);
-  for (const char* subclock : {"10", "50"}) {
-    Slope below(0.97 * friction_angle, direction, {{"friction", "0.5"}, {"subclock", subclock}});
-    below.world.step(50);
-    EXPECT_LT(below.way().norm(), 3e-4);
-    Slope above(1.03 * friction_angle, direction, {{"friction", "0.5"}, {"subclock", subclock}});
-    above.world.step(10);
-    const double angle = 1.03 * friction_angle;
-    const double expected = 0.5 * kGravity * (std::sin(angle) - 0.5 * std::cos(angle));
-    EXPECT_NEAR(above.way().dot(above.down), expected, 0.06 * expected);
-    EXPECT_LT((above.way() - above.way().dot(above.down) * above.down).norm(), 0.03 * expected);
-  }
+  expectToSlideFromTheFrictionAngleOn<TerrainSlope>(GetParam() * kDegree, 3e-4, 0.03);
 }
 
 INSTANTIATE_TEST_SUITE_P(Directions, TerrainSlopeTest, testing::Values(0.0, 90.0, 180.0, 30.0, 45.0, -60.0));

@@ -59,12 +59,12 @@ Experiment readExperiment(const RunOptions& options) {
 }
 
 /// Nobody carries frames here.
-void refuseRemoteRobots(const Experiment& experiment) {
+void refuseRobotsOfOthers(const Experiment& experiment) {
   for (const EntityDescription& entity : experiment.arena.entities) {
-    if (entity.source == CommandSource::kRemote) {
-      throw ConfigError(entity.location, "'" + entity.id +
-                                             "' is commanded by another process (source=\"remote\"), which "
-                                             "needs ROS; allowed: roslaunch, or another source");
+    if (entity.source == CommandSource::kRemote || entity.source == CommandSource::kTopics) {
+      throw ConfigError(entity.location, "'" + entity.id + "' is commanded by another process (source=\"" +
+                                             toString(entity.source) +
+                                             "\"), which needs ROS; allowed: roslaunch, or another source");
     }
   }
 }
@@ -148,7 +148,7 @@ int run(const RunOptions& options) {
   context.out_folder = options.out;
   Experiment experiment = readExperiment(options);
   OutFolder out(options.out);
-  refuseRemoteRobots(experiment);
+  refuseRobotsOfOthers(experiment);
   Simulation simulation(std::move(experiment), context);
   if (!options.hashes.empty()) {
     addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);

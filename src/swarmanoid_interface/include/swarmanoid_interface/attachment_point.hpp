@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_interface/command_mailbox.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/registry.hpp"
 
@@ -33,6 +34,8 @@ class AttachmentPoint {
     std::string id;
     std::string label;  ///< in the registry, where the space has seen to it that it is
     Configuration parameters;
+    /// Of kVisualisation: where commands from outside may be put; or null.
+    std::shared_ptr<CommandMailbox> commands = nullptr;
   };
 
   explicit AttachmentPoint(std::vector<Request> requests);

@@ -64,13 +64,17 @@ struct Distribution {
 enum class CommandSource {
   kController,  ///< its controller, in the simulator's process
   kRemote,      ///< its controller, in another process that has registered for it
+  kTopics,      ///< whoever publishes to the topics of its actuators
   kNone         ///< nobody
 };
 
-/// "controller", "remote", "none".
+/// "controller", "remote", "topics", "none".
 const char* toString(CommandSource source);
 /// @return nothing if it is none
 std::optional<CommandSource> parseCommandSource(const std::string& text);
+
+/// As long as drivers of robots wait.
+constexpr Duration kCommandTimeout = std::chrono::milliseconds(500);
 
 struct EntityDescription {
   std::string type;
@@ -79,8 +83,9 @@ struct EntityDescription {
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();  ///< Euler angles [rad]
   std::string controller;                            ///< id of a controller; "" for none
   CommandSource source = CommandSource::kController;
-  Color color;               ///< of the surface (preys, lights); black: not seen by cameras
-  Configuration parameters;  ///< the type's own values, defaults filled in
+  Duration command_timeout = kCommandTimeout;  ///< with kTopics: it stops when no command came for so long
+  Color color;                                 ///< of the surface (preys, lights); black: not seen by cameras
+  Configuration parameters;                    ///< the type's own values, defaults filled in
   std::optional<Distribution> distribution;
   SourceLocation location;
 };

@@ -47,7 +47,7 @@ class Lockstep {
   struct Options {
     LatePolicy policy = LatePolicy::kWait;
     Seconds timeout{1.0};        ///< for the answer of a participant
-    Seconds join_timeout{20.0};  ///< for a robot that nobody has registered for
+    Seconds join_timeout{20.0};  ///< for a robot that nobody has registered for, and for a participant's first answer
   };
 
   struct Request {
@@ -116,6 +116,7 @@ class Lockstep {
     bool is_answered = false;  // this tick
     bool is_late = false;      // and that has been told
     bool is_new = true;
+    bool has_answered = false;  // since it joined
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
     std::uint64_t refused = 0;
@@ -133,6 +134,8 @@ class Lockstep {
   bool replace(Participant& joined);
   void ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers);
   bool isDone() const;
+  /// For its next answer: connections take their time before the first.
+  Seconds timeoutOf(const Participant& participant) const;
   bool isAnybodyLonely() const;
   std::vector<std::string> lonelyRobots() const;
   Clock::time_point nextDeadline() const;

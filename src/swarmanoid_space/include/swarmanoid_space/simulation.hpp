@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "swarmanoid_interface/command_mailbox.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/experiment.hpp"
@@ -48,6 +49,7 @@ struct ControllerFailure {
 struct SuppliedParts {
   std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
   std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
+  std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
 };
 
 /// An engine as those see it who watch over a run.
@@ -129,7 +131,8 @@ class Simulation {
   /// @throws ConfigError (unknown engine or parameter, one that is not live, a bad value); then nothing has changed
   void setEngineParameters(const std::string& engine, const NamedValues& values);
   /// Another source commands the robot from now on. A controller in this process starts anew; a robot that nobody
-  /// commands stops; one whose commands come from elsewhere keeps the last ones until a participant answers.
+  /// commands stops, one that is commanded over topics until the first command comes; one whose commands come from
+  /// elsewhere keeps the last ones until a participant answers.
   /// @throws ConfigError (no such robot, a controller that does not start, a device that cannot travel); then nothing
   /// has changed
   void setCommandSource(const std::string& robot, CommandSource source);
@@ -161,7 +164,7 @@ class Simulation {
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
   void removeEntity(Row row);
-  void refuseUnlessRemote(const Driver& driver) const;
+  void refuseUnlessReachable(const Driver& driver, CommandSource source) const;
   void offerRobots();
 
   Experiment experiment_;

@@ -72,6 +72,15 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
   if (const auto controller = element.child("controller")) {
     controller->allowAttributes(controllerAttributes());
     entity.source = *parseCommandSource(readChoice(*controller, "source", commandSources(), commandSources().front()));
+    if (const auto timeout = controller->attribute("timeout")) {
+      const SourceLocation location = controller->attributeLocation("timeout");
+      const double seconds = parseNumber(*timeout, "timeout", location, kCommandTimeoutRange);
+      if (entity.source != CommandSource::kTopics) {
+        throw ConfigError(location, "found timeout with source=\"" + std::string(toString(entity.source)) +
+                                        "\", allowed: with source=\"topics\"");
+      }
+      entity.command_timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+    }
     const ControllerDescription& found = findController(*controller, entity.type, reader);
     checkDevices(*controller, entity.type, found);
     entity.controller = found.id;

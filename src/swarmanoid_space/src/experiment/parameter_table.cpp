@@ -174,12 +174,12 @@ const std::vector<std::string>& distributeAttributes() {
 }
 
 const std::vector<std::string>& controllerAttributes() {
-  static const std::vector<std::string> names{"source"};
+  static const std::vector<std::string> names{"source", "timeout"};
   return names;
 }
 
 const std::vector<std::string>& commandSources() {
-  static const std::vector<std::string> names{"controller", "remote", "none"};
+  static const std::vector<std::string> names{"controller", "remote", "topics", "none"};
   return names;
 }
 

@@ -36,6 +36,7 @@ const std::vector<Parameter>& distributeParameters();
 const std::vector<Parameter>& boxParameters();
 
 // Attributes, and what they may be.
+constexpr Range kCommandTimeoutRange{0.001, 3600.0};  // s
 constexpr Range kQuantityRange{1.0, 1e7};
 const std::vector<std::string>& layouts();
 const std::vector<std::string>& optimizations();

@@ -36,6 +36,7 @@ void writeEntities(bool is_distributed, SchemaWriter& out) {
         out.open("simpleContent");
         out.open("extension", {{"base", "name"}});
         out.choiceAttribute("source", commandSources(), false);
+        out.numberAttribute("timeout", kCommandTimeoutRange, false);
         out.close();
         out.close();
         out.closeElement();
@@ -67,7 +68,7 @@ void writeArena(SchemaWriter& out) {
   out.parameters(distributeParameters());
   writeEntities(true, out);
   out.close();
-  out.numberAttribute("quantity", kQuantityRange, true);
+  out.integerAttribute("quantity", kQuantityRange, true);
   out.choiceAttribute("layout", layouts(), false);
   out.closeElement();
   out.close();

@@ -145,6 +145,12 @@ void SchemaWriter::choiceAttribute(const std::string& name, const std::vector<st
 
 void SchemaWriter::numberAttribute(const std::string& name, Range range, bool required) {
   open("attribute", {{"name", name}, {"use", required ? "required" : "optional"}});
+  restriction("number", range, false);
+  close();
+}
+
+void SchemaWriter::integerAttribute(const std::string& name, Range range, bool required) {
+  open("attribute", {{"name", name}, {"use", required ? "required" : "optional"}});
   restriction("integer", range, true);
   close();
 }

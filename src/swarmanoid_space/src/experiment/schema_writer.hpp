@@ -40,6 +40,7 @@ class SchemaWriter {
   void attribute(const std::string& name, const std::string& type, bool required);
   void choiceAttribute(const std::string& name, const std::vector<std::string>& choices, bool required);
   void numberAttribute(const std::string& name, Range range, bool required);
+  void integerAttribute(const std::string& name, Range range, bool required);
   /// No two elements of `selector` have the same id. `kind`: unique or key; key also asks for the id.
   void identity(const std::string& kind, const std::string& name, const std::string& selector);
   /// `field` of every element of `selector`, such as "@entity", is the id of an element of the key.

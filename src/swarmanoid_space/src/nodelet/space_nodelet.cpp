@@ -33,6 +33,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
+  const std::shared_ptr<CommandMailbox> commands_ = std::make_shared<CommandMailbox>();
   std::vector<AttachmentPoint::Request> parts_;
   std::shared_ptr<AttachmentPoint> point_;
   std::unique_ptr<NodeletLoader> loader_;
@@ -56,7 +57,7 @@ void SpaceNodelet::onInit() {
     for (const std::string& warning : takeExperimentWarnings()) {
       NODELET_WARN("%s", warning.c_str());
     }
-    parts_ = partsOf(experiment, robotsWithTopics(options_, experiment));
+    parts_ = partsOf(experiment, robotsWithTopics(options_, experiment), commands_);
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
@@ -104,6 +105,7 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   } else {
     NODELET_WARN("this process is no nodelet manager: engines and controllers run without nodelets of their own");
   }
+  supplied.commands = commands_;
   RunContext context;
   context.out_folder = options_.out;
   context.headless = false;

@@ -82,10 +82,10 @@ Experiment readExperiment(const SpaceOptions& options) {
   return experiment;
 }
 
-std::vector<std::string> robotNames(const Experiment& experiment) {
+std::vector<std::string> robotNames(const Experiment& experiment, std::optional<CommandSource> source) {
   std::vector<std::string> names;
   for (const EntityDescription& entity : experiment.arena.entities) {
-    if (entity.controller.empty()) {
+    if (entity.controller.empty() || (source && entity.source != *source)) {
       continue;
     }
     if (!entity.distribution) {
@@ -104,16 +104,22 @@ std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Exp
   if (options.device_topics == std::vector<std::string>{"all"}) {
     return names;
   }
-  if (options.device_topics == std::vector<std::string>{"none"}) {
-    return {};
+  std::vector<std::string> chosen;
+  if (options.device_topics != std::vector<std::string>{"none"}) {
+    chosen = options.device_topics;
   }
-  for (const std::string& robot : options.device_topics) {
+  for (const std::string& robot : chosen) {
     if (std::find(names.begin(), names.end(), robot) == names.end()) {
       throw ConfigError({experiment.file, 0}, "~device_topics: found '" + robot + "', allowed: all, none, " +
                                                   joinNames(names) + didYouMean(robot, names));
     }
   }
-  return options.device_topics;
+  for (const std::string& robot : robotNames(experiment, CommandSource::kTopics)) {
+    if (std::find(chosen.begin(), chosen.end(), robot) == chosen.end()) {
+      chosen.push_back(robot);
+    }
+  }
+  return chosen;
 }
 
 }  // namespace swarmanoid

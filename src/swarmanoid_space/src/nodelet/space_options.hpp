@@ -44,9 +44,10 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own);
 Experiment readExperiment(const SpaceOptions& options);
 
 /// Robots with a controller, in the order of the file. What a distribution makes is spelled out.
-std::vector<std::string> robotNames(const Experiment& experiment);
+/// @param source only those that are commanded so
+std::vector<std::string> robotNames(const Experiment& experiment, std::optional<CommandSource> source = {});
 
-/// The robots that `device_topics` means. @throws ConfigError for one that is none
+/// The robots that `device_topics` means, and those commanded over topics. @throws ConfigError for one that is none
 std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment);
 
 }  // namespace swarmanoid

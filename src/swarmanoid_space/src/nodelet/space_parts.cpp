@@ -34,16 +34,17 @@ std::string nodeletType(NodeletLoader& loader, const AttachmentPoint::Request& p
 
 }  // namespace
 
-std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots) {
+std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots,
+                                              const std::shared_ptr<CommandMailbox>& commands) {
   std::vector<AttachmentPoint::Request> parts;
   for (const EngineDescription& engine : experiment.engines) {
-    parts.push_back({PluginKind::kEngine, engine.id, engine.label, engine.parameters});
+    parts.push_back({PluginKind::kEngine, engine.id, engine.label, engine.parameters, nullptr});
   }
   for (const ControllerDescription& controller : experiment.controllers) {
-    parts.push_back({PluginKind::kController, controller.id, controller.label, controller.parameters});
+    parts.push_back({PluginKind::kController, controller.id, controller.label, controller.parameters, nullptr});
   }
   for (const std::string& robot : robots) {
-    parts.push_back({PluginKind::kVisualisation, robot, "device_topics", {}});
+    parts.push_back({PluginKind::kVisualisation, robot, "device_topics", {}, commands});
   }
   return parts;
 }

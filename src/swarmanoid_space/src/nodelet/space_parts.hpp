@@ -13,7 +13,9 @@ namespace swarmanoid {
 
 /// An engine for each engine, a controller for each controller configuration, a visualisation for each robot whose
 /// devices have topics.
-std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots);
+/// @param commands where those put commands that come over topics
+std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots,
+                                              const std::shared_ptr<CommandMailbox>& commands);
 
 /// Has a nodelet loaded for each part: <space>/engines/<id>, <space>/controllers/<id>, <robot>/devices. Waits for all.
 /// @throws std::runtime_error naming who does not load, or is missing after the timeout

@@ -136,7 +136,7 @@ bool SpaceServices::setCommandSource(swarmanoid_msgs::SetCommandSource::Request&
                                      swarmanoid_msgs::SetCommandSource::Response& response) {
   const auto source = parseCommandSource(request.source);
   if (!source) {
-    response.message = "source: found '" + request.source + "', allowed: controller, remote, none";
+    response.message = "source: found '" + request.source + "', allowed: controller, remote, topics, none";
     response.success = 0;
     return true;
   }

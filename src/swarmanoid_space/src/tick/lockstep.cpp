@@ -103,6 +103,10 @@ bool Lockstep::isDone() const {
          });
 }
 
+Lockstep::Seconds Lockstep::timeoutOf(const Participant& participant) const {
+  return participant.has_answered ? participant.timeout : std::max(participant.timeout, options_.join_timeout);
+}
+
 Lockstep::Clock::time_point Lockstep::nextDeadline() const {
   const auto after = [](Clock::time_point from, Seconds timeout) {
     return from + std::chrono::duration_cast<Clock::duration>(timeout);
@@ -114,7 +118,7 @@ Lockstep::Clock::time_point Lockstep::nextDeadline() const {
   }
   for (const auto& participant : participants_) {
     if (participant->is_asked && !participant->is_answered && !participant->is_late) {
-      next = std::min(next, after(participant->sent, participant->timeout));
+      next = std::min(next, after(participant->sent, timeoutOf(*participant)));
     }
   }
   return next;
@@ -135,13 +139,13 @@ void Lockstep::checkDeadlines(const Space& space) {
   }
   for (const auto& participant : participants_) {
     if (!participant->is_asked || participant->is_answered || participant->is_late ||
-        now - participant->sent < participant->timeout) {
+        now - participant->sent < timeoutOf(*participant)) {
       continue;
     }
     participant->is_late = true;
     ++participant->times_late;
     const std::string text =
-        "no answer" + in_tick + " (" + toText(participant->timeout) + "); policy " + toString(participant->policy);
+        "no answer" + in_tick + " (" + toText(timeoutOf(*participant)) + "); policy " + toString(participant->policy);
     notes_.push_back({Event::Kind::kParticipantLate, participant->name, text});
     if (participant->policy == LatePolicy::kStop && stop_reason_.empty()) {
       stop_reason_ = "participant '" + participant->name + "': " + text;

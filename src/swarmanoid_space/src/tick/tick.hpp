@@ -11,6 +11,10 @@ namespace swarmanoid::phases {
 /// Banks of sensors read the space.
 void sense(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
 
+/// What has come over topics becomes the commands of the robots that are commanded so; who is told nothing for its
+/// time-out stops.
+void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log);
+
 /// Every controller turns readings into commands, those of participants at the same time as those of this process. An
 /// exception marks its driver as failed. @throws std::runtime_error if a participant is late and the run is to stop
 void control(Space& space, std::vector<Driver>& drivers, const Workers& workers, Lockstep& lockstep,

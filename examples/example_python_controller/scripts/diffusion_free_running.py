@@ -1,0 +1,45 @@
+#!/usr/bin/python3
+"""diffusion_free_running.py ROBOT: straight on until something is near, then turn away from it, over the robot's standard
+topics. Nobody waits for it: it drives simulated and real robots alike, but two runs are never quite the same."""
+
+import math
+
+import rospy
+from geometry_msgs.msg import Twist
+from swarmanoid_msgs.msg import ProximityArray
+
+RATE = 10.0      # commands a second; a robot stops when none comes for half a second
+SPEED = 0.1      # [m/s]
+TURN_RATE = 1.5  # [rad/s]
+THRESHOLD = 0.05
+
+
+class Diffusion:
+    def __init__(self, robot):
+        self._command = Twist()
+        self._publisher = rospy.Publisher(f"/{robot}/cmd_vel", Twist, queue_size=1)
+        rospy.Subscriber(f"/{robot}/proximity", ProximityArray, self._look, queue_size=1, tcp_nodelay=True)
+
+    def _look(self, readings):
+        x = sum(value * math.cos(angle) for value, angle in zip(readings.values, readings.angles))
+        y = sum(value * math.sin(angle) for value, angle in zip(readings.values, readings.angles))
+        command = Twist()
+        if math.hypot(x, y) <= THRESHOLD or x < 0.0:
+            command.linear.x = SPEED
+        else:
+            command.angular.z = -TURN_RATE if y > 0.0 else TURN_RATE
+        self._command = command
+
+    def drive(self):
+        rate = rospy.Rate(RATE)
+        while not rospy.is_shutdown():
+            self._publisher.publish(self._command)
+            rate.sleep()
+
+
+if __name__ == "__main__":
+    rospy.init_node("diffusion_free_running", anonymous=True)
+    try:
+        Diffusion(rospy.myargv()[1]).drive()
+    except rospy.ROSInterruptException:
+        pass  # the end of ROS while it sleeps

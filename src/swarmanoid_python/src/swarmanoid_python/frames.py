@@ -1,0 +1,76 @@
+"""Sensor frames to robots, robots to command frames, as swarmanoid_interface/frames.hpp has them. No ROS here."""
+
+import struct
+import traceback
+
+from .layout import Layout
+from .robot import Robot
+
+_NOTHING, _STEPPED, _FAILED = 0, 1, 2
+
+
+def _text(text):
+    data = text.encode()
+    return struct.pack("<I", len(data)) + data
+
+
+def _block(data):
+    return struct.pack("<I", len(data)) + data
+
+
+class Hosted:
+    """One robot of a registration, and its controller while there is one."""
+
+    def __init__(self, description, make_controller):
+        self._description = description
+        self._make_controller = make_controller
+        self._sensors = [(device.type, Layout(device.layout)) for device in description.sensors]
+        self._actuators = [(device.type, Layout(device.layout)) for device in description.actuators]
+        self.drop()
+
+    def drop(self):
+        """The controller goes; the next step makes a new one."""
+        self._robot = None
+        self._controller = None
+        self._failure = ""
+
+    def answer(self, data, position, seed, time, dt):
+        """Takes the robot's part of a sensor frame. @return its part of the command frame, and the position behind"""
+        is_present = data[position]
+        position += 1
+        if not is_present:
+            self.drop()
+            return bytes([_NOTHING]), position
+        if self._robot is None:
+            self._start(seed)
+        for name, layout in self._sensors:
+            self._robot.sensors[name], end = layout.read(data, position + 4)
+            (length,) = struct.unpack_from("<I", data, position)
+            if end != position + 4 + length:
+                raise ValueError(f"{self._description.name}, {name}: found {length} bytes, "
+                                 f"expected {end - position - 4}")
+            position = end
+        return self._step(time, dt), position
+
+    def _start(self, seed):
+        its = self._description
+        self._robot = Robot(its.name, its.type, {p.name: p.value for p in its.parameters}, seed,
+                            {name: layout.initial() for name, layout in self._sensors},
+                            {name: layout.initial() for name, layout in self._actuators})
+
+    def _step(self, time, dt):
+        if not self._failure:
+            try:
+                if self._controller is None:
+                    self._controller = self._make_controller(self._robot)
+                self._controller.step(time, dt)
+                return bytes([_STEPPED]) + self._commands()
+            except Exception as error:  # it stops its robot, not the others
+                traceback.print_exc()
+                self._failure = f"{type(error).__name__}: {error}"
+        return bytes([_FAILED]) + _text(self._failure)
+
+    def _commands(self):
+        data = b"".join(_block(layout.write(self._robot.actuators[name])) for name, layout in self._actuators)
+        debug = self._robot.debug_values
+        return data + struct.pack("<I", len(debug)) + b"".join(_text(key) + _text(value) for key, value in debug.items())

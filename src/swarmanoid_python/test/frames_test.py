@@ -1,0 +1,90 @@
+#!/usr/bin/python3
+"""Layouts and frames in Python against bytes that are written out here by hand."""
+
+import struct
+import types
+import unittest
+
+from swarmanoid_python.frames import Hosted
+from swarmanoid_python.layout import Layout
+
+
+class LayoutTest(unittest.TestCase):
+    def test_numbers_stand_one_after_the_other(self):
+        data = b"\x01" + struct.pack("<d", -2.5) + struct.pack("<f", 0.5) + b"\x00"
+        layout = Layout("u1 f8 f4 b1")
+        self.assertEqual(([1, -2.5, 0.5, False], 14), layout.read(data))
+        self.assertEqual(data, layout.write([1, -2.5, 0.5, False]))
+        self.assertEqual([0, 0, 0, 0], layout.initial())
+
+    def test_a_list_has_its_length_before_it(self):
+        data = struct.pack("<I", 2) + b"\x07" + struct.pack("<f", 1.5) + b"\x08" + struct.pack("<f", -1.5) + b"\x01"
+        layout = Layout("(u1 f4)* b1")
+        self.assertEqual(([[(7, 1.5), (8, -1.5)], True], 15), layout.read(data))
+        self.assertEqual(data, layout.write([[(7, 1.5), (8, -1.5)], True]))
+        self.assertEqual([[], 0], layout.initial())
+
+    def test_what_does_not_fit_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "found 'x3' in the layout 'f8 x3', allowed: f4, f8"):
+            Layout("f8 x3")
+        with self.assertRaisesRegex(ValueError, "found 3 values, allowed: 2"):
+            Layout("f8 f8").write([1, 2, 3])
+
+
+def device(kind, layout):
+    return types.SimpleNamespace(type=kind, layout=layout)
+
+
+class Follower:
+    """Commands what it reads, doubled; fails at 4."""
+
+    made = 0
+
+    def __init__(self, robot):
+        Follower.made += 1
+        self._robot = robot
+
+    def step(self, time, dt):
+        (reading,) = self._robot.sensors["eye"]
+        if reading == 4.0:
+            raise RuntimeError("too much")
+        self._robot.actuators["leg"][0] = 2 * reading
+        self._robot.debug("at", time)
+
+
+class HostedTest(unittest.TestCase):
+    def setUp(self):
+        Follower.made = 0
+        self.hosted = Hosted(types.SimpleNamespace(name="r", type="footbot", parameters=[], sensors=[device("eye", "f8")],
+                                                   actuators=[device("leg", "f8")]), Follower)
+
+    def answer(self, reading):
+        return self.hosted.answer(b"\x01" + struct.pack("<Id", 8, reading), 0, 1, 1.5, 0.1)
+
+    @staticmethod
+    def stepped(command):
+        debug = struct.pack("<I", 1) + struct.pack("<I", 2) + b"at" + struct.pack("<I", 3) + b"1.5"
+        return b"\x01" + struct.pack("<Id", 8, command) + debug
+
+    def test_a_reading_becomes_a_command(self):
+        self.assertEqual((self.stepped(3.0), 13), self.answer(1.5))
+
+    def test_who_is_absent_does_nothing_and_starts_anew(self):
+        self.answer(1.0)
+        self.assertEqual((b"\x00", 1), self.hosted.answer(b"\x00", 0, 1, 1.5, 0.1))
+        self.answer(1.0)
+        self.assertEqual(2, Follower.made)
+
+    def test_a_failure_is_told_and_lasts(self):
+        text = b"RuntimeError: too much"
+        failed = b"\x02" + struct.pack("<I", len(text)) + text
+        self.assertEqual(failed, self.answer(4.0)[0])
+        self.assertEqual(failed, self.answer(1.0)[0])
+
+    def test_a_block_of_another_length_is_refused(self):
+        with self.assertRaisesRegex(ValueError, "r, eye: found 9 bytes, expected 8"):
+            self.hosted.answer(b"\x01" + struct.pack("<Idb", 9, 1.0, 0), 0, 1, 1.5, 0.1)
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
