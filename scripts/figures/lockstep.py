@@ -124,7 +124,17 @@ def accidents(table):
               "as the policy says, no wait beyond the time-out", *rostest("lockstep_policies"))
 
 
+def two_hosts(table):
+    done = subprocess.run([ROOT / "src/swarmanoid_experiments/rostest/two_hosts_test.py"], capture_output=True, text=True)
+    speed = [line for line in done.stdout.splitlines() if line.endswith("ticks/s")]
+    words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED")) or "skipped '" in line]
+    table.add("the eyebot's controller on another host (network namespaces): a slow link, and one that is cut for 2 s; "
+              "policies wait, skip, stop", "equal state hash each tick where all is waited for; as the policy says",
+              "; ".join(words + speed), done.returncode == 0 and "skipped" not in done.stderr)
+
+
 def lockstep(table):
     retrieval(table)
     crowd(table)
     accidents(table)
+    two_hosts(table)
