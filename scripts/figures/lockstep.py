@@ -52,7 +52,8 @@ class Sums:
     """Ticks, and the time they took, over several runs."""
 
     def __init__(self):
-        self.ticks = self.wall_s = self.processor_s = 0.0
+        self.ticks = 0
+        self.wall_s = self.processor_s = 0.0
 
     def add(self, space, launches):
         before = processor_time(*launches)
@@ -74,12 +75,15 @@ def set_source(names, source):
         raise RuntimeError(answer.message)
 
 
-def here_and_there(table, what, least, launch, processes, seeds, expected):
+def here_and_there(launch, processes, seeds, expected):
     """Runs with controllers in other processes, and the same runs of the same space with all controllers in its own.
-    @param processes (robots, controller) for each; @param expected hashes by seed; a seed that is not there: as in process"""
+    @param processes (robots, controller) for each; @param expected hashes by seed; a seed that is not there: as in process
+    @return sums of both, and the seeds whose hashes are not equal @throws RuntimeError if a run does not come to its end"""
     robots = [robot for names, _ in processes for robot in names]
-    there, here, other = Sums(), Sums(), []
-    with Launched("hashes:=hashes.txt", *launch) as space, contextlib.ExitStack() as started:
+    there, here, unequal = Sums(), Sums(), []
+    with Launched("hashes:=hashes.txt", "lockstep_policy:=stop", "lockstep_timeout:=10", *launch) as space, \
+            contextlib.ExitStack() as started:
+        space.wait_for_service("/space/set_command_source")
         set_source(robots, "remote")
         launches = [space] + [started.enter_context(Elsewhere(space, *process)) for process in processes]
         space.step(10)  # the first tick waits for all of them
@@ -91,10 +95,19 @@ def here_and_there(table, what, least, launch, processes, seeds, expected):
             set_source(robots, "remote")
             there.add(space, launches)
             if not (space.path / "hashes.txt").read_text() == alone == expected.get(seed, alone):
-                other.append(seed)
-    table.add(what, "equal state hash each tick, as in process" + (" and as without ROS" if expected else ""),
-              f"not equal for seeds {other}" if other else f"equal over {there.ticks:,.0f} ticks of {len(seeds)} seeds",
-              not other and there.ticks == here.ticks)
+                unequal.append(seed)
+    return there, here, unequal
+
+
+def add_rows(table, what, least, launch, processes, seeds, expected):
+    promised = "equal state hash each tick, as in process" + (" and as without ROS" if expected else "")
+    try:
+        there, here, unequal = here_and_there(launch, processes, seeds, expected)
+    except RuntimeError as error:
+        table.add(what, promised, str(error), False)
+        return
+    table.add(what, promised, f"not equal for seeds {unequal}" if unequal else
+              f"equal over {there.ticks:,} ticks of {len(seeds)} seeds", not unequal)
     table.add(f"{what}: speed", f"at least {least:,} ticks/s" if least else "reported",
               f"{there.text()}; in process {here.text()}; {there.speed() / here.speed():.0%} of that speed",
               there.speed() >= least if least else None)
@@ -109,14 +122,14 @@ def retrieval(table):
             expected[seed] = file.read_text()
     for what, least, robots in (("all four robots commanded by processes of their own", 800, list(CONTROLLERS)),
                                 ("two robots of four commanded by processes of their own", None, ["fb_2", "eb"])):
-        here_and_there(table, f"object retrieval in lockstep, {what}", least, [],
-                       [([robot], CONTROLLERS[robot]) for robot in robots], SEEDS, expected)
+        add_rows(table, f"object retrieval in lockstep, {what}", least, [],
+                 [([robot], CONTROLLERS[robot]) for robot in robots], SEEDS, expected)
 
 
 def crowd(table):
-    here_and_there(table, f"diffusion in lockstep, {len(CROWD)} footbots commanded by one other process", 1000,
-                   ["experiment:=diffusion", f"set:=arena.distribute.quantity={len(CROWD)}"], [(CROWD, "diffusion")],
-                   range(1, 6), {})
+    add_rows(table, f"diffusion in lockstep, {len(CROWD)} footbots commanded by one other process", 1000,
+             ["experiment:=diffusion", f"set:=arena.distribute.quantity={len(CROWD)}"], [(CROWD, "diffusion")],
+             range(1, 6), {})
 
 
 def accidents(table):
