@@ -1,4 +1,3 @@
-#!/usr/bin/python3
 """Two hosts on one machine, for tests of what runs on several computers: two network namespaces, and between them a
 link whose delay is known and that can be cut. Needs root and `ip`.
 
@@ -25,17 +24,26 @@ CLONE_NEWNET = 0x40000000  # <linux/sched.h>
 LONGEST_FRAME = 1 << 17  # [bytes] kernels hand over segments that are cut later
 
 
+def ip(*arguments):
+    done = subprocess.run(["ip", *arguments], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise RuntimeError(f"ip {' '.join(arguments)}: {done.stderr.strip()}")
+
+
 def why_not():
     """@return why there cannot be two hosts here; "" if there can"""
     if os.geteuid() != 0:
         return "two hosts on one machine need root"
     if shutil.which("ip") is None:
         return "two hosts on one machine need the program ip (package iproute2)"
-    name = f"probe{os.getpid()}"
-    made = subprocess.run(["ip", "netns", "add", name], capture_output=True, text=True)
-    if made.returncode != 0:
-        return "network namespaces are not allowed here: " + made.stderr.strip()
-    ip("netns", "del", name)
+    probe = f"probe{os.getpid()}"
+    try:
+        ip("netns", "add", probe)
+        ip("-n", probe, "link", "add", "wire", "type", "veth", "peer", "name", "other")
+    except RuntimeError as error:
+        return f"this machine does not allow two hosts: {error}"
+    finally:
+        subprocess.run(["ip", "netns", "del", probe], stderr=subprocess.DEVNULL)
     return ""
 
 
@@ -87,20 +95,13 @@ class Host:
         return ["ip", "netns", "exec", self.namespace, *map(str, command)]
 
     def enter(self):
-        """This thread, and those that it starts from now on, are on this host."""
+        """From now on this thread, and all that it starts, are on this host."""
         with open(f"/run/netns/{self.namespace}") as namespace:
             if ctypes.CDLL(None, use_errno=True).setns(namespace.fileno(), CLONE_NEWNET) != 0:
                 raise OSError(ctypes.get_errno(), f"cannot enter {self.namespace}")
 
 
 # --- the program
-
-
-def ip(*arguments):
-    done = subprocess.run(["ip", *arguments], capture_output=True, text=True)
-    if done.returncode != 0:
-        raise RuntimeError(f"ip {' '.join(arguments)}: {done.stderr.strip()}")
-    return done.stdout
 
 
 def make(between, hosts):
