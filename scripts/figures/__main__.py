@@ -11,6 +11,7 @@ import subprocess
 import benchmarks
 import build_time
 import engines
+import lockstep
 import long_tests
 import simulation
 import under_ros
@@ -22,6 +23,7 @@ FIGURES = {
     "ros_speed": lambda table, build: under_ros.speed(table),
     "ros_recording": lambda table, build: under_ros.recording(table),
     "ros_same_bits": lambda table, build: under_ros.same_bits(table),
+    "lockstep": lambda table, build: lockstep.lockstep(table),
     "benchmark": benchmarks.benchmark,
     "queries": benchmarks.queries,
     "long_tests": long_tests.long_tests,

@@ -14,6 +14,15 @@ def last_word(output):
     return last[0].strip("[ ]").replace("]", ":") if last else "did not run"
 
 
+def rostest(name):
+    """@return the last words of a test with a master of its own, and whether it passed"""
+    with tempfile.TemporaryDirectory() as home:
+        done = subprocess.run(["rostest", ROOT / f"src/swarmanoid_experiments/rostest/{name}.test"], capture_output=True,
+                              text=True, env=dict(os.environ, ROS_HOME=home))
+    words = [line.strip(" *") for line in done.stdout.splitlines() if line.startswith(" * ")]
+    return ", ".join(words) or "did not run", done.returncode == 0
+
+
 def long_tests(table, build):
     environment = dict(os.environ, SWARMANOID_LONG_TESTS="1")
     for package, name, test, what, figure in (

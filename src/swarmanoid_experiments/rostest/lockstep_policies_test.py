@@ -3,6 +3,7 @@
 
 import sys
 import threading
+import time
 import unittest
 
 import rospy
@@ -11,6 +12,8 @@ from swarmanoid_msgs.msg import Event, RunResult
 
 from participants import LockstepStatus, Participant, set_source
 from space_client import Collector, Space
+
+PATIENCE = 1.0  # [s] of wall time for each answer of the process; the first comes when all connections are there
 
 
 class LockstepPoliciesTest(unittest.TestCase):
@@ -29,7 +32,7 @@ class LockstepPoliciesTest(unittest.TestCase):
             participant.end()
 
     def start(self, **parameters):
-        self.participants.append(Participant("fb_1", timeout=0.3, **parameters))
+        self.participants.append(Participant("fb_1", timeout=PATIENCE, **parameters))
         return self.participants[-1]
 
     def kill_in_a_run(self, policy):
@@ -39,6 +42,13 @@ class LockstepPoliciesTest(unittest.TestCase):
         self.assertTrue(self.space.step(20).success)
         self.events.clear()
         participant.kill()
+
+    def step_in_time(self):
+        """@return the answer to 20 ticks, of which one waits for the process, as long as it may"""
+        start = time.monotonic()
+        answer = self.space.step(20)
+        self.assertLess(time.monotonic() - start, PATIENCE + 1.0)
+        return answer
 
     def assert_event(self, kind, text):
         self.assertIsNotNone(self.events.wait_for(
@@ -55,13 +65,13 @@ class LockstepPoliciesTest(unittest.TestCase):
         stepping.join(15.0)
         self.assertTrue(answers[0].success)
         self.assertEqual(40, answers[0].tick)
-        self.assert_event(Event.PARTICIPANT_LATE, "no answer in tick 20 (0.3 s); policy wait")
+        self.assert_event(Event.PARTICIPANT_LATE, f"no answer in tick 20 ({PATIENCE:g} s); policy wait")
         self.assert_event(Event.PARTICIPANT_JOINED, "again, for fb_1")
 
     def test_2_skip(self):
         self.kill_in_a_run("skip")
-        self.assertTrue(self.space.step(20).success)
-        self.assert_event(Event.PARTICIPANT_LATE, "no answer in tick 20 (0.3 s); policy skip")
+        self.assertTrue(self.step_in_time().success)
+        self.assert_event(Event.PARTICIPANT_LATE, f"no answer in tick 20 ({PATIENCE:g} s); policy skip")
         self.assertTrue(LockstepStatus().wait_for("missing: 'fb_1_controller'"))
         self.start(policy="wait")  # the next test's first tick is to wait for its own process
         self.assertTrue(LockstepStatus().wait_for("1 participants"))
@@ -71,8 +81,8 @@ class LockstepPoliciesTest(unittest.TestCase):
     def test_3_stop(self):
         results = Collector("/space/result", RunResult)
         self.kill_in_a_run("stop")
-        reason = "tick 20: participant 'fb_1_controller': no answer in tick 20 (0.3 s); policy stop"
-        self.assertEqual("the run has stopped: " + reason, self.space.step(20).message)
+        reason = f"tick 20: participant 'fb_1_controller': no answer in tick 20 ({PATIENCE:g} s); policy stop"
+        self.assertEqual("the run has stopped: " + reason, self.step_in_time().message)
         result = results.wait_for(lambda r: True)
         self.assertFalse(result.finished)
         self.assertEqual(reason, result.message)

@@ -1,0 +1,143 @@
+#!/usr/bin/python3
+"""A controller on another host, in lockstep over a slow link that is cut in a run: the bits of a run in process where
+all is waited for, and what the policy says where not."""
+
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+
+import rosgraph
+import rospy
+from swarmanoid_msgs.msg import Event, RunResult
+
+from participants import LockstepStatus
+from space_client import TIMEOUT, Collector, Space, run_without_ros
+from two_hosts import TwoHosts, why_not
+
+LAUNCH_FILES = pathlib.Path(__file__).resolve().parents[3] / "launch"
+DELAY = 0.005  # [s] each way
+PATIENCE = 1.0  # [s] for each answer; the first comes when all connections are there
+CUT = 2.0  # [s]
+TICKS = 300
+FINISHED = "the run finished before all of them were made"
+
+
+class TwoHostsTest(unittest.TestCase):
+    """Master, space and this test are on host a, the eyebot's controller is on host b."""
+
+    @classmethod
+    def setUpClass(cls):
+        reason = why_not()
+        if reason:
+            raise unittest.SkipTest(reason)
+        cls.hosts = TwoHosts(DELAY)
+        cls.addClassCleanup(cls.hosts.close)
+        folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(folder.cleanup)
+        cls.hashes = pathlib.Path(folder.name, "hashes.txt")
+        os.environ.update(cls.hosts.a.environment(cls.hosts.a), ROS_HOME=folder.name)
+        os.environ.pop("ROS_HOSTNAME", None)
+        cls.hosts.a.enter()
+        master = subprocess.Popen(["rosmaster", "--core"], stdout=subprocess.DEVNULL)
+        cls.addClassCleanup(cls.end, master)
+        until = time.monotonic() + TIMEOUT
+        while not rosgraph.is_master_online() and time.monotonic() < until:
+            time.sleep(0.1)
+        rospy.init_node("two_hosts_test", disable_signals=True)
+        cls.addClassCleanup(rospy.signal_shutdown, "the tests are over")
+
+    @staticmethod
+    def end(process):
+        process.send_signal(signal.SIGINT)
+        process.wait(TIMEOUT)
+
+    def launch(self, host, file, **arguments):
+        command = ["roslaunch", LAUNCH_FILES / file, f"hostname:={host.address}"]
+        process = subprocess.Popen(host.command(*command, *(f"{name}:={value}" for name, value in arguments.items())),
+                                   env=host.environment(self.hosts.a), start_new_session=True)
+        self.addCleanup(self.end, process)
+
+    def start(self, policy):
+        self.launch(self.hosts.a, "object_retrieval.launch", seed=1, max_ticks=TICKS, hashes=self.hashes, rviz="false",
+                    paused="true", real_time_factor=0, on_end="stay", set="arena.eb.controller.source=remote")
+        self.space = Space()
+        self.events = Collector("/space/events", Event)
+        self.events.wait_for_publisher()
+        self.launch(self.hosts.b, "robot.launch", robot="eb", controller="eyebot_retrieval", policy=policy,
+                    timeout=PATIENCE)
+        self.addCleanup(self.hosts.join)
+        self.assertTrue(self.space.step(20).success)
+
+    def assert_event(self, kind, pattern):
+        self.assertIsNotNone(self.events.wait_for(
+            lambda event: event.kind == kind and event.entity == "eb_controller" and re.fullmatch(pattern, event.text)),
+            f"{pattern}, among {[event.text for event in self.events.messages()]}")
+
+    def assert_same_bits(self):
+        """The run was that of the program, tick by tick."""
+        expected = run_without_ros(self, "object_retrieval", 1)
+        self.assertEqual(expected[:TICKS + 1], self.hashes.read_text().splitlines())
+
+    def test_slow_link(self):
+        self.start("wait")
+        start = time.monotonic()
+        self.assertEqual(FINISHED, self.space.step(10**6).message)
+        seconds = time.monotonic() - start
+        self.assert_same_bits()
+        self.assertGreater(seconds, (TICKS - 20) * 2 * DELAY, "the link is not slow")
+        print(f"{DELAY * 1e3:g} ms each way: {(TICKS - 20) / seconds:.0f} ticks/s")
+
+    def test_link_cut_wait(self):
+        self.start("wait")
+        answers = []
+        stepping = threading.Thread(target=lambda: answers.append(self.space.step(10**6)))
+        stepping.start()
+        time.sleep(0.5)
+        self.hosts.cut()
+        time.sleep(CUT)
+        self.assertEqual([], answers)
+        self.assertTrue(LockstepStatus().wait_for("missing: 'eb_controller'"))
+        self.hosts.join()
+        stepping.join(TIMEOUT)
+        self.assertEqual(FINISHED, answers[0].message)
+        self.assert_event(Event.PARTICIPANT_LATE, rf"no answer in tick \d+ \({PATIENCE:g} s\); policy wait")
+        self.assert_event(Event.PARTICIPANT_JOINED, r"is back in tick \d+")
+        self.assert_same_bits()
+
+    def test_link_cut_skip(self):
+        self.start("skip")
+        self.hosts.cut()
+        start = time.monotonic()
+        self.assertTrue(self.space.step(100).success)
+        self.assertLess(time.monotonic() - start, PATIENCE + 1.0, "only one tick waits")
+        self.assert_event(Event.PARTICIPANT_LATE, rf"no answer in tick 20 \({PATIENCE:g} s\); policy skip")
+        self.assertTrue(LockstepStatus().wait_for("missing: 'eb_controller'"))
+        time.sleep(max(0.0, start + CUT - time.monotonic()))
+        self.hosts.join()
+        self.assertTrue(LockstepStatus().wait_for("1 participants"))
+        start = time.monotonic()
+        self.assertTrue(self.space.step(20).success)
+        self.assertGreater(time.monotonic() - start, 20 * 2 * DELAY, "it is waited for in each tick again")
+        self.assert_event(Event.PARTICIPANT_JOINED, r"is back: it answered for tick \d+")
+        late = [event for event in self.events.messages() if event.kind == Event.PARTICIPANT_LATE]
+        self.assertEqual(1, len(late))
+
+    def test_link_cut_stop(self):
+        results = Collector("/space/result", RunResult)
+        self.start("stop")
+        self.hosts.cut()
+        reason = f"tick 20: participant 'eb_controller': no answer in tick 20 ({PATIENCE:g} s); policy stop"
+        start = time.monotonic()
+        self.assertEqual("the run has stopped: " + reason, self.space.step(20).message)
+        self.assertLess(time.monotonic() - start, PATIENCE + 1.0)
+        self.assertIsNotNone(results.wait_for(lambda result: not result.finished and result.message == reason))
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2, warnings="ignore")  # of sockets that rospy leaves open
