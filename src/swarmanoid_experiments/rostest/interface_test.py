@@ -23,7 +23,8 @@ PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
 ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
 # of devices that this experiment does not use: turret_test.py and climbing_test.py look at them
 ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state", "/turret/command",
-             "/arms/command", "/hands/command", "/rope/command", "/magnet/command")
+             "/arms/command", "/hands/command", "/rope/command", "/magnet/command",
+             "<eyebot>/leds/command")
 
 
 def section(title):

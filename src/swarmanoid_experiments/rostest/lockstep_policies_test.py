@@ -13,7 +13,7 @@ from swarmanoid_msgs.msg import Event, RunResult
 from participants import LockstepStatus, Participant, set_source
 from space_client import Collector, Space
 
-PATIENCE = 1.0  # [s] of wall time for each answer of the process; the first comes when all connections are there
+PATIENCE = 1.0  # [s] of wall time for each answer of the process but its first
 
 
 class LockstepPoliciesTest(unittest.TestCase):

@@ -53,7 +53,7 @@ class TopicsTest(unittest.TestCase):
         cls.space = Space()
         cls.worlds = Collector("/space/world_state", WorldState)
         cls.events = Collector("/space/events", Event)
-        cls.logs = Collector("/rosout_agg", Log)
+        cls.logs = Collector("/rosout", Log)
         for collector in (cls.worlds, cls.events, cls.logs):
             collector.wait_for_publisher()
 
