@@ -138,12 +138,19 @@ def accidents(table):
 
 
 def two_hosts(table):
-    done = subprocess.run([ROOT / "src/swarmanoid_experiments/rostest/two_hosts_test.py"], capture_output=True, text=True)
+    add_row_of_hosts(table, "lockstep", "the eyebot's controller on another host (network namespaces): a slow link, and one "
+                     "that is cut for 2 s; policies wait, skip, stop",
+                     "equal state hash each tick where all is waited for; as the policy says")
+    add_row_of_hosts(table, "topics", "a footbot's controller on another host, over standard topics: the link is cut for 2 s",
+                     "the robot stops by itself, and goes on when the link is back")
+
+
+def add_row_of_hosts(table, test, what, promise):
+    file = ROOT / f"src/swarmanoid_experiments/rostest/two_hosts_{test}_test.py"
+    done = subprocess.run([file], capture_output=True, text=True)
     speed = [line for line in done.stdout.splitlines() if line.endswith("ticks/s")]
     words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED")) or "skipped '" in line]
-    table.add("the eyebot's controller on another host (network namespaces): a slow link, and one that is cut for 2 s; "
-              "policies wait, skip, stop", "equal state hash each tick where all is waited for; as the policy says",
-              "; ".join(words + speed), done.returncode == 0 and "skipped" not in done.stderr)
+    table.add(what, promise, "; ".join(words + speed), done.returncode == 0 and "skipped" not in done.stderr)
 
 
 def lockstep(table):

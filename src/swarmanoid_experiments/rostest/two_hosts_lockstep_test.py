@@ -2,68 +2,28 @@
 """A controller on another host, in lockstep over a slow link that is cut in a run: the bits of a run in process where
 all is waited for, and what the policy says where not."""
 
-import os
-import pathlib
 import re
-import signal
-import subprocess
-import tempfile
 import threading
 import time
 import unittest
 
-import rosgraph
-import rospy
 from swarmanoid_msgs.msg import Event, RunResult
 
 from participants import LockstepStatus
 from space_client import TIMEOUT, Collector, Space, run_without_ros
-from two_hosts import TwoHosts, why_not
+from two_hosts_case import DELAY, TwoHostsCase
 
-LAUNCH_FILES = pathlib.Path(__file__).resolve().parents[3] / "launch"
-DELAY = 0.005  # [s] each way
-PATIENCE = 1.0  # [s] for each answer; the first comes when all connections are there
+PATIENCE = 1.0  # [s] for each answer but the first
 CUT = 2.0  # [s]
 TICKS = 300
 FINISHED = "the run finished before all of them were made"
 
 
-class TwoHostsTest(unittest.TestCase):
+class TwoHostsLockstepTest(TwoHostsCase):
     """Master, space and this test are on host a, the eyebot's controller is on host b."""
 
-    @classmethod
-    def setUpClass(cls):
-        reason = why_not()
-        if reason:
-            raise unittest.SkipTest(reason)
-        cls.hosts = TwoHosts(DELAY)
-        cls.addClassCleanup(cls.hosts.close)
-        folder = tempfile.TemporaryDirectory()
-        cls.addClassCleanup(folder.cleanup)
-        cls.hashes = pathlib.Path(folder.name, "hashes.txt")
-        os.environ.update(cls.hosts.a.environment(cls.hosts.a), ROS_HOME=folder.name)
-        os.environ.pop("ROS_HOSTNAME", None)
-        cls.hosts.a.enter()
-        master = subprocess.Popen(["rosmaster", "--core"], stdout=subprocess.DEVNULL)
-        cls.addClassCleanup(cls.end, master)
-        until = time.monotonic() + TIMEOUT
-        while not rosgraph.is_master_online() and time.monotonic() < until:
-            time.sleep(0.1)
-        rospy.init_node("two_hosts_test", disable_signals=True)
-        cls.addClassCleanup(rospy.signal_shutdown, "the tests are over")
-
-    @staticmethod
-    def end(process):
-        process.send_signal(signal.SIGINT)
-        process.wait(TIMEOUT)
-
-    def launch(self, host, file, **arguments):
-        command = ["roslaunch", LAUNCH_FILES / file, f"hostname:={host.address}"]
-        process = subprocess.Popen(host.command(*command, *(f"{name}:={value}" for name, value in arguments.items())),
-                                   env=host.environment(self.hosts.a), start_new_session=True)
-        self.addCleanup(self.end, process)
-
     def start(self, policy):
+        self.hashes = self.folder / "hashes.txt"
         self.launch(self.hosts.a, "object_retrieval.launch", seed=1, max_ticks=TICKS, hashes=self.hashes, rviz="false",
                     paused="true", real_time_factor=0, on_end="stay", set="arena.eb.controller.source=remote")
         self.space = Space()
