@@ -2,15 +2,35 @@
 
 #include <stdexcept>
 
+#include "swarmanoid_interface/ros/process.hpp"
+
 namespace swarmanoid {
 
 bool ControllerNodelet::runAlone() {
-  if (!getPrivateNodeHandle().hasParam("robots")) {
+  ros::NodeHandle& own = getPrivateNodeHandle();
+  if (!own.hasParam("robots")) {
     return false;
   }
   const std::string& name = getName();
-  participant_ =
-      std::make_unique<Participant>(getPrivateNodeHandle(), name.substr(name.find_first_not_of('/')), label_);
+  const bool is_standalone = process::isStandalone(name);
+  const auto provider = own.param("provider", std::string("lockstep"));
+  try {
+    if (provider == "topics") {
+      robot_host_ = std::make_unique<RobotHost>(own, label_, is_standalone);
+    } else if (provider == "lockstep") {
+      participant_ =
+          std::make_unique<Participant>(own, name.substr(name.find_first_not_of('/')), label_, is_standalone);
+    } else {
+      throw std::runtime_error("provider: found '" + provider + "', allowed: lockstep, topics" +
+                               didYouMean(provider, {"lockstep", "topics"}));
+    }
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s: %s", name.c_str(), error.what());
+    if (is_standalone) {
+      process::endWith(process::kBadInput);
+    }
+    throw;  // the nodelet does not load
+  }
   return true;
 }
 
