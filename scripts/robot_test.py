@@ -18,9 +18,8 @@ import xml.etree.ElementTree
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 
 PACKAGES = ("swarmanoid_controllers", "swarmanoid_interface", "swarmanoid_msgs")
-# what a simulator has: engines, readers of experiments and robot models, its own packages
-SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tinyxml2|libtbb|\btbb\b|xxhash|rviz|gazebo|swarmanoid_(?!interface|"
-                       r"controllers|msgs|mock)", re.I)
+# what a simulator has: engines, readers of robot models, threads, viewers, its own packages (tinyxml2 is pluginlib's)
+SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tbb|xxhash|rviz|gazebo|swarmanoid_(?!interface|controllers|msgs)", re.I)
 CONTROLLERS = {"footbot": "footbot_retrieval", "eyebot": "eyebot_retrieval", "handbot": "climbing"}
 TIMEOUT = 60.0  # [s]
 
@@ -91,6 +90,8 @@ class RobotTest(unittest.TestCase):
         self.assertEqual([], [name for name, _ in found if SIMULATOR.search(name)])
 
     def test_no_simulator_is_linked(self):
+        for name in ("libode.so.8", "libbox2d.so.2", "libtbb.so.12", "liburdfdom_model.so.3", "libswarmanoid_space.so"):
+            self.assertTrue(SIMULATOR.search(name), name)
         libraries = glob.glob(f"{self.folder}/devel/lib/*.so")
         programs = glob.glob(f"{self.folder}/devel/lib/*/mock_drivers")
         self.assertGreaterEqual(len(libraries), 2 + 1 + 2 * 8)
@@ -104,7 +105,7 @@ class RobotTest(unittest.TestCase):
     # --- controllers against the mock drivers
 
     def odometry(self, robot):
-        """Position of a robot, and how far it is from its start's height."""
+        """The position of a robot [m]."""
         output = self.succeed(["timeout", "20", "rostopic", "echo", "-n1", f"/{robot}/odom/pose/pose/position"],
                               self.environment)
         return {name: float(value) for name, value in re.findall(r"^([xyz]): (\S+)$", output, re.M)}

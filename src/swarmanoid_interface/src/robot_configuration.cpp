@@ -7,9 +7,17 @@
 namespace swarmanoid {
 namespace {
 
-const std::vector<std::string> kRobotTypes{"footbot", "eyebot", "handbot"};
-const std::vector<std::string> kKeys{"robot_type", "rate",       "seed",           "sensors",       "actuators",
-                                     "topics",     "parameters", "sensor_timeout", "start_timeout", "safe_stop"};
+const std::vector<std::string>& robotTypes() {
+  static const std::vector<std::string> types{"footbot", "eyebot", "handbot"};
+  return types;
+}
+
+const std::vector<std::string>& keys() {
+  static const std::vector<std::string> keys{"robot_type",    "rate",     "seed",       "sensors",
+                                             "actuators",     "topics",   "parameters", "sensor_timeout",
+                                             "start_timeout", "safe_stop"};
+  return keys;
+}
 
 Duration secondsToDuration(double seconds) {
   constexpr double kNanosecondsPerSecond = 1e9;
@@ -29,7 +37,7 @@ std::vector<std::string> split(const std::string& text) {
 }
 
 bool belongsTo(const std::string& robot_type, const std::string& device) {
-  return std::none_of(kRobotTypes.begin(), kRobotTypes.end(), [&](const std::string& other) {
+  return std::none_of(robotTypes().begin(), robotTypes().end(), [&](const std::string& other) {
     return other != robot_type && device.rfind(other + "_", 0) == 0;
   });
 }
@@ -108,10 +116,11 @@ SafeStopSettings readSafeStop(const Configuration& values) {
 RobotConfiguration readRobotConfiguration(const Configuration& values, const std::vector<KnownDevice>& known) {
   RobotConfiguration result;
   result.robot_type = values.text("robot_type");
-  if (std::find(kRobotTypes.begin(), kRobotTypes.end(), result.robot_type) == kRobotTypes.end()) {
+  const std::vector<std::string>& types = robotTypes();
+  if (std::find(types.begin(), types.end(), result.robot_type) == types.end()) {
     throw ConfigError(values.find("robot_type")->location(), "robot_type: found '" + result.robot_type +
-                                                                 "', allowed: " + joinNames(kRobotTypes) +
-                                                                 didYouMean(result.robot_type, kRobotTypes));
+                                                                 "', allowed: " + joinNames(types) +
+                                                                 didYouMean(result.robot_type, types));
   }
   constexpr double kRate = 10.0;  // [Hz]
   constexpr Range kTimeout{0.01, 3600.0};
@@ -125,7 +134,7 @@ RobotConfiguration readRobotConfiguration(const Configuration& values, const std
   result.sensor_timeout = secondsToDuration(values.number("sensor_timeout", 0.5, kTimeout));
   result.start_timeout = secondsToDuration(values.number("start_timeout", 10.0, kTimeout));
   result.safe_stop = readSafeStop(values);
-  values.refuseUnread(kKeys);
+  values.refuseUnread(keys());
   return result;
 }
 

@@ -188,8 +188,9 @@ void RobotHost::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
       status.mergeSummary(DiagnosticStatus::ERROR, "nobody subscribes to " + actuator.device.topic);
     }
   }
-  if (missed_ > 0) {
+  if (missed_ > reported_missed_) {
     status.mergeSummary(DiagnosticStatus::WARN, "overruns");
+    reported_missed_ = missed_;
   }
   status.add("rate [Hz]", 1.0 / toSeconds(configuration_.period));
   status.add("steps", loop_->steps());

@@ -5,6 +5,8 @@
 /// `controller`, its label, and `library` if it is not in this process yet, both only where the nodelet has no label of
 /// its own.
 ///
+/// A status of /diagnostics warns for the second in which periods were missed; the numbers in it are of the whole time.
+///
 /// In the robot's namespace it has the topics of the devices that the configuration lists, no others, and, for whoever
 /// wants to record what the controller saw and did: controller/start (latched), controller/sensors, controller/commands
 /// (swarmanoid_msgs: ControllerStart, SensorFrame, CommandFrame), which cost nothing without subscribers.
@@ -75,7 +77,8 @@ class RobotHost {
 
   // of the thread
   RobotLoop::State told_state_ = RobotLoop::State::kWaiting;
-  std::uint64_t missed_ = 0;
+  std::uint64_t missed_ = 0;  ///< periods
+  std::uint64_t reported_missed_ = 0;
   Duration longest_{};  ///< work in a period since the last report
   Duration reported_{};
   std::uint64_t refused_ = 0;  ///< messages that were no such device
