@@ -9,6 +9,7 @@ import time
 import rospy
 
 TIMEOUT = 20.0  # [s]
+RATE = 20.0  # [Hz] of the controllers
 
 SMALL = {"footbot": {"sensors": ["footbot_proximity"],
                      "actuators": ["footbot_wheels", "footbot_gripper", "footbot_turret"]},
@@ -56,21 +57,20 @@ class Process:
 
 class Drivers(Process):
     def __init__(self, robot, kind, without=""):
-        super().__init__(["rosrun", "swarmanoid_interface", "mock_drivers", f"__name:={robot}_drivers", f"_robot:={robot}", f"_type:={kind}", f"_without:={without}"])
+        super().__init__(["rosrun", "swarmanoid_interface", "mock_drivers", f"__name:={robot}_drivers",
+                          f"_robot:={robot}", f"_type:={kind}", f"_without:={without}"])
 
 
 class Host(Process):
     """What launch/robot.launch starts with provider:=topics."""
 
     def __init__(self, robot, configuration, **parameters):
-        name = robot + "_controller"
-        rospy.set_param("/" + name, dict({"provider": "topics", "robots": robot, "configuration": configuration,
-                                          "controller": "misbehaving", "library": "swarmanoid_misbehaving"}, **parameters))
+        self.name = robot + "_controller"
+        own = {"provider": "topics", "robots": robot, "configuration": configuration, "controller": "misbehaving",
+               "library": "swarmanoid_misbehaving"}
+        rospy.set_param("/" + self.name, dict(own, **parameters))
         super().__init__(["rosrun", "nodelet", "nodelet", "standalone", "swarmanoid_interface/ControllerNodelet",
-                          "__name:=" + name])
-
-
-RATE = 20.0  # [Hz]
+                          "__name:=" + self.name])
 
 
 def configuration(kind, **changes):

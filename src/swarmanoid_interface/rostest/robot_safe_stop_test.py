@@ -4,10 +4,11 @@ its process is to end."""
 
 import signal
 import sys
-import subprocess
 import time
 import unittest
+import xmlrpc.client
 
+import rosgraph
 import rospy
 import rostest
 from geometry_msgs.msg import Twist
@@ -15,7 +16,7 @@ from nav_msgs.msg import Odometry
 from swarmanoid_msgs.msg import (CommandFrame, GripperCommand, HandsCommand, LaserCommand, RopeCommand, TurretCommand,
                                  WheelsCommand)
 
-from robot_processes import RATE, TIMEOUT, Arrivals, Drivers, Host, configuration, wait_until
+from robot_processes import RATE, Arrivals, Drivers, Host, configuration, wait_until
 
 SENSOR_TIMEOUT = 0.5  # [s]
 NOISE = 1.5  # [s] that this machine may be late
@@ -45,6 +46,11 @@ HELD = {"footbot": (("gripper/command", GripperCommand, lambda m: m.closed),
                    ("cmd_vel", Twist, lambda m: m.linear.x == m.linear.z == 0.0)),
         "handbot": (("hands/command", HandsCommand, lambda m: m.left),
                     ("rope/command", RopeCommand, lambda m: m.shot and m.winding_speed == 0.0))}
+
+
+def rosnode_kill(host):
+    address = rosgraph.Master("/robot_safe_stop_test").lookupNode("/" + host.name)
+    xmlrpc.client.ServerProxy(address).shutdown("/robot_safe_stop_test", "as rosnode kill does it")
 
 
 class RobotSafeStopTest(unittest.TestCase):
@@ -122,13 +128,10 @@ class RobotSafeStopTest(unittest.TestCase):
 
     def test_end_by_other_means(self):
         its = KINDS["footbot"]
-        for name, end in (("sigterm", lambda host, robot: host.send(signal.SIGTERM)),
-                          ("rosnode", lambda host, robot: subprocess.run(["rosnode", "kill", f"/{robot}_controller"],
-                                                                         check=True, timeout=TIMEOUT,
-                                                                         stdout=subprocess.DEVNULL))):
+        for name, end in (("sigterm", lambda host: host.send(signal.SIGTERM)), ("rosnode", rosnode_kill)):
             with self.subTest(name):
                 _, host, commands = self.start("footbot", name)
-                end(host, "footbot_" + name)
+                end(host)
                 self.assertEqual(0, host.wait(), host.output())
                 self.assertFalse(its.moves(commands.messages()[-1]))
                 self.assert_held()

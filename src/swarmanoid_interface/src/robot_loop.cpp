@@ -47,41 +47,57 @@ RobotLoop::RobotLoop(const std::string& robot, const std::string& label, RobotCo
 bool RobotLoop::tick(Duration now, std::uint64_t passed) {
   has_stepped_ = false;
   if (state_ == State::kWaiting) {
-    const std::string what = missing(now);
-    text_ = "waiting for " + what;
-    if (what.empty()) {
-      state_ = State::kRunning;
-    } else if (now - began_ >= configuration_.start_timeout) {
-      state_ = State::kOver;
-      end_ = End::kMissing;
-      text_ = "missing: " + what;
-    }
+    wait(now);
     passed = 1;
   }
   if (state_ == State::kRunning || state_ == State::kStopped) {
-    const std::string what = lost(now);
-    if (what.empty()) {
-      period_ += steps_ == 0 ? 0 : state_ == State::kStopped ? 1 : passed;
-      state_ = State::kRunning;
-      step(now);
-    } else if (state_ == State::kRunning) {
-      ++stops_;
-      beginStop(now, State::kStopped, "stopped safely: " + what);
-    } else {
-      text_ = "stopped safely: " + what;
-    }
+    run(now, passed);
   }
   if (state_ == State::kStopped || state_ == State::kEnding) {
-    constexpr std::uint64_t kFewest = 3;  // one message may be lost
-    const bool is_done = stop(now);
-    ++stop_periods_;
-    if (state_ == State::kEnding && is_done && stop_periods_ >= kFewest) {
-      state_ = State::kOver;
-      text_ = end_ == End::kAsked ? "ended" : text_;
-    }
+    carryOnStopping(now);
     return true;
   }
   return state_ == State::kRunning;
+}
+
+void RobotLoop::wait(Duration now) {
+  const std::string what = missing(now);
+  text_ = "waiting for " + what;
+  if (what.empty()) {
+    state_ = State::kRunning;
+  } else if (now - began_ >= configuration_.start_timeout) {
+    state_ = State::kOver;
+    end_ = End::kMissing;
+    text_ = "missing: " + what;
+  }
+}
+
+void RobotLoop::run(Duration now, std::uint64_t passed) {
+  const std::string what = lost(now);
+  if (what.empty()) {
+    if (steps_ > 0) {
+      constexpr std::uint64_t kStoodStill = 1;
+      period_ += state_ == State::kStopped ? kStoodStill : passed;
+    }
+    state_ = State::kRunning;
+    step(now);
+    return;
+  }
+  if (state_ == State::kRunning) {
+    ++stops_;
+    beginStop(now, State::kStopped);
+  }
+  text_ = "stopped safely: " + what;
+}
+
+void RobotLoop::carryOnStopping(Duration now) {
+  constexpr std::uint64_t kFewest = 3;  // one message may be lost
+  const bool is_done = stop(now);
+  ++stop_periods_;
+  if (state_ == State::kEnding && is_done && stop_periods_ >= kFewest) {
+    state_ = State::kOver;
+    text_ = end_ == End::kAsked ? "ended" : text_;
+  }
 }
 
 void RobotLoop::end(Duration now) {
@@ -149,7 +165,8 @@ void RobotLoop::step(Duration now) {
   }
   if (!failure.empty()) {
     end_ = End::kFailed;
-    beginStop(now, State::kEnding, "the controller failed: " + failure);
+    beginStop(now, State::kEnding);
+    text_ = "the controller failed: " + failure;
   }
 }
 
@@ -192,9 +209,8 @@ std::string RobotLoop::readAnswer() {
   return failure;
 }
 
-void RobotLoop::beginStop(Duration now, State state, const std::string& text) {
+void RobotLoop::beginStop(Duration now, State state) {
   state_ = state;
-  text_ = text;
   stop_began_ = now;
   stop_periods_ = 0;
 }

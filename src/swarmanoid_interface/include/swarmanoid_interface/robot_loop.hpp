@@ -88,11 +88,15 @@ class RobotLoop {
   std::string missing(Duration now) const;
   std::string lost(Duration now) const;
   bool isLost(const Sensor& sensor, Duration now) const;
+  void wait(Duration now);
+  void run(Duration now, std::uint64_t passed);
+  void carryOnStopping(Duration now);
   void step(Duration now);
   void makeFrame();
   /// @throws ByteError @return "", or why the controller failed
   std::string readAnswer();
-  void beginStop(Duration now, State state, const std::string& text);
+  void beginStop(Duration now, State state);
+  /// @return whether the commands stay now
   bool stop(Duration now);
 
   RobotConfiguration configuration_;
