@@ -101,6 +101,10 @@ class RobotHostTest(unittest.TestCase):
                 ("d", configuration("footbot", parameters={"speed": 1}), {},
                  "/d_controller/configuration/parameters/speed: 'speed' is not known in <parameters>"),
                 ("e", configuration("footbot"), {"provider": "topic"}, "provider: found 'topic', allowed: lockstep, topics"),
+                ("g", configuration("footbot"), {"parameters": {"throw_at": 1}},
+                 "/g_controller/parameters: found values, allowed: none with provider:=topics"),
+                ("h", configuration("footbot"), {"provider": "lockstep"},
+                 "/h_controller/configuration: found values, allowed: none with provider:=lockstep"),
                 ("f", configuration("footbot"), {"robots": "f g"}, "found 'f g', allowed with provider:=topics: the name "
                                                                   "of one robot")):
             with self.subTest(text):

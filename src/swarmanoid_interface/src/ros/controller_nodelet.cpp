@@ -5,6 +5,16 @@
 #include "swarmanoid_interface/ros/process.hpp"
 
 namespace swarmanoid {
+namespace {
+
+/// A file of the other provider would be left unread.
+void refuse(const ros::NodeHandle& own, const std::string& parameter, const std::string& instead) {
+  if (own.hasParam(parameter)) {
+    throw ConfigError({own.getNamespace() + "/" + parameter, 0}, "found values, allowed: " + instead);
+  }
+}
+
+}  // namespace
 
 bool ControllerNodelet::runAlone() {
   ros::NodeHandle& own = getPrivateNodeHandle();
@@ -16,8 +26,10 @@ bool ControllerNodelet::runAlone() {
   const auto provider = own.param("provider", std::string("lockstep"));
   try {
     if (provider == "topics") {
+      refuse(own, "parameters", "none with provider:=topics; the configuration has those of the controller");
       robot_host_ = std::make_unique<RobotHost>(own, label_, is_standalone);
     } else if (provider == "lockstep") {
+      refuse(own, "configuration", "none with provider:=lockstep; the experiment says what a robot has");
       participant_ =
           std::make_unique<Participant>(own, name.substr(name.find_first_not_of('/')), label_, is_standalone);
     } else {

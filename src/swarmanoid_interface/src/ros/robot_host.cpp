@@ -210,6 +210,7 @@ void RobotHost::leave() {
     ros::WallDuration(kOnTheWay).sleep();
   }
   const RobotLoop::End why = loop_->whyItEnds();
+  inputs_.clear();
   loop_.reset();  // the controller is destroyed when its robot stands
   if (is_standalone_) {
     process::endWith(why == RobotLoop::End::kFailed    ? process::kControllerFailed
