@@ -103,14 +103,21 @@ class InterfaceTest(unittest.TestCase):
         self.assertEqual(set(roslaunch.arg_dump.get_args([str(REPOSITORY / "launch/robot.launch")])),
                          set(re.findall(r"`([a-z_]+)`", written)))
 
+    def test_launch_arguments_of_mock_drivers_are_those_of_their_page(self):
+        page = (REPOSITORY / "docs/reference/drivers.md").read_text().split("\n## Mock drivers\n")[1]
+        written = page.split("one node with all of the above: ")[1].split(".\n")[0].split(". ")[0]
+        self.assertEqual(set(roslaunch.arg_dump.get_args([str(REPOSITORY / "launch/mock_robot.launch")])),
+                         set(re.findall(r"`([a-z_]+)`", re.sub(r"\(.*?\)", "", written))))
+
     def test_launch_files_load_and_explain_their_arguments(self):
         folder = str(REPOSITORY / "launch") + "/"
         for name, arguments in (("object_retrieval", ["rviz:=true"]), ("object_retrieval", ["rviz:=false"]),
                                 ("play_bag", ["bag:=/tmp/run.bag", "loop:=true"]),
-                                ("robot", ["robot:=fb_1 fb_2", "controller:=footbot_retrieval"])):
+                                ("robot", ["robot:=fb_1 fb_2", "controller:=footbot_retrieval"]),
+                                ("mock_robot", ["robot:=fb_1", "type:=footbot"])):
             config = roslaunch.config.load_config_default([(folder + name + ".launch", arguments)], None)
             self.assertEqual([], config.config_errors)
-        for name in ("object_retrieval", "play_bag", "robot"):
+        for name in ("object_retrieval", "play_bag", "robot", "mock_robot"):
             for argument, (doc, _) in roslaunch.arg_dump.get_args([folder + name + ".launch"]).items():
                 self.assertTrue(doc, f"{name}.launch: {argument} has no doc")
 

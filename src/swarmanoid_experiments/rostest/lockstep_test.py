@@ -79,8 +79,7 @@ class LockstepTest(unittest.TestCase):
                          set_source(["fb_1"], "topic").message)
 
     def test_a_process_ends_when_it_is_refused(self):
-        participant = Participant("fb_1")
-        participant.wait()
+        self.assertEqual(4, Participant("fb_1").wait())
 
     def test_commands_from_elsewhere_move_nobody(self):
         self.assertTrue(set_source(["eb"], "remote").success)

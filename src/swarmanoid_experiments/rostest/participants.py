@@ -34,7 +34,8 @@ class Participant:
             self._end(signal.SIGINT)
 
     def wait(self):
-        self._process.wait(TIMEOUT)
+        """@return its exit code"""
+        return self._process.wait(TIMEOUT)
 
     def _end(self, how):
         os.killpg(self._process.pid, how)

@@ -14,6 +14,8 @@
 
 #include <memory>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/byte_stream.hpp"
@@ -26,7 +28,8 @@ struct DeviceType {
   void (*write)(const void* device, ByteWriter& out) = nullptr;
   /// @throws ByteError; the device is then partly read
   void (*read)(ByteReader& in, void* device, VariableParts& parts) = nullptr;
-  std::shared_ptr<void> (*make)() = nullptr;  ///< a device with its initial value
+  std::shared_ptr<void> (*make)() = nullptr;        ///< a device with its initial value
+  bool (*is_finite)(const void* device) = nullptr;  ///< null: it has no isFinite()
 };
 
 /// @return null if no device of that type is registered
@@ -36,6 +39,24 @@ std::vector<const DeviceType*> deviceTypes();
 
 /// While libraries load; the first of a type stays.
 void registerDeviceType(DeviceType type);
+
+namespace detail {
+
+template <class Device, class = void>
+struct CanBeFinite : std::false_type {};
+template <class Device>
+struct CanBeFinite<Device, std::void_t<decltype(std::declval<const Device&>().isFinite())>> : std::true_type {};
+
+template <class Device>
+constexpr auto finiteness() -> bool (*)(const void*) {
+  if constexpr (CanBeFinite<Device>::value) {
+    return [](const void* device) { return static_cast<const Device*>(device)->isFinite(); };
+  } else {
+    return nullptr;
+  }
+}
+
+}  // namespace detail
 
 template <class Device>
 struct DeviceTypeRegistration {
@@ -53,7 +74,8 @@ struct DeviceTypeRegistration {
                           in.keepVariablePartsIn(parts);
                           fields(in, *static_cast<Device*>(target));
                         },
-                        []() -> std::shared_ptr<void> { return std::make_shared<Device>(); }});
+                        []() -> std::shared_ptr<void> { return std::make_shared<Device>(); },
+                        detail::finiteness<Device>()});
   }
 };
 

@@ -2,15 +2,47 @@
 
 #include <stdexcept>
 
+#include "swarmanoid_interface/ros/process.hpp"
+
 namespace swarmanoid {
+namespace {
+
+/// A file of the other provider would be left unread.
+void refuse(const ros::NodeHandle& own, const std::string& parameter, const std::string& instead) {
+  if (own.hasParam(parameter)) {
+    throw ConfigError({own.getNamespace() + "/" + parameter, 0}, "found values, allowed: " + instead);
+  }
+}
+
+}  // namespace
 
 bool ControllerNodelet::runAlone() {
-  if (!getPrivateNodeHandle().hasParam("robots")) {
+  ros::NodeHandle& own = getPrivateNodeHandle();
+  if (!own.hasParam("robots")) {
     return false;
   }
   const std::string& name = getName();
-  participant_ =
-      std::make_unique<Participant>(getPrivateNodeHandle(), name.substr(name.find_first_not_of('/')), label_);
+  const bool is_standalone = process::isStandalone(name);
+  const auto provider = own.param("provider", std::string("lockstep"));
+  try {
+    if (provider == "topics") {
+      refuse(own, "parameters", "none with provider:=topics; the configuration has those of the controller");
+      robot_host_ = std::make_unique<RobotHost>(own, label_, is_standalone);
+    } else if (provider == "lockstep") {
+      refuse(own, "configuration", "none with provider:=lockstep; the experiment says what a robot has");
+      participant_ =
+          std::make_unique<Participant>(own, name.substr(name.find_first_not_of('/')), label_, is_standalone);
+    } else {
+      throw std::runtime_error("provider: found '" + provider + "', allowed: lockstep, topics" +
+                               didYouMean(provider, {"lockstep", "topics"}));
+    }
+  } catch (const std::exception& error) {
+    NODELET_FATAL("%s: %s", name.c_str(), error.what());
+    if (is_standalone) {
+      process::endWith(process::kBadInput);
+    }
+    throw;  // the nodelet does not load
+  }
   return true;
 }
 

@@ -7,43 +7,13 @@
 
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
+#include "swarmanoid_interface/ros/parameters.hpp"
+#include "swarmanoid_interface/ros/process.hpp"
 
 namespace swarmanoid {
-namespace {
 
-std::string textOf(const XmlRpc::XmlRpcValue& value) {
-  XmlRpc::XmlRpcValue copy = value;  // its readers are not const
-  std::ostringstream text;
-  switch (copy.getType()) {
-    case XmlRpc::XmlRpcValue::TypeBoolean:
-      return static_cast<bool>(copy) ? "true" : "false";
-    case XmlRpc::XmlRpcValue::TypeString:
-      return static_cast<std::string>(copy);
-    default:
-      text << copy;
-      return text.str();
-  }
-}
-
-void addAll(const XmlRpc::XmlRpcValue& values, const SourceLocation& location, Configuration& element) {
-  XmlRpc::XmlRpcValue copy = values;
-  if (copy.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
-    throw ConfigError(location, "found '" + textOf(copy) + "', allowed: names with values");
-  }
-  for (auto& [name, value] : copy) {
-    const bool is_inner = value.getType() == XmlRpc::XmlRpcValue::TypeStruct;
-    Configuration child(name, is_inner ? "" : textOf(value), location);
-    if (is_inner) {
-      addAll(value, location, child);
-    }
-    element.add(std::move(child));
-  }
-}
-
-}  // namespace
-
-Participant::Participant(const ros::NodeHandle& own, std::string name, std::string label)
-    : own_(own), name_(std::move(name)), label_(std::move(label)) {
+Participant::Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone)
+    : own_(own), name_(std::move(name)), label_(std::move(label)), is_standalone_(is_standalone) {
   own_.setCallbackQueue(&queue_);
   thread_ = std::thread([this] { run(); });
 }
@@ -83,6 +53,9 @@ void Participant::run() {
   } catch (const std::exception& error) {
     if (!isOver()) {
       ROS_FATAL("participant '%s': %s", name_.c_str(), error.what());
+      if (is_standalone_) {
+        process::endWith(process::kStopped);
+      }
     }
   }
   sensors_.shutdown();
@@ -134,9 +107,7 @@ Registration Participant::adapt(Registration registration) {
   }
   for (RemoteRobot& robot : registration.robots) {
     if (has_own_parameters) {
-      const SourceLocation location{own_.getNamespace() + "/parameters", 0};
-      robot.parameters = Configuration("parameters", "", location);
-      addAll(values, location, robot.parameters);
+      robot.parameters = configurationFrom(values, "parameters", own_.getNamespace() + "/parameters");
     } else if (robot.label != label_) {
       throw std::runtime_error("robot '" + robot.name + "' has the controller '" + robot.label +
                                "' in the experiment; for '" + label_ + "' set ~parameters");

@@ -3,12 +3,13 @@
 /// swarmanoid_add_controller makes one for each controller, named <package>/<label>. The plain
 /// swarmanoid_interface/ControllerNodelet hosts any controller, such as one whose library is only named by a path.
 ///
-/// With the private parameter `robots` it needs no space in its process: it takes part from elsewhere
-/// (participant.hpp).
+/// With the private parameter `robots` it needs no space in its process. `provider` says where the robots' devices come
+/// from: `lockstep`, a space elsewhere (participant.hpp), or `topics`, a robot's drivers (robot_host.hpp).
 #pragma once
 
 #include "swarmanoid_interface/ros/part_nodelet.hpp"
 #include "swarmanoid_interface/ros/participant.hpp"
+#include "swarmanoid_interface/ros/robot_host.hpp"
 
 namespace swarmanoid {
 
@@ -23,6 +24,7 @@ class ControllerNodelet : public PartNodelet {
 
   std::string label_;
   std::unique_ptr<Participant> participant_;
+  std::unique_ptr<RobotHost> robot_host_;
 };
 
 }  // namespace swarmanoid

@@ -19,6 +19,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/ros/device_messages.hpp"
 
 namespace swarmanoid {
@@ -61,10 +62,6 @@ template <class Device, class Message>
 struct KeepsParts<Device, Message,
                   std::void_t<decltype(fromMessage(std::declval<const Message&>(), std::declval<Device&>(),
                                                    std::declval<VariableParts&>()))>> : std::true_type {};
-template <class Device, class = void>
-struct CanBeFinite : std::false_type {};
-template <class Device>
-struct CanBeFinite<Device, std::void_t<decltype(std::declval<const Device&>().isFinite())>> : std::true_type {};
 
 /// @throws std::runtime_error; the device is then as it was
 template <class Device, class Message>

@@ -5,6 +5,8 @@
 /// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, what the controller reads instead of the
 /// <parameters> of the experiment file; `library` of a controller that is not in this process yet.
 ///
+/// Alone in its process it ends that with 0 when the space is gone, with 4 when the space refuses it.
+///
 /// Time     wall time only; ROS time may stand still.
 /// Threads  one of its own, on which the controllers step.
 #pragma once
@@ -26,7 +28,7 @@ class Participant {
  public:
   /// @param own with the private parameters; @param name its own, without a leading slash
   /// @param label of the controller; "": the one that the experiment file gives the first robot
-  Participant(const ros::NodeHandle& own, std::string name, std::string label);
+  Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
@@ -44,6 +46,7 @@ class Participant {
   std::string name_;
   std::string label_;
   std::string space_;
+  bool is_standalone_;
   std::uint64_t session_ = 0;
   std::unique_ptr<ControllerHost> host_;
   ros::Subscriber sensors_;

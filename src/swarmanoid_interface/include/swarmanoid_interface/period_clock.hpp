@@ -1,0 +1,39 @@
+/// Periods of equal length on a grid: which one begins when, and how many were missed because something took too long.
+/// A period that is missed is left out, never made up for.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "swarmanoid_interface/time.hpp"
+
+namespace swarmanoid {
+
+class PeriodClock {
+ public:
+  /// The first period begins at `start`, on whatever clock the caller uses.
+  PeriodClock(Duration start, Duration period) : start_(start), period_(period) {}
+
+  /// When the next period begins.
+  Duration next() const { return start_ + static_cast<Duration::rep>(begun_) * period_; }
+
+  /// Begins a period. @pre now is at least `next` @return how many have passed with it: 1, and each that was missed
+  std::uint64_t begin(Duration now) {
+    const auto on_grid = static_cast<std::uint64_t>((now - start_) / period_) + 1;
+    const std::uint64_t passed = std::max<std::uint64_t>(1, on_grid - std::min(on_grid, begun_));
+    begun_ += passed;
+    missed_ += passed - 1;
+    return passed;
+  }
+
+  /// Since the start.
+  std::uint64_t missed() const { return missed_; }
+
+ private:
+  Duration start_;
+  Duration period_;
+  std::uint64_t begun_ = 0;
+  std::uint64_t missed_ = 0;
+};
+
+}  // namespace swarmanoid

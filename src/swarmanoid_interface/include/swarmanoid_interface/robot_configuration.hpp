@@ -1,0 +1,54 @@
+/// What a robot's host is told of its robot: which of its devices a controller uses and how, how often, and when the
+/// robot is stopped. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is values, from wherever.
+///
+///     robot_type: footbot                       footbot, eyebot or handbot
+///     rate: 10                                  of the controller [Hz], 0.1 to 1000
+///     seed: 1                                   of robot.random()
+///     sensors: [footbot_proximity]              device types
+///     actuators: [footbot_wheels]
+///     topics: {footbot_wheels: cmd_vel}         where a device has several; otherwise the first
+///     parameters: {speed: 0.1}                  of the controller
+///     sensor_timeout: 0.5                       a sensor that is silent for longer is lost [s]
+///     start_timeout: 10                         for all devices to be there [s]
+///     safe_stop: {hover: 2, descend_speed: 0.3, descend_time: 8}   of an eyebot [s, m/s, s]
+///
+/// Robot type, sensors and actuators must be given; the others have the values above, no topics and no parameters.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_interface/time.hpp"
+
+namespace swarmanoid {
+
+/// A device that has topics in this process.
+struct KnownDevice {
+  std::string type;
+  bool is_sensor = false;
+  std::vector<std::string> topics;  ///< the first is the main one
+};
+
+struct RobotConfiguration {
+  struct Device {
+    std::string type;
+    std::string topic;  ///< in the robot's namespace
+  };
+
+  std::string robot_type;
+  Duration period{};
+  std::uint64_t seed = 1;
+  std::vector<Device> sensors;
+  std::vector<Device> actuators;
+  Configuration parameters;
+  Duration sensor_timeout{};
+  Duration start_timeout{};
+  SafeStopSettings safe_stop;
+};
+
+/// @throws ConfigError with the value's place, what was found and what is allowed; also for names that are not known
+RobotConfiguration readRobotConfiguration(const Configuration& values, const std::vector<KnownDevice>& known);
+
+}  // namespace swarmanoid

@@ -1,0 +1,61 @@
+#include "world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swarmanoid::mock {
+namespace {
+
+Eigen::Vector3d turned(const Eigen::Vector3d& vector, double angle) {
+  return {std::cos(angle) * vector.x() - std::sin(angle) * vector.y(),
+          std::sin(angle) * vector.x() + std::cos(angle) * vector.y(), vector.z()};
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+}  // namespace
+
+Eigen::Vector3d Pose::toRobot(const Eigen::Vector3d& point) const { return turned(point - position, -yaw); }
+
+Eigen::Vector3d Pose::toWorld(const Eigen::Vector3d& point) const { return turned(point, yaw) + position; }
+
+World readWorld(const Configuration& values) {
+  World world;
+  if (const Configuration* walls = values.find("walls")) {
+    for (const Configuration& wall : walls->children()) {
+      constexpr std::size_t kCoordinates = 4;
+      const std::vector<double> at = parseNumbers(wall.text(), kCoordinates, wall.name(), wall.location());
+      world.walls.push_back({{at[0], at[1]}, {at[2], at[3]}});
+    }
+  }
+  if (const Configuration* beacons = values.find("beacons")) {
+    for (const Configuration& beacon : beacons->children()) {
+      world.beacons.push_back(
+          {beacon.name(), beacon.vector3("at"), beacon.color("color"), beacon.boolean("can_be_gripped", false)});
+      beacon.refuseUnread({"at", "color", "can_be_gripped"});
+    }
+  }
+  world.ceiling = values.number("ceiling", world.ceiling, {0.0, 100.0});
+  return world;
+}
+
+double distanceToWall(const World& world, const Eigen::Vector2d& from, double direction) {
+  const Eigen::Vector2d ray(std::cos(direction), std::sin(direction));
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Wall& wall : world.walls) {
+    const Eigen::Vector2d along = wall.to - wall.from;
+    const double parallel = cross(ray, along);
+    if (parallel == 0.0) {
+      continue;
+    }
+    const double distance = cross(wall.from - from, along) / parallel;
+    const double on_wall = cross(wall.from - from, ray) / parallel;
+    if (distance >= 0.0 && on_wall >= 0.0 && on_wall <= 1.0) {
+      nearest = std::min(nearest, distance);
+    }
+  }
+  return nearest;
+}
+
+}  // namespace swarmanoid::mock

@@ -1,0 +1,54 @@
+/// What stands around a mock robot: walls, things of a colour, a ceiling. Just enough for its sensors to show that it
+/// moves.
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid::mock {
+
+/// Where a robot is [m, rad]: x ahead of its start, y left of it, z up, yaw counter-clockwise.
+struct Pose {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  double yaw = 0.0;
+
+  /// A point of the world in the robot's frame, and back.
+  Eigen::Vector3d toRobot(const Eigen::Vector3d& point) const;
+  Eigen::Vector3d toWorld(const Eigen::Vector3d& point) const;
+};
+
+/// Upright and as high as need be, from one point of the ground to another.
+struct Wall {
+  Eigen::Vector2d from;
+  Eigen::Vector2d to;
+};
+
+/// Something that a camera sees.
+struct Beacon {
+  std::string name;
+  Eigen::Vector3d at;
+  Color color;
+  bool can_be_gripped = false;
+};
+
+struct World {
+  std::vector<Wall> walls;
+  std::vector<Beacon> beacons;
+  double ceiling = 3.0;  ///< its height; it is ferromagnetic [m]
+};
+
+/// As a parameter file has it:
+///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
+///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
+///     ceiling: 3
+/// @throws ConfigError
+World readWorld(const Configuration& values);
+
+/// From a point along a direction of the ground to the nearest wall. @return infinity if there is none [m]
+double distanceToWall(const World& world, const Eigen::Vector2d& from, double direction);
+
+}  // namespace swarmanoid::mock
