@@ -121,6 +121,9 @@ class ActuatorUnderTest {
         actuator(makeDevice<Actuator>(PluginKind::kActuator, Device::kType, parameters)),
         command(*static_cast<Device*>(actuator->add(world.space, row))) {}
 
+  /// A safe stop, which began `since` seconds ago. @return whether it is over
+  bool stop(double since = 0.0) { return actuator->stop(world_.space, row_, {since, {}, robot_}); }
+
   /// What is left of the command after this tick's limits and noise.
   const Device& actuate() {
     faulty = world_.actuate(*actuator);
@@ -130,6 +133,7 @@ class ActuatorUnderTest {
  private:
   DeviceWorld& world_;
   Row row_;
+  Robot robot_{"robot", "footbot", 1};  // of the safe stop; without sensors
 
  public:
   std::shared_ptr<Actuator> actuator;

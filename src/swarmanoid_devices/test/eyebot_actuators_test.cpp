@@ -61,6 +61,26 @@ std::vector<double> alongY(std::uint64_t seed, const std::string& noise) {
   return result;
 }
 
+TEST(EyebotVelocityTest, ASafeStopHoversAndThenComesDown) {
+  DeviceWorld world;
+  const Row robot = world.addEyebot(1.0, 1.0, 2.0);
+  Velocity velocity(world, robot);
+  velocity.command.linear = {0.2, 0.0, 0.1};
+  velocity.actuate();
+  const auto vertical = [&](double since, bool is_over) {
+    EXPECT_EQ(is_over, velocity.stop(since)) << since;
+    const EyebotVelocity& actuation = *world.space.actuation.find<EyebotVelocity>(robot);
+    EXPECT_EQ(actuation.linear.x(), 0.0);
+    EXPECT_EQ(actuation.linear, velocity.command.linear);
+    return actuation.linear.z();
+  };
+  EXPECT_EQ(vertical(0.0, false), 0.0);
+  EXPECT_EQ(vertical(1.9, false), 0.0);
+  EXPECT_EQ(vertical(2.0, false), -0.3);
+  EXPECT_EQ(vertical(9.9, false), -0.3);
+  EXPECT_EQ(vertical(10.0, true), 0.0);
+}
+
 TEST(EyebotVelocityTest, NoiseHasTheStatedDeviationAndBelongsToTheSeed) {
   const Statistics statistics(alongY(1, "0.05"));
   EXPECT_NEAR(statistics.mean, 0.25, 5.0 * 0.05 / std::sqrt(4000.0));

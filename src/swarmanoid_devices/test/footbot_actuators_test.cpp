@@ -55,7 +55,7 @@ TEST(FootbotWheelsTest, CommandsStayUntilTheyAreChangedAndStopForgetsThem) {
   wheels.command.setAngularVelocity(2.0, 3.0);
   wheels.actuate();
   EXPECT_EQ(wheels.actuate().right, 3.0);
-  wheels.actuator->stop(world.space, robot);
+  EXPECT_TRUE(wheels.stop());
   EXPECT_EQ(world.space.actuation.find<FootbotWheels>(robot)->right, 0.0) << "in the same tick";
   EXPECT_EQ(wheels.actuate().right, 0.0);
 }
@@ -130,15 +130,15 @@ TEST(FootbotLedsTest, EachLedShowsItsColourAndOthersAreLeftAlone) {
   }
 }
 
-TEST(FootbotLedsTest, AStoppedRobotIsDarkInTheSameTick) {
+TEST(FootbotLedsTest, AStoppedRobotKeepsItsLights) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
   Leds leds(world, robot);
   leds.command.setAll(colors::kRed);
   leds.actuate();
-  leds.actuator->stop(world.space, robot);
+  EXPECT_TRUE(leds.stop());
   for (std::size_t i = 0; i < FootbotLeds::kCount; ++i) {
-    EXPECT_EQ(world.space.ledsOf(robot)[i], colors::kBlack);
+    EXPECT_EQ(world.space.ledsOf(robot)[i], colors::kRed);
   }
 }
 

@@ -72,6 +72,23 @@ TEST(HandbotRopeTest, WindingIsLimitedAndTheStateIsRead) {
   EXPECT_EQ(state.sense().tension, 28.0);
 }
 
+TEST(HandbotRopeTest, ASafeStopHoldsItWhateverTheControllerSaidLast) {
+  DeviceWorld world;
+  const Row robot = addHandbot(world);
+  ActuatorUnderTest<HandbotRope> rope(world, robot);
+  rope.command = {true, 0.1};
+  rope.actuate();
+  rope.command.winding_speed = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_TRUE(rope.actuate().shot);
+  EXPECT_EQ(rope.faulty, std::vector<Row>{robot});
+  EXPECT_TRUE(rope.stop());
+  for (const HandbotRope* told : {static_cast<const HandbotRope*>(&rope.command), &rope.actuate()}) {
+    EXPECT_TRUE(told->shot);
+    EXPECT_EQ(told->winding_speed, 0.0);
+  }
+  EXPECT_TRUE(rope.faulty.empty());
+}
+
 TEST(HandbotHandsTest, EachHandIsItsOwn) {
   DeviceWorld world;
   const Row robot = addHandbot(world);

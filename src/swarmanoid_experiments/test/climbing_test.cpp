@@ -63,6 +63,21 @@ void expectTheBoxIsDown(Simulation& simulation) {
 
 TEST(ClimbingTest, TheHandbotBringsTheBoxDown) { expectTheBoxIsDown(*start(climbing())); }
 
+TEST(ClimbingTest, WhoeverHangsAndIsNotCommandedAnyMoreKeepsHanging) {
+  auto simulation = start(climbing());
+  runUntil(*simulation, "climbing");
+  while (poseOf(*simulation, "hb").position.z() < 0.2) {
+    simulation->tick();
+  }
+  simulation->setCommandSource("hb", CommandSource::kNone);
+  tick(*simulation, 20);
+  const double height = poseOf(*simulation, "hb").position.z();
+  EXPECT_GT(height, 0.2);
+  EXPECT_TRUE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), Kind::kRope));
+  tick(*simulation, 50);
+  EXPECT_NEAR(poseOf(*simulation, "hb").position.z(), height, 0.01);
+}
+
 TEST(ClimbingTest, FootbotsCarryItThereInTwoDimensions) {
   loadBuiltInPlugins();
   auto simulation = start(readExperiment(findShared("swarmanoid_experiments", "experiments/shelf_retrieval.xml")));

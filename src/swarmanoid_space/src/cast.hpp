@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,8 @@ struct Driver {
   std::shared_ptr<Controller> controller;  ///< null unless the source is kController
   Duration command_timeout{};              ///< with kTopics, these three
   Time last_command = kEpoch;
-  bool is_told = false;  ///< a command has come, and not too long ago
+  bool is_told = false;             ///< a command has come, and not too long ago
+  std::optional<Time> stops_since;  ///< nobody commands it any more, and its safe stop is not over
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };

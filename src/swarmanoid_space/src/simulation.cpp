@@ -42,7 +42,8 @@ void Simulation::tick() {
   phases::control(space_, cast_->drivers, cast_->workers, cast_->lockstep, log_sink_);
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);
-  stopFailedRobots();
+  noteFailures();
+  phases::stopSafely(space_, cast_->drivers);
   stopwatch.lap(phase_times_.actuate);
   phases::move(space_, cast_->engines, cast_->workers, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
@@ -61,7 +62,7 @@ void Simulation::tick() {
   stopwatch.lap(phase_times_.show);
 }
 
-void Simulation::stopFailedRobots() {
+void Simulation::noteFailures() {
   for (const Row row : cast_->faulty) {
     Driver* driver = cast_->findDriver(row);
     if (!driver->has_failed) {
@@ -73,9 +74,7 @@ void Simulation::stopFailedRobots() {
     if (!driver.has_failed || driver.failure.empty()) {
       continue;
     }
-    for (const auto& actuator : driver.group->actuators) {
-      actuator->stop(space_, driver.row);
-    }
+    driver.stops_since = space_.time;
     failures_.push_back({driver.robot->name(), space_.tick, driver.failure});
     space_.events.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", driver.failure});
     if (log_sink_) {

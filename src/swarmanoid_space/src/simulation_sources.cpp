@@ -117,10 +117,9 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
        std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});
   driver->source = source;
   driver->is_told = false;
+  driver->stops_since.reset();
   if (source == CommandSource::kNone || source == CommandSource::kTopics) {
-    for (const auto& actuator : driver->group->actuators) {
-      actuator->stop(space_, driver->row);
-    }
+    driver->stops_since = space_.time;
   }
   offerRobots();
 }

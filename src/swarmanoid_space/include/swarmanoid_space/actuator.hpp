@@ -6,7 +6,8 @@
 /// Noise    drawn from the seat's own stream.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
-/// REGISTER_ACTUATOR. The struct has `bool isFinite() const`, and its initial value means "do nothing".
+/// REGISTER_ACTUATOR. The struct has `bool isFinite() const`, and its initial value means "do nothing",
+/// which is also its safe stop, unless it has one of its own (swarmanoid_interface/safe_stop.hpp).
 #pragma once
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/safe_stop.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -31,12 +33,13 @@ class Actuator {
   virtual void remove(Space& space, Row row) = 0;
 
   /// Commands to actuation. Rows whose command holds a number that is none (NaN, infinite) are added to `faulty`; their
-  /// actuation is "do nothing".
+  /// actuation stays what it was.
   virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
   /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.
   virtual void afterMove(Space&) {}
-  /// The robot's command becomes "do nothing", and is carried out at once.
-  virtual void stop(Space& space, Row row) = 0;
+  /// The robot's command becomes that of its safe stop, and is carried out at once. Starts from the last command that
+  /// is sound. @return whether the stop is over: the command stays now
+  virtual bool stop(Space& space, Row row, const SafeStopMoment& moment) = 0;
 
   const char* type() const { return type_; }
 
@@ -85,21 +88,25 @@ class ActuatorOf : public Actuator {
         *seat.actuation = *seat.command;
         limit(space, seat);
       } else {
-        *seat.actuation = Device{};
         faulty.push_back(seat.row);
       }
       apply(space, seat);
     }
   }
 
-  void stop(Space& space, Row row) override {
+  bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
+    bool is_over = true;
     for (Seat& seat : seats_) {
       if (seat.row == row) {
-        *seat.command = Device{};
-        *seat.actuation = Device{};
+        if (!seat.command->isFinite()) {
+          *seat.command = *seat.actuation;
+        }
+        is_over = stopDevice(*seat.command, moment);
+        stopDevice(*seat.actuation, moment);
         apply(space, seat);
       }
     }
+    return is_over;
   }
 
  protected:
@@ -113,6 +120,15 @@ class ActuatorOf : public Actuator {
   virtual void apply(Space&, Seat&) {}
 
   std::vector<Seat> seats_;
+
+ private:
+  static bool stopDevice(Device& device, const SafeStopMoment& moment) {
+    if (const SafeStop own = findSafeStop(Device::kType)) {
+      return own(&device, moment);
+    }
+    device = Device{};
+    return true;
+  }
 };
 
 }  // namespace swarmanoid

@@ -152,7 +152,7 @@ class Simulation {
   void buildBoundary();
   void buildWatches();
   void distribute(const EntityDescription& group);
-  void stopFailedRobots();
+  void noteFailures();
   void unbuild();
   void restoreEngineParameters();
   /// Its place in the experiment. @throws ConfigError if there is none

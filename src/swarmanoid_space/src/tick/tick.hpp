@@ -20,6 +20,9 @@ void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mail
 void control(Space& space, std::vector<Driver>& drivers, const Workers& workers, Lockstep& lockstep,
              const Robot::LogSink& log);
 
+/// Whoever is being stopped gets the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
+void stopSafely(Space& space, std::vector<Driver>& drivers);
+
 /// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
 

@@ -38,15 +38,14 @@ void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mail
     }
     if (obey(commands, space, driver)) {
       driver.last_command = space.time;
+      driver.stops_since.reset();
       if (!driver.is_told) {
         driver.is_told = true;
         tell(space, driver, LogLevel::kInfo, "commands come over topics", log);
       }
     } else if (driver.is_told && space.time - driver.last_command >= driver.command_timeout) {
       driver.is_told = false;
-      for (const auto& actuator : driver.group->actuators) {
-        actuator->stop(space, driver.row);
-      }
+      driver.stops_since = space.time;
       tell(space, driver, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
     }
   }
