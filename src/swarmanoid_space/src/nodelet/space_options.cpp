@@ -2,7 +2,6 @@
 
 #include <ros/node_handle.h>
 
-#include <algorithm>
 #include <ctime>
 
 #include "parameter_reader.hpp"
@@ -45,6 +44,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   } else if (options.record == "true") {
     options.record = dateAndTime() + ".bag";
   }
+  options.record_controllers = reader.words("record_controllers");
   options.hashes = reader.text("hashes", "");
   options.out = reader.text("out", "");
   for (const std::string& word : reader.words("set")) {
@@ -80,40 +80,6 @@ Experiment readExperiment(const SpaceOptions& options) {
   framework.max_clock = options.max_ticks.value_or(framework.max_clock);
   framework.real_time_factor = options.real_time_factor.value_or(framework.real_time_factor);
   return experiment;
-}
-
-std::vector<std::string> robotNames(const Experiment& experiment) {
-  std::vector<std::string> names;
-  for (const EntityDescription& entity : experiment.arena.entities) {
-    if (entity.controller.empty()) {
-      continue;
-    }
-    if (!entity.distribution) {
-      names.push_back(entity.id);
-      continue;
-    }
-    for (std::size_t k = 1; k <= entity.distribution->quantity; ++k) {
-      names.push_back(entity.id + "_" + std::to_string(k));
-    }
-  }
-  return names;
-}
-
-std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment) {
-  std::vector<std::string> names = robotNames(experiment);
-  if (options.device_topics == std::vector<std::string>{"all"}) {
-    return names;
-  }
-  if (options.device_topics == std::vector<std::string>{"none"}) {
-    return {};
-  }
-  for (const std::string& robot : options.device_topics) {
-    if (std::find(names.begin(), names.end(), robot) == names.end()) {
-      throw ConfigError({experiment.file, 0}, "~device_topics: found '" + robot + "', allowed: all, none, " +
-                                                  joinNames(names) + didYouMean(robot, names));
-    }
-  }
-  return options.device_topics;
 }
 
 }  // namespace swarmanoid
