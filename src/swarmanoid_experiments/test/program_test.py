@@ -170,7 +170,7 @@ class OtherCommandsTest(ProgramTest):
         self.assertIn("  footbot_proximity (polynomial): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)
         self.assertEqual(self.call("list", "experiment").stdout,
-                         "experiment\n  climbing\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
+                         "experiment\n  climbing\n  conformance\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
                          "  rough_terrain\n  shelf_retrieval\n")
         self.assert_refused("list: found 'sensors', allowed: experiment, controller, sensor, actuator, engine, "
                             "visualisation, entity; did you mean 'sensor'?", "list", "sensors")

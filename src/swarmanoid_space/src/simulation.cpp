@@ -7,6 +7,7 @@
 
 #include "cast.hpp"
 #include "stopwatch.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
 #include "tick/tick.hpp"
 
 namespace swarmanoid {
@@ -67,7 +68,8 @@ void Simulation::noteFailures() {
     Driver* driver = cast_->findDriver(row);
     if (!driver->has_failed) {
       driver->has_failed = true;
-      driver->failure = "commanded a number that is not finite";
+      driver->failure = kNotFinite;
+      space_.controllers[static_cast<std::size_t>(row)].word = RobotWord::kFailed;
     }
   }
   for (Driver& driver : cast_->drivers) {

@@ -57,6 +57,7 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Sea
   std::fill_n(space_.jointsOf(row), Space::kMaxJoints, JointState{});
   space_.outside[i] = 0;
   space_.mover[i] = nullptr;
+  space_.controllers[i] = ControllerState{};
   cast_->seats.resize(space_.entities.rowCount());
   cast_->seats[i].clear();
   try {
@@ -92,6 +93,7 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   driver.source = entity.source;
   driver.command_timeout = entity.command_timeout;
   space_.robots[i] = std::move(robot);
+  space_.controllers[i] = {group->description, 1, RobotWord::kNothing};
   try {
     for (const auto& sensor : group->sensors) {
       driver.robot->provideSensor(sensor->type(), sensor->add(space_, row));
@@ -129,6 +131,7 @@ void Simulation::removeEntity(Row row) {
     cast_->drivers.erase(driver);
   }
   space_.robots[i].reset();
+  space_.controllers[i] = ControllerState{};
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
   for (const Seat& seat : cast_->seats[i]) {
@@ -166,6 +169,7 @@ void Simulation::unbuild() {
   space_.actuation.clear();
   space_.mover.clear();
   space_.robots.clear();
+  space_.controllers.clear();
   space_.outside.clear();
   space_.entities_without_engine.clear();
 }

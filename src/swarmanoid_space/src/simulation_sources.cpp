@@ -2,32 +2,13 @@
 #include <set>
 
 #include "cast.hpp"
-#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_space/controller_frames.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
 namespace {
 
-/// @throws std::runtime_error for a device that cannot travel
-std::vector<DeviceLayout> layoutsOf(const std::vector<DeviceDescription>& devices) {
-  std::vector<DeviceLayout> layouts;
-  for (const DeviceDescription& device : devices) {
-    const DeviceType* type = findDeviceType(device.type);
-    if (type == nullptr) {
-      throw std::runtime_error("device '" + device.type +
-                               "' cannot travel to another process: no REGISTER_DEVICE says which fields it has");
-    }
-    layouts.push_back({type->type, type->layout});
-  }
-  return layouts;
-}
-
-RemoteRobot describe(const Driver& driver) {
-  const ControllerDescription& controller = *driver.group->description;
-  return {driver.robot->name(), driver.robot->type(),          controller.id,
-          controller.label,     layoutsOf(controller.sensors), layoutsOf(controller.actuators),
-          controller.parameters};
-}
+RemoteRobot describe(const Driver& driver) { return describeRobot(*driver.robot, *driver.group->description); }
 
 }  // namespace
 
@@ -112,6 +93,7 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
     driver->controller->destroy();
   }
   driver->controller = std::move(controller);
+  ++space_.controllers[static_cast<std::size_t>(driver->row)].starts;
   pending_events_.push_back(
       {Event::Kind::kIntervention, robot, "",
        std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});

@@ -69,6 +69,7 @@ void Space::fitRows() {
   leds.resize(rows * kMaxLeds);
   mover.resize(rows, nullptr);
   robots.resize(rows);
+  controllers.resize(rows);
   outside.resize(rows, 0);
 }
 

@@ -28,6 +28,7 @@ struct RunOptions {
   std::vector<std::string> settings;
   std::string out;
   std::string bag;
+  std::string record_controllers = "none";
   std::string hashes;
   bool quiet = false;
   bool profile = false;
@@ -71,13 +72,16 @@ void refuseRobotsOfOthers(const Experiment& experiment) {
 
 /// A visualisation that the command line asks for, not the file.
 void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& label,
-                        const std::string& library, const std::string& file) {
+                        const std::string& library, const std::string& file, const NamedValues& others = {}) {
   if (!library.empty()) {
     loadPluginLibrary(library, {}, {});
   }
   auto visualisation = makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, label));
   Configuration parameters(label, "", {});
   parameters.set("file", std::filesystem::absolute(file).string());
+  for (const auto& [name, value] : others) {
+    parameters.set(name, value);
+  }
   RunContext own_context = context;
   own_context.experiment = &simulation.experiment();
   visualisation->configure("command_line_" + label, parameters, own_context);
@@ -154,7 +158,8 @@ int run(const RunOptions& options) {
     addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);
   }
   if (!options.bag.empty()) {
-    addFromCommandLine(simulation, context, "rosbag_recorder", "swarmanoid_recording", options.bag);
+    addFromCommandLine(simulation, context, "rosbag_recorder", "swarmanoid_recording", options.bag,
+                       {{"controllers", options.record_controllers}});
   }
   out.keep();
   simulation.setLogSink([&](LogLevel level, const std::string& robot, const std::string& text) {
@@ -192,7 +197,11 @@ Command addRunCommand(CLI::App& app) {
   command->add_option("--threads", options->threads, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "folder for the files that visualisations write");
-  command->add_option("--bag", options->bag, "record a rosbag");
+  CLI::Option* bag = command->add_option("--bag", options->bag, "record a rosbag");
+  command
+      ->add_option("--record-controllers", options->record_controllers,
+                   "robots whose controllers can be replayed from the bag: names separated by spaces, all or none")
+      ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");

@@ -208,6 +208,15 @@ void loadBuiltInPlugins();
 /// What readExperiment warned of since the last call, such as a controller_path that does not exist.
 std::vector<std::string> takeExperimentWarnings();
 
+/// Robots with a controller, in the order of the file. What a distribution makes is spelled out.
+/// @param source only those that are commanded so
+std::vector<std::string> robotNames(const Experiment& experiment, std::optional<CommandSource> source = {});
+
+/// The robots that a parameter means: names, "all" alone, "none" alone.
+/// @throws ConfigError for one that is none
+std::vector<std::string> chooseRobots(const std::vector<std::string>& words, const std::string& parameter,
+                                      const Experiment& experiment);
+
 /// An XML schema (XSD) of all that the parser accepts, made from the same descriptions.
 std::string experimentSchema();
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/frames.hpp"
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/attachments.hpp"
@@ -34,6 +35,13 @@ struct LaserSpot {
   Eigen::Vector3d source = Eigen::Vector3d::Zero();    ///< where the beam leaves the pointer [m]
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< where it ends [m]
   Color color;
+};
+
+/// The controller of a robot, and what became of it in a tick.
+struct ControllerState {
+  const ControllerDescription* description = nullptr;  ///< null: the entity has none
+  std::uint32_t starts = 0;                            ///< how often it was started, here or in another process
+  RobotWord word = RobotWord::kNothing;  ///< kNothing: not asked, or late; the commands are those of an earlier tick
 };
 
 class Space {
@@ -75,6 +83,7 @@ class Space {
   // Who is in charge, by entity row.
   std::vector<Engine*> mover;                  ///< null: nobody moves the entity
   std::vector<std::unique_ptr<Robot>> robots;  ///< null: the entity has no controller
+  std::vector<ControllerState> controllers;    ///< control; a failure also actuate
   std::vector<char> outside;                   ///< index; 1: the entity's origin is outside the arena
 
   std::vector<Engine*> engines;  ///< all, in the order of the experiment file

@@ -21,12 +21,17 @@ std::string attach(Simulation& simulation, const RunContext& context, const std:
 
 }  // namespace
 
-std::string record(Simulation& simulation, const RunContext& context, const std::string& file,
+std::string record(Simulation& simulation, const RunContext& context, const SpaceOptions& options,
                    const std::string& space) {
   loadPluginLibrary("swarmanoid_recording", {}, {});
   Configuration parameters("rosbag_recorder", "", {});
-  parameters.set("file", file);
+  parameters.set("file", options.record);
   parameters.set("node", space.substr(space.find_first_not_of('/')));
+  std::string controllers;
+  for (const std::string& robot : options.record_controllers) {
+    controllers += (controllers.empty() ? "" : " ") + robot;
+  }
+  parameters.set("controllers", controllers.empty() ? "none" : controllers);
   return attach(simulation, context, "record", parameters);
 }
 

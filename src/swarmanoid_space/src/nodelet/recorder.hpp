@@ -4,15 +4,16 @@
 
 #include <string>
 
+#include "space_options.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
 
 /// Records a bag.
-/// @param file relative to the out folder of the run
+/// @param options say the bag, relative to the out folder of the run, and whose controllers are in it
 /// @param space name of the space's node, for topics
 /// @return the bag's full name @throws ConfigError
-std::string record(Simulation& simulation, const RunContext& context, const std::string& file,
+std::string record(Simulation& simulation, const RunContext& context, const SpaceOptions& options,
                    const std::string& space);
 
 /// Writes the state hash of every tick.

@@ -58,6 +58,7 @@ void SpaceNodelet::onInit() {
       NODELET_WARN("%s", warning.c_str());
     }
     parts_ = partsOf(experiment, robotsWithTopics(options_, experiment), commands_);
+    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // a mistake is told of at once
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
@@ -120,7 +121,7 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
     }
   }
   if (!options_.record.empty()) {
-    NODELET_INFO("recording %s", record(*simulation, context, options_.record, getName()).c_str());
+    NODELET_INFO("recording %s", record(*simulation, context, options_, getName()).c_str());
   }
   if (!options_.hashes.empty()) {
     NODELET_INFO("writing state hashes to %s", writeHashes(*simulation, context, options_.hashes).c_str());

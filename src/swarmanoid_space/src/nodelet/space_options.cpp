@@ -45,6 +45,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   } else if (options.record == "true") {
     options.record = dateAndTime() + ".bag";
   }
+  options.record_controllers = reader.words("record_controllers");
   options.hashes = reader.text("hashes", "");
   options.out = reader.text("out", "");
   for (const std::string& word : reader.words("set")) {
@@ -82,38 +83,8 @@ Experiment readExperiment(const SpaceOptions& options) {
   return experiment;
 }
 
-std::vector<std::string> robotNames(const Experiment& experiment, std::optional<CommandSource> source) {
-  std::vector<std::string> names;
-  for (const EntityDescription& entity : experiment.arena.entities) {
-    if (entity.controller.empty() || (source && entity.source != *source)) {
-      continue;
-    }
-    if (!entity.distribution) {
-      names.push_back(entity.id);
-      continue;
-    }
-    for (std::size_t k = 1; k <= entity.distribution->quantity; ++k) {
-      names.push_back(entity.id + "_" + std::to_string(k));
-    }
-  }
-  return names;
-}
-
 std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment) {
-  std::vector<std::string> names = robotNames(experiment);
-  if (options.device_topics == std::vector<std::string>{"all"}) {
-    return names;
-  }
-  std::vector<std::string> chosen;
-  if (options.device_topics != std::vector<std::string>{"none"}) {
-    chosen = options.device_topics;
-  }
-  for (const std::string& robot : chosen) {
-    if (std::find(names.begin(), names.end(), robot) == names.end()) {
-      throw ConfigError({experiment.file, 0}, "~device_topics: found '" + robot + "', allowed: all, none, " +
-                                                  joinNames(names) + didYouMean(robot, names));
-    }
-  }
+  std::vector<std::string> chosen = chooseRobots(options.device_topics, "~device_topics", experiment);
   for (const std::string& robot : robotNames(experiment, CommandSource::kTopics)) {
     if (std::find(chosen.begin(), chosen.end(), robot) == chosen.end()) {
       chosen.push_back(robot);

@@ -20,21 +20,22 @@ struct SpaceOptions {
   std::string experiment;             ///< a file, or the name of an installed experiment
   std::optional<std::uint64_t> seed;  ///< instead of the file's
   std::optional<std::uint64_t> max_ticks;
-  std::optional<double> real_time_factor;  ///< instead of the file's; 0: as fast as possible
-  bool paused = false;                     ///< before the first tick
-  std::string record;                      ///< the bag; "": none
-  std::string hashes;                      ///< file of the state hash of every tick; "": none
-  std::string out;                         ///< folder of the files that visualisations write
-  std::vector<Override> set;               ///< "path=value", separated by spaces
-  std::optional<TransformLevel> tf_level;  ///< nothing: by the number of robots
-  double tf_rate = 100.0;                  ///< of /tf at most, wall time [Hz]; 0: every tick
-  double markers_rate = 30.0;              ///< of ~markers likewise
-  double world_state_rate = 0.0;           ///< of ~world_state likewise
-  double clock_rate = 1000.0;              ///< of /clock at most, wall time [Hz]
-  std::vector<std::string> device_topics;  ///< robots whose devices have topics; "all" alone: all of them
-  bool stays_at_end = false;               ///< false: the process is shut down when the run is over
-  double timeout = 20.0;                   ///< for all parts to attach [s]
-  Lockstep::Options lockstep;              ///< how long participants may take
+  std::optional<double> real_time_factor;       ///< instead of the file's; 0: as fast as possible
+  bool paused = false;                          ///< before the first tick
+  std::string record;                           ///< the bag; "": none
+  std::vector<std::string> record_controllers;  ///< robots whose controllers are in the bag; as device_topics
+  std::string hashes;                           ///< file of the state hash of every tick; "": none
+  std::string out;                              ///< folder of the files that visualisations write
+  std::vector<Override> set;                    ///< "path=value", separated by spaces
+  std::optional<TransformLevel> tf_level;       ///< nothing: by the number of robots
+  double tf_rate = 100.0;                       ///< of /tf at most, wall time [Hz]; 0: every tick
+  double markers_rate = 30.0;                   ///< of ~markers likewise
+  double world_state_rate = 0.0;                ///< of ~world_state likewise
+  double clock_rate = 1000.0;                   ///< of /clock at most, wall time [Hz]
+  std::vector<std::string> device_topics;       ///< robots whose devices have topics; "all" alone: all of them
+  bool stays_at_end = false;                    ///< false: the process is shut down when the run is over
+  double timeout = 20.0;                        ///< for all parts to attach [s]
+  Lockstep::Options lockstep;                   ///< how long participants may take
 };
 
 /// @throws ConfigError naming the parameter, what was found and what is allowed; unknown parameters too
@@ -42,10 +43,6 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own);
 
 /// The experiment with what the options change in it. @throws ConfigError
 Experiment readExperiment(const SpaceOptions& options);
-
-/// Robots with a controller, in the order of the file. What a distribution makes is spelled out.
-/// @param source only those that are commanded so
-std::vector<std::string> robotNames(const Experiment& experiment, std::optional<CommandSource> source = {});
 
 /// The robots that `device_topics` means, and those commanded over topics. @throws ConfigError for one that is none
 std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment);

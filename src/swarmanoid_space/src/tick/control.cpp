@@ -11,9 +11,12 @@ void control(Space& space, std::vector<Driver>& drivers, const Workers& workers,
   workers.forRanges(drivers.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       Driver& driver = drivers[i];
+      RobotWord& word = space.controllers[static_cast<std::size_t>(driver.row)].word;
+      word = RobotWord::kNothing;
       if (!driver.has_failed && driver.controller != nullptr) {
         driver.failure = stepController(*driver.controller, *driver.robot, space.tick, space.time, space.clocktick);
         driver.has_failed = !driver.failure.empty();
+        word = driver.has_failed ? RobotWord::kFailed : RobotWord::kStepped;
       }
     }
   });

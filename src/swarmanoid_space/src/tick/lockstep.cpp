@@ -5,6 +5,7 @@
 
 #include "../cast.hpp"
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_space/controller_frames.hpp"
 #include "swarmanoid_space/lockstep.hpp"
 
 namespace swarmanoid {
@@ -14,14 +15,6 @@ std::string toText(Lockstep::Seconds seconds) {
   std::ostringstream text;
   text << seconds.count() << " s";
   return text.str();
-}
-
-void writeReadings(const Space& space, const Driver& driver, const RemoteRobot& robot, ByteWriter& out) {
-  for (const DeviceLayout& sensor : robot.sensors) {
-    const std::size_t begin = out.openBlock();
-    findDeviceType(sensor.type)->write(space.readings.find(sensor.type, driver.row), out);
-    out.closeBlock(begin);
-  }
 }
 
 void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver& driver) {
@@ -40,7 +33,12 @@ void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver
   }
 }
 
-void fail(Driver& driver, const std::string& reason) {
+ControllerState& stateOf(const Driver& driver, Space& space) {
+  return space.controllers[static_cast<std::size_t>(driver.row)];
+}
+
+void fail(Driver& driver, const std::string& reason, Space& space) {
+  stateOf(driver, space).word = RobotWord::kFailed;
   driver.has_failed = true;
   driver.failure = reason;
 }
@@ -88,7 +86,7 @@ void Lockstep::ask(Participant& participant, const Space& space, const std::vect
     out.number(static_cast<std::uint8_t>(is_present));
     if (is_present) {
       participant.is_asked = true;
-      writeReadings(space, drivers[driver], participant.robots[i], out);
+      writeReadings(space, drivers[driver].row, participant.robots[i].sensors, out);
     }
   }
   participant.sent = Clock::now();
@@ -195,6 +193,7 @@ void Lockstep::receive(Space& space, std::vector<Driver>& drivers, const Robot::
   for (const auto& participant : participants_) {
     if (participant->is_asked && participant->is_answered) {
       obey(*participant, space, drivers);
+      participant->has_obeyed = true;
     }
   }
 }
@@ -204,12 +203,16 @@ void Lockstep::obey(const Participant& participant, Space& space, std::vector<Dr
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     const std::size_t driver = participant.drivers[i];
     const bool is_commanded = driver != kNowhere && !drivers[driver].has_failed;
+    if (is_commanded && !participant.has_obeyed) {
+      ++stateOf(drivers[driver], space).starts;
+    }
     try {
       const auto word = static_cast<RobotWord>(in.number<std::uint8_t>());
       if (is_commanded && word == RobotWord::kStepped) {
         readCommands(in, participant.robots[i], space, drivers[driver]);
+        stateOf(drivers[driver], space).word = RobotWord::kStepped;
       } else if (is_commanded && word == RobotWord::kFailed) {
-        fail(drivers[driver], in.text());
+        fail(drivers[driver], in.text(), space);
       } else if (is_commanded || word != RobotWord::kNothing) {
         throw ByteError("found the word " + std::to_string(static_cast<int>(word)) + ", which does not fit");
       }
@@ -217,8 +220,10 @@ void Lockstep::obey(const Participant& participant, Space& space, std::vector<Dr
       // what follows cannot be read either
       for (std::size_t k = i; k < participant.robots.size(); ++k) {
         if (participant.drivers[k] != kNowhere && !drivers[participant.drivers[k]].has_failed) {
-          fail(drivers[participant.drivers[k]], "participant '" + participant.name + "' sent a bad command frame: " +
-                                                    participant.robots[i].name + ": " + error.what());
+          fail(drivers[participant.drivers[k]],
+               "participant '" + participant.name + "' sent a bad command frame: " + participant.robots[i].name + ": " +
+                   error.what(),
+               space);
         }
       }
       return;

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "bag_writer.hpp"
+#include "controller_recorder.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
@@ -28,7 +29,8 @@ class RosbagRecorder final : public Visualisation {
     using Type = Parameter::Type;
     PluginDescription description;
     description.label = "rosbag_recorder";
-    description.summary = "Writes a rosbag: clock, transforms, world state, events and markers.";
+    description.summary =
+        "Writes a rosbag: clock, transforms, world state, events, markers, and what controllers saw and did.";
     Parameter every = parameter("every", Type::kInteger, "Ticks from one recorded state to the next.", "1");
     every.unit = "ticks";
     every.range = {1.0, 1e9};
@@ -40,12 +42,15 @@ class RosbagRecorder final : public Visualisation {
     Parameter level =
         parameter("transforms", Type::kChoice, "Frames in /tf: auto is full for up to 20 robots, base beyond.", "auto");
     level.choices = {"auto", "none", "base", "full"};
-    description.parameters = {parameter("file", Type::kText, "The bag.", std::nullopt),
-                              every,
-                              markers_every,
-                              compression,
-                              level,
-                              parameter("node", Type::kText, "Name of the space in topics.", "space")};
+    description.parameters = {
+        parameter("file", Type::kText, "The bag.", std::nullopt),
+        every,
+        markers_every,
+        compression,
+        level,
+        parameter("controllers", Type::kText, "Robots whose controllers can be replayed from it: names, all or none.",
+                  "none"),
+        parameter("node", Type::kText, "Name of the space in topics.", "space")};
     return description;
   }
 
@@ -57,6 +62,7 @@ class RosbagRecorder final : public Visualisation {
     topics_ = "/" + parameters.text("node", "space") + "/";
     const std::string compression = parameters.text("compression", "lz4");
     const auto file = std::filesystem::path(context.out_folder) / parameters.text("file");
+    controllers_ = ControllerRecorder(parameters.text("controllers", "none"), context.experiment);
     try {
       bag_.open(file.string(), compression == "lz4"   ? rosbag::compression::LZ4
                                : compression == "bz2" ? rosbag::compression::BZ2
@@ -82,6 +88,7 @@ class RosbagRecorder final : public Visualisation {
       bag_.writeLatched(topics_ + "markers_static", stamp, arenaMarkers(space));
       bag_.writeLatched(topics_ + "experiment", stamp, experiment_text_);
     }
+    controllers_.record(space, bag_);
     if (space.tick % every_ != 0) {
       return;
     }
@@ -107,6 +114,7 @@ class RosbagRecorder final : public Visualisation {
   Transforms transforms_;
   MovingMarkers markers_;
   OutsideChanges changes_;
+  ControllerRecorder controllers_;
   swarmanoid_msgs::WorldState world_state_;
   swarmanoid_msgs::Event event_;
 };

@@ -1,0 +1,191 @@
+// The conformance test: a controller that tries the devices of its robot one after the other, and judges by what the
+// robot's own sensors see whether units and signs are those of the interface. Where it fails it stops the robot.
+#include <algorithm>
+#include <stdexcept>
+
+#include "checks.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid::conformance {
+
+class Conformance final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration& parameters) override {
+    bench_ = std::make_unique<Bench>(robot, parameters);
+    checks_ = checksFor(*bench_);
+    reset();
+  }
+
+  void reset() override {
+    current_ = 0;
+    stage_ = 0;
+    is_begun_ = false;
+    is_over_ = false;
+    results_.clear();
+    bench_->robot().debug("conformance", "running");
+  }
+
+  void step(Time time, Duration) override {
+    const double now = toSeconds(time);
+    while (!is_over_) {
+      if (current_ == checks_.size()) {
+        conclude();
+        return;
+      }
+      const Check& check = checks_[current_];
+      if (!is_begun_ && stage_ == 0) {
+        const std::string obstacle = obstacleOf(check);
+        if (!obstacle.empty()) {
+          results_.push_back({Outcome::kUnchecked, obstacle});
+          ++current_;
+          continue;
+        }
+        bench_->startCheck(check.name);
+        bench_->robot().debug("check", check.name);
+      }
+      if (!advance(check, now)) {
+        return;
+      }
+    }
+  }
+
+ private:
+  enum class Outcome { kPassed, kFailed, kUnchecked };
+  struct Result {
+    Outcome outcome;
+    std::string text;
+  };
+
+  /// @return whether the stage is over, and the next one begins in this tick
+  bool advance(const Check& check, double now) {
+    const Stage& stage = check.stages[stage_];
+    if (!is_begun_) {
+      is_begun_ = true;
+      stage_start_ = now;
+      if (stage.begin) {
+        stage.begin();
+      }
+    }
+    constexpr double kRounding = 1e-6;  // s
+    const double elapsed = now - stage_start_;
+    const bool is_time_out = elapsed >= stage.seconds - kRounding;
+    const bool is_done = stage.until ? stage.until() : is_time_out;
+    if (bench_->failure().empty() && !is_done) {
+      if (is_time_out) {
+        bench_->fail(stage.what + ": not within " + withUnit(stage.seconds, "s"));
+      } else {
+        if (stage.act) {
+          stage.act();
+        }
+        return false;
+      }
+    }
+    if (bench_->failure().empty() && stage.end) {
+      stage.end(elapsed);
+    }
+    is_begun_ = false;
+    ++stage_;
+    if (!bench_->failure().empty() || stage_ == check.stages.size()) {
+      bench_->rest();
+      if (!bench_->failure().empty() && check.tidy_up) {
+        check.tidy_up();
+      }
+      results_.push_back({bench_->failure().empty() ? Outcome::kPassed : Outcome::kFailed, bench_->failure()});
+      ++current_;
+      stage_ = 0;
+    }
+    return true;
+  }
+
+  std::string obstacleOf(const Check& check) const {
+    std::vector<std::string> missing;
+    for (const std::string& device : check.devices) {
+      if (!bench_->isListed(device)) {
+        missing.push_back(device);
+      }
+    }
+    if (!missing.empty()) {
+      return "not listed: " + joinNames(missing);
+    }
+    if (!check.obstacle.empty()) {
+      return check.obstacle;
+    }
+    for (const std::string& name : check.after) {
+      for (std::size_t i = 0; i < results_.size(); ++i) {
+        if (checks_[i].name == name && results_[i].outcome != Outcome::kPassed) {
+          return "it needs " + name + ", which has not passed";
+        }
+      }
+    }
+    return "";
+  }
+
+  /// Devices that no check has covered: nothing passes in silence.
+  std::vector<std::string> uncovered() const {
+    std::vector<std::string> left;
+    for (const DeviceType* type : deviceTypes()) {
+      bool is_covered = !bench_->isListed(type->type);
+      for (std::size_t i = 0; i < checks_.size(); ++i) {
+        const std::vector<std::string>& devices = checks_[i].devices;
+        is_covered = is_covered || (results_[i].outcome != Outcome::kUnchecked && !checks_[i].is_only_shown &&
+                                    std::find(devices.begin(), devices.end(), type->type) != devices.end());
+      }
+      if (!is_covered) {
+        left.push_back(type->type);
+      }
+    }
+    return left;
+  }
+
+  void conclude() {
+    is_over_ = true;
+    Robot& robot = bench_->robot();
+    bench_->rest();
+    std::vector<std::string> passed;
+    std::string failed;
+    std::string texts;
+    std::string unchecked;
+    for (std::size_t i = 0; i < checks_.size(); ++i) {
+      const Result& result = results_[i];
+      if (result.outcome == Outcome::kFailed) {
+        failed += (failed.empty() ? "" : ", ") + checks_[i].name;
+        texts += (texts.empty() ? "" : "; ") + checks_[i].name + ": " + result.text;
+      } else if (result.outcome == Outcome::kUnchecked) {
+        unchecked += (unchecked.empty() ? "" : "; ") + checks_[i].name + " (" + result.text + ")";
+      } else {
+        passed.push_back(checks_[i].name + (checks_[i].is_only_shown ? " (an observer judges)" : ""));
+      }
+    }
+    const std::vector<std::string> left = uncovered();
+    robot.debug("passed", joinNames(passed));
+    robot.debug("unchecked_devices", left.empty() ? "none" : joinNames(left));
+    if (!unchecked.empty()) {
+      robot.log(LogLevel::kWarning, "unchecked: " + unchecked);
+    }
+    robot.debug("unchecked", unchecked.empty() ? "none" : unchecked);
+    robot.log("passed: " + (passed.empty() ? "nothing" : joinNames(passed)) +
+              "; devices that are listed but unchecked: " + (left.empty() ? "none" : joinNames(left)));
+    if (failed.empty() && passed.empty()) {
+      failed = "nothing could be checked";
+      texts = failed;
+    }
+    if (!failed.empty()) {
+      robot.debug("conformance", "failed: " + failed);
+      throw std::runtime_error("conformance test failed: " + failed + " (" + texts + ")");
+    }
+    robot.debug("conformance", "passed");
+  }
+
+  std::unique_ptr<Bench> bench_;
+  std::vector<Check> checks_;
+  std::vector<Result> results_;  // of the first so many checks
+  std::size_t current_ = 0;
+  std::size_t stage_ = 0;  // of the current check
+  bool is_begun_ = false;  // that stage
+  double stage_start_ = 0.0;
+  bool is_over_ = false;
+};
+
+}  // namespace swarmanoid::conformance
+
+REGISTER_CONTROLLER(swarmanoid::conformance::Conformance, "conformance")

@@ -1,0 +1,90 @@
+// Judges experiments whose robots judge themselves, by a debug value: it is over when none is undecided, and a success
+// if all agree.
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+#include "swarmanoid_space/visualisation.hpp"
+
+namespace swarmanoid {
+
+class VerdictMonitor final : public Visualisation {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "verdict_monitor";
+    description.summary = "Ends the run when all robots that give a verdict have given it, and says what they say.";
+    Parameter key;
+    key.name = "key";
+    key.value = "conformance";
+    key.description = "The debug value that is a robot's verdict.";
+    Parameter good = key;
+    good.name = "good";
+    good.value = "passed";
+    good.description = "The verdict of a success.";
+    Parameter undecided = key;
+    undecided.name = "undecided";
+    undecided.value = "running";
+    undecided.description = "What a robot says before.";
+    description.parameters = {key, good, undecided};
+    return description;
+  }
+
+  void configure(const std::string& id, const Configuration& parameters, const RunContext&) override {
+    id_ = id;
+    key_ = parameters.text("key", "conformance");
+    good_ = parameters.text("good", "passed");
+    undecided_ = parameters.text("undecided", "running");
+  }
+
+  void draw(const Space& space) override {
+    for (const Row row : space.entities.order) {
+      const auto i = static_cast<std::size_t>(row);
+      if (space.robots[i] == nullptr || failed_.count(space.entities.name[i]) > 0) {
+        continue;
+      }
+      for (const auto& [key, value] : space.robots[i]->debugValues()) {
+        if (key == key_) {
+          verdicts_[space.entities.name[i]] = value;
+        }
+      }
+    }
+    // what a controller says as it fails does not travel from other processes; why it failed does
+    for (const Event& event : space.events) {
+      if (event.kind == Event::Kind::kControllerFailed && verdicts_.count(event.entity) > 0) {
+        verdicts_[event.entity] = event.text;
+        failed_.insert(event.entity);
+      }
+    }
+  }
+
+  bool terminate() const override {
+    return !verdicts_.empty() && std::none_of(verdicts_.begin(), verdicts_.end(),
+                                              [&](const auto& verdict) { return verdict.second == undecided_; });
+  }
+  std::optional<bool> success() const override {
+    return !verdicts_.empty() && std::all_of(verdicts_.begin(), verdicts_.end(),
+                                             [&](const auto& verdict) { return verdict.second == good_; });
+  }
+  void addMetrics(Metrics& metrics) const override {
+    for (const auto& [robot, verdict] : verdicts_) {
+      metrics[robot] = verdict;
+    }
+  }
+  void reset() override {
+    verdicts_.clear();
+    failed_.clear();
+  }
+
+ private:
+  std::string key_;
+  std::string good_;
+  std::string undecided_;
+  std::map<std::string, std::string> verdicts_;  // by robot
+  std::set<std::string> failed_;                 // whose verdict is why they failed
+};
+
+}  // namespace swarmanoid
+
+REGISTER_VISUALISATION(swarmanoid::VerdictMonitor)

@@ -1,0 +1,132 @@
+#include "device_values.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace swarmanoid::replay {
+namespace {
+
+template <class Number>
+Field numberField(ByteReader& in) {
+  const auto value = in.number<Number>();
+  Field field;
+  if constexpr (std::is_same_v<Number, bool>) {
+    field.number = value ? "true" : "false";
+  } else {
+    char text[64];
+    const auto [end, error] = std::to_chars(text, text + sizeof text, value);
+    field.number.assign(text, end);
+    if constexpr (std::is_floating_point_v<Number>) {
+      field.is_finite = std::isfinite(value);
+    }
+  }
+  return field;
+}
+
+Field readNumber(const std::string& kind, ByteReader& in) {
+  using Reader = Field (*)(ByteReader&);
+  static const std::pair<const char*, Reader> kReaders[] = {
+      {"f4", numberField<float>},         {"f8", numberField<double>},        {"b1", numberField<bool>},
+      {"u1", numberField<std::uint8_t>},  {"u2", numberField<std::uint16_t>}, {"u4", numberField<std::uint32_t>},
+      {"u8", numberField<std::uint64_t>}, {"i1", numberField<std::int8_t>},   {"i2", numberField<std::int16_t>},
+      {"i4", numberField<std::int32_t>},  {"i8", numberField<std::int64_t>}};
+  for (const auto& [name, read] : kReaders) {
+    if (kind == name) {
+      return read(in);
+    }
+  }
+  throw ByteError("found the field '" + kind + "', which is none that is known here");
+}
+
+/// The position after the bracket that closes the one at `open`.
+std::size_t afterBracket(const std::string& layout, std::size_t open) {
+  int depth = 0;
+  for (std::size_t i = open; i < layout.size(); ++i) {
+    depth += layout[i] == '(' ? 1 : layout[i] == ')' ? -1 : 0;
+    if (depth == 0) {
+      return i + 1;
+    }
+  }
+  throw ByteError("found the fields '" + layout + "' with a bracket that is not closed");
+}
+
+std::vector<Field> readFields(const std::string& layout, ByteReader& in) {
+  std::vector<Field> fields;
+  for (std::size_t i = 0; i < layout.size();) {
+    if (layout[i] == ' ') {
+      ++i;
+    } else if (layout[i] == '(') {
+      const std::size_t end = afterBracket(layout, i);
+      const std::string inner = layout.substr(i + 1, end - i - 2);
+      Field field;
+      field.is_variable = true;
+      const auto count = in.number<std::uint32_t>();
+      for (std::uint32_t k = 0; k < count; ++k) {
+        field.elements.push_back(readFields(inner, in));
+      }
+      fields.push_back(std::move(field));
+      i = end + 1;  // and the star
+    } else {
+      const std::size_t end = std::min(layout.find(' ', i), layout.size());
+      fields.push_back(readNumber(layout.substr(i, end - i), in));
+      i = end;
+    }
+  }
+  return fields;
+}
+
+void addIndexed(const std::vector<Field>& fields, const std::string& prefix,
+                std::vector<std::pair<std::string, std::string>>& out) {
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const std::string index = prefix + std::to_string(i);
+    if (!fields[i].is_variable) {
+      out.emplace_back(index, fields[i].number);
+    }
+    for (std::size_t k = 0; k < fields[i].elements.size(); ++k) {
+      addIndexed(fields[i].elements[k], index + "[" + std::to_string(k) + "].", out);
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Field> decode(const std::string& layout, Span<const std::uint8_t> bytes) {
+  ByteReader in(bytes);
+  std::vector<Field> fields = readFields(layout, in);
+  if (in.left() > 0) {
+    throw ByteError("found " + std::to_string(in.left()) + " bytes more than the fields '" + layout + "' have");
+  }
+  return fields;
+}
+
+std::string toText(const std::vector<Field>& fields) {
+  std::string text;
+  for (const Field& field : fields) {
+    text += text.empty() ? "" : " ";
+    if (!field.is_variable) {
+      text += field.number;
+      continue;
+    }
+    std::string elements;
+    for (const auto& element : field.elements) {
+      elements += (elements.empty() ? "(" : " (") + toText(element) + ")";
+    }
+    text += "[" + elements + "]";
+  }
+  return text;
+}
+
+std::vector<std::pair<std::string, std::string>> indexed(const std::vector<Field>& fields) {
+  std::vector<std::pair<std::string, std::string>> result;
+  addIndexed(fields, "", result);
+  return result;
+}
+
+bool isFinite(const std::vector<Field>& fields) {
+  return std::all_of(fields.begin(), fields.end(), [](const Field& field) {
+    return field.is_finite && std::all_of(field.elements.begin(), field.elements.end(), isFinite);
+  });
+}
+
+}  // namespace swarmanoid::replay

@@ -1,0 +1,31 @@
+/// The bytes of a device as numbers for people, read by its layout ("f8 f8 (f4 u1)*") alone.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "swarmanoid_interface/byte_stream.hpp"
+
+namespace swarmanoid::replay {
+
+/// A field: a number, or a variable part with its elements.
+struct Field {
+  std::string number;  ///< short, and exact: it reads back to the same bits
+  bool is_finite = true;
+  bool is_variable = false;
+  std::vector<std::vector<Field>> elements;
+};
+
+/// @throws ByteError if the bytes are not of that layout
+std::vector<Field> decode(const std::string& layout, Span<const std::uint8_t> bytes);
+
+/// "0.15 -0.15 [(1 2) (3 4)]"
+std::string toText(const std::vector<Field>& fields);
+
+/// Each number with its index: "1" the second field; "2[0].1" of the third field the first element's second.
+std::vector<std::pair<std::string, std::string>> indexed(const std::vector<Field>& fields);
+
+bool isFinite(const std::vector<Field>& fields);
+
+}  // namespace swarmanoid::replay

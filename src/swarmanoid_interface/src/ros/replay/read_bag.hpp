@@ -1,0 +1,27 @@
+/// Recorded controllers from a bag: the topics /<robot>/controller/start, .../sensors and .../commands, whoever wrote
+/// them: the simulator's recorder, or rosbag record beside a robot's host.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "../../replay/recording.hpp"
+
+namespace swarmanoid::replay {
+
+struct ParameterValue {
+  std::string name;  ///< of nested ones a path: outer/inner
+  std::string value;
+};
+
+/// @param robots to read; none: all that are there
+/// @param parameters replace those that the controllers had, or come beside them
+/// @throws ConfigError for a bag that cannot be read, has no recorded controller, or not those asked for
+Recording readBag(const std::string& file, const std::vector<std::string>& robots = {},
+                  const std::vector<ParameterValue>& parameters = {});
+
+/// "name=value", or a file with a line "name: value" for each; # begins a comment.
+/// @throws ConfigError
+std::vector<ParameterValue> readParameters(const std::string& word);
+
+}  // namespace swarmanoid::replay

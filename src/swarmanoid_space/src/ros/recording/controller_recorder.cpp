@@ -1,0 +1,123 @@
+#include "controller_recorder.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "swarmanoid_interface/ros/device_messages.hpp"
+#include "swarmanoid_interface/ros/frame_messages.hpp"
+#include "swarmanoid_space/controller_frames.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// The tick that has just ended, not the one that comes.
+FrameStamp tickOf(const Space& space) { return {0, space.run, space.tick - 1}; }
+
+Time timeOf(const Space& space) { return space.time - space.clocktick; }
+
+ros::Time bagTimeOf(const Space& space) { return toRosTime(timeOf(space) + space.time_before_reset); }
+
+std::string topicOf(const std::string& robot, const char* what) { return "/" + robot + "/controller/" + what; }
+
+/// @return why its controller stopped it in this tick
+const std::string& failureOf(const std::string& robot, const Space& space) {
+  static const std::string kUnknown = "failed";
+  for (const Event& event : space.events) {
+    if (event.kind == Event::Kind::kControllerFailed && event.entity == robot) {
+      return event.text;
+    }
+  }
+  return kUnknown;
+}
+
+}  // namespace
+
+ControllerRecorder::ControllerRecorder(const std::string& robots, const Experiment* experiment) {
+  std::istringstream words(robots);
+  for (std::string word; words >> word;) {
+    names_.push_back(word);
+  }
+  all_ = names_ == std::vector<std::string>{"all"};
+  if (names_ == std::vector<std::string>{"none"}) {
+    names_.clear();
+  }
+  if (experiment != nullptr) {
+    chooseRobots(names_, "controllers of rosbag_recorder", *experiment);
+  }
+}
+
+bool ControllerRecorder::isWanted(const std::string& robot) const {
+  return all_ || std::find(names_.begin(), names_.end(), robot) != names_.end();
+}
+
+void ControllerRecorder::record(const Space& space, BagWriter& bag) {
+  if (names_.empty()) {
+    return;
+  }
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    const ControllerState& controller = space.controllers[i];
+    if (controller.word == RobotWord::kNothing || !isWanted(space.entities.name[i])) {
+      continue;
+    }
+    Recorded& recorded = recorded_[space.entities.name[i]];
+    const bool is_new = recorded.number != space.entities.number[i] || recorded.starts != controller.starts ||
+                        recorded.registration.run != space.run;
+    if (is_new) {
+      start(space, row, recorded, bag);
+    }
+    writeTick(space, row, recorded, bag);
+  }
+}
+
+void ControllerRecorder::start(const Space& space, Row row, Recorded& recorded, BagWriter& bag) {
+  const auto i = static_cast<std::size_t>(row);
+  const ControllerState& controller = space.controllers[i];
+  recorded.number = space.entities.number[i];
+  recorded.starts = controller.starts;
+  recorded.registration.run = space.run;
+  recorded.registration.seed = space.seed;
+  recorded.registration.clocktick = space.clocktick;
+  recorded.registration.robots = {describeRobot(*space.robots[i], *controller.description)};
+  swarmanoid_msgs::ControllerStart message;
+  message.header.stamp = toRosTime(timeOf(space));
+  toMessage(recorded.registration, 0, message);
+  bag.writeLatched(topicOf(space.entities.name[i], "start"), bagTimeOf(space), message);
+}
+
+void ControllerRecorder::writeTick(const Space& space, Row row, const Recorded& recorded, BagWriter& bag) {
+  const auto i = static_cast<std::size_t>(row);
+  const std::string& name = space.entities.name[i];
+  const RemoteRobot& robot = recorded.registration.robots.front();
+  sensors_.stamp = tickOf(space);
+  sensors_.seed = space.seed;
+  sensors_.time = timeOf(space);
+  sensors_.clocktick = space.clocktick;
+  sensors_.data.clear();
+  ByteWriter sensors(sensors_.data);
+  sensors.number(std::uint8_t{1});
+  writeReadings(space, row, robot.sensors, sensors);
+
+  const RobotWord word = space.controllers[i].word;
+  commands_.stamp = sensors_.stamp;
+  commands_.data.clear();
+  ByteWriter commands(commands_.data);
+  commands.number(static_cast<std::uint8_t>(word));
+  if (word == RobotWord::kFailed) {
+    commands.text(failureOf(name, space));
+  } else {
+    writeCommands(space, row, robot.actuators, commands);
+    const auto& debug_values = space.robots[i]->debugValues();
+    commands.number(static_cast<std::uint32_t>(debug_values.size()));
+    for (const auto& [key, value] : debug_values) {
+      commands.text(key);
+      commands.text(value);
+    }
+  }
+  toMessage(sensors_, sensors_message_);
+  toMessage(commands_, commands_message_);
+  bag.write(topicOf(name, "sensors"), bagTimeOf(space), sensors_message_);
+  bag.write(topicOf(name, "commands"), bagTimeOf(space), commands_message_);
+}
+
+}  // namespace swarmanoid

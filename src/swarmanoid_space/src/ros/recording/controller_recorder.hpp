@@ -1,0 +1,53 @@
+/// What controllers saw and did, for `replay`: of each robot asked for the topics controller/start, controller/sensors
+/// and controller/commands in its namespace, one robot in a frame, in session 0.
+///
+/// There is a pair of frames for each tick in which a controller answered, in this process or in another, and a start
+/// before the first of them and whenever a controller was started anew. A tick has the stamp that the controller saw.
+#pragma once
+
+#include <swarmanoid_msgs/CommandFrame.h>
+#include <swarmanoid_msgs/ControllerStart.h>
+#include <swarmanoid_msgs/SensorFrame.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "bag_writer.hpp"
+#include "swarmanoid_interface/frames.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+class ControllerRecorder {
+ public:
+  ControllerRecorder() = default;
+  /// @param robots names separated by spaces, all, or none
+  /// @param experiment that has them; null: names are not checked
+  /// @throws ConfigError for a name that is none, or a device that cannot be recorded
+  ControllerRecorder(const std::string& robots, const Experiment* experiment);
+
+  /// The tick that has just ended.
+  void record(const Space& space, BagWriter& bag);
+
+ private:
+  struct Recorded {
+    Registration registration;  // of this robot alone
+    EntityNumber number = kNobody;
+    std::uint32_t starts = 0;
+  };
+
+  bool isWanted(const std::string& robot) const;
+  void start(const Space& space, Row row, Recorded& recorded, BagWriter& bag);
+  void writeTick(const Space& space, Row row, const Recorded& recorded, BagWriter& bag);
+
+  bool all_ = false;
+  std::vector<std::string> names_;
+  std::map<std::string, Recorded> recorded_;  // by robot
+  SensorFrame sensors_;
+  CommandFrame commands_;
+  swarmanoid_msgs::SensorFrame sensors_message_;
+  swarmanoid_msgs::CommandFrame commands_message_;
+};
+
+}  // namespace swarmanoid
