@@ -24,7 +24,7 @@ namespace swarmanoid::test {
 namespace {
 
 using Verdicts = std::map<std::string, std::string>;
-const Verdicts kAllPassed = {
+const Verdicts all_passed = {
     {"fb", "passed"}, {"fb_observer", "passed"}, {"eb", "passed"}, {"eb_observer", "passed"}, {"hb", "passed"}};
 
 std::string conformanceText() {
@@ -76,7 +76,7 @@ TEST_P(ConformanceTest, PassesInThisEngine) {
   std::string text = conformanceText();
   replace(text, "<dynamics2d id=\"ground\"/>", "<" + GetParam() + " id=\"ground\"/>");
   const auto simulation = start(text);
-  EXPECT_EQ(kAllPassed, verdictsOf(*simulation));
+  EXPECT_EQ(all_passed, verdictsOf(*simulation));
   EXPECT_EQ(true, simulation->success());
   EXPECT_TRUE(simulation->failures().empty());
   EXPECT_EQ(
@@ -103,7 +103,7 @@ TEST_P(PlanarEyebotTest, PassesAndNamesWhatIsUnchecked) {
           "<dynamics3d id=\"space\"/><" + GetParam() + " id=\"sky\"><distance>1.2</distance></" + GetParam() + ">");
   replace(text, "<arena_physics>", "<arena_physics><engine id=\"sky\"><entity id=\"eb\"/></engine>");
   const auto simulation = start(text);
-  EXPECT_EQ(kAllPassed, verdictsOf(*simulation));
+  EXPECT_EQ(all_passed, verdictsOf(*simulation));
   EXPECT_EQ(
       "velocity_up (the robot cannot move up and down here (upwards is false)); eyebot_magnet (not listed: "
       "eyebot_magnet)",
@@ -122,7 +122,7 @@ TEST(ConformanceParametersTest, WhatIsNotThereIsNamedAndWhatIsWronglyPlacedFails
           "</parameters>" +
               end_of_footbot);
   const auto simulation = start(text);
-  EXPECT_EQ(kAllPassed, verdictsOf(*simulation));
+  EXPECT_EQ(all_passed, verdictsOf(*simulation));
   EXPECT_EQ(
       "footbot_proximity (there is no wall (wall_distance is 0)); gripper_closes (there is no prey (prey_distance is "
       "0)); gripper_opens (there is no prey (prey_distance is 0))",
@@ -142,6 +142,23 @@ TEST(ConformanceParametersTest, WhatIsNotThereIsNamedAndWhatIsWronglyPlacedFails
   EXPECT_EQ(false, wrong->success());
 }
 
+TEST(ConformanceParametersTest, ATestThatCouldCheckNothingHasNotPassed) {
+  std::string text = conformanceText();
+  for (const char* device : {"footbot_wheels", "footbot_gripper", "footbot_turret", "footbot_camera"}) {
+    replace(text, "<" + std::string(device) + "/>", "");
+  }
+  const auto simulation = start(text);
+  EXPECT_EQ("conformance test failed: nothing could be checked", verdictsOf(*simulation)["fb"]);
+  EXPECT_EQ(
+      "footbot_camera (not listed: footbot_camera); wheels_ahead (not listed: footbot_wheels, footbot_camera); "
+      "wheels_left (not listed: footbot_wheels, footbot_camera); footbot_proximity (not listed: footbot_wheels, "
+      "footbot_camera); gripper_closes (not listed: footbot_gripper, footbot_wheels, footbot_camera); footbot_turret "
+      "(not listed: footbot_turret); gripper_opens (not listed: footbot_gripper, footbot_wheels, footbot_camera)",
+      debugOf(*simulation, "fb", "unchecked"));
+  EXPECT_EQ("footbot_gripper_state, footbot_leds, footbot_proximity, footbot_turret_state",
+            debugOf(*simulation, "fb", "unchecked_devices"));
+}
+
 /// A device that a driver has got wrong, and the robots and checks that find out.
 struct Mistake {
   const char* name;
@@ -150,7 +167,7 @@ struct Mistake {
   Verdicts wrong;  ///< verdicts of those that do not pass
 };
 
-void PrintTo(const Mistake& mistake, std::ostream* out) { *out << mistake.name; }
+std::ostream& operator<<(std::ostream& out, const Mistake& mistake) { return out << mistake.name; }
 
 class MistakeTest : public testing::TestWithParam<Mistake> {};
 
@@ -159,7 +176,7 @@ TEST_P(MistakeTest, IsFoundAndNamed) {
   const auto simulation =
       start(conformanceText(), {{"arena." + std::string(mistake.robot) + ".controller.source", "remote"}});
   MiswiredRobot robot(*simulation, mistake.robot, mistake.miswiring);
-  Verdicts expected = kAllPassed;
+  Verdicts expected = all_passed;
   for (const auto& [name, verdict] : mistake.wrong) {
     expected[name] = verdict;
   }
@@ -185,7 +202,7 @@ Miswiring wireCamera(Change change) {
 
 constexpr double kDegrees = 57.29577951308232;
 
-const Mistake kMistakes[] =
+const Mistake mistakes[] =
     {{"NoMistake", "fb", wire<FootbotWheels>([](FootbotWheels&) {}), {}},
      {"WheelsSwapped",
       "fb",
@@ -319,7 +336,7 @@ const Mistake kMistakes[] =
       wire<HandbotRope>([](HandbotRope& rope) { rope.winding_speed *= -1.0; }),
       {{"hb", "conformance test failed: handbot_rope"}}}};
 
-INSTANTIATE_TEST_SUITE_P(Devices, MistakeTest, testing::ValuesIn(kMistakes),
+INSTANTIATE_TEST_SUITE_P(Devices, MistakeTest, testing::ValuesIn(mistakes),
                          [](const auto& mistake) { return mistake.param.name; });
 
 }  // namespace

@@ -137,41 +137,55 @@ class Conformance final : public Controller {
     return left;
   }
 
-  void conclude() {
-    is_over_ = true;
-    Robot& robot = bench_->robot();
-    bench_->rest();
+  struct Summary {
     std::vector<std::string> passed;
-    std::string failed;
-    std::string texts;
-    std::string unchecked;
+    std::vector<std::string> failed;
+    std::string why;        ///< all that is wrong
+    std::string unchecked;  ///< checks that were not done, each with the reason
+    bool has_judged = false;
+  };
+
+  Summary summary() const {
+    const auto append = [](std::string& text, const std::string& more) { text += (text.empty() ? "" : "; ") + more; };
+    Summary summary;
     for (std::size_t i = 0; i < checks_.size(); ++i) {
+      const Check& check = checks_[i];
       const Result& result = results_[i];
       if (result.outcome == Outcome::kFailed) {
-        failed += (failed.empty() ? "" : ", ") + checks_[i].name;
-        texts += (texts.empty() ? "" : "; ") + checks_[i].name + ": " + result.text;
+        summary.failed.push_back(check.name);
+        append(summary.why, check.name + ": " + result.text);
       } else if (result.outcome == Outcome::kUnchecked) {
-        unchecked += (unchecked.empty() ? "" : "; ") + checks_[i].name + " (" + result.text + ")";
+        append(summary.unchecked, check.name + " (" + result.text + ")");
       } else {
-        passed.push_back(checks_[i].name + (checks_[i].is_only_shown ? " (an observer judges)" : ""));
+        summary.has_judged = summary.has_judged || !check.is_only_shown;
+        summary.passed.push_back(check.name + (check.is_only_shown ? " (an observer judges)" : ""));
       }
     }
-    const std::vector<std::string> left = uncovered();
-    robot.debug("passed", joinNames(passed));
-    robot.debug("unchecked_devices", left.empty() ? "none" : joinNames(left));
-    if (!unchecked.empty()) {
-      robot.log(LogLevel::kWarning, "unchecked: " + unchecked);
+    if (summary.failed.empty() && !summary.has_judged) {
+      summary.failed = {"nothing could be checked"};
+      summary.why = summary.unchecked;
     }
-    robot.debug("unchecked", unchecked.empty() ? "none" : unchecked);
-    robot.log("passed: " + (passed.empty() ? "nothing" : joinNames(passed)) +
-              "; devices that are listed but unchecked: " + (left.empty() ? "none" : joinNames(left)));
-    if (failed.empty() && passed.empty()) {
-      failed = "nothing could be checked";
-      texts = failed;
+    return summary;
+  }
+
+  void conclude() {
+    is_over_ = true;
+    bench_->rest();
+    const auto orNone = [](const std::string& text) { return text.empty() ? "none" : text; };
+    const Summary result = summary();
+    const std::string passed = orNone(joinNames(result.passed));
+    const std::string unchecked_devices = orNone(joinNames(uncovered()));
+    Robot& robot = bench_->robot();
+    robot.debug("passed", passed);
+    robot.debug("unchecked", orNone(result.unchecked));
+    robot.debug("unchecked_devices", unchecked_devices);
+    if (!result.unchecked.empty()) {
+      robot.log(LogLevel::kWarning, "unchecked: " + result.unchecked);
     }
-    if (!failed.empty()) {
-      robot.debug("conformance", "failed: " + failed);
-      throw std::runtime_error("conformance test failed: " + failed + " (" + texts + ")");
+    robot.log("passed: " + passed + "; devices that are listed but unchecked: " + unchecked_devices);
+    if (!result.failed.empty()) {
+      robot.debug("conformance", "failed: " + joinNames(result.failed));
+      throw std::runtime_error("conformance test failed: " + joinNames(result.failed) + " (" + result.why + ")");
     }
     robot.debug("conformance", "passed");
   }

@@ -52,13 +52,9 @@ Check hands(Bench& bench) {
   check.stages.push_back({"stretching the left arm until its hand holds", kPatience,
                           [&bench] {
                             *bench.actuator<HandbotHands>() = {true, false};
+                            bench.actuator<HandbotArms>()->left = {0.1, 0.0, 0.0};
                           },
-                          [&bench] {
-                            constexpr double kTurn = 0.03;  // rad a tick
-                            double& shoulder = bench.actuator<HandbotArms>()->left.shoulder;
-                            shoulder = std::min(shoulder + kTurn, 0.1);
-                          },
-                          [state] { return state()->left.holding; }, nullptr});
+                          nullptr, [state] { return state()->left.holding; }, nullptr});
   check.stages.push_back(settle(bench, [&bench, state] {
     bench.expectTrue("the left hand holds, the right one does not", state()->left.holding && !state()->right.holding);
   }));

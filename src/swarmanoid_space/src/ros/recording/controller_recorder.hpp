@@ -24,10 +24,10 @@ class ControllerRecorder {
   ControllerRecorder() = default;
   /// @param robots names separated by spaces, all, or none
   /// @param experiment that has them; null: names are not checked
-  /// @throws ConfigError for a name that is none, or a device that cannot be recorded
+  /// @throws ConfigError for a name that is none
   ControllerRecorder(const std::string& robots, const Experiment* experiment);
 
-  /// The tick that has just ended.
+  /// The tick that has just ended. @throws std::runtime_error for a device that no REGISTER_DEVICE describes
   void record(const Space& space, BagWriter& bag);
 
  private:
