@@ -13,6 +13,7 @@ import build_time
 import engines
 import lockstep
 import long_tests
+import robots
 import simulation
 import under_ros
 from table import ROOT, Table, machine
@@ -24,6 +25,7 @@ FIGURES = {
     "ros_recording": lambda table, build: under_ros.recording(table),
     "ros_same_bits": lambda table, build: under_ros.same_bits(table),
     "lockstep": lambda table, build: lockstep.lockstep(table),
+    "robots": robots.robots,
     "benchmark": benchmarks.benchmark,
     "queries": benchmarks.queries,
     "long_tests": long_tests.long_tests,

@@ -14,10 +14,10 @@ def last_word(output):
     return last[0].strip("[ ]").replace("]", ":") if last else "did not run"
 
 
-def rostest(name):
+def rostest(name, package="experiments"):
     """@return the last words of a test with a master of its own, and whether it passed"""
     with tempfile.TemporaryDirectory() as home:
-        done = subprocess.run(["rostest", ROOT / f"src/swarmanoid_experiments/rostest/{name}.test"], capture_output=True,
+        done = subprocess.run(["rostest", ROOT / f"src/swarmanoid_{package}/rostest/{name}.test"], capture_output=True,
                               text=True, env=dict(os.environ, ROS_HOME=home))
     words = [line.strip(" *") for line in done.stdout.splitlines() if line.startswith(" * ")]
     return ", ".join(words) or "did not run", done.returncode == 0

@@ -46,16 +46,27 @@ class MockEyebot final : public MockRobot {
   }
 
   void sense() override {
-    constexpr double kSlope = 1.0;  // the camera sees a cone with half an angle of 45 degrees
     blobs_.clear();
     for (const Beacon& beacon : world_.beacons) {
-      const ColorBlob blob = blobOf(beacon, pose_);
-      if (static_cast<double>(blob.distance) <= kSlope * (pose_.position.z() - beacon.at.z())) {
-        blobs_.push_back(blob);
-      }
+      look(beacon);
+    }
+    if (laser_.on) {
+      constexpr double kLaser = 0.15;  // [m] above where it stands
+      const double distance = (pose_.position.z() + kLaser) * std::tan(laser_.tilt);
+      Eigen::Vector3d spot = pose_.toWorld({distance * std::cos(laser_.pan), distance * std::sin(laser_.pan), 0.0});
+      spot.z() = 0.0;
+      look({"spot", spot, colors::kRed});
     }
     camera_.blobs = blobs_;
     magnet_state_.attached = is_attached_;
+  }
+
+  void look(const Beacon& beacon) {
+    constexpr double kSlope = 1.0;  // the camera sees a cone with half an angle of 45 degrees
+    const ColorBlob blob = blobOf(beacon, pose_);
+    if (static_cast<double>(blob.distance) <= kSlope * (pose_.position.z() - beacon.at.z())) {
+      blobs_.push_back(blob);
+    }
   }
 
   EyebotVelocity velocity_;

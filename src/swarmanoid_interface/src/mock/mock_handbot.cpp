@@ -1,4 +1,5 @@
-// A handbot that stands where it is, or hangs by its rope. Whatever a hand reaches out for at its own height is there.
+// A handbot that stands where it is, or hangs by its rope. What a hand reaches out for at its own height is there, if
+// the world has it.
 #include <algorithm>
 #include <cmath>
 
@@ -57,14 +58,14 @@ class MockHandbot final : public MockRobot {
   void moveHands() {
     constexpr double kLevel = 0.1;  // [rad] of the shoulder: the arm reaches out
     constexpr double kForce = 5.0;  // [N]
-    const auto hold = [&](bool is_on, std::size_t shoulder, HandbotHandsState::Hand& hand) {
-      hand.holding = is_on && (hand.holding || std::abs(arms_state_.joints[shoulder].angle) < kLevel);
+    const auto hold = [&](bool is_on, bool is_something, std::size_t shoulder, HandbotHandsState::Hand& hand) {
+      hand.holding = is_on && is_something && (hand.holding || std::abs(arms_state_.joints[shoulder].angle) < kLevel);
       hand.force = hand.holding ? kForce : 0.0;
     };
     constexpr std::size_t kLeft = 0;
     constexpr std::size_t kRight = 3;
-    hold(hands_.left, kLeft, hands_state_.left);
-    hold(hands_.right, kRight, hands_state_.right);
+    hold(hands_.left, world_.is_something_left, kLeft, hands_state_.left);
+    hold(hands_.right, world_.is_something_right, kRight, hands_state_.right);
   }
 
   void moveRope(double dt) {

@@ -12,7 +12,7 @@ std::unique_ptr<MockRobot> makeMockRobot(const std::string& type, const Configur
   Pose start;
   start.position = values.vector3("start", {0.0, 0.0, flies ? kAltitude : 0.0});
   start.yaw = values.angle("start_yaw", 0.0);
-  values.refuseUnread({"walls", "beacons", "ceiling", "start", "start_yaw"});
+  values.refuseUnread({"walls", "beacons", "ceiling", "hands", "start", "start_yaw"});
   if (type == "footbot") {
     return makeMockFootbot(std::move(world), start);
   }

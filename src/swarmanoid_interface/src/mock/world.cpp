@@ -36,6 +36,11 @@ World readWorld(const Configuration& values) {
       beacon.refuseUnread({"at", "color", "can_be_gripped"});
     }
   }
+  if (const Configuration* hands = values.find("hands")) {
+    world.is_something_left = hands->boolean("left", world.is_something_left);
+    world.is_something_right = hands->boolean("right", world.is_something_right);
+    hands->refuseUnread({"left", "right"});
+  }
   world.ceiling = values.number("ceiling", world.ceiling, {0.0, 100.0});
   return world;
 }

@@ -39,12 +39,16 @@ struct World {
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
   double ceiling = 3.0;  ///< its height; it is ferromagnetic [m]
+  /// Whether a handbot's hand meets something when its arm is level.
+  bool is_something_left = true;
+  bool is_something_right = true;
 };
 
 /// As a parameter file has it:
 ///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
 ///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
 ///     ceiling: 3
+///     hands: {left: true, right: false}                    what they reach out for is there
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 

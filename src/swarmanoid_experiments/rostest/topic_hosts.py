@@ -1,0 +1,49 @@
+"""The conformance test with its controllers commanding their robots over standard topics, whoever provides these."""
+
+import rospy
+from diagnostic_msgs.msg import DiagnosticArray
+
+from participants import Participant
+from space_client import Collector
+
+DEVICES = {"footbot": (["footbot_proximity", "footbot_camera", "footbot_gripper_state", "footbot_turret_state"],
+                       ["footbot_wheels", "footbot_gripper", "footbot_turret", "footbot_leds"]),
+           "eyebot": (["eyebot_camera", "eyebot_magnet_state"],
+                      ["eyebot_velocity", "eyebot_laser", "eyebot_leds", "eyebot_magnet"]),
+           "handbot": (["handbot_arms_state", "handbot_hands_state", "handbot_rope_state"],
+                       ["handbot_arms", "handbot_hands", "handbot_rope"])}
+SETTLING = 1.0  # [s]: both ways over topics, on a machine that is busy
+LONGEST = 110.0  # [s] of wall time for all checks of a robot
+
+
+class ConformanceHosts:
+    """A host for each robot. @param robots their types and more parameters of the test, by name"""
+
+    def __init__(self, robots):
+        self._diagnostics = Collector("/diagnostics", DiagnosticArray)
+        self._hosts = []
+        for robot, (kind, parameters) in robots.items():
+            sensors, actuators = DEVICES[kind]
+            rospy.set_param(f"/{robot}_controller/configuration",
+                            {"robot_type": kind, "sensors": sensors, "actuators": actuators, "start_timeout": 60,
+                             "sensor_timeout": 2.0, "parameters": dict(parameters, settling_time=SETTLING)})
+            self._hosts.append(Participant(robot, controller="conformance", provider="topics"))
+
+    def verdict(self, robot):
+        """@return what the test of this robot says in the end: conformance, passed, unchecked, unchecked_devices"""
+        seen = {}
+
+        def is_over(array):
+            for status in array.status:
+                if status.name == f"{robot}: controller":
+                    seen.update({pair.key[len("controller: "):]: pair.value for pair in status.values
+                                 if pair.key.startswith("controller: ")})
+                    seen["state"] = status.message
+            return seen.get("conformance", "running") != "running" or "failed" in seen.get("state", "")
+
+        self._diagnostics.wait_for(is_over, LONGEST)
+        return seen
+
+    def end(self):
+        for host in self._hosts:
+            host.end()
