@@ -13,6 +13,7 @@ DEVICES = {"footbot": (["footbot_proximity", "footbot_camera", "footbot_gripper_
            "handbot": (["handbot_arms_state", "handbot_hands_state", "handbot_rope_state"],
                        ["handbot_arms", "handbot_hands", "handbot_rope"])}
 SETTLING = 1.0  # [s]: both ways over topics, on a machine that is busy
+TOLERANCE = 0.3  # robot and host have a clock each: 2 s of motion are up to two periods of 0.1 s longer or shorter
 LONGEST = 110.0  # [s] of wall time for all checks of a robot
 
 
@@ -26,7 +27,8 @@ class ConformanceHosts:
             sensors, actuators = DEVICES[kind]
             rospy.set_param(f"/{robot}_controller/configuration",
                             {"robot_type": kind, "sensors": sensors, "actuators": actuators, "start_timeout": 60,
-                             "sensor_timeout": 2.0, "parameters": dict(parameters, settling_time=SETTLING)})
+                             "sensor_timeout": 2.0, "parameters": dict(parameters, settling_time=SETTLING,
+                                                   tolerance=TOLERANCE)})
             self._hosts.append(Participant(robot, controller="conformance", provider="topics"))
 
     def verdict(self, robot):
