@@ -1,5 +1,6 @@
 // The strict readers of single values, and the words their messages are made of.
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <iomanip>
@@ -80,6 +81,12 @@ std::string Range::toString() const {
     return "at least " + shortNumber(minimum);
   }
   return has_maximum ? "at most " + shortNumber(maximum) : "any number";
+}
+
+std::string numberText(double value) {
+  std::array<char, 32> text{};  // the longest has 24 letters
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), end.ptr};
 }
 
 double parseNumber(const std::string& text, const std::string& what, const SourceLocation& location, Range range) {

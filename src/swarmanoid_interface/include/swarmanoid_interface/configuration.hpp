@@ -113,6 +113,8 @@ std::int64_t parseInteger(const std::string& text, const std::string& what, cons
                           Range range = {});
 bool parseBoolean(const std::string& text, const std::string& what, const SourceLocation& location);
 Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location);
+/// The shortest text that is read as this number.
+std::string numberText(double value);
 /// `count` numbers separated by commas.
 std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
                                  const SourceLocation& location);

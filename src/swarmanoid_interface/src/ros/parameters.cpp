@@ -1,6 +1,5 @@
 #include "swarmanoid_interface/ros/parameters.hpp"
 
-#include <cstdio>
 #include <sstream>
 
 namespace swarmanoid {
@@ -15,11 +14,8 @@ std::string textOf(const Value& value) {
       return static_cast<bool>(copy) ? "true" : "false";
     case Value::TypeString:
       return static_cast<std::string>(copy);
-    case Value::TypeDouble: {
-      char text[32];
-      std::snprintf(text, sizeof text, "%.17g", static_cast<double>(copy));
-      return text;
-    }
+    case Value::TypeDouble:
+      return numberText(static_cast<double>(copy));
     case Value::TypeArray: {
       std::string text;
       for (int i = 0; i < copy.size(); ++i) {

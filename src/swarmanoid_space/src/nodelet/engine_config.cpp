@@ -1,8 +1,6 @@
 #include "engine_config.hpp"
 
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -93,13 +91,6 @@ void addGroup(Config& config) {
   config.groups = {group};
 }
 
-/// The shortest text that is read as this number.
-std::string toText(double value) {
-  std::array<char, 32> text{};  // the longest has 24 letters
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
-  return {text.data(), end.ptr};
-}
-
 }  // namespace
 
 dynamic_reconfigure::ConfigDescription describe(const std::vector<Parameter>& parameters) {
@@ -132,7 +123,7 @@ Config toConfig(const std::vector<Parameter>& parameters, const NamedValues& val
 NamedValues fromConfig(const Config& config) {
   NamedValues values;
   for (const auto& entry : config.doubles) {
-    values.emplace_back(entry.name, toText(entry.value));
+    values.emplace_back(entry.name, numberText(entry.value));
   }
   for (const auto& entry : config.ints) {
     values.emplace_back(entry.name, std::to_string(entry.value));
