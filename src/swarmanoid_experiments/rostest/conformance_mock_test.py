@@ -1,13 +1,16 @@
 #!/usr/bin/python3
-"""The conformance test of the mock drivers of each robot, over topics."""
+"""The conformance test of the mock drivers of each robot, over topics; what the hosts saw and did is recorded, and replayed."""
 
+import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
+import rosbag
 import rospy
 import rostest
-from swarmanoid_msgs.msg import LedArray
+from swarmanoid_msgs.msg import CommandFrame, ControllerStart, LedArray, SensorFrame
 
 from space_client import TIMEOUT, Collector
 from topic_hosts import ConformanceHosts
@@ -21,11 +24,18 @@ EYEBOT_PLACE = {"start": [0, 0, 1.2], "ceiling": 2.5,
 HANDBOT_PLACE = {"ceiling": 2.5, "hands": {"left": True, "right": False}}
 ROBOTS = {"m_footbot": ("footbot", {}), "m_eyebot": ("eyebot", {"laser_height": 1.35, "ceiling": True}),
           "m_handbot": ("handbot", {"ceiling": True, "board": True})}
+FRAMES = {"start": ControllerStart, "sensors": SensorFrame, "commands": CommandFrame}
 PLACES = {"m_footbot": FOOTBOT_PLACE, "m_eyebot": EYEBOT_PLACE, "m_handbot": HANDBOT_PLACE}
 
 
 class ConformanceMockTest(unittest.TestCase):
     def setUp(self):
+        # hosts wait for their drivers, so whoever records is there before the first step
+        self.frames = {f"/{robot}/controller/{what}": Collector(f"/{robot}/controller/{what}", kind)
+                       for robot in ROBOTS for what, kind in FRAMES.items()}
+        self.hosts = ConformanceHosts(ROBOTS)
+        for collector in self.frames.values():
+            collector.wait_for_publisher()
         self.drivers = []
         for robot, (kind, _) in ROBOTS.items():
             rospy.set_param(f"/{robot}_drivers/world", PLACES[robot])
@@ -33,7 +43,6 @@ class ConformanceMockTest(unittest.TestCase):
                 ["rosrun", "swarmanoid_interface", "mock_drivers", f"__name:={robot}_drivers", f"_robot:={robot}",
                  f"_type:={kind}"], start_new_session=True))
         self.leds = Collector("/m_footbot/leds/state", LedArray)
-        self.hosts = ConformanceHosts(ROBOTS)
 
     def tearDown(self):
         self.hosts.end()
@@ -52,6 +61,21 @@ class ConformanceMockTest(unittest.TestCase):
         # but their driver was told: red ahead, blue to the left, green behind
         shown = self.leds.wait_for(lambda message: message.colors[0].r == 1.0)
         self.assertEqual((1.0, 1.0), (shown.colors[3].b, shown.colors[6].g))
+        self.replay()
+
+    def replay(self):
+        """The controllers do the same once more."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = os.path.join(folder, "robots.bag")
+            with rosbag.Bag(file, "w") as bag:
+                for topic, collector in self.frames.items():
+                    for message in collector.messages():
+                        bag.write(topic, message)
+            done = subprocess.run(["rosrun", "swarmanoid_interface", "replay", file], capture_output=True, text=True)
+        print(done.stdout, done.stderr)
+        self.assertEqual(0, done.returncode)
+        for robot in ROBOTS:
+            self.assertRegex(done.stdout, rf"{robot}: all \d{{3,}} ticks are equal")
 
 
 if __name__ == "__main__":

@@ -17,8 +17,8 @@ struct RecordedTick {
 
 /// One life of a controller.
 struct RecordedRun {
-  Registration start;  ///< of the one robot
-  Time start_time = kEpoch;
+  Registration start;               ///< of the one robot
+  Time start_time = kEpoch;         ///< by the controller's time
   std::vector<RecordedTick> ticks;  ///< as they were recorded
 
   const RemoteRobot& robot() const { return start.robots.front(); }

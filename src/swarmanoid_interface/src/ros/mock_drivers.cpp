@@ -25,7 +25,7 @@ class Drivers {
  public:
   explicit Drivers(const ros::NodeHandle& own)
       : name_(own.param("robot", std::string("robot"))),
-        robot_handle_("/" + name_),
+        robot_handle_(name_),
         rate_(own.param("rate", 50.0)),
         robot_(makeMockRobot(own.param("type", std::string("footbot")), readWorldOf(own))),
         watchdog_(*robot_, own.param("watchdog", 0.5)) {

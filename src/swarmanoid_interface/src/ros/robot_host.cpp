@@ -39,7 +39,7 @@ RobotHost::RobotHost(const ros::NodeHandle& own, const std::string& label, bool 
   loop_ = std::make_unique<RobotLoop>(
       name_, entry.description.label, configuration_, [&entry] { return makePlugin<Controller>(entry); }, logRobot,
       now());
-  in_robot_ = ros::NodeHandle("/" + name_);
+  in_robot_ = ros::NodeHandle(name_);
   in_robot_.setCallbackQueue(&queue_);
   diagnostics_.setHardwareID(name_);
   diagnostics_.add("controller", this, &RobotHost::report);
@@ -72,7 +72,7 @@ void RobotHost::connect() {
   commands_ = in_robot_.advertise<swarmanoid_msgs::CommandFrame>("controller/commands", kQueue);
   swarmanoid_msgs::ControllerStart message;
   toMessage(loop_->registration(), 0, message);
-  message.header.stamp = ros::Time::now();
+  message.header.stamp = toRosTime(kEpoch);  // the controller's time, as in its frames
   start_.publish(message);
 }
 

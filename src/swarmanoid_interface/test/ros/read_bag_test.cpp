@@ -152,10 +152,21 @@ TEST_F(ReadBagTest, ABagWithoutControllersIsRefused) {
 
 TEST_F(ReadBagTest, FramesWithoutAStartAreRefused) {
   sensors(1.5, 5);
-  EXPECT_EQ(
-      "run.bag: 'fb_1': found no /fb_1/controller/start before tick 5 of run 0; record that topic too, from before the "
-      "controller starts",
-      refusal());
+  EXPECT_EQ("run.bag: 'fb_1': found no /fb_1/controller/start of run 0; record that topic too", refusal());
+}
+
+TEST_F(ReadBagTest, AStartThatIsLatchedMayComeAfterTheFirstFrames) {
+  sensors(10.0, 40);
+  start(10.05);
+  sensors(10.1, 41);
+  start(20.0);
+  sensors(20.0, 0);
+  bag_.close();
+  const std::vector<RecordedRun> runs = readBag(file_).at("fb_1");
+  ASSERT_EQ(2U, runs.size());
+  ASSERT_EQ(2U, runs[0].ticks.size());
+  EXPECT_EQ(40U, runs[0].ticks[0].sensors.stamp.tick);
+  EXPECT_EQ(1U, runs[1].ticks.size());
 }
 
 TEST_F(ReadBagTest, AMessageOfAnotherTypeIsRefused) {

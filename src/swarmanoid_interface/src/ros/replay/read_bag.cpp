@@ -95,12 +95,15 @@ void replace(const ParameterValue& parameter, swarmanoid_msgs::RemoteRobot& robo
   robot.parameters.insert(place, message);
 }
 
-/// Frames come after the last start of their run that is not later than they are.
-RecordedRun* runOf(const SensorFrame& frame, std::vector<RecordedRun>& runs) {
+/// Frames belong to the last start of their run that was received before them. A start that is latched may come a
+/// little after the first frames to whoever begins to record later; then these belong to the first.
+RecordedRun* runOf(const Received<swarmanoid_msgs::SensorFrame>& frame,
+                   const std::vector<Received<swarmanoid_msgs::ControllerStart>>& starts,
+                   std::vector<RecordedRun>& runs) {
   RecordedRun* found = nullptr;
-  for (RecordedRun& run : runs) {
-    if (run.start.run == frame.stamp.run && run.start_time <= frame.time) {
-      found = &run;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (starts[i].message->run == frame.message->run && (found == nullptr || starts[i].time <= frame.time)) {
+      found = &runs[i];
     }
   }
   return found;
@@ -139,11 +142,10 @@ std::vector<RecordedRun> assemble(const std::string& file, const std::string& na
   }
   for (const auto& received : raw.sensors) {
     SensorFrame frame = fromMessage(*received.message);
-    RecordedRun* run = runOf(frame, runs);
+    RecordedRun* run = runOf(received, raw.starts, runs);
     if (run == nullptr) {
-      throw ConfigError({file, 0}, "'" + name + "': found no /" + name + kStart + " before tick " +
-                                       std::to_string(frame.stamp.tick) + " of run " + std::to_string(frame.stamp.run) +
-                                       "; record that topic too, from before the controller starts");
+      throw ConfigError({file, 0}, "'" + name + "': found no /" + name + kStart + " of run " +
+                                       std::to_string(frame.stamp.run) + "; record that topic too");
     }
     if (!run->ticks.empty() && run->ticks.back().sensors.stamp == frame.stamp) {
       continue;  // a frame that was sent again
