@@ -2,7 +2,9 @@
 
 #include <stdexcept>
 
+#include "swarmanoid_interface/ros/participant.hpp"
 #include "swarmanoid_interface/ros/process.hpp"
+#include "swarmanoid_interface/ros/robot_host.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -15,6 +17,11 @@ void refuse(const ros::NodeHandle& own, const std::string& parameter, const std:
 }
 
 }  // namespace
+
+ControllerNodelet::ControllerNodelet(std::string label)
+    : PartNodelet(PluginKind::kController), label_(std::move(label)) {}
+
+ControllerNodelet::~ControllerNodelet() = default;
 
 bool ControllerNodelet::runAlone() {
   ros::NodeHandle& own = getPrivateNodeHandle();

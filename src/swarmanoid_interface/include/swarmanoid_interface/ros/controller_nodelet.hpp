@@ -7,16 +7,21 @@
 /// from: `lockstep`, a space elsewhere (participant.hpp), or `topics`, a robot's drivers (robot_host.hpp).
 #pragma once
 
+#include <memory>
+#include <string>
+
 #include "swarmanoid_interface/ros/part_nodelet.hpp"
-#include "swarmanoid_interface/ros/participant.hpp"
-#include "swarmanoid_interface/ros/robot_host.hpp"
 
 namespace swarmanoid {
+
+class Participant;
+class RobotHost;
 
 class ControllerNodelet : public PartNodelet {
  public:
   /// @param label of the only controller it hosts; "" for any
-  explicit ControllerNodelet(std::string label = "") : PartNodelet(PluginKind::kController), label_(std::move(label)) {}
+  explicit ControllerNodelet(std::string label = "");
+  ~ControllerNodelet() override;
 
  private:
   std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) override;
