@@ -121,7 +121,7 @@ class TopicsTest(unittest.TestCase):
         time.sleep(0.2)
         self.assertEqual(1, sum(log.msg == refused for log in self.logs.messages()))
 
-    def test_a_source_without_topics_is_refused(self):
+    def test_a_robot_with_device_topics_may_change_to_that_source(self):
         self.assertTrue(set_source(["fb_1"], "topics").success)
         self.assertTrue(set_source(["fb_1"], "controller").success)
 

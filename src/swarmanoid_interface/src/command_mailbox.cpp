@@ -34,6 +34,11 @@ void CommandMailbox::accept(std::set<std::string> robots) {
   }
 }
 
+bool CommandMailbox::isIdle() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return accepted_.empty();
+}
+
 CommandMailbox::Commands CommandMailbox::take() {
   const std::lock_guard<std::mutex> lock(mutex_);
   return std::exchange(commands_, {});

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "swarmanoid_interface/frame_parts.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 
 namespace swarmanoid {
@@ -122,13 +123,11 @@ void ControllerHost::read(const SensorFrame& frame) {
       }
     }
     for (Device& device : hosted.sensors) {
-      ByteReader block = in.block();
       try {
         if (hosted.failure.empty()) {
-          device.type->read(block, device.data.get(), device.parts);
-          if (block.left() > 0) {
-            throw ByteError("found " + std::to_string(block.left()) + " bytes more than expected");
-          }
+          readBlock(*device.type, in, device.data.get(), device.parts);
+        } else {
+          in.block();
         }
       } catch (const ByteError& error) {
         throw ByteError(registration_.robots[i].name + ", " + device.type->type + ": " + error.what());
@@ -149,15 +148,9 @@ void ControllerHost::write(const Hosted& hosted, ByteWriter& out) const {
     return;
   }
   for (const Device& device : hosted.actuators) {
-    const std::size_t begin = out.openBlock();
-    device.type->write(device.data.get(), out);
-    out.closeBlock(begin);
+    writeBlock(*device.type, device.data.get(), out);
   }
-  out.number(static_cast<std::uint32_t>(hosted.robot->debugValues().size()));
-  for (const auto& [key, value] : hosted.robot->debugValues()) {
-    out.text(key);
-    out.text(value);
-  }
+  writeDebugValues(hosted.robot->debugValues(), out);
 }
 
 }  // namespace swarmanoid

@@ -3,6 +3,8 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "swarmanoid_interface/frame_parts.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -180,9 +182,7 @@ void RobotLoop::makeFrame() {
   frame_.data.assign(1, std::uint8_t{1});  // present
   ByteWriter out(frame_.data);
   for (const Sensor& sensor : sensors_) {
-    const std::size_t begin = out.openBlock();
-    sensor.type->write(sensor.reading.data.get(), out);
-    out.closeBlock(begin);
+    writeBlock(*sensor.type, sensor.reading.data.get(), out);
   }
 }
 
@@ -193,19 +193,14 @@ std::string RobotLoop::readAnswer() {
   }
   std::string failure;
   for (Actuator& actuator : actuators_) {
-    ByteReader block = in.block();
-    actuator.type->read(block, actuator.received.data.get(), actuator.received.parts);
+    readBlock(*actuator.type, in, actuator.received.data.get(), actuator.received.parts);
     if (actuator.type->is_finite != nullptr && !actuator.type->is_finite(actuator.received.data.get())) {
       append(failure, "; ", actuator.device.type + ": found a number that is not finite");
     } else {
       std::swap(actuator.command, actuator.received);  // the command that a safe stop starts from is always sound
     }
   }
-  debug_values_.resize(in.number<std::uint32_t>());
-  for (auto& [key, value] : debug_values_) {
-    key = in.text();
-    value = in.text();
-  }
+  debug_values_ = readDebugValues(in);
   return failure;
 }
 

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/frame_parts.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -22,9 +22,7 @@ std::vector<DeviceLayout> layoutsOf(const std::vector<DeviceDescription>& device
 
 void writeAll(const Banks& banks, Row row, const std::vector<DeviceLayout>& devices, ByteWriter& out) {
   for (const DeviceLayout& device : devices) {
-    const std::size_t begin = out.openBlock();
-    findDeviceType(device.type)->write(banks.find(device.type, row), out);
-    out.closeBlock(begin);
+    writeBlock(*findDeviceType(device.type), banks.find(device.type, row), out);
   }
 }
 

@@ -152,7 +152,6 @@ std::string Lockstep::answer(CommandFrame frame) {
   if (is_this_tick && !participant.is_answered) {
     participant.answer = std::move(frame);
     participant.is_answered = true;
-    participant.has_answered = true;
     ++participant.answers;
     if (isDone()) {
       changed_.notify_all();

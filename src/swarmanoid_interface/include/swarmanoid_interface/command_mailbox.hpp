@@ -33,6 +33,8 @@ class CommandMailbox {
   bool isOpen(const std::string& robot) const;
   /// Only commands for these robots are taken from now on; what has come for others is forgotten.
   void accept(std::set<std::string> robots);
+  /// Commands are taken for nobody.
+  bool isIdle() const;
   /// What has come since the last call.
   Commands take();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "device_values.hpp"
+#include "swarmanoid_interface/frame_parts.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 
 namespace swarmanoid::replay {
@@ -50,11 +51,7 @@ Answer answerOf(const CommandFrame& frame, const RemoteRobot& robot) {
       break;
     case RobotWord::kStepped: {
       answer.commands = readBlocks(in, robot.actuators.size());
-      const auto count = in.number<std::uint32_t>();
-      for (std::uint32_t i = 0; i < count; ++i) {
-        const std::string key = in.text();
-        answer.debug.emplace_back(key, in.text());
-      }
+      answer.debug = readDebugValues(in);
       break;
     }
     default:

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "swarmanoid_interface/plugin_library.hpp"
+#include "robot_parameters.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
 #include "swarmanoid_interface/ros/parameters.hpp"
 #include "swarmanoid_interface/ros/process.hpp"
@@ -31,7 +31,7 @@ void Participant::run() {
     }
     const Registration registration = adapt(fromMessage(response));
     session_ = registration.session;
-    const Registry::Entry& entry = Registry::instance().require(PluginKind::kController, label_);
+    const Registry::Entry& entry = findController(own_, label_);
     host_ = std::make_unique<ControllerHost>(
         registration, [&entry] { return makePlugin<Controller>(entry); }, logRobot);
     const std::string topics = space_ + "/participants/" + name_;
@@ -101,9 +101,6 @@ Registration Participant::adapt(Registration registration) {
   const bool has_own_parameters = own_.getParam("parameters", values);
   if (label_.empty()) {
     label_ = registration.robots.front().label;
-  }
-  if (Registry::instance().find(PluginKind::kController, label_) == nullptr) {
-    loadPluginLibrary(own_.param("library", label_), {}, {own_.getNamespace(), 0});
   }
   for (RemoteRobot& robot : registration.robots) {
     if (has_own_parameters) {

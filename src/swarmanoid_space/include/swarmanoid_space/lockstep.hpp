@@ -116,8 +116,7 @@ class Lockstep {
     bool is_answered = false;  // this tick
     bool is_late = false;      // and that has been told
     bool is_new = true;
-    bool has_answered = false;  // since it joined
-    bool has_obeyed = false;    // the robots have had commands of it
+    bool has_obeyed = false;  // since it joined its robots have had commands of it
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
     std::uint64_t refused = 0;

@@ -1,35 +1,28 @@
 // Part of phase 2: readings go to the participants, and their answers become commands.
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 #include "../cast.hpp"
-#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/frame_parts.hpp"
 #include "swarmanoid_space/controller_frames.hpp"
 #include "swarmanoid_space/lockstep.hpp"
 
 namespace swarmanoid {
 namespace {
 
-std::string toText(Lockstep::Seconds seconds) {
-  std::ostringstream text;
-  text << seconds.count() << " s";
-  return text.str();
-}
+std::string toText(Lockstep::Seconds seconds) { return numberText(seconds.count()) + " s"; }
 
 void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver& driver) {
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
   for (const DeviceLayout& actuator : robot.actuators) {
-    ByteReader block = in.block();
-    findDeviceType(actuator.type)->read(block, space.commands.find(actuator.type, driver.row), parts);
-    if (block.left() > 0) {
-      throw ByteError(actuator.type + ": found " + std::to_string(block.left()) + " bytes more than expected");
+    try {
+      readBlock(*findDeviceType(actuator.type), in, space.commands.find(actuator.type, driver.row), parts);
+    } catch (const ByteError& error) {
+      throw ByteError(actuator.type + ": " + error.what());
     }
   }
-  const auto count = in.number<std::uint32_t>();
-  for (std::uint32_t i = 0; i < count; ++i) {
-    const std::string key = in.text();
-    driver.robot->debug(key, in.text());
+  for (const auto& [key, value] : readDebugValues(in)) {
+    driver.robot->debug(key, value);
   }
 }
 
@@ -102,7 +95,7 @@ bool Lockstep::isDone() const {
 }
 
 Lockstep::Seconds Lockstep::timeoutOf(const Participant& participant) const {
-  return participant.has_answered ? participant.timeout : std::max(participant.timeout, options_.join_timeout);
+  return participant.has_obeyed ? participant.timeout : std::max(participant.timeout, options_.join_timeout);
 }
 
 Lockstep::Clock::time_point Lockstep::nextDeadline() const {

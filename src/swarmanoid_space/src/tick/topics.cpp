@@ -31,6 +31,9 @@ bool obey(const CommandMailbox::Commands& commands, Space& space, const Driver& 
 }  // namespace
 
 void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log) {
+  if (mailbox.isIdle()) {
+    return;
+  }
   const CommandMailbox::Commands commands = mailbox.take();
   for (Driver& driver : drivers) {
     if (driver.source != CommandSource::kTopics || driver.has_failed) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <sstream>
 
+#include "swarmanoid_interface/frame_parts.hpp"
 #include "swarmanoid_interface/ros/device_messages.hpp"
 #include "swarmanoid_interface/ros/frame_messages.hpp"
 #include "swarmanoid_space/controller_frames.hpp"
@@ -107,12 +108,7 @@ void ControllerRecorder::writeTick(const Space& space, Row row, const Recorded& 
     commands.text(failureOf(name, space));
   } else {
     writeCommands(space, row, robot.actuators, commands);
-    const auto& debug_values = space.robots[i]->debugValues();
-    commands.number(static_cast<std::uint32_t>(debug_values.size()));
-    for (const auto& [key, value] : debug_values) {
-      commands.text(key);
-      commands.text(value);
-    }
+    writeDebugValues(space.robots[i]->debugValues(), commands);
   }
   toMessage(sensors_, sensors_message_);
   toMessage(commands_, commands_message_);
