@@ -15,9 +15,10 @@ import tempfile
 import time
 import unittest
 
-from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
+from surroundings import REPOSITORY, bare, compiler_cache, run, sourced, succeed
 
-PACKAGES = ("example_controller", "example_engine", "example_sensor", "example_visualisation")
+PACKAGES = ("example_controller", "example_engine", "example_python_controller", "example_sensor",
+            "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
 LAUNCH = ["roslaunch", "swarmanoid_experiments", "object_retrieval.launch", "rviz:=false", "real_time_factor:=0"]
@@ -42,14 +43,7 @@ class OutsideTest(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.folder, ignore_errors=True)
         cls.bare = bare(os.path.join(cls.folder, "home"))
         cls.installed = os.path.join(cls.folder, "installed")
-        cls.succeed(["cmake", "--install", BUILD_FOLDER, "--prefix", cls.installed], cls.bare)
-
-    @classmethod
-    def succeed(cls, command, environment, folder=None, timeout=120):
-        code, output, errors = run(command, environment, folder, timeout)
-        if code != 0:
-            raise AssertionError(f"{' '.join(command)} ends with {code}\n{output[-3000:]}\n{errors[-3000:]}")
-        return output
+        succeed(["cmake", "--install", BUILD_FOLDER, "--prefix", cls.installed], cls.bare)
 
     # --- packages of somebody else
 
@@ -58,10 +52,10 @@ class OutsideTest(unittest.TestCase):
         source = os.path.join(folder, "src", name)
         build = os.path.join(folder, "build", name)
         shutil.copytree(os.path.join(REPOSITORY, "examples", name), source)
-        self.succeed(["cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={space}",
-                      f"-DCMAKE_INSTALL_PREFIX={folder}/installed", "-DSWARMANOID_WARNINGS_AS_ERRORS=ON",
-                      *compiler_cache()], self.bare)
-        self.succeed(["cmake", "--build", build], self.bare)
+        succeed(["cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={space}",
+                 f"-DCMAKE_INSTALL_PREFIX={folder}/installed", "-DSWARMANOID_WARNINGS_AS_ERRORS=ON",
+                 *compiler_cache()], self.bare)
+        succeed(["cmake", "--build", build], self.bare)
         return build
 
     def build_examples(self, space, folder):
@@ -78,9 +72,9 @@ class OutsideTest(unittest.TestCase):
         """The experiment of all examples, without ROS."""
         share = environment["CMAKE_PREFIX_PATH"].split(":")
         schema = [s for s in (f"{p}/share/swarmanoid_experiments/experiment.xsd" for p in share) if os.path.exists(s)]
-        self.succeed(["xmllint", "--noout", "--schema", schema[0], EXPERIMENT], environment)
-        self.succeed(["swarmanoid", "validate", EXPERIMENT], environment)
-        result = json.loads(self.succeed(["swarmanoid", "run", EXPERIMENT, "--out", out, "--quiet"], environment))
+        succeed(["xmllint", "--noout", "--schema", schema[0], EXPERIMENT], environment)
+        succeed(["swarmanoid", "validate", EXPERIMENT], environment)
+        result = json.loads(succeed(["swarmanoid", "run", EXPERIMENT, "--out", out, "--quiet"], environment))
         self.assertTrue(result["finished"])
         self.assertEqual(69, result["ticks"], "the goal is reached in the third leg")
         self.assertAlmostEqual(0.7105, result["metrics"]["walked_m"])
@@ -111,7 +105,7 @@ class OutsideTest(unittest.TestCase):
             for library in ("libpatrol_nodelet.so", "libface_north_nodelet.so", "libcompass.so", "libcarousel.so",
                             "libodometer.so"):
                 self.assertIn(library, maps)
-            self.succeed(["rosservice", "call", "/space/resume"], environment)
+            succeed(["rosservice", "call", "/space/resume"], environment)
             output, _ = launch.communicate(timeout=60)
         finally:
             if launch.poll() is None:
@@ -146,7 +140,7 @@ class OutsideTest(unittest.TestCase):
         builds = self.build_examples(space, folder)
         if use_installed:
             for build in builds:
-                self.succeed(["cmake", "--install", build], self.bare)
+                succeed(["cmake", "--install", build], self.bare)
             environment = sourced(self.bare, f"{folder}/installed/setup.bash")
         else:
             environment = sourced(self.bare, *(f"{build}/devel/setup.bash" for build in builds))
@@ -176,11 +170,14 @@ class OutsideTest(unittest.TestCase):
     def test_install_space_runs_by_itself(self):
         environment = sourced(self.bare, f"{self.installed}/setup.bash")
         self.assertNotIn(BUILD_FOLDER, " ".join(environment.values()))
-        result = json.loads(self.succeed(["swarmanoid", "run", "object_retrieval", "--seed", "1", "--quiet"],
-                                         environment, self.folder))
+        result = json.loads(succeed(["swarmanoid", "run", "object_retrieval", "--seed", "1", "--quiet"],
+                                    environment, self.folder))
         self.assertTrue(result["success"])
-        output = self.succeed([*LAUNCH, "max_ticks:=50"], environment, timeout=60)
+        output = succeed([*LAUNCH, "max_ticks:=50"], environment, timeout=60)
         self.assertIn("after 50 ticks", output)
+        module = succeed(["/usr/bin/python3", "-c", "import swarmanoid_python; print(swarmanoid_python.__file__)"],
+                         environment)
+        self.assertTrue(module.startswith(self.installed), module)
 
     def test_install_space_does_not_know_where_it_was_built(self):
         """Debugging information may name sources; nothing that is read while running may."""
@@ -194,7 +191,7 @@ class OutsideTest(unittest.TestCase):
                 is_program = content.startswith(b"\x7fELF")
                 self.assertFalse(not is_program and BUILD_FOLDER.encode() in content, f"{path} names {BUILD_FOLDER}")
                 if is_program:
-                    dynamic = self.succeed(["readelf", "-d", path], self.bare)
+                    dynamic = succeed(["readelf", "-d", path], self.bare)
                     self.assertIsNone(re.search(r"R(UN)?PATH.*" + re.escape(BUILD_FOLDER), dynamic), path)
 
 

@@ -15,7 +15,7 @@ import time
 import unittest
 import xml.etree.ElementTree
 
-from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
+from surroundings import REPOSITORY, bare, compiler_cache, sourced, succeed
 
 PACKAGES = ("swarmanoid_controllers", "swarmanoid_interface", "swarmanoid_msgs")
 # what a simulator has: engines, readers of robot models, threads, viewers, its own packages (tinyxml2 is pluginlib's)
@@ -67,18 +67,11 @@ class RobotTest(unittest.TestCase):
         cls.build = os.path.join(cls.folder, "build")
         source = os.path.join(cls.folder, "src")
         shutil.copy("/usr/share/catkin/cmake/toplevel.cmake", os.path.join(source, "CMakeLists.txt"))
-        cls.succeed(["cmake", "-S", source, "-B", cls.build, "-G", "Ninja", "-DPYTHON_EXECUTABLE=/usr/bin/python3",
-                     "-DPython3_EXECUTABLE=/usr/bin/python3", "-DCATKIN_ENABLE_TESTING=OFF",
-                     f"-DCATKIN_DEVEL_PREFIX={cls.folder}/devel", *compiler_cache()])
-        cls.succeed(["cmake", "--build", cls.build, "-j2"], timeout=500)
+        succeed(["cmake", "-S", source, "-B", cls.build, "-G", "Ninja", "-DPYTHON_EXECUTABLE=/usr/bin/python3",
+                 "-DPython3_EXECUTABLE=/usr/bin/python3", "-DCATKIN_ENABLE_TESTING=OFF", "-DCMAKE_UNITY_BUILD=ON",
+                 f"-DCATKIN_DEVEL_PREFIX={cls.folder}/devel", *compiler_cache()], cls.bare)
+        succeed(["cmake", "--build", cls.build, "-j2"], cls.bare, timeout=500)
         cls.environment = sourced(cls.bare, f"{cls.folder}/devel/setup.bash")
-
-    @classmethod
-    def succeed(cls, command, environment=None, timeout=120):
-        code, output, errors = run(command, environment or cls.bare, timeout=timeout)
-        if code != 0:
-            raise AssertionError(f"{' '.join(command)} ends with {code}\n{output[-3000:]}\n{errors[-3000:]}")
-        return output
 
     def test_no_simulator_is_named(self):
         for package in PACKAGES:
@@ -97,7 +90,7 @@ class RobotTest(unittest.TestCase):
         self.assertGreaterEqual(len(libraries), 2 + 1 + 2 * 8)
         self.assertEqual(1, len(programs))
         for file in libraries + programs:
-            linked = self.succeed(["ldd", file], self.environment)
+            linked = succeed(["ldd", file], self.environment)
             self.assertNotIn("not found", linked, file)
             names = re.findall(r"^\s*(\S+)", linked, re.M)
             self.assertEqual([], list(filter(SIMULATOR.search, map(os.path.basename, names))), file)
@@ -106,12 +99,12 @@ class RobotTest(unittest.TestCase):
 
     def odometry(self, robot):
         """The position of a robot [m]."""
-        output = self.succeed(["timeout", "20", "rostopic", "echo", "-n1", f"/{robot}/odom/pose/pose/position"],
-                              self.environment)
+        output = succeed(["timeout", "20", "rostopic", "echo", "-n1", f"/{robot}/odom/pose/pose/position"],
+                         self.environment)
         return {name: float(value) for name, value in re.findall(r"^([xyz]): (\S+)$", output, re.M)}
 
     def reading(self, topic):
-        return self.succeed(["timeout", "20", "rostopic", "echo", "-n1", topic], self.environment)
+        return succeed(["timeout", "20", "rostopic", "echo", "-n1", topic], self.environment)
 
     def wait_for(self, is_so, host):
         end = time.monotonic() + TIMEOUT

@@ -42,3 +42,11 @@ def run(command, environment, folder=None, timeout=120):
     done = subprocess.run(command, env=environment, cwd=folder or environment["HOME"], timeout=timeout, text=True, stdin=subprocess.DEVNULL,
                           stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
     return done.returncode, done.stdout, done.stderr
+
+
+def succeed(command, environment, folder=None, timeout=120):
+    """The same for a program that must end well. @return standard output @raise AssertionError with what it said"""
+    code, output, errors = run(command, environment, folder, timeout)
+    if code != 0:
+        raise AssertionError(f"{' '.join(command)} ends with {code}\n{output[-3000:]}\n{errors[-3000:]}")
+    return output

@@ -39,6 +39,13 @@ class RobotHostTest(unittest.TestCase):
                 self.assertNotIn("running", host.output())
                 self.assertEqual([], wheels.all())
 
+    def test_drivers_refuse_bad_parameters(self):
+        for name, value, text in (("rate", "0", "found 0, allowed: from 1 to 1000"),
+                                  ("watchdog", "-1", "found -1, allowed: from 0.01 to 3600")):
+            self.processes.append(Drivers("bad", "footbot", **{name: value}))
+            self.assertEqual(2, self.processes[-1].wait())
+            self.assertIn(f"/bad_drivers/{name}: {text}", self.processes[-1].output())
+
     def test_it_waits_for_drivers(self):
         self.processes.append(Host("early", configuration("footbot")))
         self.assertTrue(self.processes[-1].wait_for_text("waiting for footbot_proximity"), self.processes[-1].output())

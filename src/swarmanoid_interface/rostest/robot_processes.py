@@ -56,9 +56,10 @@ class Process:
 
 
 class Drivers(Process):
-    def __init__(self, robot, kind, without=""):
+    def __init__(self, robot, kind, without="", **parameters):
         super().__init__(["rosrun", "swarmanoid_interface", "mock_drivers", f"__name:={robot}_drivers",
-                          f"_robot:={robot}", f"_type:={kind}", f"_without:={without}"])
+                          f"_robot:={robot}", f"_type:={kind}", f"_without:={without}",
+                          *(f"_{name}:={value}" for name, value in parameters.items())])
 
 
 class Host(Process):

@@ -1,8 +1,8 @@
 // mock_drivers: the drivers of one robot that is not there, with the topics of docs/reference/drivers.md.
 //
-// Private parameters: `robot`, its name; `type`, footbot, eyebot or handbot; `rate` of the sensors [Hz]; `watchdog`,
-// how long commands may stay away before an actuator is stopped safely [s]; `without`, devices that are left out,
-// separated by spaces; `world`, what is around it (../mock/world.hpp).
+// Private parameters: `robot`, its name; `type`, footbot, eyebot or handbot; `rate` of the sensors [Hz], 1 to 1000;
+// `watchdog`, how long commands may stay away before an actuator is stopped safely [s], 0.01 to 3600; `without`,
+// devices that are left out, separated by spaces; `world`, what is around it (../mock/world.hpp).
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -21,14 +21,24 @@
 namespace swarmanoid::mock {
 namespace {
 
+/// @throws ConfigError
+double readNumber(const ros::NodeHandle& own, const std::string& name, double usual, Range range) {
+  const double value = own.param(name, usual);
+  if (!range.contains(value)) {
+    throw ConfigError({own.getNamespace() + "/" + name, 0},
+                      "found " + numberText(value) + ", allowed: " + range.toString());
+  }
+  return value;
+}
+
 class Drivers {
  public:
   explicit Drivers(const ros::NodeHandle& own)
       : name_(own.param("robot", std::string("robot"))),
         robot_handle_(name_),
-        rate_(own.param("rate", 50.0)),
+        rate_(readNumber(own, "rate", 50.0, {1.0, 1000.0})),
         robot_(makeMockRobot(own.param("type", std::string("footbot")), readWorldOf(own))),
-        watchdog_(*robot_, own.param("watchdog", 0.5)) {
+        watchdog_(*robot_, readNumber(own, "watchdog", 0.5, {0.01, 3600.0})) {
     std::istringstream words(own.param("without", std::string()));
     const std::vector<std::string> without{std::istream_iterator<std::string>(words), {}};
     const auto has = [&](const std::string& device) {
