@@ -10,8 +10,8 @@ namespace swarmanoid {
 Terrain::Terrain(const Eigen::Vector2d& low, const Eigen::Vector2d& size, int columns, int rows,
                  std::vector<double> heights)
     : columns_(columns), rows_(rows), heights_(std::move(heights)) {
-  constexpr int kFewest = 2;
-  if (columns < kFewest || rows < kFewest || !(size.minCoeff() > 0.0) ||
+  constexpr int kFewestPoints = 2;
+  if (columns < kFewestPoints || rows < kFewestPoints || !(size.minCoeff() > 0.0) ||
       heights_.size() != static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows)) {
     throw std::invalid_argument("a terrain needs a size, at least 2 x 2 vertices, and a height for each");
   }

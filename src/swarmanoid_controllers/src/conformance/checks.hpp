@@ -1,6 +1,10 @@
 /// All checks there are.
 #pragma once
 
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "bench.hpp"
@@ -17,6 +21,14 @@ std::vector<Check> handbotChecks(Bench& bench);
 std::vector<Check> observerChecks(Bench& bench);
 
 // Used by several.
+
+constexpr double kLeastWay = 0.03;       ///< of a driven way, allowed to be wrong [m]
+constexpr double kLeastFlownWay = 0.05;  ///< of a flown way, likewise [m]
+constexpr double kLeastAngle = 0.1;      ///< of a turn, likewise [rad]
+
+/// Where something was before a motion, in the robot's frame [m].
+using Place = std::shared_ptr<Eigen::Vector2d>;
+inline Place place() { return std::make_shared<Eigen::Vector2d>(Eigen::Vector2d::Zero()); }
 
 /// Beacon and prey are where the surroundings say.
 Check camera(Bench& bench, const std::string& device);

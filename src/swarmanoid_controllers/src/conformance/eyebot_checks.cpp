@@ -12,19 +12,14 @@ namespace swarmanoid::conformance {
 namespace {
 
 constexpr const char* kVelocity = EyebotVelocity::kType;
-constexpr const char* kCamera = EyebotCamera::kType;
+constexpr const char* kEyebotCamera = EyebotCamera::kType;
 constexpr const char* kLaser = EyebotLaser::kType;
-constexpr double kMotion = 1.5;      // s
-constexpr double kLeastWay = 0.05;   // m, allowed to be wrong
-constexpr double kLeastAngle = 0.1;  // rad, likewise
-
-using Place = std::shared_ptr<Eigen::Vector2d>;
-Place place() { return std::make_shared<Eigen::Vector2d>(Eigen::Vector2d::Zero()); }
+constexpr double kFlight = 1.5;  // s
 
 Stage fly(Bench& bench, const Eigen::Vector3d& velocity, double yaw_rate, const std::shared_ptr<double>& took,
           std::function<void()> begin) {
   return {"flying",
-          kMotion,
+          kFlight,
           std::move(begin),
           [&bench, velocity, yaw_rate] {
             EyebotVelocity& command = *bench.actuator<EyebotVelocity>();
@@ -37,7 +32,7 @@ Stage fly(Bench& bench, const Eigen::Vector3d& velocity, double yaw_rate, const 
 
 /// Ahead, to the left, and back: what is on the ground moves the other way.
 Check velocity(Bench& bench) {
-  Check check{"velocity_in_the_plane", {kVelocity, kCamera}, needsBeacon(bench), {kCamera}, {}};
+  Check check{"velocity_in_the_plane", {kVelocity, kEyebotCamera}, needsBeacon(bench), {kEyebotCamera}, {}};
   const Color beacon = bench.surroundings().beacon_color;
   const auto took = std::make_shared<double>(0.0);
   const std::pair<const char*, Eigen::Vector3d> kDirections[] = {
@@ -48,15 +43,15 @@ Check velocity(Bench& bench) {
         fly(bench, speed, 0.0, took, [&bench, before, beacon] { *before = bench.find(beacon, "the beacon"); }));
     check.stages.push_back(settle(bench, [&bench, before, beacon, took, name = std::string(name), speed = speed] {
       const Eigen::Vector2d moved = *before - bench.find(beacon, "the beacon");
-      bench.expectAbout("flown " + name + ", the way along x", moved.x(), speed.x() * *took, kLeastWay, "m");
-      bench.expectAbout("flown " + name + ", the way along y", moved.y(), speed.y() * *took, kLeastWay, "m");
+      bench.expectAbout("flown " + name + ", the way along x", moved.x(), speed.x() * *took, kLeastFlownWay, "m");
+      bench.expectAbout("flown " + name + ", the way along y", moved.y(), speed.y() * *took, kLeastFlownWay, "m");
     }));
   }
   return check;
 }
 
 Check yaw(Bench& bench) {
-  Check check{"yaw_left", {kVelocity, kCamera}, needsBeacon(bench), {kCamera}, {}};
+  Check check{"yaw_left", {kVelocity, kEyebotCamera}, needsBeacon(bench), {kEyebotCamera}, {}};
   const Color beacon = bench.surroundings().beacon_color;
   const auto took = std::make_shared<double>(0.0);
   for (const double rate : {0.4, -0.4}) {
@@ -82,7 +77,7 @@ constexpr double kTilt = 0.3;  // rad
 
 /// The spot moves into the direction `pan`, farther with more tilt.
 Check laser(Bench& bench) {
-  Check check{kLaser, {kLaser, kCamera}, "", {kCamera}, {}};
+  Check check{kLaser, {kLaser, kEyebotCamera}, "", {kEyebotCamera}, {}};
   const Place below = place();
   const auto way = std::make_shared<double>(0.0);
   check.stages.push_back(
@@ -117,7 +112,7 @@ Check laser(Bench& bench) {
 
 /// How high it is, the laser says: the way of the spot is the height times the tangent of the tilt.
 Check upwards(Bench& bench) {
-  Check check{"velocity_up", {kVelocity, kLaser, kCamera}, "", {kCamera, kLaser}, {}};
+  Check check{"velocity_up", {kVelocity, kLaser, kEyebotCamera}, "", {kEyebotCamera, kLaser}, {}};
   if (!bench.surroundings().is_free_upwards) {
     check.obstacle = "the robot cannot move up and down here (upwards is false)";
   }
@@ -133,7 +128,7 @@ Check upwards(Bench& bench) {
     check.stages.push_back(fly(bench, {0.0, 0.0, speed}, 0.0, took, nullptr));
     check.stages.push_back(settle(bench, [&bench, height, measure, took, speed] {
       bench.expectAbout(speed > 0.0 ? "flown up, it is higher by" : "flown down, it is higher by", measure() - *height,
-                        speed * *took, kLeastWay, "m");
+                        speed * *took, kLeastFlownWay, "m");
     }));
   }
   check.stages.push_back(settle(bench, nullptr));
@@ -159,7 +154,7 @@ Check magnet(Bench& bench) {
   }));
   check.stages.push_back({"letting go", 2.0, [&bench] { bench.actuator<EyebotMagnet>()->on = false; }, nullptr,
                           [&bench] { return !bench.sensor<EyebotMagnetState>()->attached; }, nullptr});
-  check.stages.push_back({"flying down", kMotion, nullptr,
+  check.stages.push_back({"flying down", kFlight, nullptr,
                           [&bench] {
                             bench.actuator<EyebotVelocity>()->linear = {0.0, 0.0, -0.2};
                           },
@@ -182,7 +177,7 @@ std::vector<Check> eyebotChecks(Bench& bench) {
     leds.ring[EyebotLeds::kCount / 2] = colors::kGreen;
   };
   return {ledsShown(bench, EyebotLeds::kType, light),
-          camera(bench, kCamera),
+          camera(bench, kEyebotCamera),
           velocity(bench),
           yaw(bench),
           laser(bench),

@@ -14,18 +14,12 @@ namespace swarmanoid::conformance {
 namespace {
 
 constexpr const char* kWheels = FootbotWheels::kType;
-constexpr const char* kCamera = FootbotCamera::kType;
-constexpr double kSpeed = 0.1;       // m/s
-constexpr double kTurnRate = 0.5;    // rad/s
-constexpr double kFastest = 0.8;     // rad/s, to turn towards something
-constexpr double kMotion = 2.0;      // s, of a straight drive or a turn
-constexpr double kLeastWay = 0.03;   // m, allowed to be wrong
-constexpr double kLeastAngle = 0.1;  // rad, likewise
-constexpr double kPatience = 20.0;   // s, for what takes as long as it takes
-
-/// Where things were before a motion.
-using Place = std::shared_ptr<Eigen::Vector2d>;
-Place place() { return std::make_shared<Eigen::Vector2d>(Eigen::Vector2d::Zero()); }
+constexpr const char* kFootbotCamera = FootbotCamera::kType;
+constexpr double kSpeed = 0.1;      // m/s
+constexpr double kTurnRate = 0.5;   // rad/s
+constexpr double kFastest = 0.8;    // rad/s, to turn towards something
+constexpr double kDrive = 2.0;      // s, of a straight drive or a turn
+constexpr double kPatience = 20.0;  // s, for what takes as long as it takes
 
 std::function<void()> remember(Bench& bench, Color color, const Place& before) {
   return [&bench, color, before] { *before = bench.find(color, "what it looks at"); };
@@ -33,7 +27,7 @@ std::function<void()> remember(Bench& bench, Color color, const Place& before) {
 
 Stage drive(Bench& bench, double speed, double turn_rate, const std::shared_ptr<double>& took,
             std::function<void()> begin = nullptr) {
-  return {"driving",        kMotion,
+  return {"driving",        kDrive,
           std::move(begin), [&bench, speed, turn_rate] { bench.actuator<FootbotWheels>()->drive(speed, turn_rate); },
           nullptr,          [took](double seconds) { *took = seconds; }};
 }
@@ -71,7 +65,7 @@ void expectStrongest(Bench& bench, std::size_t expected, const std::string& wher
 }
 
 Check wheelsAhead(Bench& bench) {
-  Check check{"wheels_ahead", {kWheels, kCamera}, needsBeacon(bench), {kCamera}, {}};
+  Check check{"wheels_ahead", {kWheels, kFootbotCamera}, needsBeacon(bench), {kFootbotCamera}, {}};
   const Color beacon = bench.surroundings().beacon_color;
   const auto took = std::make_shared<double>(0.0);
   for (const double speed : {kSpeed, -kSpeed}) {
@@ -88,7 +82,7 @@ Check wheelsAhead(Bench& bench) {
 }
 
 Check wheelsLeft(Bench& bench) {
-  Check check{"wheels_left", {kWheels, kCamera}, needsBeacon(bench), {kCamera}, {}};
+  Check check{"wheels_left", {kWheels, kFootbotCamera}, needsBeacon(bench), {kFootbotCamera}, {}};
   const Color beacon = bench.surroundings().beacon_color;
   const auto took = std::make_shared<double>(0.0);
   for (const double rate : {kTurnRate, -kTurnRate}) {
@@ -107,9 +101,9 @@ Check wheelsLeft(Bench& bench) {
 /// To the wall on the right, along it, and back to where it began.
 Check proximity(Bench& bench) {
   Check check{FootbotProximity::kType,
-              {FootbotProximity::kType, kWheels, kCamera},
+              {FootbotProximity::kType, kWheels, kFootbotCamera},
               needsBeacon(bench),
-              {kCamera, "wheels_ahead", "wheels_left"},
+              {kFootbotCamera, "wheels_ahead", "wheels_left"},
               {}};
   if (check.obstacle.empty() && bench.surroundings().wall_distance == 0.0) {
     check.obstacle = "there is no wall (wall_distance is 0)";
@@ -146,9 +140,9 @@ Check proximity(Bench& bench) {
 Check gripperCloses(Bench& bench) {
   const Color prey = bench.surroundings().prey_color;
   Check check{"gripper_closes",
-              {FootbotGripper::kType, FootbotGripperState::kType, kWheels, kCamera},
+              {FootbotGripper::kType, FootbotGripperState::kType, kWheels, kFootbotCamera},
               needsPrey(bench),
-              {kCamera, "wheels_ahead", "wheels_left"},
+              {kFootbotCamera, "wheels_ahead", "wheels_left"},
               {}};
   check.stages.push_back(settle(bench, [&bench] {
     bench.expectTrue("nothing is held at first", !bench.sensor<FootbotGripperState>()->gripping);
@@ -202,7 +196,7 @@ Check gripperOpens(Bench& bench) {
   const auto took = std::make_shared<double>(0.0);
   const Place before = place();
   Check check{"gripper_opens",
-              {FootbotGripper::kType, FootbotGripperState::kType, kWheels, kCamera},
+              {FootbotGripper::kType, FootbotGripperState::kType, kWheels, kFootbotCamera},
               needsPrey(bench),
               {"gripper_closes"},
               {}};
@@ -227,7 +221,7 @@ std::vector<Check> footbotChecks(Bench& bench) {
     leds.ring[FootbotLeds::kCount / 2] = colors::kGreen;
   };
   return {ledsShown(bench, FootbotLeds::kType, light),
-          camera(bench, kCamera),
+          camera(bench, kFootbotCamera),
           wheelsAhead(bench),
           wheelsLeft(bench),
           proximity(bench),

@@ -12,7 +12,7 @@
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kPatience = 10.0;  // s
+constexpr double kArmPatience = 10.0;  // s
 
 /// Each joint to an angle of its own, so that no two can be mistaken for each other.
 Check arms(Bench& bench) {
@@ -49,7 +49,7 @@ Check hands(Bench& bench) {
     check.obstacle = "there is no board before the left hand (board is false)";
   }
   const auto state = [&bench] { return bench.sensor<HandbotHandsState>(); };
-  check.stages.push_back({"stretching the left arm until its hand holds", kPatience,
+  check.stages.push_back({"stretching the left arm until its hand holds", kArmPatience,
                           [&bench] {
                             *bench.actuator<HandbotHands>() = {true, false};
                             bench.actuator<HandbotArms>()->left = {0.1, 0.0, 0.0};
@@ -80,7 +80,7 @@ Check rope(Bench& bench) {
   const auto state = [&bench] { return bench.sensor<HandbotRopeState>(); };
   const auto before = std::make_shared<double>(0.0);
   const auto took = std::make_shared<double>(0.0);
-  check.stages.push_back({"shooting the rope to the ceiling", kPatience,
+  check.stages.push_back({"shooting the rope to the ceiling", kArmPatience,
                           [&bench] { bench.actuator<HandbotRope>()->shot = true; }, nullptr,
                           [state] { return state()->attached; }, nullptr});
   for (const double speed : {0.05, -0.05}) {

@@ -29,14 +29,14 @@ void judge(Bench& bench) {
 }  // namespace
 
 std::vector<Check> observerChecks(Bench& bench) {
-  constexpr double kPatience = 10.0;  // s
+  constexpr double kSightPatience = 10.0;  // s
   const bool is_footbot = bench.robot().type() == "footbot";
   Check check{"leds_of_the_other", {is_footbot ? FootbotCamera::kType : EyebotCamera::kType}, "", {}, {}};
   if (bench.surroundings().observed_leds == 0) {
     check.obstacle = "nobody is observed (observed_leds is 0)";
   }
   check.stages.push_back(
-      {"seeing a red, a blue and a green LED", kPatience, nullptr, nullptr,
+      {"seeing a red, a blue and a green LED", kSightPatience, nullptr, nullptr,
        [&bench] { return bench.see(colors::kRed) && bench.see(colors::kBlue) && bench.see(colors::kGreen); }, nullptr});
   check.stages.push_back(settle(bench, [&bench] { judge(bench); }));
   return {check};
