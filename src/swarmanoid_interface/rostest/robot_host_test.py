@@ -42,9 +42,10 @@ class RobotHostTest(unittest.TestCase):
     def test_drivers_refuse_bad_parameters(self):
         for name, value, text in (("rate", "0", "found 0, allowed: from 1 to 1000"),
                                   ("watchdog", "-1", "found -1, allowed: from 0.01 to 3600")):
-            self.processes.append(Drivers("bad", "footbot", **{name: value}))
+            robot = "bad_" + name  # the master keeps the parameters of the one before
+            self.processes.append(Drivers(robot, "footbot", **{name: value}))
             self.assertEqual(2, self.processes[-1].wait())
-            self.assertIn(f"/bad_drivers/{name}: {text}", self.processes[-1].output())
+            self.assertIn(f"/{robot}_drivers/{name}: {text}", self.processes[-1].output())
 
     def test_it_waits_for_drivers(self):
         self.processes.append(Host("early", configuration("footbot")))

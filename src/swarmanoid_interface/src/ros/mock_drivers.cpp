@@ -178,8 +178,9 @@ class Drivers {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "mock_drivers");
+  const ros::NodeHandle own("~");  // outlives the drivers: with its last handle a node loses its log as well
   try {
-    swarmanoid::mock::Drivers(ros::NodeHandle("~")).run();
+    swarmanoid::mock::Drivers(own).run();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     constexpr int kBadInput = 2;
