@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""fresh_machine.py [--releases 12 13] COMMAND...: runs a command of the README where nothing of ROS is installed.
+"""fresh_machine.py [--releases 12,13] COMMAND...: runs a command of the README where nothing of ROS is installed.
 
 For each release of Debian it makes a minimal system in a temporary folder (mmdebstrap: what is essential, git and
 certificates), clones the last commit into it and runs the command there as root. What the project's own files do not
@@ -93,9 +93,12 @@ def try_release(release, command):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--releases", nargs="+", choices=SUITES, default=list(SUITES), help="of Debian")
+    parser.add_argument("--releases", type=lambda text: text.split(","), default=list(SUITES), help="of Debian")
     parser.add_argument("command", nargs=argparse.REMAINDER)
     arguments = parser.parse_args()
+    unknown = [release for release in arguments.releases if release not in SUITES]
+    if unknown or not arguments.command:
+        parser.error(f"Debian {', '.join(unknown)}: allowed are {', '.join(SUITES)}" if unknown else "a command is missing")
     if obstacle():
         print(f"fresh machines are not tried: {obstacle()}\n0 passed, 0 failed, {len(arguments.releases)} skipped")
         return 0

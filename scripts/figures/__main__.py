@@ -4,9 +4,7 @@
 Times are of the machine that ran it; the table says which."""
 
 import argparse
-import datetime
 import pathlib
-import subprocess
 
 import benchmarks
 import build_time
@@ -37,22 +35,23 @@ FIGURES = {
     "start_up": lambda table, build: simulation.start_up(table),
     "sanitizer": lambda table, build: long_tests.sanitizer(table),
     "fresh_clone": lambda table, build: build_time.fresh_clone(table),
+    "fresh_tests": lambda table, build: build_time.fresh_tests(table),
+    "fresh_machines": lambda table, build: build_time.fresh_machines(table),
 }
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--build", type=pathlib.Path, required=True, help="build folder, whose devel space is sourced")
-    parser.add_argument("--out", type=pathlib.Path, required=True, help="the page to write")
+    parser.add_argument("--out", type=pathlib.Path, required=True, help="the page; rows that are not made anew stay")
     parser.add_argument("--only", nargs="+", choices=FIGURES, default=list(FIGURES), help="some of them")
     arguments = parser.parse_args()
-    table = Table()
+    table = Table(arguments.out.read_text() if arguments.out.exists() else "")
     for name in arguments.only:
         FIGURES[name](table, arguments.build)
-    commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, cwd=ROOT).stdout
-    arguments.out.write_text(
-        "# Figures\n\nWritten by `./test --long`; times are of one run on "
-        f"{machine()}, built from {commit.strip()}, {datetime.date.today()}.\n\n{table.text()}")
+        arguments.out.write_text(
+            "# Figures\n\nWritten by `./test --long`. Each row says which commit it is from, and the day; times are of "
+            f"{machine()}.\n\n{table.text()}")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,6 @@
 """The table of figures, and running experiments for it."""
 
+import datetime
 import json
 import pathlib
 import platform
@@ -9,19 +10,29 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
+HEAD = ["what", "promised", "seen", "reached", "from"]
+
+
 class Table:
-    def __init__(self):
-        self.rows = []
+    """Rows by what they say. Those that are made anew replace those of the page; the others stay, each with the commit and
+    the day that it is from."""
+
+    def __init__(self, page=""):
+        """@param page what was written before"""
+        rows = [line.strip("| ").split(" | ") for line in page.splitlines() if line.startswith("| ")][2:]
+        self._rows = {row[0]: row for row in rows}
+        commit = subprocess.run(["git", "rev-parse", "--short", "HEAD"], capture_output=True, text=True, cwd=ROOT, check=True)
+        self._origin = f"{commit.stdout.strip()}, {datetime.date.today()}"
 
     def add(self, what, figure, seen, reached):
         """reached is None where nothing is promised."""
         verdict = "-" if reached is None else "yes" if reached else "**not reached**"
-        self.rows.append((what, figure, seen, verdict))
+        self._rows[what] = [what, figure, seen, verdict, self._origin]
         print(f"{what}: {seen} ({verdict})", file=sys.stderr)
 
     def text(self):
-        lines = ["| what | promised | seen | reached |", "|---|---|---|---|"]
-        return "\n".join(lines + ["| " + " | ".join(row) + " |" for row in self.rows]) + "\n"
+        rows = [HEAD, ["---"] * len(HEAD), *self._rows.values()]
+        return "".join("| " + " | ".join(row) + " |\n" for row in rows)
 
 
 def run(*arguments, check=True):
