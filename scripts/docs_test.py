@@ -5,6 +5,8 @@ In the pages, a fence of the language sh is shell commands; all those of a page 
 in an empty folder with a clone of the repository in it. A comment before a fence says what else it is:
     <!-- file: NAME -->            the fence is written to that file
     <!-- same as: NAME, with A as B -->  the fence is that file of the repository, with A put as B
+    <!-- stays, until SERVICE is there -->  the fence is one command for a terminal of its own: it runs beside what follows, which waits
+                                   for that ROS service, until it ends by itself or the page ends, when it gets a Ctrl-C
 A text fence is something that the command before it prints. Fences that are whole experiments are validated.
 """
 
@@ -25,7 +27,8 @@ from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 # Where the shell commands are run; the workspace's page takes minutes and is in ./test --long
 RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.md", "docs/how-to/add_a_device.md",
              "docs/how-to/add_a_visualisation.md", "docs/how-to/add_an_engine.md",
-             "docs/how-to/hand_over_between_engines.md")
+             "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
+             "docs/how-to/run_a_controller_elsewhere.md", "docs/faq.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
 FENCE = re.compile(r"(?:^<!-- (?P<note>.*?) -->\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
 BUILD_FOLDER = ""
@@ -56,6 +59,7 @@ class Newcomer:
     def __init__(self, folder, environment):
         self.folder = folder
         self.environment = environment
+        self.beside = []  # programs in terminals of their own, and the files that they print to
 
     def do(self, commands, timeout=300):
         """@return exit code and all that was printed"""
@@ -68,6 +72,35 @@ class Newcomer:
         os.remove(state)
         self.environment = dict(item.split("=", 1) for item in variables.split("\0") if item)
         return done.returncode, done.stdout
+
+    def start_beside(self, command, service, timeout=60):
+        printed = tempfile.TemporaryFile("w+")
+        program = subprocess.Popen(["bash", "-c", "exec " + command], cwd=self.folder, env=self.environment, text=True,
+                                   stdin=subprocess.DEVNULL, stdout=printed, stderr=subprocess.STDOUT)
+        self.beside.append((program, printed))
+        end = time.monotonic() + timeout
+        while not self.offers(service):
+            if program.poll() is not None or time.monotonic() > end:
+                raise AssertionError(f"{command}: there is no {service}\n{self.end_beside()}")
+            time.sleep(0.5)
+
+    def offers(self, service):
+        found = subprocess.run(["rosservice", "type", service], env=self.environment, stdin=subprocess.DEVNULL,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        return found.returncode == 0
+
+    def end_beside(self):
+        """@return what they printed"""
+        texts = []
+        for program, printed in reversed(self.beside):
+            if program.poll() is None:
+                program.send_signal(signal.SIGINT)
+            program.wait(60)
+            printed.seek(0)
+            texts.append(printed.read())
+            printed.close()
+        self.beside = []
+        return "\n".join(texts)
 
     def watch(self, command, until, timeout=120):
         """Starts a program that stays, waits for a text that it prints, and presses Ctrl-C. @return what it printed"""
@@ -209,6 +242,12 @@ class ListingsTest(unittest.TestCase):
 
     def follow(self, page):
         newcomer = self.newcomer(page)
+        try:
+            self.follow_as(newcomer, page)
+        finally:
+            newcomer.end_beside()
+
+    def follow_as(self, newcomer, page):
         start = newcomer.folder
         code, printed = 0, ""
         commands = ""
@@ -220,7 +259,10 @@ class ListingsTest(unittest.TestCase):
                 code = 0  # a mistake that is explained is no mistake
                 continue
             self.assertEqual(0, code, f"{commands}\n{printed}")
-            if (fence["note"] or "").startswith("file: "):
+            stays = re.match(r"stays, until (\S+) is there$", fence["note"] or "")
+            if stays:
+                newcomer.start_beside(text.strip(), stays[1])
+            elif (fence["note"] or "").startswith("file: "):
                 with open(os.path.join(start, fence["note"][6:]), "w") as file:
                     file.write(text)
             elif fence["language"] == "sh" and text.startswith("roslaunch"):

@@ -15,7 +15,7 @@ class Controller {
  public:
   virtual ~Controller() = default;
 
-  /// Asks the robot for its devices and reads the <parameters> of the experiment file.
+  /// Asks the robot for its devices and reads the `<parameters>` of the experiment file.
   /// @throws ConfigError, DeviceError: the controller does not start, and the message says why
   virtual void init(Robot& robot, const Configuration& parameters) = 0;
 
@@ -32,7 +32,7 @@ class Controller {
 
 }  // namespace swarmanoid
 
-/// At the end of a controller's source: makes `Class` available under `label`, the tag in <controllers>
+/// At the end of a controller's source: makes `Class` available under `label`, the tag in `<controllers>`
 /// (thesis 4.1.2). Together with the CMake function swarmanoid_add_controller it becomes a nodelet too.
 #define REGISTER_CONTROLLER(Class, controller_label)                                              \
   namespace {                                                                                     \

@@ -8,7 +8,7 @@
 
 namespace swarmanoid {
 
-/// Loads lib<name>.so (or the file itself, if `library` has a slash or ends in .so), once; loading it again does
+/// Loads `lib<name>.so` (or the file itself, if `library` has a slash or ends in .so), once; loading it again does
 /// nothing. Looked for in `folders`, then in lib/ of every prefix of CMAKE_PREFIX_PATH, then beside this library, then
 /// where the system's loader looks.
 /// @throws ConfigError at `location`, with every place that was searched or the loader's own words

@@ -48,7 +48,7 @@ struct Parameter {
 /// What a plugin says of itself.
 struct PluginDescription {
   std::string label;           ///< the tag in the experiment file: a controller's, an engine's, ... or a device's type
-  std::string implementation;  ///< sensors and actuators: the value of <implementation>; "" for the other kinds
+  std::string implementation;  ///< sensors and actuators: the value of `<implementation>`; "" for the other kinds
   std::string summary;         ///< one sentence
   std::vector<Parameter> parameters;
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)

@@ -47,7 +47,7 @@ struct Inertial {
 };
 
 struct EntityModel {
-  std::string type;   ///< the tag in <arena>: "footbot", "block", ...
+  std::string type;   ///< the tag in `<arena>`: "footbot", "block", ...
   std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...; one word
 
   std::vector<CollisionShape> shapes;
@@ -126,7 +126,7 @@ struct EntityModel {
 /// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 
-/// The model of a robot type of this installation (swarmanoid_description/urdf/<type>.urdf); loaded once a process.
+/// The model of a robot type of this installation (`swarmanoid_description/urdf/<type>.urdf`); loaded once a process.
 /// Thread-safe.
 /// @throws ConfigError if there is no such robot
 std::shared_ptr<const EntityModel> robotModel(const std::string& type);

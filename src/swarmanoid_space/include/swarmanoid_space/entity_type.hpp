@@ -1,4 +1,4 @@
-/// The base class of entity types, the tags of <arena>: how an entity's description becomes its model.
+/// The base class of entity types, the tags of `<arena>`: how an entity's description becomes its model.
 #pragma once
 
 #include <memory>

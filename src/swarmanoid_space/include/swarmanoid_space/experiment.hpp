@@ -29,7 +29,7 @@ struct FrameworkDescription {
   double real_time_factor = 0.0;  ///< 0: as fast as possible
 };
 
-/// One device in a controller's <actuators> or <sensors>.
+/// One device in a controller's `<actuators>` or `<sensors>`.
 struct DeviceDescription {
   std::string type;            ///< never an alias
   std::string implementation;  ///< never an alias, never empty
@@ -44,7 +44,7 @@ struct ControllerDescription {
   std::string library;
   std::vector<DeviceDescription> actuators;
   std::vector<DeviceDescription> sensors;
-  Configuration parameters;  ///< <parameters>; the controller itself checks it
+  Configuration parameters;  ///< `<parameters>`; the controller itself checks it
   SourceLocation location;
 };
 
@@ -111,7 +111,7 @@ struct ArenaDescription {
   bool bounded = false;  ///< walls along the four sides, in every engine
   std::vector<EntityDescription> entities;
   std::vector<FloorPatch> floor_patches;
-  std::shared_ptr<const Terrain> terrain;  ///< <heightfield>; null: the floor is level
+  std::shared_ptr<const Terrain> terrain;  ///< `<heightfield>`; null: the floor is level
   SourceLocation location;
 };
 
@@ -128,7 +128,7 @@ enum class Role {
   kMirror  ///< the engine holds it where another engine moves it
 };
 
-/// One <engine> of <arena_physics>.
+/// One `<engine>` of `<arena_physics>`.
 struct MappingDescription {
   struct Member {
     std::string entity;  ///< an entity's id, or that of a distributed group
@@ -141,7 +141,7 @@ struct MappingDescription {
   SourceLocation location;
 };
 
-/// One <handover> of <arena_physics>: when its condition becomes true, an engine takes the entity over.
+/// One `<handover>` of `<arena_physics>`: when its condition becomes true, an engine takes the entity over.
 struct HandoverDescription {
   enum class Condition {
     kInside,    ///< the entity's origin is in the box

@@ -1,6 +1,6 @@
 /// The nodelet of one controller configuration: it hosts the controllers of all robots that use it.
 ///
-/// swarmanoid_add_controller makes one for each controller, named <package>/<label>. The plain
+/// swarmanoid_add_controller makes one for each controller, named `<package>/<label>`. The plain
 /// swarmanoid_interface/ControllerNodelet hosts any controller, such as one whose library is only named by a path.
 ///
 /// With the private parameter `robots` it needs no space in its process. `provider` says where the robots' devices come

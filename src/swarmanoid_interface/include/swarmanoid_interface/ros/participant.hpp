@@ -3,7 +3,7 @@
 ///
 /// Private parameters: `robots`, names separated by spaces; `space`, the space's node (/space); `timeout` [s] and
 /// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, what the controller reads instead of the
-/// <parameters> of the experiment file; `library` of a controller that is not in this process yet.
+/// `<parameters>` of the experiment file; `library` of a controller that is not in this process yet.
 ///
 /// Alone in its process it ends that with 0 when the space is gone, with 4 when the space refuses it.
 ///

@@ -21,7 +21,7 @@ namespace swarmanoid {
 
 constexpr const char* kWorldFrame = "world";
 
-/// "<name>/<link>"
+/// `<name>/<link>`
 std::string frameOf(const std::string& entity, const std::string& link = "base_link");
 
 ros::Time stampOf(const Space& space);

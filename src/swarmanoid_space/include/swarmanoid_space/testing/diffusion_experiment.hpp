@@ -7,7 +7,7 @@
 namespace swarmanoid {
 
 /// Footbots at random places in a square arena with walls, all running `diffusion`: 24 proximity rays of 10 cm.
-/// @param area_per_robot [m2]; @param engine the element of <engines>, with the id "ground"; @param clocktick_ms [ms]
+/// @param area_per_robot [m2]; @param engine the element of `<engines>`, with the id "ground"; @param clocktick_ms [ms]
 inline std::string diffusionExperiment(int robots, double area_per_robot, const std::string& engine,
                                        int clocktick_ms = 100) {
   const double side = std::sqrt(robots * area_per_robot);
