@@ -37,7 +37,7 @@ class Controller {
 #define REGISTER_CONTROLLER(Class, controller_label)                                              \
   namespace {                                                                                     \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Controller, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kController, [] {                        \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kController, [] {                     \
     ::swarmanoid::PluginDescription description;                                                  \
     description.label = (controller_label);                                                       \
     description.free_parameters = true;                                                           \

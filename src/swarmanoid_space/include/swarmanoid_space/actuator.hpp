@@ -137,5 +137,5 @@ class ActuatorOf : public Actuator {
 #define REGISTER_ACTUATOR(Class)                                                                \
   namespace {                                                                                   \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Actuator, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kActuator, Class::describe());         \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kActuator, Class::describe());      \
   }

@@ -136,8 +136,8 @@ class Engine {
 }  // namespace swarmanoid
 
 /// At the end of an engine's source. `Class` has a static function `PluginDescription describe()`.
-#define REGISTER_ENGINE(Class)                                                                                         \
-  namespace {                                                                                                          \
-  const ::swarmanoid::PluginRegistration<::swarmanoid::Engine, Class> SWARMANOID_CONCATENATE(registration_, __COUNTER__)( \
-      ::swarmanoid::PluginKind::kEngine, Class::describe());                                                           \
+#define REGISTER_ENGINE(Class)                                                                \
+  namespace {                                                                                 \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Engine, Class> SWARMANOID_CONCATENATE( \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kEngine, Class::describe());      \
   }

@@ -25,5 +25,5 @@ class EntityType {
 #define REGISTER_ENTITY_TYPE(Class)                                                               \
   namespace {                                                                                     \
   const ::swarmanoid::PluginRegistration<::swarmanoid::EntityType, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kEntity, Class::describe());             \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kEntity, Class::describe());          \
   }

@@ -89,8 +89,8 @@ class SensorOf : public Sensor {
 }  // namespace swarmanoid
 
 /// At the end of a sensor's source. `Class` has a static function `PluginDescription describe()`.
-#define REGISTER_SENSOR(Class)                                                                                         \
-  namespace {                                                                                                          \
-  const ::swarmanoid::PluginRegistration<::swarmanoid::Sensor, Class> SWARMANOID_CONCATENATE(registration_, __COUNTER__)( \
-      ::swarmanoid::PluginKind::kSensor, Class::describe());                                                           \
+#define REGISTER_SENSOR(Class)                                                                \
+  namespace {                                                                                 \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Sensor, Class> SWARMANOID_CONCATENATE( \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kSensor, Class::describe());      \
   }

@@ -61,5 +61,5 @@ class Visualisation {
 #define REGISTER_VISUALISATION(Class)                                                                \
   namespace {                                                                                        \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Visualisation, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kVisualisation, Class::describe());         \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kVisualisation, Class::describe());      \
   }
