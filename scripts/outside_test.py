@@ -87,7 +87,7 @@ class OutsideTest(unittest.TestCase):
         self.assertGreater(waited[-1], 0.1, "and then goes")
         with open(os.path.join(out, "table.txt")) as file:
             rows = [line.split("\t") for line in file]
-        last = {row[3]: [float(value) for value in row[4:]] for row in rows if row[0] == "69"}
+        last = {row[2]: [float(value) for value in row[3:]] for row in rows if row[0] == "69"}
         angle = math.pi + 6.9 * math.radians(9.0)
         self.assertAlmostEqual(5.0 + math.cos(angle), last["rider"][0], places=4)
         self.assertAlmostEqual(4.0 + math.sin(angle), last["rider"][1], places=4)

@@ -7,6 +7,7 @@ import sys
 import unittest
 import xmlrpc.client
 
+import rosbag
 import rosgraph
 import roslaunch.arg_dump
 import roslaunch.config
@@ -111,8 +112,11 @@ class InterfaceTest(unittest.TestCase):
 
     def test_launch_files_load_and_explain_their_arguments(self):
         folder = str(REPOSITORY / "launch") + "/"
+        bag = pathlib.Path(rospkg.get_ros_home(), "interface_test.bag")
+        rosbag.Bag(str(bag), "w").close()
+        self.addCleanup(bag.unlink)
         for name, arguments in (("object_retrieval", ["rviz:=true"]), ("object_retrieval", ["rviz:=false"]),
-                                ("play_bag", ["bag:=/tmp/run.bag", "loop:=true"]),
+                                ("play_bag", [f"bag:={bag}", "loop:=true"]),
                                 ("robot", ["robot:=fb_1 fb_2", "controller:=footbot_retrieval"]),
                                 ("mock_robot", ["robot:=fb_1", "type:=footbot"])):
             config = roslaunch.config.load_config_default([(folder + name + ".launch", arguments)], None)

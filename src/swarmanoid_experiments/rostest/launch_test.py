@@ -1,50 +1,23 @@
 #!/usr/bin/python3
 """What roslaunch itself does: bad arguments are refused before anything starts, and Ctrl-C leaves a complete bag."""
 
-import os
 import pathlib
 import signal
-import socket
-import subprocess
-import tempfile
 import time
 import unittest
 
 import rosbag
 
-LAUNCH_FILE = pathlib.Path(__file__).resolve().parents[3] / "launch/object_retrieval.launch"
-TIMEOUT = 30.0  # [s]
+from roslaunch_process import LAUNCH_FOLDER, TIMEOUT, RoslaunchTest
+
+LAUNCH_FILE = LAUNCH_FOLDER / "object_retrieval.launch"
 
 
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
-
-
-class LaunchTest(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
+class LaunchTest(RoslaunchTest):
+    launch_file = LAUNCH_FILE
 
     def launch(self, *arguments):
-        port = free_port()
-        environment = dict(os.environ, ROS_HOME=self.folder.name, ROS_MASTER_URI=f"http://localhost:{port}",
-                           ROS_HOSTNAME="localhost")
-        command = ["roslaunch", "-p", str(port), str(LAUNCH_FILE), "rviz:=false", *arguments]
-        # in a session of its own, so that the signal goes to roslaunch alone
-        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
-                                env=environment, cwd=self.folder.name, start_new_session=True)
-
-    def output_of(self, *arguments):
-        process = self.launch(*arguments)
-        try:
-            output, _ = process.communicate(timeout=TIMEOUT)
-        except subprocess.TimeoutExpired:
-            process.send_signal(signal.SIGINT)
-            output, _ = process.communicate()
-            self.fail(f"{arguments}: does not end:\n{output}")
-        return process.returncode, output
+        return super().launch("rviz:=false", *arguments)
 
     def test_a_bad_experiment_is_refused_before_anything_starts(self):
         for argument, reason in (("experiment:=object_retrievl", "did you mean 'object_retrieval'?"),

@@ -1,9 +1,12 @@
 #!/usr/bin/python3
-"""Controllers in other processes, in lockstep over topics, recorded by the space: replayed they do the same."""
+"""Controllers in other processes, in lockstep over topics, recorded by the space: replayed they do the same, and the tables
+tell of them."""
 
+import csv
 import os
 import subprocess
 import sys
+import tempfile
 import unittest
 
 import rospkg
@@ -48,6 +51,20 @@ class ReplayTest(unittest.TestCase):
         expected = [f"{robot}, {start} ticks are equal" for robot in sorted(starts) for start in starts[robot]]
         self.assertEqual(expected, replay.stdout.splitlines())
         self.assertEqual(0, replay.returncode)
+        self.check_tables(ended.tick)
+
+    def check_tables(self, last_tick):
+        with tempfile.TemporaryDirectory() as folder:
+            tables = subprocess.run(["rosrun", "swarmanoid_experiments", "bag_to_csv.py", BAG, "--out", folder],
+                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True, check=False)
+            self.assertEqual((0, f"{folder}: poses.csv, events.csv, trajectories.png; 2 runs, 0 gaps in the ticks\n", ""),
+                             (tables.returncode, tables.stdout, tables.stderr))
+            with open(os.path.join(folder, "poses.csv"), newline="") as file:
+                ticks = [(int(row["run"]), int(row["tick"])) for row in csv.DictReader(file) if row["name"] == "fb_1"]
+            with open(os.path.join(folder, "events.csv"), newline="") as file:
+                joined = {(row["run"], row["entity"]) for row in csv.DictReader(file) if row["kind"] == "participant_joined"}
+        self.assertEqual([(0, tick) for tick in range(31)] + [(1, tick) for tick in range(last_tick + 1)], ticks)
+        self.assertLessEqual({("0", "fb_1_controller"), ("0", "eb_controller"), ("1", "eb_controller")}, joined)
 
 
 if __name__ == "__main__":

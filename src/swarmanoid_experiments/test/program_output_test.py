@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
-"""What runs of the program `swarmanoid` leave behind: the table of thesis figure 3.11, and complete files after Ctrl-C."""
+"""What runs of the program `swarmanoid` leave behind: the table of thesis figure 3.11, complete files after Ctrl-C, and
+what they say meanwhile."""
 
 import json
 import math
+import os
 import pathlib
+import pty
 import signal
 import subprocess
 import time
@@ -11,9 +14,10 @@ import unittest
 
 import rosbag
 
-from program_world import FINISHED, HEADER, INTERRUPTED, TABLE, ProgramTest
+from program_world import CONTROLLER_FAILED, FINISHED, HEADER, INTERRUPTED, TABLE, WORLD, ProgramTest
 
-FIGURE = (pathlib.Path(__file__).parent / "data" / "figure_3_11.txt").read_text()
+# as printed, but for the column in which nothing stands
+FIGURE = (pathlib.Path(__file__).parent / "data" / "figure_3_11.txt").read_text().replace("\t\t", "\t")
 WHEEL_RADIUS = 0.029  # m
 
 
@@ -22,7 +26,7 @@ class TextTableTest(ProgramTest):
         """The figure's entities, in no engine: they stay where the file puts them, so tick 10 is the figure."""
         entities = ""
         for line in FIGURE.splitlines():
-            _, _, kind, name, *numbers = line.split("\t")
+            _, kind, name, *numbers = line.split("\t")
             size = "<size>0.1, 0.1, 0.1</size>" if kind == "Block" else ""
             entities += (f'<{kind.lower()} id="{name}"><position>{", ".join(numbers[:3])}</position>'
                          f'<orientation>{", ".join(numbers[3:])}</orientation>{size}</{kind.lower()}>\n')
@@ -38,12 +42,55 @@ class TextTableTest(ProgramTest):
 
     def test_lines_follow_the_robot(self):
         self.run_world(maxclock=3)
-        wall = "\t\tBlock\twall\t5\t5\t0.25\t0\t0\t45\n"
+        wall = "\tBlock\twall\t5\t5\t0.25\t0\t0\t45\n"
         expected = HEADER
         for tick in range(4):
             y = f"{3.0 + tick * 0.1 * WHEEL_RADIUS:.6g}"
-            expected += f"{tick}\t\tFootbot\tfb\t2\t{y}\t0\t0\t0\t90\n{tick}{wall}"
+            expected += f"{tick}\tFootbot\tfb\t2\t{y}\t0\t0\t0\t90\n{tick}{wall}"
         self.assertEqual((self.out / "table.txt").read_text(), expected)
+
+
+class LogTest(ProgramTest):
+    """Robots' logs: a line each, whole, and none between them."""
+
+    def test_lines_of_robots_that_step_in_several_threads(self):
+        robots = 300
+        done = self.call("run", self.crowd(robots), "--threads", 4)
+        self.assertEqual(done.returncode, FINISHED, done.stderr)
+        lines = done.stderr.splitlines()
+        talk = [line for line in lines if ": tick" in line]
+        self.assertEqual(sorted(talk), sorted(f"fb_{i}: tick {tick}" for i in range(robots) for tick in range(5)))
+        for line in set(lines) - set(talk):
+            self.assertRegex(line, r"^world \[[#.]{40}\] \d of at most 5 ticks, \d+ ticks/s$")
+
+    def crowd(self, robots):
+        """The small world with many robots that talk, and nothing else."""
+        begin, end = WORLD.index("    <footbot"), WORLD.index("  </arena>")
+        many = "".join(f'    <footbot id="fb_{i}"><position>{0.3 + i % 20 * 0.4:.1f}, {0.3 + i // 20 * 0.4:.1f}, 0</position>'
+                       "<orientation>0, 0, 90</orientation><controller>fc</controller></footbot>\n" for i in range(robots))
+        text = WORLD[:begin] + many + WORLD[end:]
+        text = text.replace('<entity id="fb"/><entity id="wall"/>', "".join(f'<entity id="fb_{i}"/>' for i in range(robots)))
+        return self.world(maxclock=5, visualisations="", text=text.replace("<fail_at>", "<talks>true</talks><fail_at>"))
+
+    def test_on_a_terminal_the_bar_makes_room_for_lines(self):
+        master, terminal = pty.openpty()
+        with subprocess.Popen(["swarmanoid", "run", self.world(fail_at=3, visualisations="")], stderr=terminal,
+                              stdout=subprocess.DEVNULL) as process:
+            os.close(terminal)
+            output = b""
+            while True:
+                try:
+                    output += os.read(master, 1 << 16)
+                except OSError:  # the program has closed its end
+                    break
+        os.close(master)
+        self.assertEqual(process.returncode, CONTROLLER_FAILED)
+        lines = output.decode(errors="replace").split("\r\n")
+        self.assertEqual(lines.pop(), "", "the last line is ended")
+        shown = [line.split("\r")[-1].replace("\x1b[K", "") for line in lines]  # what the last of each row is
+        self.assertEqual(len(shown), 2, lines)
+        self.assertRegex(shown[0], "^fb: controller failed in tick 3, the robot stops: told to, .$")
+        self.assertIn("20 of at most 20 ticks", shown[1])
 
 
 class InterruptTest(ProgramTest):
@@ -71,7 +118,7 @@ class InterruptTest(ProgramTest):
             self.assertTrue(lines.endswith("\n"))
             lines = lines.splitlines()
             self.assertEqual(len(lines), 1 + 2 * (ticks + 1))
-            self.assertTrue(lines[-1].startswith(f"{ticks}\t\tBlock\twall\t"))
+            self.assertTrue(lines[-1].startswith(f"{ticks}\tBlock\twall\t"))
             with rosbag.Bag(str(self.folder / "run.bag")) as bag:
                 states = [message.tick for _, message, _ in bag.read_messages("/space/world_state")]
             self.assertEqual(states, list(range(ticks + 1)))

@@ -76,7 +76,7 @@ class RunTest(ProgramTest):
         (self.out / "table.txt").write_text("old\n" * 1000)
         (self.out / "mine.txt").write_text("kept")
         self.run_world()
-        self.assertTrue((self.out / "table.txt").read_text().startswith("#\tclock"))
+        self.assertTrue((self.out / "table.txt").read_text().startswith("#clock\t"))
         self.assertEqual((self.out / "mine.txt").read_text(), "kept")
 
     def test_a_full_disk_is_told_and_the_other_files_are_complete(self):

@@ -25,7 +25,7 @@ WORLD = """<ahss-config>
 """
 
 TABLE = '<text_render id="table"><file>table.txt</file></text_render>'
-HEADER = "#\tclock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n"
+HEADER = "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n"
 
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 

@@ -82,8 +82,6 @@ class ReplayTest(ProgramTest):
         self.record(self.world(), "--ticks", 5)
         self.assertEqual(self.replay("--robot", "fa", code=BAD_INPUT),
                          "replay: run.bag: found no recorded controller of 'fa', there are: fb; did you mean 'fb'?\n")
-        self.assertIn("'failat' is not known in <parameters>; allowed: fail_at; did you mean 'fail_at'?",
-                      self.replay("--parameters", "failat=3", code=BAD_INPUT))
         self.assertEqual(self.replay("--from", 7, "--to", 3, code=BAD_INPUT),
                          "replay: --from: found 7, allowed: at most --to, 3\n")
         self.assertEqual(self.replay("--from", 5, code=BAD_INPUT),
@@ -91,6 +89,21 @@ class ReplayTest(ProgramTest):
         self.assert_refused(str(self.folder / "world.xml") + ": controllers of rosbag_recorder: found 'fa', allowed: "
                             "all, none, fb; did you mean 'fb'?",
                             "run", self.folder / "world.xml", "--quiet", "--bag", "no.bag", "--record-controllers", "fa")
+
+    def test_a_wrong_parameter_is_blamed_on_where_it_was_given(self):
+        self.record(self.world(), "--ticks", 5)
+        unknown = "'failat' is not known in <parameters>; allowed: fail_at, talks; did you mean 'fail_at'?\n"
+        malformed = "fail_at: found 'soon', allowed: a whole number\n"
+        file = self.folder / "other.yaml"
+        file.write_text("# other values\nfail_at: 3\nfailat: 3\n")
+        self.assertEqual(self.replay("--parameters", file, code=BAD_INPUT), f"replay: {file}:3: {unknown}")
+        file.write_text("\nfail_at: soon\n")
+        self.assertEqual(self.replay("--parameters", "fail_at=1", "--parameters", file, code=BAD_INPUT),
+                         f"replay: {file}:2: {malformed}")
+        self.assertEqual(self.replay("--parameters", "failat=3", code=BAD_INPUT),
+                         f"replay: --parameters failat: {unknown}")
+        self.assertEqual(self.replay("--parameters", "fail_at=soon", code=BAD_INPUT),
+                         f"replay: --parameters fail_at: {malformed}")
 
     def test_nothing_is_recorded_unless_asked_for(self):
         self.record(self.world(), robots="none")

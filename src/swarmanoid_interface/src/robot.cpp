@@ -42,7 +42,12 @@ void Robot::log(LogLevel level, const std::string& text) {
   if (!log_sink_ || logged_in_window_ > kLogsPerSecond + 1) {
     return;
   }
-  log_sink_(level, name_, logged_in_window_ > kLogsPerSecond ? "(more in this second is left out)" : text);
+  if (logged_in_window_ > kLogsPerSecond) {
+    log_sink_(level, name_, "(more in this second is left out)");
+    return;
+  }
+  // the sink ends the line; a text that ends it too would leave a blank one in every log
+  log_sink_(level, name_, text.substr(0, text.find_last_not_of("\r\n") + 1));
 }
 
 void Robot::debug(std::string_view key, std::string_view value) {

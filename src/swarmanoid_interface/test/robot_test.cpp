@@ -79,6 +79,13 @@ class LogTest : public testing::Test {
   std::vector<std::string> texts_;
 };
 
+TEST_F(LogTest, LineBreaksAtTheEndAreLeftOutForTheSinkEndsTheLine) {
+  for (const char* text : {"one\n", "two\r\n\n", "three\nlines\nhere", "\n"}) {
+    robot_.log(text);
+  }
+  EXPECT_EQ(texts_, (std::vector<std::string>{"one", "two", "three\nlines\nhere", ""}));
+}
+
 TEST_F(LogTest, TenTextsASecondAndThenOneThatSaysSo) {
   logAt(kEpoch, 4);
   logAt(kEpoch + milliseconds(500), 100);

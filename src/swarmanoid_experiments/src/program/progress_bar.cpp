@@ -31,14 +31,24 @@ void ProgressBar::show(std::uint64_t done) {
   }
 }
 
+void ProgressBar::print(const std::string& line) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  constexpr const char* kEraseLine = "\r\x1b[K";
+  std::fprintf(stderr, "%s%s\n", stands_ ? kEraseLine : "", line.c_str());
+  std::fflush(stderr);
+  stands_ = false;
+}
+
 void ProgressBar::finish(std::uint64_t done) {
   if (!quiet_ && is_terminal_) {
     draw(done);
     std::fputc('\n', stderr);
+    stands_ = false;
   }
 }
 
-void ProgressBar::draw(std::uint64_t done) const {
+void ProgressBar::draw(std::uint64_t done) {
+  const std::lock_guard<std::mutex> lock(mutex_);
   constexpr std::uint64_t kWidth = 40;
   const std::uint64_t filled = std::min(kWidth, done * kWidth / total_);
   const std::string bar = std::string(filled, '#') + std::string(kWidth - filled, '.');
@@ -47,6 +57,7 @@ void ProgressBar::draw(std::uint64_t done) const {
                bar.c_str(), static_cast<unsigned long long>(done), static_cast<unsigned long long>(total_),
                seconds > 0.0 ? static_cast<double>(done) / seconds : 0.0, is_terminal_ ? " " : "\n");
   std::fflush(stderr);
+  stands_ = is_terminal_;
 }
 
 }  // namespace swarmanoid::program

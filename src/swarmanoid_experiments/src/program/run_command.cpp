@@ -4,6 +4,7 @@
 #include <csignal>
 #include <filesystem>
 #include <iostream>
+#include <memory>
 
 #include "commands.hpp"
 #include "out_folder.hpp"
@@ -108,8 +109,7 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
-int runToEnd(Simulation& simulation, const RunOptions& options) {
-  ProgressBar bar(simulation.experiment().name, simulation.experiment().framework.max_clock, options.quiet);
+int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar) {
   double robot_ticks = 0.0;
   PhaseTimes total;
   int code = kFinished;
@@ -123,7 +123,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options) {
       bar.show(simulation.space().tick);
     }
   } catch (const std::exception& error) {
-    std::cerr << "swarmanoid: stopped in tick " << simulation.space().tick << ": " << error.what() << '\n';
+    bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + error.what());
     code = kEngineStopped;
   }
   const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -162,14 +162,17 @@ int run(const RunOptions& options) {
                        {{"controllers", options.record_controllers}});
   }
   out.keep();
-  simulation.setLogSink([&](LogLevel level, const std::string& robot, const std::string& text) {
+  // shared with the sink, which controllers may still use while the simulation is taken down
+  const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name,
+                                                 simulation.experiment().framework.max_clock, options.quiet);
+  simulation.setLogSink([bar, &options](LogLevel level, const std::string& robot, const std::string& text) {
     if (!options.quiet || level == LogLevel::kError) {
-      std::cerr << '\n' << robot << ": " << text << '\n';
+      bar->print(robot + ": " + text);
     }
   });
   std::signal(SIGINT, interrupt);
   std::signal(SIGTERM, interrupt);
-  return runToEnd(simulation, options);
+  return runToEnd(simulation, options, *bar);
 }
 
 /// The option parser would read -1 as the largest number there is, and a larger one as that too.

@@ -60,7 +60,8 @@ class Robot {
   /// The controller's own random numbers: the same for one seed, robot and tick, whatever else runs.
   RandomStream& random() { return random_; }
 
-  /// Prefixed with the robot's name; beyond 10 texts a second of robot time the rest is dropped, and one text says so.
+  /// Prefixed with the robot's name, and a line of its own: line breaks at the text's end are left out. Beyond 10 texts
+  /// a second of robot time the rest is dropped, and one text says so.
   void log(LogLevel level, const std::string& text);
   void log(const std::string& text) { log(LogLevel::kInfo, text); }
 

@@ -84,11 +84,12 @@ void toMessage(const RemoteRobot& robot, swarmanoid_msgs::RemoteRobot& message) 
   flatten(robot.parameters, "", message);
 }
 
-RemoteRobot fromMessage(const swarmanoid_msgs::RemoteRobot& message) {
+RemoteRobot fromMessage(const swarmanoid_msgs::RemoteRobot& message, const ParameterLocations& elsewhere) {
   const SourceLocation location{message.location, 0};  // lines are in the text already
   Configuration parameters("parameters", "", location);
   for (const auto& parameter : message.parameters) {
-    unflatten(parameter.name, parameter.value, location, parameters);
+    const auto place = elsewhere.find(parameter.name);
+    unflatten(parameter.name, parameter.value, place == elsewhere.end() ? location : place->second, parameters);
   }
   return {message.name,
           message.type,
@@ -145,7 +146,7 @@ Registration fromMessage(const swarmanoid_msgs::Register::Response& message) {
   registration.seed = message.seed;
   registration.clocktick = Duration(message.clocktick.toNSec());
   for (const auto& sent : message.robots) {
-    registration.robots.push_back(fromMessage(sent));
+    registration.robots.push_back(fromMessage(sent, {}));
   }
   return registration;
 }
@@ -157,12 +158,12 @@ void toMessage(const Registration& registration, std::size_t robot, swarmanoid_m
   message.clocktick.fromNSec(registration.clocktick.count());
 }
 
-Registration fromMessage(const swarmanoid_msgs::ControllerStart& message) {
+Registration fromMessage(const swarmanoid_msgs::ControllerStart& message, const ParameterLocations& elsewhere) {
   Registration registration;
   registration.run = message.run;
   registration.seed = message.seed;
   registration.clocktick = Duration(message.clocktick.toNSec());
-  registration.robots.push_back(fromMessage(message.robot));
+  registration.robots.push_back(fromMessage(message.robot, elsewhere));
   return registration;
 }
 

@@ -28,6 +28,7 @@ class ReadBagTest : public testing::Test {
     message.header.stamp = ros::Time(time);
     message.run = run;
     message.robot.name = robot;
+    message.robot.location = "recorded.xml:9";
     message.robot.parameters.resize(3);
     message.robot.parameters[0].name = "speed";
     message.robot.parameters[0].value = "0.15";
@@ -118,12 +119,33 @@ TEST_F(ReadBagTest, ARunAfterAResetHasItsOwnStart) {
 TEST_F(ReadBagTest, ParametersAreReplacedOrComeBeside) {
   start(1.0);
   bag_.close();
-  const Configuration parameters =
-      readBag(file_, {}, {{"speed", "0.1"}, {"nest/y", "2"}, {"new", "x"}}).at("fb_1")[0].robot().parameters;
+  const Configuration parameters = readBag(file_, {}, {{"speed", "0.1", {}}, {"nest/y", "2", {}}, {"new", "x", {}}})
+                                       .at("fb_1")[0]
+                                       .robot()
+                                       .parameters;
   EXPECT_EQ("0.1", parameters.text("speed"));
   EXPECT_EQ("x", parameters.text("new"));
   EXPECT_EQ("1", parameters.find("nest")->text("x"));
   EXPECT_EQ("2", parameters.find("nest")->text("y"));
+}
+
+TEST_F(ReadBagTest, ParametersAreFoundWhereTheyWereGiven) {
+  start(1.0);
+  bag_.close();
+  const Configuration parameters = readBag(file_, {},
+                                           {{"speed", "1", {"first.yaml", 1}},
+                                            {"speed", "fast", {"second.yaml", 7}},
+                                            {"nest/y", "2", {"second.yaml", 8}},
+                                            {"new", "x", {"--parameters new", 0}}})
+                                       .at("fb_1")[0]
+                                       .robot()
+                                       .parameters;
+  EXPECT_EQ("second.yaml:7", parameters.find("speed")->location().toString());
+  EXPECT_EQ("recorded.xml:9", parameters.find("nest")->find("x")->location().toString());
+  EXPECT_EQ("second.yaml:8", parameters.find("nest")->find("y")->location().toString());
+  EXPECT_EQ("--parameters new", parameters.find("new")->location().toString());
+  EXPECT_EQ("recorded.xml:9", parameters.find("last")->location().toString());
+  EXPECT_EQ("recorded.xml:9", parameters.location().toString());
 }
 
 TEST_F(ReadBagTest, OnlyTheRobotsAskedForAreRead) {
@@ -198,7 +220,10 @@ TEST_F(ReadBagTest, ParametersAreWordsOrLinesOfAFile) {
   EXPECT_EQ("0.1", values[0].value);
   EXPECT_EQ("nest/x", values[1].name);
   EXPECT_EQ("2", values[1].value);
+  EXPECT_EQ(file + ":2", values[0].location.toString());
+  EXPECT_EQ(file + ":4", values[1].location.toString());
   EXPECT_EQ("a=b", readParameters("x=a=b")[0].value);
+  EXPECT_EQ("--parameters x", readParameters("x=a=b")[0].location.toString());
   std::ofstream(file) << "speed: 0.1\nnest:\n";
   const auto problem = [](const std::string& word) {
     try {

@@ -1,4 +1,6 @@
-// The text table of thesis 3.6.1 and figure 3.11: one line an entity and tick, columns separated by tabs.
+// The text table of thesis 3.6.1 and figure 3.11: one line an entity and tick, columns separated by tabs. As printed,
+// the figure has the mark # of its header in a column of its own, under which the ticks stand, and nothing stands under
+// "clock". Here # is part of the first name, so that every column has its name and every cell its value.
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -56,7 +58,7 @@ class TextRender final : public Visualisation {
     std::ostream& out = path_.empty() ? std::cerr : file_;
     if (!has_header_) {
       has_header_ = true;
-      out << "#\tclock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n";
+      out << "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n";
     }
     for (const Row row : space.entities.order) {
       writeLine(out, space, static_cast<std::size_t>(row));
@@ -90,7 +92,7 @@ class TextRender final : public Visualisation {
     const Entities& entities = space.entities;
     const Eigen::Vector3d& p = entities.pose[i].position;
     const Eigen::Vector3d angles = anglesFromOrientation(entities.pose[i].orientation) * kDegPerRad;
-    out << space.tick << "\t\t" << entities.model[i]->title << '\t' << entities.name[i];
+    out << space.tick << '\t' << entities.model[i]->title << '\t' << entities.name[i];
     for (const double value : {p.x(), p.y(), p.z(), angles.x(), angles.y(), angles.z()}) {
       out << '\t' << shortened(value);
     }

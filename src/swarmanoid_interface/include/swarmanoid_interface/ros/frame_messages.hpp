@@ -6,9 +6,15 @@
 #include <swarmanoid_msgs/Register.h>
 #include <swarmanoid_msgs/SensorFrame.h>
 
+#include <map>
+#include <string>
+
 #include "swarmanoid_interface/frames.hpp"
 
 namespace swarmanoid {
+
+/// By the name of a parameter (of nested ones a path: outer/inner) the place where it was given.
+using ParameterLocations = std::map<std::string, SourceLocation>;
 
 void toMessage(const SensorFrame& frame, swarmanoid_msgs::SensorFrame& message);
 SensorFrame fromMessage(const swarmanoid_msgs::SensorFrame& message);
@@ -23,6 +29,7 @@ Registration fromMessage(const swarmanoid_msgs::Register::Response& message);
 /// One robot of it. The stamp of the header is the caller's.
 void toMessage(const Registration& registration, std::size_t robot, swarmanoid_msgs::ControllerStart& message);
 /// Of one robot, in session 0.
-Registration fromMessage(const swarmanoid_msgs::ControllerStart& message);
+/// @param elsewhere the parameters that do not come from where the message says
+Registration fromMessage(const swarmanoid_msgs::ControllerStart& message, const ParameterLocations& elsewhere = {});
 
 }  // namespace swarmanoid

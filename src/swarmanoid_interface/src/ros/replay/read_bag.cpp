@@ -128,13 +128,17 @@ std::optional<CommandFrame> commandsOf(
 
 std::vector<RecordedRun> assemble(const std::string& file, const std::string& name, const Raw& raw,
                                   const std::vector<ParameterValue>& parameters) {
+  ParameterLocations locations;
+  for (const ParameterValue& parameter : parameters) {
+    locations[parameter.name] = parameter.location;  // of the last of a name, whose value it has
+  }
   std::vector<RecordedRun> runs;
   for (const auto& received : raw.starts) {
     swarmanoid_msgs::ControllerStart start = *received.message;
     for (const ParameterValue& parameter : parameters) {
       replace(parameter, start.robot);
     }
-    runs.push_back({fromMessage(start), Time(Duration(start.header.stamp.toNSec())), {}});
+    runs.push_back({fromMessage(start, locations), Time(Duration(start.header.stamp.toNSec())), {}});
   }
   std::multimap<TickKey, const Received<swarmanoid_msgs::CommandFrame>*> commands;
   for (const auto& received : raw.commands) {
@@ -179,7 +183,8 @@ Recording readBag(const std::string& file, const std::vector<std::string>& robot
 std::vector<ParameterValue> readParameters(const std::string& word) {
   const auto equals = word.find('=');
   if (equals != std::string::npos && equals > 0) {
-    return {{word.substr(0, equals), word.substr(equals + 1)}};
+    const std::string name = word.substr(0, equals);
+    return {{name, word.substr(equals + 1), {"--parameters " + name, 0}}};
   }
   std::ifstream in(word);
   if (!in) {
@@ -203,7 +208,7 @@ std::vector<ParameterValue> readParameters(const std::string& word) {
       throw ConfigError({word, number},
                         "found '" + line + "', allowed: name: value (of nested ones outer/inner: value)");
     }
-    values.push_back({trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1))});
+    values.push_back({trimmed(line.substr(0, colon)), trimmed(line.substr(colon + 1)), {word, number}});
   }
   return values;
 }

@@ -12,6 +12,7 @@ namespace swarmanoid::replay {
 struct ParameterValue {
   std::string name;  ///< of nested ones a path: outer/inner
   std::string value;
+  SourceLocation location;  ///< where it was given; messages about the value name it
 };
 
 /// @param robots to read; none: all that are there
