@@ -161,20 +161,6 @@ class OtherCommandsTest(ProgramTest):
         self.assert_refused(file + ":11: block 'wall' in engine 'ground': overlaps 'fb'",
                             "validate", file, "--set", "arena.wall.position=2,3,0.25")
 
-    def test_list_names_everything_or_one_kind(self):
-        everything = self.call("list")
-        self.assertEqual(everything.returncode, FINISHED)
-        kinds = [line for line in everything.stdout.splitlines() if not line.startswith(" ")]
-        self.assertEqual(kinds, ["experiment", "controller", "sensor", "actuator", "engine", "visualisation", "entity"])
-        sensors = self.call("list", "sensor").stdout
-        self.assertIn("  footbot_proximity (polynomial): ", sensors)
-        self.assertNotIn("footbot_wheels", sensors)
-        self.assertEqual(self.call("list", "experiment").stdout,
-                         "experiment\n  climbing\n  conformance\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
-                         "  rough_terrain\n  shelf_retrieval\n")
-        self.assert_refused("list: found 'sensors', allowed: experiment, controller, sensor, actuator, engine, "
-                            "visualisation, entity; did you mean 'sensor'?", "list", "sensors")
-
     def test_schema_is_xml_and_names_the_devices(self):
         done = self.call("schema")
         self.assertEqual(done.returncode, FINISHED)
