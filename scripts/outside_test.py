@@ -74,6 +74,10 @@ class OutsideTest(unittest.TestCase):
         schema = [s for s in (f"{p}/share/swarmanoid_experiments/experiment.xsd" for p in share) if os.path.exists(s)]
         succeed(["xmllint", "--noout", "--schema", schema[0], EXPERIMENT], environment)
         succeed(["swarmanoid", "validate", EXPERIMENT], environment)
+        listed = succeed(["swarmanoid", "list"], environment)
+        for library, package in (("patrol", "example_controller"), ("carousel", "example_engine"),
+                                 ("compass", "example_sensor"), ("odometer", "example_visualisation")):
+            self.assertIn(f'      in library="{library}" of {package}\n', listed)
         result = json.loads(succeed(["swarmanoid", "run", EXPERIMENT, "--out", out, "--quiet"], environment))
         self.assertTrue(result["finished"])
         self.assertEqual(69, result["ticks"], "the goal is reached in the third leg")

@@ -137,7 +137,7 @@ TEST_F(FootbotCameraTest, EntitiesComeByNumberThenLaserSpotsThenFloorPatches) {
   EXPECT_EQ(seen().size(), 3U) << "by default it does not see the floor";
 }
 
-TEST_F(FootbotCameraTest, AnOverflowIsMarkedAndToldOnce) {
+TEST_F(FootbotCameraTest, AnOverflowIsMarkedToldOnceAndCounted) {
   for (int i = 0; i < 5; ++i) {
     world.addPrey(1.0, 1.3 + 0.3 * i);
   }
@@ -150,6 +150,31 @@ TEST_F(FootbotCameraTest, AnOverflowIsMarkedAndToldOnce) {
   ASSERT_EQ(world.space.events.size(), 1U);
   EXPECT_EQ(world.space.events[0].kind, Event::Kind::kOverflow);
   EXPECT_EQ(world.space.events[0].text, "footbot_camera: more than 2 blobs");
+  ASSERT_EQ(world.space.overflows.size(), 1U);
+  EXPECT_EQ(world.space.overflows[0].robot, world.space.entities.name[static_cast<std::size_t>(robot)]);
+  EXPECT_EQ(world.space.overflows[0].device, "footbot_camera");
+  EXPECT_EQ(world.space.overflows[0].readings, 3U);
+}
+
+TEST_F(FootbotCameraTest, ARobotThatComesBackGoesOnCounting) {
+  for (int i = 0; i < 5; ++i) {
+    world.addPrey(1.0, 1.3 + 0.3 * i);
+  }
+  for (int life = 0; life < 2; ++life) {
+    Camera camera(world, robot, {{"max_blobs", "2"}});
+    camera.sense();
+    camera.sensor->remove(world.space, robot);
+  }
+  ASSERT_EQ(world.space.overflows.size(), 1U);
+  EXPECT_EQ(world.space.overflows[0].readings, 2U);
+}
+
+TEST_F(FootbotCameraTest, WhatFitsIsNoOverflow) {
+  world.addPrey(1.0, 1.3);
+  world.addPrey(1.0, 1.6);
+  Camera camera(world, robot, {{"max_blobs", "2"}});
+  EXPECT_EQ(camera.sense().blobs.size(), 2U);
+  EXPECT_TRUE(world.space.overflows.empty());
 }
 
 TEST(FootbotCameraNoiseTest, HasTheStatedDeviationsAndBelongsToTheSeed) {

@@ -1,15 +1,19 @@
 #!/usr/bin/env python3
 """The program `swarmanoid`: exit codes, options, summaries, and what is left behind when something is wrong."""
 
+import json
 import pathlib
 import re
 import unittest
 import xml.etree.ElementTree
 
-from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, STOPPED, ProgramTest
+from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, STOPPED, WORLD, ProgramTest
 
-FIELDS = ["experiment", "seed", "ticks", "finished", "success", "metrics", "failed_controllers", "wall_s",
-          "real_time_factor", "robot_ticks_per_s", "state_hash"]
+FIELDS = ["version", "experiment", "overrides", "seed", "ticks", "finished", "success", "metrics", "failed_controllers",
+          "overflows", "wall_s", "real_time_factor", "robot_ticks_per_s", "state_hash"]
+PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs/reference/program.md"
+CROWD = "".join(f'<cylindric_prey id="prey_{i}"><position>3, {3 + 0.5 * i}, 0</position><orientation>0, 0, 0</orientation>'
+                "<radius>0.05</radius><height>0.1</height></cylindric_prey>" for i in range(3))
 
 
 class RunTest(ProgramTest):
@@ -20,6 +24,11 @@ class RunTest(ProgramTest):
         self.assertEqual((summary["seed"], summary["ticks"], summary["finished"]), (1, 20, True))
         self.assertIsNone(summary["success"])
         self.assertEqual((summary["metrics"], summary["failed_controllers"]), ({}, []))
+        self.assertEqual((summary["overrides"], summary["overflows"]), ([], {}))
+        self.assertEqual("swarmanoid " + summary["version"] + "\n", self.call("--version").stdout)
+        page = PAGE.read_text()
+        for field in FIELDS:
+            self.assertIn(f"| `{field}` |", page)
         self.assertRegex(summary["state_hash"], "^[0-9a-f]{16}$")
         self.assertAlmostEqual(summary["real_time_factor"], 2.0 / summary["wall_s"], delta=1e-3 / summary["wall_s"])
         self.assertAlmostEqual(summary["robot_ticks_per_s"], 20 / summary["wall_s"], delta=1e-2 / summary["wall_s"])
@@ -60,6 +69,21 @@ class RunTest(ProgramTest):
         self.assertEqual(summary["failed_controllers"][0]["tick"], 2)
         self.assertEqual(self.run_world("--set", "framework.maxclock=7", "--ticks", 9)["ticks"], 9)
 
+    def test_the_summary_says_what_replaced_the_file_s_values(self):
+        summary = self.run_world("--ticks", 9, "--set", "framework.maxclock=7", "--seed", 5, "--threads", 2, "--set",
+                                 "controllers.fc.parameters.fail_at=-2")
+        self.assertEqual(summary["overrides"], ["--set framework.maxclock=7", "--set controllers.fc.parameters.fail_at=-2",
+                                                "--seed 5", "--ticks 9", "--threads 2"])
+
+    def test_a_camera_that_overflows_is_told_of_once_and_counted(self):
+        camera = "</actuators><sensors><footbot_camera><max_blobs>2</max_blobs></footbot_camera></sensors>"
+        text = WORLD.replace("</actuators>", camera).replace("</arena>", CROWD + "</arena>")
+        done = self.call("run", self.world(text=text, visualisations=""))
+        self.assertEqual(done.returncode, FINISHED, done.stderr)
+        self.assertEqual(json.loads(done.stdout)["overflows"], {"footbot_camera": {"robots": 1, "readings": 20}})
+        self.assertEqual(done.stderr.count("fb: footbot_camera: more than 2 blobs in sight in tick 0"), 1)
+        self.assertEqual(done.stderr.count("more than 2 blobs"), 1)
+
     def test_hashes_are_those_of_every_state(self):
         summary = self.run_world("--hashes", "hashes.txt")
         lines = (self.folder / "hashes.txt").read_text().splitlines()
@@ -68,7 +92,10 @@ class RunTest(ProgramTest):
 
     def test_without_quiet_the_progress_goes_to_the_error_stream(self):
         done = self.call("run", self.world(visualisations=""))
-        self.assertIn("20 of at most 20 ticks", done.stderr)
+        lines = done.stderr.splitlines()
+        self.assertRegex(lines[0], r"^world \[####\.{36}\] 2 of at most 20 ticks, 0\.2 s simulated, "
+                                   r"\d+ ticks/s, about \d+ s left$")
+        self.assertRegex(lines[-1], r"\] 20 of at most 20 ticks, 2\.0 s simulated, \d+ ticks/s$")
         self.assertEqual(done.stdout.count("\n"), 1)
 
     def test_an_existing_out_folder_is_used_and_its_files_replaced(self):
@@ -160,20 +187,6 @@ class OtherCommandsTest(ProgramTest):
         self.assertEqual(sorted(self.folder.rglob("*")), before)
         self.assert_refused(file + ":11: block 'wall' in engine 'ground': overlaps 'fb'",
                             "validate", file, "--set", "arena.wall.position=2,3,0.25")
-
-    def test_list_names_everything_or_one_kind(self):
-        everything = self.call("list")
-        self.assertEqual(everything.returncode, FINISHED)
-        kinds = [line for line in everything.stdout.splitlines() if not line.startswith(" ")]
-        self.assertEqual(kinds, ["experiment", "controller", "sensor", "actuator", "engine", "visualisation", "entity"])
-        sensors = self.call("list", "sensor").stdout
-        self.assertIn("  footbot_proximity (polynomial): ", sensors)
-        self.assertNotIn("footbot_wheels", sensors)
-        self.assertEqual(self.call("list", "experiment").stdout,
-                         "experiment\n  climbing\n  conformance\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
-                         "  rough_terrain\n  shelf_retrieval\n")
-        self.assert_refused("list: found 'sensors', allowed: experiment, controller, sensor, actuator, engine, "
-                            "visualisation, entity; did you mean 'sensor'?", "list", "sensors")
 
     def test_schema_is_xml_and_names_the_devices(self):
         done = self.call("schema")

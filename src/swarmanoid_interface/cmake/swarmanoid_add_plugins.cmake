@@ -1,6 +1,6 @@
 # swarmanoid_add_plugins(LIBRARY SOURCES...): builds lib<LIBRARY>.so from sources that end in a REGISTER_ macro (sensors,
 # actuators, engines, visualisations, controllers), linked with what the package found with find_package(catkin ...), and
-# installs it. An experiment file names it with library="LIBRARY".
+# installs it. An experiment file names it with library="LIBRARY", and `swarmanoid list` says what is in it.
 function(swarmanoid_add_plugins library)
   add_library(${library} SHARED ${ARGN})
   swarmanoid_compile_options(${library})
@@ -10,4 +10,5 @@ function(swarmanoid_add_plugins library)
     add_dependencies(${library} ${catkin_EXPORTED_TARGETS})
   endif()
   install(TARGETS ${library} LIBRARY DESTINATION ${CATKIN_PACKAGE_LIB_DESTINATION})
+  swarmanoid_declare_plugins(${library})
 endfunction()

@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <map>
 
 namespace swarmanoid {
 namespace {
@@ -74,6 +76,23 @@ std::vector<std::string> shareFolders() {
   std::vector<std::string> result;
   for (const std::string& prefix : prefixes()) {
     result.push_back(prefix + "/share");
+  }
+  return result;
+}
+
+std::vector<DeclaredLibrary> declaredLibraries() {
+  std::map<std::string, std::string> packages;  // by library
+  std::error_code ignored;
+  for (const std::string& folder : shareFolders()) {
+    for (const auto& entry : fs::directory_iterator(fs::path(folder) / "swarmanoid/plugins", ignored)) {
+      std::string package;
+      std::ifstream(entry.path()) >> package;
+      packages.emplace(entry.path().filename().string(), package);
+    }
+  }
+  std::vector<DeclaredLibrary> result;
+  for (const auto& [library, package] : packages) {
+    result.push_back({library, package});
   }
   return result;
 }

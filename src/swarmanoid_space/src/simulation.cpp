@@ -53,6 +53,7 @@ void Simulation::tick() {
   stopwatch.lap(phase_times_.connect);
   phases::index(space_);
   stopwatch.lap(phase_times_.index);
+  logNewOverflows();
 
   ++space_.tick;
   space_.time += space_.clocktick;
@@ -84,6 +85,18 @@ void Simulation::noteFailures() {
                 "controller failed in tick " + std::to_string(space_.tick) + ", the robot stops: " + driver.failure);
     }
     driver.failure.clear();
+  }
+}
+
+/// Once a device: a crowded run would say little else.
+void Simulation::logNewOverflows() {
+  for (; logged_overflows_ < space_.overflows.size(); ++logged_overflows_) {
+    const Overflow& overflow = space_.overflows[logged_overflows_];
+    if (log_sink_) {
+      log_sink_(LogLevel::kWarning, overflow.robot,
+                overflow.text + " in sight in tick " + std::to_string(overflow.first_tick) +
+                    ", the rest is left out; this is said once");
+    }
   }
 }
 

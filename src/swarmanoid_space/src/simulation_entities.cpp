@@ -164,6 +164,7 @@ void Simulation::unbuild() {
   space_.leds.clear();
   space_.laser_spots.clear();
   space_.events.clear();
+  space_.overflows.clear();
   space_.readings.clear();
   space_.commands.clear();
   space_.actuation.clear();

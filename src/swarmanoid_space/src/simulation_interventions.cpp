@@ -110,6 +110,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   unbuild();
   pending_events_.clear();
   failures_.clear();
+  logged_overflows_ = 0;
   finish_asked_ = false;
   finished_ = false;
   ++space_.run;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ template <class Camera>
 struct CameraSeat : BasicSensorSeat<Camera> {
   std::vector<ColorBlob> buffer;
   Mount mount;
-  bool has_overflowed = false;  // as of the last tick, so that an overflow is one event, not one a tick
+  bool has_overflowed = false;          // as of the last tick, so that an overflow is one event, not one a tick
+  std::optional<std::size_t> overflow;  // its place in Space::overflows
 };
 
 template <class Camera>
@@ -42,9 +44,8 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
   void report(Space& space) override {
     for (Seat& seat : this->seats_) {
       const bool overflowed = seat.readings->overflowed;
-      if (overflowed && !seat.has_overflowed) {
-        space.events.push_back({Event::Kind::kOverflow, space.entities.name[static_cast<std::size_t>(seat.row)], "",
-                                std::string(Camera::kType) + ": more than " + std::to_string(max_blobs_) + " blobs"});
+      if (overflowed) {
+        noteOverflow(space, seat);
       }
       seat.has_overflowed = overflowed;
     }
@@ -73,6 +74,23 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
   }
 
  private:
+  void noteOverflow(Space& space, Seat& seat) const {
+    if (!seat.has_overflowed) {
+      const std::string& robot = space.entities.name[static_cast<std::size_t>(seat.row)];
+      const std::string text = std::string(Camera::kType) + ": more than " + std::to_string(max_blobs_) + " blobs";
+      space.events.push_back({Event::Kind::kOverflow, robot, "", text});
+      if (!seat.overflow) {
+        seat.overflow = overflowOf(space.overflows, robot, Camera::kType);
+        Overflow& overflow = space.overflows[*seat.overflow];
+        if (overflow.readings == 0) {
+          overflow.text = text;
+          overflow.first_tick = space.tick;
+        }
+      }
+    }
+    ++space.overflows[*seat.overflow].readings;
+  }
+
   void senseOne(const Space& space, Seat& seat) const {
     const Pose& pose = space.entities.pose[static_cast<std::size_t>(seat.row)];
     BlobView view;

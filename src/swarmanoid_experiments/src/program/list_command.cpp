@@ -1,17 +1,58 @@
 // `swarmanoid list` and `swarmanoid schema`: what can stand in an experiment file.
+#include <algorithm>
 #include <iostream>
+#include <map>
+#include <sstream>
 
 #include "commands.hpp"
 #include "run_summary.hpp"
+#include "standard_output.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
+#include "swarmanoid_space/experiment_tags.hpp"
 
 namespace swarmanoid::program {
 namespace {
 
 constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,        PluginKind::kActuator,
                                  PluginKind::kEngine,     PluginKind::kVisualisation, PluginKind::kEntity};
+
+/// The libraries of plugins that the suite does not load by itself.
+using Origins = std::map<const Registry::Entry*, DeclaredLibrary>;
+
+std::vector<const Registry::Entry*> allEntries() {
+  std::vector<const Registry::Entry*> entries;
+  for (const PluginKind kind : kKinds) {
+    const auto more = Registry::instance().all(kind);
+    entries.insert(entries.end(), more.begin(), more.end());
+  }
+  return entries;
+}
+
+/// Loads whatever is installed. A library that cannot be loaded is a warning: the others can be listed all the same.
+Origins loadPlugins() {
+  loadBuiltInPlugins();
+  Origins origins;
+  for (const Registry::Entry* entry : allEntries()) {
+    origins[entry] = {};
+  }
+  for (const DeclaredLibrary& declared : declaredLibraries()) {
+    try {
+      loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
+    } catch (const ConfigError& error) {
+      std::cerr << "swarmanoid: warning: " << error.what() << '\n';
+    }
+    for (const Registry::Entry* entry : allEntries()) {
+      origins.emplace(entry, declared);
+    }
+  }
+  for (const std::string& conflict : Registry::instance().conflicts()) {
+    std::cerr << "swarmanoid: warning: " << conflict << '\n';
+  }
+  return origins;
+}
 
 std::string withRange(const Parameter& parameter) {
   switch (parameter.type) {
@@ -36,67 +77,102 @@ std::string withRange(const Parameter& parameter) {
   return "";
 }
 
-void print(const PluginDescription& description) {
-  std::cout << "  " << description.label;
-  if (!description.implementation.empty()) {
-    std::cout << " (" << description.implementation << ")";
+void write(const Parameter& parameter, const std::string& type, std::ostream& out) {
+  const std::string left_out = parameter.value && parameter.value->empty() ? "optional" : "required";
+  out << "      " << parameter.name << (parameter.unit.empty() ? "" : " [" + parameter.unit + "]") << ", " << type
+      << ", " << (parameter.value && !parameter.value->empty() ? "default '" + *parameter.value + "'" : left_out)
+      << ": " << parameter.description << '\n';
+}
+
+void write(const ExperimentTag& tag, std::ostream& out) {
+  out << "  " << (tag.name == "*" ? "each" : tag.name) << ": " << tag.summary << '\n';
+  for (const ExperimentAttribute& attribute : tag.attributes) {
+    write(attribute.value, "attribute, " + (attribute.is_id ? "a name" : withRange(attribute.value)), out);
   }
-  std::cout << ": " << description.summary << '\n';
-  if (!description.label_aliases.empty() || !description.implementation_aliases.empty()) {
-    std::cout << "      also known as " << joinNames(description.label_aliases)
-              << (description.label_aliases.empty() || description.implementation_aliases.empty() ? "" : "; ")
-              << joinNames(description.implementation_aliases) << '\n';
-  }
-  for (const Parameter& parameter : description.parameters) {
-    std::cout << "      " << parameter.name << (parameter.unit.empty() ? "" : " [" + parameter.unit + "]") << ", "
-              << withRange(parameter) << ", "
-              << (parameter.value ? "default '" + *parameter.value + "'" : std::string("required")) << ": "
-              << parameter.description << '\n';
+  for (const Parameter& value : tag.values) {
+    write(value, withRange(value), out);
   }
 }
 
-int list(const std::string& kind_name) {
-  loadBuiltInPlugins();
-  std::vector<std::string> allowed{"experiment"};
-  for (const PluginKind kind : kKinds) {
-    allowed.emplace_back(toString(kind));
+void write(const PluginDescription& description, const DeclaredLibrary& origin, std::ostream& out) {
+  out << "  " << description.label;
+  if (!description.implementation.empty()) {
+    out << " (" << description.implementation << ")";
   }
-  const bool all = kind_name.empty();
-  if (!all && std::find(allowed.begin(), allowed.end(), kind_name) == allowed.end()) {
-    throw ConfigError({"list", 0},
-                      "found '" + kind_name + "', allowed: " + joinNames(allowed) + didYouMean(kind_name, allowed));
+  out << (description.summary.empty() ? "" : ": " + description.summary) << '\n';
+  if (!origin.library.empty()) {
+    out << "      in library=\"" << origin.library << "\" of " << origin.package << '\n';
   }
-  if (all || kind_name == "experiment") {
-    std::cout << "experiment\n";
+  if (!description.label_aliases.empty() || !description.implementation_aliases.empty()) {
+    out << "      also known as " << joinNames(description.label_aliases)
+        << (description.label_aliases.empty() || description.implementation_aliases.empty() ? "" : "; ")
+        << joinNames(description.implementation_aliases) << '\n';
+  }
+  for (const Parameter& parameter : description.parameters) {
+    write(parameter, withRange(parameter), out);
+  }
+}
+
+/// Every tag stands under one of these, as every plugin does under its kind.
+std::vector<std::string> headings() {
+  std::vector<std::string> names{"experiment"};
+  for (const ExperimentTag& tag : experimentTags()) {
+    if (std::find(names.begin(), names.end(), tag.heading) == names.end()) {
+      names.push_back(tag.heading);
+    }
+  }
+  return names;
+}
+
+void writeHeading(const std::string& heading, const Origins& origins, std::ostream& out) {
+  out << heading << '\n';
+  if (heading == "experiment") {
     for (const std::string& name : installedExperiments()) {
-      std::cout << "  " << name << '\n';
+      out << "  " << name << '\n';
     }
   }
-  for (const PluginKind kind : kKinds) {
-    if (all || kind_name == toString(kind)) {
-      std::cout << toString(kind) << '\n';
-      for (const auto* entry : Registry::instance().all(kind)) {
-        print(entry->description);
-      }
+  for (const ExperimentTag& tag : experimentTags()) {
+    if (tag.heading == heading) {
+      write(tag, out);
     }
   }
+  for (const Registry::Entry* entry : allEntries()) {
+    if (toString(entry->kind) == heading) {
+      write(entry->description, origins.at(entry), out);
+    }
+  }
+}
+
+int list(const std::string& heading) {
+  const std::vector<std::string> allowed = headings();
+  const bool all = heading.empty();
+  if (!all && std::find(allowed.begin(), allowed.end(), heading) == allowed.end()) {
+    throw ConfigError({"list", 0},
+                      "found '" + heading + "', allowed: " + joinNames(allowed) + didYouMean(heading, allowed));
+  }
+  const Origins origins = loadPlugins();
+  std::ostringstream out;
+  for (const std::string& name : all ? allowed : std::vector<std::string>{heading}) {
+    writeHeading(name, origins, out);
+  }
+  print(out.str());
   return kFinished;
 }
 
 }  // namespace
 
 Command addListCommand(CLI::App& app) {
-  auto kind = std::make_shared<std::string>();
+  auto heading = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("list", "what can be named in an experiment file");
-  command->add_option("kind", *kind, "experiment, controller, sensor, actuator, engine, visualisation or entity");
-  return [kind] { return list(*kind); };
+  command->add_option("kind", *heading, "one of " + joinNames(headings()) + "; else all");
+  return [heading] { return list(*heading); };
 }
 
 Command addSchemaCommand(CLI::App& app) {
   app.add_subcommand("schema", "print the XML schema (XSD) of experiment files");
   return [] {
     loadBuiltInPlugins();
-    std::cout << experimentSchema();
+    print(experimentSchema());
     return static_cast<int>(kFinished);
   };
 }

@@ -1,17 +1,23 @@
 // The program `swarmanoid`: experiments from the command line, without a ROS master.
 #include <exception>
 #include <iostream>
+#include <sstream>
 #include <utility>
 #include <vector>
 
 #include "commands.hpp"
 #include "run_summary.hpp"
+#include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "version.hpp"
 
-int main(int argc, char** argv) {
-  using namespace swarmanoid::program;
+namespace swarmanoid::program {
+namespace {
+
+int call(int argc, char** argv) {
   CLI::App app{"Runs experiments of the swarmanoid simulator.", "swarmanoid"};
   app.require_subcommand(1);
+  app.set_version_flag("--version", "swarmanoid " + version());
   std::vector<std::pair<CLI::App*, Command>> commands;
   for (const auto add : {addRunCommand, addValidateCommand, addListCommand, addSchemaCommand}) {
     Command command = add(app);
@@ -20,15 +26,30 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
+    std::ostringstream help;
+    const int code = app.exit(error, help, std::cerr);
+    print(help.str());
     return code == 0 ? kFinished : kBadInput;
   }
-  try {
-    for (const auto& [subcommand, command] : commands) {
-      if (subcommand->parsed()) {
-        return command();
-      }
+  for (const auto& [subcommand, command] : commands) {
+    if (subcommand->parsed()) {
+      return command();
     }
+  }
+  return kBadInput;
+}
+
+}  // namespace
+}  // namespace swarmanoid::program
+
+int main(int argc, char** argv) {
+  using namespace swarmanoid::program;
+  const bool is_output_open = fillStandardStreams();
+  try {
+    if (!is_output_open) {
+      throw swarmanoid::ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
+    }
+    return call(argc, argv);
   } catch (const swarmanoid::ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return kBadInput;
@@ -36,5 +57,4 @@ int main(int argc, char** argv) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return kEngineStopped;
   }
-  return kBadInput;
 }

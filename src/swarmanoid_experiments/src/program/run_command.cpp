@@ -10,6 +10,7 @@
 #include "out_folder.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
+#include "standard_output.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
 #include "swarmanoid_space/simulation.hpp"
@@ -27,6 +28,7 @@ struct RunOptions {
   std::optional<std::uint64_t> ticks;
   std::optional<int> threads;
   std::vector<std::string> settings;
+  std::vector<std::string> overrides;  // the options above that were given, for the summary
   std::string out;
   std::string bag;
   std::string record_controllers = "none";
@@ -36,21 +38,21 @@ struct RunOptions {
   bool path = false;
 };
 
-std::vector<Override> overridesOf(const RunOptions& options) {
-  std::vector<Override> overrides;
+std::vector<Override> settingsOf(const RunOptions& options) {
+  std::vector<Override> settings;
   for (const std::string& setting : options.settings) {
     const auto equals = setting.find('=');
     if (equals == std::string::npos || equals == 0) {
       throw ConfigError({"--set", 0}, "found '" + setting + "', allowed: path=value");
     }
-    overrides.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+    settings.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
   }
-  return overrides;
+  return settings;
 }
 
 Experiment readExperiment(const RunOptions& options) {
   loadBuiltInPlugins();
-  Experiment experiment = swarmanoid::readExperiment(findExperiment(options.file), overridesOf(options));
+  Experiment experiment = swarmanoid::readExperiment(findExperiment(options.file), settingsOf(options));
   for (const std::string& warning : takeExperimentWarnings()) {
     std::cerr << "swarmanoid: warning: " << warning << '\n';
   }
@@ -110,7 +112,8 @@ void printProfile(const PhaseTimes& total, const Space& space) {
 }
 
 int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar) {
-  double robot_ticks = 0.0;
+  RunFacts facts;
+  facts.overrides = options.overrides;
   PhaseTimes total;
   int code = kFinished;
   const auto start = std::chrono::steady_clock::now();
@@ -119,14 +122,14 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
     while (!simulation.isFinished() && interrupted == 0) {
       simulation.tick();
       total += simulation.phaseTimes();
-      robot_ticks += static_cast<double>(simulation.robotCount());
+      facts.robot_ticks += static_cast<double>(simulation.robotCount());
       bar.show(simulation.space().tick);
     }
   } catch (const std::exception& error) {
     bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + error.what());
     code = kEngineStopped;
   }
-  const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  facts.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   bar.finish(simulation.space().tick);
   if (options.profile) {
     printProfile(total, simulation.space());
@@ -136,14 +139,14 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
   } else if (code == kFinished && !simulation.failures().empty()) {
     code = kControllerFailed;
   }
-  const bool finished = simulation.isFinished();
+  facts.finished = simulation.isFinished();
   try {
     simulation.finish();
   } catch (const std::exception& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     code = kEngineStopped;
   }
-  std::cout << toText(summarise(simulation, finished, wall_s, robot_ticks)) << std::endl;
+  print(toText(summarise(simulation, facts)) + "\n");
   return code;
 }
 
@@ -163,8 +166,9 @@ int run(const RunOptions& options) {
   }
   out.keep();
   // shared with the sink, which controllers may still use while the simulation is taken down
-  const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name,
-                                                 simulation.experiment().framework.max_clock, options.quiet);
+  const FrameworkDescription& framework = simulation.experiment().framework;
+  const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name, framework.max_clock,
+                                                 toSeconds(framework.clocktick), options.quiet);
   simulation.setLogSink([bar, &options](LogLevel level, const std::string& robot, const std::string& text) {
     if (!options.quiet || level == LogLevel::kError) {
       bar->print(robot + ": " + text);
@@ -181,6 +185,17 @@ std::string refuseWrappedNumber(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   const bool is_whole = error == std::errc() && stop == text.data() + text.size();
   return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
+}
+
+/// What has been given for the options that replace what the file says.
+std::vector<std::string> overridesOf(const CLI::App& command) {
+  std::vector<std::string> overrides;
+  for (const char* name : {"--set", "--seed", "--ticks", "--threads"}) {
+    for (const std::string& value : command.get_option(name)->results()) {
+      overrides.push_back(std::string(name) + " " + value);
+    }
+  }
+  return overrides;
 }
 
 void addCommonOptions(CLI::App& command, RunOptions& options) {
@@ -208,7 +223,10 @@ Command addRunCommand(CLI::App& app) {
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
-  return [options] { return run(*options); };
+  return [options, command] {
+    options->overrides = overridesOf(*command);
+    return run(*options);
+  };
 }
 
 Command addValidateCommand(CLI::App& app) {
@@ -223,11 +241,11 @@ Command addValidateCommand(CLI::App& app) {
     const std::string file = experiment.file;
     const Simulation simulation(std::move(experiment));
     if (options->path) {
-      std::cout << std::filesystem::absolute(file).string() << std::flush;
+      print(std::filesystem::absolute(file).string());
       return static_cast<int>(kFinished);
     }
-    std::cout << file << ": valid, " << simulation.space().entities.size() << " entities, " << simulation.robotCount()
-              << " robots\n";
+    print(file + ": valid, " + std::to_string(simulation.space().entities.size()) + " entities, " +
+          std::to_string(simulation.robotCount()) + " robots\n");
     return static_cast<int>(kFinished);
   };
 }

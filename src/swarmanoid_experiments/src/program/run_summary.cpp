@@ -2,11 +2,31 @@
 
 #include <cstdio>
 
+#include "version.hpp"
+
 namespace swarmanoid::program {
 
 using nlohmann::ordered_json;
 
-ordered_json summarise(const Simulation& simulation, bool finished, double wall_s, double robot_ticks) {
+namespace {
+
+/// How many readings of each type of device were cut short, and how many robots had any.
+ordered_json overflowsOf(const Space& space) {
+  ordered_json overflows = ordered_json::object();
+  for (const Overflow& overflow : space.overflows) {
+    ordered_json& device = overflows[overflow.device];
+    if (device.is_null()) {
+      device = {{"robots", std::uint64_t{0}}, {"readings", std::uint64_t{0}}};
+    }
+    device["robots"] = device["robots"].get<std::uint64_t>() + 1;
+    device["readings"] = device["readings"].get<std::uint64_t>() + overflow.readings;
+  }
+  return overflows;
+}
+
+}  // namespace
+
+ordered_json summarise(const Simulation& simulation, const RunFacts& facts) {
   const Space& space = simulation.space();
   ordered_json metrics = ordered_json::object();
   for (const auto& [name, value] : simulation.metrics()) {
@@ -20,18 +40,21 @@ ordered_json summarise(const Simulation& simulation, bool finished, double wall_
   std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.stateHash()));
 
   ordered_json summary;
+  summary["version"] = version();
   summary["experiment"] = simulation.experiment().name;
+  summary["overrides"] = facts.overrides;
   summary["seed"] = space.seed;
   summary["ticks"] = space.tick;
-  summary["finished"] = finished;
+  summary["finished"] = facts.finished;
   const std::optional<bool> success = simulation.success();
   summary["success"] = success ? ordered_json(*success) : ordered_json(nullptr);
   summary["metrics"] = metrics;
   summary["failed_controllers"] = failures;
-  summary["wall_s"] = wall_s;
+  summary["overflows"] = overflowsOf(space);
+  summary["wall_s"] = facts.wall_s;
   const double simulated_s = toSeconds(space.time - kEpoch);
-  summary["real_time_factor"] = wall_s > 0.0 ? simulated_s / wall_s : 0.0;
-  summary["robot_ticks_per_s"] = wall_s > 0.0 ? robot_ticks / wall_s : 0.0;
+  summary["real_time_factor"] = facts.wall_s > 0.0 ? simulated_s / facts.wall_s : 0.0;
+  summary["robot_ticks_per_s"] = facts.wall_s > 0.0 ? facts.robot_ticks / facts.wall_s : 0.0;
   summary["state_hash"] = hash;
   return summary;
 }

@@ -3,16 +3,24 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid::program {
 
-/// Exit codes of `swarmanoid run`.
+/// Exit codes of the program; docs/reference/program.md says what they mean.
 enum ExitCode : int { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kEngineStopped = 4, kInterrupted = 130 };
 
-/// @param wall_s spent in ticks [s]; @param robot_ticks robots times ticks, summed over the run
-nlohmann::ordered_json summarise(const Simulation& simulation, bool finished, double wall_s, double robot_ticks);
+/// What the summary says of a run beside what the simulation knows.
+struct RunFacts {
+  std::vector<std::string> overrides;  ///< options that replaced what the file says, as given: "--seed 7"
+  bool finished = false;
+  double wall_s = 0.0;       ///< spent in ticks [s]
+  double robot_ticks = 0.0;  ///< robots times ticks, summed over the run
+};
+
+nlohmann::ordered_json summarise(const Simulation& simulation, const RunFacts& facts);
 
 /// In one line.
 std::string toText(const nlohmann::ordered_json& summary);

@@ -19,6 +19,15 @@ void loadPluginLibrary(const std::string& library, const std::vector<std::string
 /// then of every prefix of CMAKE_PREFIX_PATH. A devel space and an install space have the same layout.
 std::vector<std::string> shareFolders();
 
+/// A library with plugins, as the package that builds it declares it (cmake/swarmanoid_declare_plugins.cmake).
+struct DeclaredLibrary {
+  std::string library;  ///< as loadPluginLibrary takes it
+  std::string package;
+};
+
+/// All that the packages of this installation, and of every prefix of CMAKE_PREFIX_PATH, declare: by name, each once.
+std::vector<DeclaredLibrary> declaredLibraries();
+
 /// The first existing `share/<package>/<path>`; "" if there is none.
 std::string findShared(const std::string& package, const std::string& path);
 

@@ -153,6 +153,7 @@ class Simulation {
   void buildWatches();
   void distribute(const EntityDescription& group);
   void noteFailures();
+  void logNewOverflows();
   void unbuild();
   void restoreEngineParameters();
   /// Its place in the experiment. @throws ConfigError if there is none
@@ -175,6 +176,7 @@ class Simulation {
   std::vector<Configuration> engine_parameters_;  // as of now, in the order of Space::engines
   PhaseTimes phase_times_;
   std::vector<ControllerFailure> failures_;
+  std::size_t logged_overflows_ = 0;
   std::vector<Event> pending_events_;
   Robot::LogSink log_sink_;
   bool finish_asked_ = false;

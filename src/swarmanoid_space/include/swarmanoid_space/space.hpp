@@ -22,6 +22,7 @@
 #include "swarmanoid_space/event.hpp"
 #include "swarmanoid_space/experiment.hpp"
 #include "swarmanoid_space/joints.hpp"
+#include "swarmanoid_space/overflow.hpp"
 #include "swarmanoid_space/positional_index.hpp"
 #include "swarmanoid_space/ray.hpp"
 #include "swarmanoid_space/structural_tree.hpp"
@@ -74,6 +75,7 @@ class Space {
   std::vector<Color> leds;         ///< actuate; rows of kMaxLeds, by entity row: the colours of model->led_positions
   std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
   std::vector<Event> events;           ///< of this tick, in order of happening
+  std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks
 
   // Devices, by type (bank.hpp).
   Banks readings;   ///< sense

@@ -38,7 +38,8 @@ void checkDevices(const XmlElement& element, const std::string& type, const Cont
 
 std::vector<std::string> arenaTags() {
   std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
-  tags.insert(tags.end(), {"floor_patch", "heightfield", "distribute"});
+  const std::vector<std::string> others = tagsIn("arena");
+  tags.insert(tags.end(), others.begin(), others.end());
   return tags;
 }
 
@@ -54,7 +55,7 @@ std::string readChoice(const XmlElement& element, const char* name, const std::v
 }
 
 EntityDescription readEntity(const XmlElement& element, bool is_distributed, Reader& reader) {
-  element.allowAttributes({"id"});
+  element.allowAttributes(attributesOf("arena/*"));
   const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEntity, element, "");
   EntityDescription entity;
   entity.location = element.location();
@@ -70,7 +71,7 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
   entity.angles = entity.parameters.vector3("orientation") * kRadPerDeg;
   entity.color = entity.parameters.color("color", colors::kBlack);
   if (const auto controller = element.child("controller")) {
-    controller->allowAttributes(controllerAttributes());
+    controller->allowAttributes(attributesOf("arena/*/controller"));
     entity.source = *parseCommandSource(readChoice(*controller, "source", commandSources(), commandSources().front()));
     if (const auto timeout = controller->attribute("timeout")) {
       const SourceLocation location = controller->attributeLocation("timeout");
@@ -89,7 +90,7 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
 }
 
 void readDistribute(const XmlElement& element, Reader& reader) {
-  element.allowAttributes(distributeAttributes());
+  element.allowAttributes(attributesOf("arena/distribute"));
   std::vector<std::string> entity_tags = Registry::instance().labels(PluginKind::kEntity);
   const Configuration values = readParameters(element, distributeParameters(), entity_tags);
   Distribution distribution;
@@ -128,7 +129,7 @@ void readDistribute(const XmlElement& element, Reader& reader) {
 }
 
 void readFloorPatch(const XmlElement& element, Reader& reader) {
-  element.allowAttributes({"id"});
+  element.allowAttributes(attributesOf("arena/floor_patch"));
   FloorPatch patch;
   patch.location = element.location();
   patch.id = element.requireAttribute("id");
@@ -149,7 +150,7 @@ void readFloorPatch(const XmlElement& element, Reader& reader) {
 }  // namespace
 
 void readArena(const XmlElement& section, Reader& reader) {
-  section.allowAttributes(arenaAttributes());
+  section.allowAttributes(attributesOf("arena"));
   ArenaDescription& arena = reader.experiment.arena;
   arena.location = section.location();
   const std::string size = section.requireAttribute("size");

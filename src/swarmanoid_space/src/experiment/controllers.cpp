@@ -23,7 +23,8 @@ std::vector<std::string> implementationsOf(PluginKind kind, const std::string& t
 }
 
 DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader& reader) {
-  element.allowAttributes({"library"});
+  const std::string path = kind == PluginKind::kSensor ? "controllers/*/sensors/*" : "controllers/*/actuators/*";
+  element.allowAttributes(attributesOf(path));
   DeviceDescription device;
   device.library = element.attribute("library").value_or("");
   device.location = element.location();
@@ -38,7 +39,7 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
     }
   }
   device.implementation = entry->description.implementation;
-  device.parameters = readParameters(element, entry->description.parameters, {"implementation"});
+  device.parameters = readParameters(element, entry->description.parameters, valuesOf(path));
   return device;
 }
 
@@ -62,7 +63,7 @@ void readControllers(const XmlElement& section, Reader& reader) {
   section.allowAttributes({});
   section.refuseText();
   for (const XmlElement& element : section.children()) {
-    element.allowAttributes(pluginAttributes());
+    element.allowAttributes(attributesOf("controllers/*"));
     ControllerDescription controller;
     controller.location = element.location();
     controller.id = element.requireAttribute("id");
@@ -80,7 +81,7 @@ void readControllers(const XmlElement& section, Reader& reader) {
       element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
     }
     controller.label = entry->description.label;
-    element.allowChildren({"actuators", "sensors", "parameters"});
+    element.allowChildren(tagsIn("controllers/*"));
     if (const auto actuators = element.child("actuators")) {
       controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);
     }

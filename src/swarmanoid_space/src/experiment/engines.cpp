@@ -10,7 +10,7 @@ void readEngines(const XmlElement& section, Reader& reader) {
   section.allowAttributes({});
   section.refuseText();
   for (const XmlElement& element : section.children()) {
-    element.allowAttributes(pluginAttributes());
+    element.allowAttributes(attributesOf("engines/*"));
     EngineDescription engine;
     engine.location = element.location();
     engine.id = element.requireAttribute("id");
@@ -26,7 +26,7 @@ void readEngines(const XmlElement& section, Reader& reader) {
 namespace {
 
 MappingDescription::Member readMember(const XmlElement& element, const std::vector<std::string>& entities) {
-  element.allowAttributes(memberAttributes());
+  element.allowAttributes(attributesOf("arena_physics/engine/entity"));
   element.allowChildren({});
   MappingDescription::Member member;
   member.location = element.location();
@@ -47,7 +47,7 @@ MappingDescription::Member readMember(const XmlElement& element, const std::vect
 
 void readArenaPhysics(const XmlElement& section, Reader& reader) {
   section.allowAttributes({});
-  section.allowChildren({"engine", "handover"});
+  section.allowChildren(tagsIn("arena_physics"));
   std::vector<std::string> engines;
   for (const EngineDescription& engine : reader.experiment.engines) {
     engines.push_back(engine.id);
@@ -63,8 +63,8 @@ void readArenaPhysics(const XmlElement& section, Reader& reader) {
       readHandover(element, entities, engines, reader);
       continue;
     }
-    element.allowAttributes({"id"});
-    element.allowChildren({"entity"});
+    element.allowAttributes(attributesOf("arena_physics/engine"));
+    element.allowChildren(tagsIn("arena_physics/engine"));
     MappingDescription mapping;
     mapping.location = element.location();
     mapping.engine = element.requireAttribute("id");

@@ -26,7 +26,7 @@ std::vector<std::string> splitPath(const std::string& text) {
 }  // namespace
 
 void readFramework(const XmlElement& section, Reader& reader) {
-  section.allowAttributes({});
+  section.allowAttributes(attributesOf("framework"));
   const Configuration values = readParameters(section, frameworkParameters());
   FrameworkDescription& framework = reader.experiment.framework;
   constexpr double kNanosecondsPerMillisecond = 1e6;

@@ -9,8 +9,9 @@ namespace {
 using Condition = HandoverDescription::Condition;
 using End = HandoverDescription::End;
 
+constexpr const char* kRule = "arena_physics/handover";
+
 void readBox(const XmlElement& element, HandoverDescription& rule) {
-  element.allowAttributes({});
   const Configuration values = readParameters(element, boxParameters());
   rule.minimum = values.vector3("minimum");
   rule.maximum = values.vector3("maximum");
@@ -21,7 +22,6 @@ void readBox(const XmlElement& element, HandoverDescription& rule) {
 }
 
 void readEnd(const XmlElement& element, HandoverDescription& rule) {
-  element.allowAttributes(gripAttributes());
   element.allowChildren({});
   if (const auto given = element.attribute("as")) {
     Parameter choice = makeParameter("as", Parameter::Type::kChoice, "", std::nullopt, {}, "");
@@ -32,7 +32,6 @@ void readEnd(const XmlElement& element, HandoverDescription& rule) {
 }
 
 void readDebug(const XmlElement& element, HandoverDescription& rule) {
-  element.allowAttributes(debugAttributes());
   rule.key = element.requireAttribute("key");
   rule.value = element.text();
   if (rule.value.empty()) {
@@ -41,8 +40,9 @@ void readDebug(const XmlElement& element, HandoverDescription& rule) {
 }
 
 void readCondition(const XmlElement& element, HandoverDescription& rule) {
-  const auto& names = conditions();
+  const std::vector<std::string> names = tagsIn(kRule);
   rule.condition = static_cast<Condition>(std::find(names.begin(), names.end(), element.name()) - names.begin());
+  element.allowAttributes(attributesOf(std::string(kRule) + "/" + element.name()));
   switch (rule.condition) {
     case Condition::kInside:
     case Condition::kOutside:
@@ -68,8 +68,8 @@ std::string requireName(const XmlElement& element, const char* attribute, const 
 
 void readHandover(const XmlElement& element, const std::vector<std::string>& entities,
                   const std::vector<std::string>& engines, Reader& reader) {
-  element.allowAttributes(handoverAttributes());
-  element.allowChildren(conditions());
+  element.allowAttributes(attributesOf(kRule));
+  element.allowChildren(tagsIn(kRule));
   HandoverDescription rule;
   rule.location = element.location();
   if (element.attribute("id")) {
@@ -81,7 +81,7 @@ void readHandover(const XmlElement& element, const std::vector<std::string>& ent
   const std::vector<XmlElement> found = element.children();
   if (found.size() != 1) {
     element.refuse("found " + std::to_string(found.size()) + " conditions in <handover>, allowed: one of " +
-                   joinNames(conditions()));
+                   joinNames(tagsIn(kRule)));
   }
   readCondition(found[0], rule);
   reader.experiment.handovers.push_back(std::move(rule));

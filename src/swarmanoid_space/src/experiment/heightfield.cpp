@@ -11,7 +11,7 @@ void readHeightfield(const XmlElement& element, Reader& reader) {
   if (arena.terrain) {
     element.refuse("found a second <heightfield>, allowed: one");
   }
-  element.allowAttributes({});
+  element.allowAttributes(attributesOf("arena/heightfield"));
   const Configuration values = readParameters(element, heightfieldParameters());
   const Eigen::Vector2d size = values.vector2("size");
   if (!(size.minCoeff() > 0.0)) {

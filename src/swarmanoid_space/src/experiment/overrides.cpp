@@ -78,27 +78,31 @@ bool isAttribute(const XMLElement* element, const std::string& name) {
   const auto* parent = element->Parent()->ToElement();
   const std::string parent_tag = parent == nullptr ? "" : parent->Name();
   if (hasTag(element, "arena") && parent != nullptr && parent->Parent()->ToDocument() != nullptr) {
-    return among(arenaAttributes());
+    return among(attributesOf("arena"));
   }
   if (hasTag(element, "distribute") && parent_tag == "arena") {
-    return among(distributeAttributes());
+    return among(attributesOf("arena/distribute"));
   }
   if (hasTag(element, "entity") && parent_tag == "engine") {
-    return among(memberAttributes());
+    return among(attributesOf("arena_physics/engine/entity"));
   }
   if (hasTag(element, "handover") && parent_tag == "arena_physics") {
-    return among(handoverAttributes());
+    return among(attributesOf("arena_physics/handover"));
   }
   if (parent_tag == "handover") {
-    return among(hasTag(element, "debug") ? debugAttributes() : gripAttributes());
+    const std::vector<std::string> rules = tagsIn("arena_physics/handover");
+    const bool is_rule = std::find(rules.begin(), rules.end(), element->Name()) != rules.end();
+    return is_rule && among(attributesOf(std::string("arena_physics/handover/") + element->Name()));
   }
   if (hasTag(element, "controller") && parent_tag != "controllers") {
-    return among(controllerAttributes());
+    return among(attributesOf("arena/*/controller"));
   }
   const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "visualisations" ||
                          parent_tag == "visualizations";
   const bool is_device = parent_tag == "actuators" || parent_tag == "sensors";
-  return (is_plugin && among(pluginAttributes())) || (is_device && name == "library");
+  // these are the same in all sections
+  return (is_plugin && among(attributesOf("engines/*"))) ||
+         (is_device && among(attributesOf("controllers/*/sensors/*")));
 }
 
 std::vector<std::string> split(const std::string& path) {

@@ -89,16 +89,20 @@ const std::vector<Parameter>& frameworkParameters() {
   return table;
 }
 
-std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed) {
+std::vector<Parameter> placementParameters(bool is_distributed) {
   using Type = Parameter::Type;
-  std::vector<Parameter> table = type.parameters;
   const std::string turns = "Turns about the space's x, then y, then z axis.";
   if (is_distributed) {
-    table.push_back(makeParameter("orientation", Type::kAngles3, "deg", "0, 0, 0", {}, turns));
-  } else {
-    table.push_back(makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the entity's origin."));
-    table.push_back(makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, {}, turns));
+    return {makeParameter("orientation", Type::kAngles3, "deg", "0, 0, 0", {}, turns)};
   }
+  return {makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the entity's origin."),
+          makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, {}, turns)};
+}
+
+std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed) {
+  std::vector<Parameter> table = type.parameters;
+  const std::vector<Parameter> placement = placementParameters(is_distributed);
+  table.insert(table.end(), placement.begin(), placement.end());
   return table;
 }
 
@@ -158,64 +162,13 @@ const std::vector<std::string>& roles() {
   return names;
 }
 
-const std::vector<std::string>& arenaAttributes() {
-  static const std::vector<std::string> names{"size", "optimization", "bounded"};
-  return names;
-}
-
-const std::vector<std::string>& pluginAttributes() {
-  static const std::vector<std::string> names{"id", "library"};
-  return names;
-}
-
-const std::vector<std::string>& distributeAttributes() {
-  static const std::vector<std::string> names{"quantity", "layout"};
-  return names;
-}
-
-const std::vector<std::string>& controllerAttributes() {
-  static const std::vector<std::string> names{"source", "timeout"};
-  return names;
-}
-
 const std::vector<std::string>& commandSources() {
   static const std::vector<std::string> names{"controller", "remote", "topics", "none"};
   return names;
 }
 
-const std::vector<std::string>& memberAttributes() {
-  static const std::vector<std::string> names{"id", "role"};
-  return names;
-}
-
-const std::vector<std::string>& handoverAttributes() {
-  static const std::vector<std::string> names{"id", "entity", "to"};
-  return names;
-}
-
-const std::vector<std::string>& conditions() {
-  static const std::vector<std::string> names{"inside", "outside", "attached", "released", "debug"};
-  return names;
-}
-
-const std::vector<std::string>& gripAttributes() {
-  static const std::vector<std::string> names{"as"};
-  return names;
-}
-
 const std::vector<std::string>& gripEnds() {
   static const std::vector<std::string> names{"gripper", "gripped"};
-  return names;
-}
-
-const std::vector<std::string>& debugAttributes() {
-  static const std::vector<std::string> names{"key"};
-  return names;
-}
-
-const std::vector<std::string>& sections() {
-  static const std::vector<std::string> names{"framework",     "controllers",    "arena",         "engines",
-                                              "arena_physics", "visualisations", "visualizations"};
   return names;
 }
 

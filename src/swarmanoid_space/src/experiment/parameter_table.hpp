@@ -24,6 +24,8 @@ Parameter makeParameter(const std::string& name, Parameter::Type type, const std
 
 // The tables of the sections themselves.
 const std::vector<Parameter>& frameworkParameters();
+/// Where an entity is. In <distribute> it has no position, and need not be turned.
+std::vector<Parameter> placementParameters(bool is_distributed);
 /// Of an entity: those of its type, and its placement. In <distribute> it has no position, and need not be turned.
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
@@ -35,27 +37,15 @@ const std::vector<Parameter>& distributeParameters();
 /// Of <inside> and <outside> in <handover>.
 const std::vector<Parameter>& boxParameters();
 
-// Attributes, and what they may be.
+// What attributes may be.
 constexpr Range kCommandTimeoutRange{0.001, 3600.0};  // s
 constexpr Range kQuantityRange{1.0, 1e7};
 const std::vector<std::string>& layouts();
 const std::vector<std::string>& optimizations();
 const std::vector<std::string>& roles();
-const std::vector<std::string>& arenaAttributes();
-const std::vector<std::string>& pluginAttributes();
-const std::vector<std::string>& distributeAttributes();
-const std::vector<std::string>& memberAttributes();
-/// Of a robot's <controller>, and what `source` may be.
-const std::vector<std::string>& controllerAttributes();
+/// Who may command a robot.
 const std::vector<std::string>& commandSources();
-const std::vector<std::string>& handoverAttributes();
-/// Of <handover>, by HandoverDescription::Condition.
-const std::vector<std::string>& conditions();
-/// Of <attached> and <released>, and what `as` may be.
-const std::vector<std::string>& gripAttributes();
+/// What the ends of a grip are called.
 const std::vector<std::string>& gripEnds();
-const std::vector<std::string>& debugAttributes();
-/// The sections of <ahss-config>; the last is an alias.
-const std::vector<std::string>& sections();
 
 }  // namespace swarmanoid::experiment

@@ -55,7 +55,7 @@ namespace {
 /// Sections may come in any order, but later ones refer to earlier ones: read them in an order of our own.
 void readSections(const XmlElement& root, Reader& reader) {
   root.allowAttributes({});
-  root.allowChildren(sections());
+  root.allowChildren(tagsIn(""));
   const auto framework = root.child("framework");
   const auto arena = root.child("arena");
   if (!framework || !arena) {

@@ -8,6 +8,7 @@
 
 #include "parameter_table.hpp"
 #include "swarmanoid_space/experiment.hpp"
+#include "tags.hpp"
 #include "xml_element.hpp"
 
 namespace swarmanoid::experiment {

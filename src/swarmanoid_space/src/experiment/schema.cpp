@@ -6,6 +6,7 @@
 #include "schema_writer.hpp"
 #include "swarmanoid_space/entity_type.hpp"
 #include "swarmanoid_space/experiment.hpp"
+#include "tags.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -35,85 +36,69 @@ void writeEntities(bool is_distributed, SchemaWriter& out) {
         out.openElement("controller", false);
         out.open("simpleContent");
         out.open("extension", {{"base", "name"}});
-        out.choiceAttribute("source", commandSources(), false);
-        out.numberAttribute("timeout", kCommandTimeoutRange, false);
+        out.attributes(tagAt("arena/*/controller").attributes);
         out.close();
         out.close();
         out.closeElement();
       }
       out.close();
-      out.attribute("id", "name", true);
+      out.attributes(tagAt("arena/*").attributes);
       out.closeElement();
     }
   }
+}
+
+void writeDistribute(const ExperimentTag& tag, SchemaWriter& out) {
+  out.openElement(tag.name, true, tag.summary);
+  out.open("all");
+  out.parameters(tag.values);
+  writeEntities(true, out);
+  out.close();
+  out.attributes(tag.attributes);
+  out.closeElement();
 }
 
 void writeArena(SchemaWriter& out) {
   out.openElement("arena", true);
   out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
   writeEntities(false, out);
-  out.openElement("floor_patch", true);
-  out.open("all");
-  out.parameters(floorPatchParameters());
+  for (const std::string& name : tagsIn("arena")) {
+    const ExperimentTag& tag = tagAt("arena/" + name);
+    if (name == "distribute") {
+      writeDistribute(tag, out);
+    } else {
+      out.tag(tag);
+    }
+  }
   out.close();
-  out.attribute("id", "name", true);
-  out.closeElement();
-  out.openElement("heightfield", true);
-  out.open("all");
-  out.parameters(heightfieldParameters());
-  out.close();
-  out.closeElement();
-  out.openElement("distribute", true);
-  out.open("all");
-  out.parameters(distributeParameters());
-  writeEntities(true, out);
-  out.close();
-  out.integerAttribute("quantity", kQuantityRange, true);
-  out.choiceAttribute("layout", layouts(), false);
-  out.closeElement();
-  out.close();
-  out.attribute("size", "three_numbers", true);
-  out.choiceAttribute("optimization", optimizations(), true);
-  out.attribute("bounded", "boolean", false);
+  out.attributes(tagAt("arena").attributes);
   out.closeElement();
 }
 
-void writeConditions(SchemaWriter& out) {
-  for (const std::string& name : conditions()) {
-    if (name == "debug") {
-      out.openElement(name, true);
-      out.open("simpleContent");
-      out.open("extension", {{"base", "text"}});
-      for (const std::string& attribute : debugAttributes()) {
-        out.attribute(attribute, "text", true);
-      }
-      out.close();
-      out.close();
-      out.closeElement();
-    } else if (name == "attached" || name == "released") {
-      out.openElement(name, true);
-      for (const std::string& attribute : gripAttributes()) {
-        out.choiceAttribute(attribute, gripEnds(), false);
-      }
-      out.closeElement();
-    } else {
-      out.openElement(name, true);
-      out.open("all");
-      out.parameters(boxParameters());
-      out.close();
-      out.closeElement();
-    }
+void writeCondition(const ExperimentTag& tag, SchemaWriter& out) {
+  if (tag.name != "debug") {
+    out.tag(tag);
+    return;
   }
+  out.openElement(tag.name, true, tag.summary);
+  out.open("simpleContent");
+  out.open("extension", {{"base", "text"}});
+  out.attributes(tag.attributes);
+  out.close();
+  out.close();
+  out.closeElement();
 }
 
 void writeHandover(SchemaWriter& out) {
-  out.openElement("handover", true, "An engine takes the entity over when the condition becomes true.");
+  const std::string path = "arena_physics/handover";
+  const ExperimentTag& tag = tagAt(path);
+  out.openElement(tag.name, true, tag.summary);
   out.open("choice");
-  writeConditions(out);
-  out.close();
-  for (const std::string& name : handoverAttributes()) {
-    out.attribute(name, "name", name != "id");
+  for (const std::string& name : tagsIn(path)) {
+    writeCondition(tagAt(path + "/" + name), out);
   }
+  out.close();
+  out.attributes(tag.attributes);
   out.closeElement();
 }
 
@@ -124,11 +109,10 @@ void writeArenaPhysics(SchemaWriter& out) {
   out.openRepeatedElement("engine");
   out.open("sequence");
   out.openRepeatedElement("entity");
-  out.attribute("id", "name", true);
-  out.choiceAttribute("role", roles(), false);
+  out.attributes(tagAt("arena_physics/engine/entity").attributes);
   out.closeElement();
   out.close();
-  out.attribute("id", "name", true);
+  out.attributes(tagAt("arena_physics/engine").attributes);
   out.close();
   out.identity("unique", "entity_of_engine", "entity");
   out.close();
@@ -158,7 +142,7 @@ void writeRoot(SchemaWriter& out) {
   out.open("all");
   out.openElement("framework", true);
   out.open("all");
-  out.parameters(frameworkParameters());
+  out.parameters(tagAt("framework").values);
   out.close();
   out.closeElement();
   writeOpenSection("controllers", out);

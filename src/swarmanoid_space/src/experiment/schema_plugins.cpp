@@ -3,6 +3,7 @@
 
 #include "parameter_table.hpp"
 #include "schema_writer.hpp"
+#include "tags.hpp"
 
 namespace swarmanoid::experiment {
 
@@ -14,12 +15,6 @@ std::vector<std::string> namesOf(const std::string& name, std::vector<std::strin
 namespace {
 
 std::vector<const Registry::Entry*> all(PluginKind kind) { return Registry::instance().all(kind); }
-
-void writePluginAttributes(SchemaWriter& out) {
-  for (const std::string& name : pluginAttributes()) {
-    out.attribute(name, name == "id" ? "name" : "xs:string", name == "id");
-  }
-}
 
 /// What stands in any controller, known or not.
 void writeControllerParts(SchemaWriter& out) {
@@ -64,7 +59,7 @@ void writeDevice(const std::string& tag, const std::vector<const Registry::Entry
   out.choiceElement("implementation", choices);
   out.parameters(deviceParameters(implementations));
   out.close();
-  out.attribute("library", "xs:string", false);
+  out.attributes(tagAt("controllers/*/sensors/*").attributes);  // and actuators have the same
   out.closeElement();
 }
 
@@ -79,7 +74,7 @@ void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry&
     out.parameters(entry.description.parameters);
   }
   out.close();
-  writePluginAttributes(out);
+  out.attributes(tagAt("controllers/*").attributes);  // and engines and visualisations have the same
   out.closeElement();
 }
 

@@ -133,26 +133,39 @@ void SchemaWriter::choiceElement(const std::string& name, const std::vector<std:
   close();
 }
 
-void SchemaWriter::attribute(const std::string& name, const std::string& type, bool required) {
-  leaf("attribute", {{"name", name}, {"type", type}, {"use", required ? "required" : "optional"}});
-}
-
-void SchemaWriter::choiceAttribute(const std::string& name, const std::vector<std::string>& choices, bool required) {
-  open("attribute", {{"name", name}, {"use", required ? "required" : "optional"}});
-  enumeration(choices);
+void SchemaWriter::attribute(const ExperimentAttribute& attribute) {
+  const Parameter& value = attribute.value;
+  const bool is_whole = value.type == Parameter::Type::kInteger;
+  Attributes written{{"name", value.name}, {"use", value.value ? "optional" : "required"}};
+  if (value.type == Parameter::Type::kChoice) {
+    open("attribute", written);
+    enumeration(value.choices);
+  } else if (value.type == Parameter::Type::kNumber || is_whole) {
+    open("attribute", written);
+    restriction(typeOf(value), value.range, is_whole);
+  } else {
+    const bool is_needed_text = value.type == Parameter::Type::kText && !value.value;
+    written.emplace_back("type", attribute.is_id ? "name" : (is_needed_text ? "text" : typeOf(value)));
+    open("attribute", written);
+  }
   close();
 }
 
-void SchemaWriter::numberAttribute(const std::string& name, Range range, bool required) {
-  open("attribute", {{"name", name}, {"use", required ? "required" : "optional"}});
-  restriction("number", range, false);
-  close();
+void SchemaWriter::attributes(const std::vector<ExperimentAttribute>& table) {
+  for (const ExperimentAttribute& entry : table) {
+    attribute(entry);
+  }
 }
 
-void SchemaWriter::integerAttribute(const std::string& name, Range range, bool required) {
-  open("attribute", {{"name", name}, {"use", required ? "required" : "optional"}});
-  restriction("integer", range, true);
-  close();
+void SchemaWriter::tag(const ExperimentTag& tag) {
+  openElement(tag.name, true, tag.summary);
+  if (!tag.values.empty()) {
+    open("all");
+    parameters(tag.values);
+    close();
+  }
+  attributes(tag.attributes);
+  closeElement();
 }
 
 void SchemaWriter::identity(const std::string& kind, const std::string& name, const std::string& selector) {

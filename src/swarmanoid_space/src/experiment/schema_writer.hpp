@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/experiment_tags.hpp"
 
 namespace swarmanoid::experiment {
 
@@ -37,10 +38,9 @@ class SchemaWriter {
   /// An element with one of the texts.
   void choiceElement(const std::string& name, const std::vector<std::string>& choices);
 
-  void attribute(const std::string& name, const std::string& type, bool required);
-  void choiceAttribute(const std::string& name, const std::vector<std::string>& choices, bool required);
-  void numberAttribute(const std::string& name, Range range, bool required);
-  void integerAttribute(const std::string& name, Range range, bool required);
+  void attributes(const std::vector<ExperimentAttribute>& table);
+  /// A tag with its values and attributes, where nothing else stands in it.
+  void tag(const ExperimentTag& tag);
   /// No two elements of `selector` have the same id. `kind`: unique or key; key also asks for the id.
   void identity(const std::string& kind, const std::string& name, const std::string& selector);
   /// `field` of every element of `selector`, such as "@entity", is the id of an element of the key.
@@ -55,6 +55,7 @@ class SchemaWriter {
  private:
   void pattern(const std::string& name, const std::string& base, const std::string& pattern);
   void documentation(const std::string& text);
+  void attribute(const ExperimentAttribute& attribute);
   void restriction(const std::string& base, Range range, bool is_whole);
   void enumeration(const std::vector<std::string>& choices);
 

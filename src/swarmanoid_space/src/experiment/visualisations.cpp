@@ -7,7 +7,7 @@ void readVisualisations(const XmlElement& section, Reader& reader) {
   section.allowAttributes({});
   section.refuseText();
   for (const XmlElement& element : section.children()) {
-    element.allowAttributes(pluginAttributes());
+    element.allowAttributes(attributesOf("visualisations/*"));
     VisualisationDescription visualisation;
     visualisation.location = element.location();
     visualisation.id = element.requireAttribute("id");

@@ -1,0 +1,28 @@
+# Run by each build: writes OUTPUT, the source of version(), unless it says that already, so that only another commit
+# compiles anything. Given: SOURCE (the package's folder), VERSION, GIT (the program, or not found), OUTPUT.
+set(_commit unknown)
+if(GIT)
+  # a copy of the sources inside somebody else's repository is not of that repository's commit
+  execute_process(COMMAND ${GIT} ls-files --error-unmatch package.xml WORKING_DIRECTORY ${SOURCE}
+    RESULT_VARIABLE _result OUTPUT_QUIET ERROR_QUIET)
+  if(_result EQUAL 0)
+    # no lock: a build must not get into the way of a commit
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env GIT_OPTIONAL_LOCKS=0
+      ${GIT} describe --always --exclude=* --abbrev=12 --dirty=.dirty
+      WORKING_DIRECTORY ${SOURCE} RESULT_VARIABLE _result OUTPUT_VARIABLE _output ERROR_QUIET
+      OUTPUT_STRIP_TRAILING_WHITESPACE)
+    if(_result EQUAL 0)
+      set(_commit ${_output})
+    endif()
+  endif()
+endif()
+
+string(CONCAT _text "// Written by write_version.cmake.\n#include \"version.hpp\"\n\nnamespace swarmanoid::program {\n\n"
+  "std::string version() { return \"${VERSION}+${_commit}\"; }\n\n}  // namespace swarmanoid::program\n")
+set(_old "")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} _old)
+endif()
+if(NOT _old STREQUAL _text)
+  file(WRITE ${OUTPUT} "${_text}")
+endif()

@@ -1,0 +1,97 @@
+#!/usr/bin/env python3
+"""`swarmanoid list` names all that the schema and the reference page name, and every plugin that is installed."""
+
+import os
+import pathlib
+import re
+import unittest
+import xml.etree.ElementTree
+
+from program_world import FINISHED, ProgramTest
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PAGE = ROOT / "docs/reference/experiment_file.md"
+HEADINGS = ["experiment", "framework", "controller", "sensor", "actuator", "arena", "entity", "engine", "arena_physics",
+            "visualisation"]
+XSD = "{http://www.w3.org/2001/XMLSchema}"
+
+
+def words(text):
+    return set(re.findall(r"\w+", text))
+
+
+class ListTest(ProgramTest):
+    def list(self, *kind):
+        done = self.call("list", *kind)
+        self.assertEqual((done.returncode, done.stderr), (FINISHED, ""))
+        return done.stdout
+
+    def test_every_heading_can_be_asked_for(self):
+        everything = self.list()
+        self.assertEqual([line for line in everything.splitlines() if not line.startswith(" ")], HEADINGS)
+        self.assertEqual("".join(self.list(heading) for heading in HEADINGS), everything)
+        self.assertEqual(self.list("experiment"),
+                         "experiment\n  climbing\n  conformance\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
+                         "  rough_terrain\n  shelf_retrieval\n")
+        sensors = self.list("sensor")
+        self.assertIn("  footbot_proximity (polynomial): ", sensors)
+        self.assertNotIn("footbot_wheels", sensors)
+        self.assert_refused("list: found 'sensors', allowed: " + ", ".join(HEADINGS) + "; did you mean 'sensor'?",
+                            "list", "sensors")
+
+    def test_no_name_of_the_schema_is_missing(self):
+        listed = words(self.list())
+        schema = xml.etree.ElementTree.fromstring(self.call("schema").stdout)
+        names = {node.get("name") for kind in ("element", "attribute") for node in schema.iter(XSD + kind)} - {None}
+        self.assertGreater(len(names), 80)
+        self.assertEqual(names - listed - {"ahss-config"}, set())
+        choices = {node.get("value") for node in schema.iter(XSD + "enumeration")}
+        self.assertEqual(choices - listed, set())
+
+    def test_no_name_of_the_page_s_tables_is_missing(self):
+        listed = words(self.list())
+        text = PAGE.read_text()
+        text = text[:text.index("## Names of the thesis")]
+        names = set()
+        for row in re.findall(r"^\| (.*) \|$", text, re.M):
+            names |= set(re.findall(r"`(\w+)`", row))
+        self.assertGreater(len(names), 100)
+        self.assertEqual(names - listed, set())
+
+    def test_the_installed_controllers_are_named_with_their_packages(self):
+        controllers = self.list("controller")
+        sources = (ROOT / "src/swarmanoid_controllers").rglob("*.cpp")
+        labels = {label for file in sources for label in re.findall(r'REGISTER_CONTROLLER\(.*"(\w+)"\)', file.read_text())}
+        self.assertIn("diffusion", labels)
+        for label in labels:
+            self.assertIn(f'\n  {label}\n      in library="{label}" of swarmanoid_controllers\n', controllers)
+
+    def test_plugins_that_need_a_library_say_which(self):
+        visualisations = self.list("visualisation")
+        for name, library, package in (("rosbag_recorder", "swarmanoid_recording", "swarmanoid_space"),
+                                       ("retrieval_monitor", "retrieval_monitor", "swarmanoid_experiments")):
+            self.assertRegex(visualisations, f'  {name}: .*\n      in library="{library}" of {package}\n')
+        self.assertRegex(visualisations, "  text_render: .*\n      file")
+
+    def test_a_library_that_cannot_be_loaded_is_told_of_and_the_rest_listed(self):
+        before = self.list()
+        declared = self.folder / "share/swarmanoid/plugins"
+        declared.mkdir(parents=True)
+        (declared / "gone").write_text("my_package\n")
+        (declared / "broken").write_text("my_package\n")
+        (self.folder / "lib").mkdir()
+        (self.folder / "lib/libbroken.so").write_text("no library")
+        path = os.environ["CMAKE_PREFIX_PATH"]
+        self.addCleanup(os.environ.__setitem__, "CMAKE_PREFIX_PATH", path)
+        os.environ["CMAKE_PREFIX_PATH"] = f"{self.folder}:{path}"
+        done = self.call("list")
+        self.assertEqual((done.returncode, done.stdout), (FINISHED, before))
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 2, done.stderr)
+        warning = "^swarmanoid: warning: package my_package: "
+        self.assertRegex(lines[0], warning + "library 'broken' cannot be loaded: .*too short")
+        self.assertRegex(lines[1], warning + "library 'gone': found no libgone.so in ")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[pathlib.Path(__file__).name, "-v"])

@@ -1,0 +1,60 @@
+#!/usr/bin/env python3
+"""The program `swarmanoid` and its standard streams: output that is lost is an error, and a closed stream's number goes to
+no file."""
+
+import os
+import pathlib
+import pty
+import subprocess
+import unittest
+
+from program_world import BAD_INPUT, FINISHED, STOPPED, ProgramTest
+
+FULL = "swarmanoid: standard output cannot be written: No space left on device\n"
+CLOSED = "swarmanoid: standard output: found it closed, allowed: a file, a pipe or /dev/null\n"
+
+
+class StreamsTest(ProgramTest):
+    def shell(self, *arguments, redirection):
+        """The program as a shell starts it. @return exit code and what came to the error stream"""
+        done = subprocess.run(["sh", "-c", f'exec swarmanoid "$@" {redirection}', "sh", *map(str, arguments)],
+                              cwd=self.folder, timeout=60, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                              encoding="utf-8", errors="replace", check=False)
+        return done.returncode, done.stderr
+
+    def test_a_full_device_is_an_error(self):
+        world = self.world()
+        for arguments in (["run", world, "--quiet"], ["validate", world], ["validate", world, "--path"], ["list"],
+                          ["list", "engine"], ["schema"], ["--version"], ["--help"], ["run", "--help"]):
+            self.assertEqual(self.shell(*arguments, redirection="> /dev/full"), (STOPPED, FULL), arguments)
+        table = (self.folder / "table.txt").read_text()
+        self.assertEqual(len(table.splitlines()), 1 + 21 * 2, "the files of the run are complete")
+
+    def test_a_closed_output_is_refused_before_anything_runs(self):
+        world = self.world()
+        for arguments in (["run", world, "--quiet", "--hashes", "hashes.txt"], ["list"], ["schema"], ["validate", world]):
+            self.assertEqual(self.shell(*arguments, redirection=">&-"), (BAD_INPUT, CLOSED), arguments)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["world.xml"])
+
+    def test_no_file_takes_the_place_of_other_closed_streams(self):
+        arguments = ["run", self.world(fail_at=3), "--hashes", "hashes.txt"]
+        self.shell(*arguments, redirection="> summary.txt")
+        expected = (self.folder / "hashes.txt").read_text()
+        for redirection in ("<&- 2>&- > summary.txt", "2>&- > summary.txt", "<&- > summary.txt 2> errors.txt"):
+            self.shell(*arguments, redirection=redirection)
+            self.assertEqual((self.folder / "hashes.txt").read_text(), expected, redirection)
+            self.assertEqual((self.folder / "summary.txt").read_text().count("\n"), 1, redirection)
+
+    def test_a_terminal_has_one_line_that_is_redrawn(self):
+        master, slave = pty.openpty()
+        self.addCleanup(os.close, master)
+        done = subprocess.run(["swarmanoid", "run", self.world(visualisations="")], cwd=self.folder, timeout=60,
+                              stdout=subprocess.PIPE, stderr=slave, check=False)
+        os.close(slave)
+        self.assertEqual(done.returncode, FINISHED)
+        drawn = os.read(master, 65536).decode()
+        self.assertRegex(drawn, r"\rworld \[#{40}\] 20 of at most 20 ticks, 2\.0 s simulated, \d+ ticks/s\x1b\[K\r\n$")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[pathlib.Path(__file__).name, "-v"])
