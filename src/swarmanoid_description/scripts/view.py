@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Opens rviz on a space, running or played from a bag: waits for its floor, and fits grid and camera to it.
+"""Opens rviz on a space, running or played from a bag: waits for its floor, and has the camera take all of it in.
 
     view.py [--layout FILE] [--topics /space]"""
 
 import argparse
+import itertools
 import math
 import os
 import pathlib
@@ -12,58 +13,99 @@ import tempfile
 import rospkg
 import rospy
 import yaml
-from visualization_msgs.msg import MarkerArray
+from visualization_msgs.msg import Marker, MarkerArray
 
 PATIENCE = 3.0  # [s]
-CELLS = 13  # of the grid, at the most, along the longer side
+FIELD_OF_VIEW = 0.785  # upright, of the layout's camera unless it says otherwise [rad]
+ASPECT = 1.5  # width by height of the narrowest picture that the view is made for: a window on a small display, with docks
+FILLED = 0.95  # how far from the middle of the picture to its borders the space reaches ...
+FILLED_ABOVE = 0.82  # ... and to the upper one: labels of those who are at the far side stand above it
+NEAR = 0.003  # by the distance: what is nearer than this is cut off. Were it less, thin things would flicker far away
+LABELS = "labels"
+LABEL_LINES = "label_lines"  # each from a robot's top to its label
 
 
-def extent(markers):
-    """Lengths along x and y [m] of floor and terrain, which has the place of parts of it; None without them."""
-    corners = [(marker.pose.position.x + 0.5 * marker.scale.x, marker.pose.position.y + 0.5 * marker.scale.y)
-               for marker in markers if marker.ns == "floor"]
-    corners += [(point.x, point.y) for marker in markers if marker.ns == "terrain" for point in marker.points]
-    return (max(x for x, _ in corners), max(y for _, y in corners)) if corners else None
+def reach(orientation, half):
+    """How far a box of these half lengths reaches from its middle along x, y and z, however it is turned [m]."""
+    x, y, z, w = orientation.x, orientation.y, orientation.z, orientation.w
+    rows = ((1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+            (2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+            (2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)))
+    return [sum(abs(part) * length for part, length in zip(row, half)) for row in rows]
 
 
-def floor_size(topics):
-    """Lengths along x and y [m]; the floor begins at the origin."""
+def corners_of(marker):
+    """Points of the world [m] between which a marker lies."""
+    if marker.points:
+        return [(point.x, point.y, point.z) for point in marker.points[::2 if marker.ns == LABEL_LINES else 1]]
+    place = (marker.pose.position.x, marker.pose.position.y, marker.pose.position.z)
+    far = reach(marker.pose.orientation, [0.5 * length for length in (marker.scale.x, marker.scale.y, marker.scale.z)])
+    return [[a + sign * b for a, b in zip(place, far)] for sign in (-1, 1)]
+
+
+def extent(markers, frame="world"):
+    """Lowest and highest corner [m] of the box that holds floor, terrain and all that is shown, but labels; None without a
+    floor."""
+    shown = [marker for marker in markers if marker.action == Marker.ADD and marker.header.frame_id == frame
+             and marker.ns != LABELS]
+    if not any(marker.ns in ("floor", "terrain") for marker in shown):
+        return None
+    columns = list(zip(*(corner for marker in shown for corner in corners_of(marker))))
+    return [min(column) for column in columns], [max(column) for column in columns]
+
+
+def axes(pitch, yaw):
+    """Where the camera looks, and what is right and up in its picture."""
+    forward = (-math.cos(yaw) * math.cos(pitch), -math.sin(yaw) * math.cos(pitch), -math.sin(pitch))
+    right = (-math.sin(yaw), math.cos(yaw), 0.0)
+    up = (-math.cos(yaw) * math.sin(pitch), -math.sin(yaw) * math.sin(pitch), math.cos(pitch))
+    return forward, right, up
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def camera(low, high, pitch, yaw, field_of_view):
+    """Focal point on the floor, and distance from it [m], of a camera that has the whole box in its picture.
+
+    A point that is p away from the focal point, in the picture's plane, and d behind it is in the picture if
+    p <= slope * (distance + d): each corner asks for a distance on each of the four sides."""
+    forward, right, up = axes(pitch, yaw)
+    middle = [0.5 * (a + b) for a, b in zip(low, high)]
+    slope_up, slope_down = (filled * math.tan(0.5 * field_of_view) for filled in (FILLED_ABOVE, FILLED))
+    slope_aside = ASPECT * slope_down
+    offsets = [[a - b for a, b in zip(corner, middle)] for corner in itertools.product(*zip(low, high))]
+    above = max(dot(offset, up) / slope_up - dot(offset, forward) for offset in offsets)
+    below = max(-dot(offset, up) / slope_down - dot(offset, forward) for offset in offsets)
+    aside = max(abs(dot(offset, right)) / slope_aside - dot(offset, forward) for offset in offsets)
+    shift = (above - below) / (1.0 / slope_up + 1.0 / slope_down)  # of the picture upwards, until both ask for the same
+    focus = [a + shift * b for a, b in zip(middle, up)]
+    distance = max(above - shift / slope_up, aside)
+    further = -focus[2] / forward[2]  # the same camera, but it turns about a point on the floor
+    return [a + further * b for a, b in zip(focus, forward)], distance + further
+
+
+def fit(layout, low, high):
+    view = layout["Visualization Manager"]["Views"]["Current"]
+    focus, distance = camera(low, high, view["Pitch"], view["Yaw"], view.get("Field of View", FIELD_OF_VIEW))
+    view.update({"Distance": distance, "Focal Point": dict(zip("XYZ", focus)),
+                 "Near Clip Distance": max(0.01, NEAR * distance)})
+
+
+def floor_markers(topics):
+    """All that does not move; a space's first message may be about another run."""
     while True:
-        size = extent(rospy.wait_for_message(topics + "/markers_static", MarkerArray).markers)
-        if size is not None:
-            return size
+        markers = rospy.wait_for_message(topics + "/markers_static", MarkerArray).markers
+        if extent(markers) is not None:
+            return markers
 
 
-def greatest_height(topics):
-    """Of what moves [m]."""
+def moving_markers(topics):
     try:
-        markers = rospy.wait_for_message(topics + "/markers", MarkerArray, PATIENCE).markers
+        return rospy.wait_for_message(topics + "/markers", MarkerArray, PATIENCE).markers
     except rospy.ROSException:
-        return 0.0
-    return max([0.0] + [point.z for marker in markers for point in [marker.pose.position, *marker.points]])
-
-
-def cell_length(side):
-    """The smallest of 0.1, 0.2, 0.5, 1, 2, 5, ... that divides the side into few enough cells [m]."""
-    lengths = [digit * 10.0**power for power in range(-1, 4) for digit in (1, 2, 5)]
-    return next((length for length in lengths if side / length <= CELLS), lengths[-1])
-
-
-def fit(layout, width, depth, height):
-    """Looks from the south, as on a map that was tilted; leaves room above the floor where somebody flies."""
-    side = max(width, depth)
-    cell = cell_length(side)
-    count = math.floor(side / cell + 1e-6)
-    manager = layout["Visualization Manager"]
-    for display in manager["Displays"]:
-        if display["Class"] == "rviz/Grid":
-            middle = 0.5 * count * cell
-            display.update({"Cell Size": cell, "Plane Cell Count": count, "Offset": {"X": middle, "Y": middle, "Z": 0}})
-    flies = height > 0.2 * side
-    manager["Views"]["Current"].update({
-        "Distance": (1.5 if flies else 1.35) * max(depth, 0.8 * width) + 0.2,
-        "Focal Point": {"X": 0.5 * width, "Y": (0.52 if flies else 0.45) * depth, "Z": 0.06 * side if flies else 0.0},
-    })
+        return []
 
 
 def main():
@@ -74,7 +116,7 @@ def main():
     arguments, remappings = parser.parse_known_args()
     layout = yaml.safe_load(arguments.layout.read_text())
     rospy.init_node("view", disable_rostime=True)  # time may stand still
-    fit(layout, *floor_size(arguments.topics), greatest_height(arguments.topics))
+    fit(layout, *extent(floor_markers(arguments.topics) + moving_markers(arguments.topics)))
     rospy.signal_shutdown("rviz takes over")
     file = pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_view_")) / "space.rviz"
     file.write_text(yaml.safe_dump(layout))

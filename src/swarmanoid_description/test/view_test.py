@@ -1,7 +1,9 @@
 #!/usr/bin/python3
-"""The view fits the arena: all of it in sight, a grid of few cells that begins at its corner."""
+"""The view fits the arena: all of it in sight, in a window that fits a small display and has the usual panels."""
 
 import importlib.util
+import itertools
+import math
 import pathlib
 import types
 import unittest
@@ -9,6 +11,7 @@ import unittest
 import yaml
 
 FOLDER = pathlib.Path(__file__).resolve().parent.parent
+SMALL_DISPLAY = (1280, 800)  # [pixels]
 
 
 def load_view():
@@ -21,45 +24,122 @@ def load_view():
 view = load_view()
 
 
+def layout():
+    return yaml.safe_load((FOLDER / "rviz/space.rviz").read_text())
+
+
+def vector(x, y, z, **more):
+    return types.SimpleNamespace(x=x, y=y, z=z, **more)
+
+
+def marker(ns, position, scale, points=(), orientation=(0.0, 0.0, 0.0, 1.0), frame="world", action=0):
+    x, y, z, w = orientation
+    return types.SimpleNamespace(ns=ns, action=action, header=types.SimpleNamespace(frame_id=frame), scale=vector(*scale),
+                                 pose=types.SimpleNamespace(position=vector(*position), orientation=vector(x, y, z, w=w)),
+                                 points=[vector(*point) for point in points])
+
+
 class ViewTest(unittest.TestCase):
-    def fitted(self, *size):
-        layout = yaml.safe_load((FOLDER / "rviz/space.rviz").read_text())
-        view.fit(layout, *size)
-        manager = layout["Visualization Manager"]
-        grid = next(display for display in manager["Displays"] if display["Class"] == "rviz/Grid")
-        return manager["Views"]["Current"], grid
+    def fitted(self, low, high):
+        fitted = layout()
+        view.fit(fitted, low, high)
+        return fitted["Visualization Manager"]["Views"]["Current"]
 
-    def test_cells_have_round_lengths(self):
-        for side, length in ((1.0, 0.1), (5.0, 0.5), (12.65, 1.0), (126.5, 10.0)):
-            self.assertAlmostEqual(length, view.cell_length(side))
+    def picture(self, camera, low, high, aspect):
+        """Where the box's corners are in the picture, whose borders are at -1 and 1: rviz's orbiting camera, from its own
+        description."""
+        focus = [camera["Focal Point"][axis] for axis in "XYZ"]
+        pitch, yaw = camera["Pitch"], camera["Yaw"]
+        direction = [math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)]
+        eye = [a + camera["Distance"] * b for a, b in zip(focus, direction)]
+        right = [-math.sin(yaw), math.cos(yaw), 0.0]
+        up = [direction[1] * right[2] - direction[2] * right[1], direction[2] * right[0] - direction[0] * right[2],
+              direction[0] * right[1] - direction[1] * right[0]]
+        slope = math.tan(0.5 * camera["Field of View"])
+        for corner in itertools.product(*zip(low, high)):
+            offset = [a - b for a, b in zip(corner, eye)]
+            depth = -sum(a * b for a, b in zip(offset, direction))
+            self.assertGreater(depth, camera["Near Clip Distance"])
+            yield (sum(a * b for a, b in zip(offset, right)) / (depth * slope * aspect),
+                   sum(a * b for a, b in zip(offset, up)) / (depth * slope))
 
-    def test_the_grid_begins_at_the_corner(self):
-        _, grid = self.fitted(12.65, 12.65, 0.2)
-        self.assertEqual(12, grid["Plane Cell Count"])
-        self.assertAlmostEqual(6.0, grid["Offset"]["X"])
+    def test_the_whole_arena_is_in_sight_and_fills_the_picture(self):
+        sizes = ((5, 5, 0.2), (5, 5, 2.6), (12.65, 12.65, 0.2), (4, 3, 2.6), (4, 2, 1), (12, 4, 3), (2, 9, 1), (1, 1, 5))
+        for size in sizes:
+            with self.subTest(size=size):
+                low, high = (0.0, 0.0, 0.0), size
+                places = list(self.picture(self.fitted(low, high), low, high, view.ASPECT))
+                left, right = min(x for x, _ in places), max(x for x, _ in places)
+                bottom, top = min(y for _, y in places), max(y for _, y in places)
+                self.assertGreater(min(left, bottom), -0.97)
+                self.assertLess(right, 0.97)
+                self.assertLess(top, 0.85)  # labels stand above
+                self.assertTrue(right > 0.9 or (bottom < -0.9 and top > 0.8))
+
+    def test_the_camera_turns_about_a_point_of_the_floor(self):
+        focus = self.fitted((0.0, 0.0, 0.0), (5.0, 4.0, 2.5))["Focal Point"]
+        self.assertAlmostEqual(0.0, focus["Z"])
+        self.assertAlmostEqual(2.5, focus["X"], places=2)
+        self.assertTrue(0.0 < focus["Y"] < 4.0)
 
     def test_a_larger_arena_is_seen_from_further_away(self):
-        near, _ = self.fitted(5.0, 5.0, 0.2)
-        far, _ = self.fitted(50.0, 50.0, 0.2)
-        self.assertGreater(far["Distance"], 9.0 * near["Distance"])
+        near = self.fitted((0.0, 0.0, 0.0), (5.0, 5.0, 0.2))
+        far = self.fitted((0.0, 0.0, 0.0), (50.0, 50.0, 2.0))
+        self.assertAlmostEqual(far["Distance"], 10.0 * near["Distance"])
 
-    def test_the_floor_may_have_a_terrain_in_the_place_of_its_parts(self):
-        def part(ns, x, y, width, depth, points=()):
-            position = types.SimpleNamespace(x=x, y=y)
-            return types.SimpleNamespace(ns=ns, pose=types.SimpleNamespace(position=position), points=points,
-                                         scale=types.SimpleNamespace(x=width, y=depth))
+    def test_floor_terrain_and_everything_above_count(self):
+        floor = [marker("floor", (1.0, 2.0, 0.0), (2.0, 4.0, 0.01)), marker("floor", (2.5, 0.5, 0.0), (5.0, 1.0, 0.01))]
+        low, high = view.extent(floor)
+        for expected, found in zip((0.0, 0.0, -0.005, 5.0, 4.0, 0.005), low + high):
+            self.assertAlmostEqual(expected, found)
+        terrain = marker("terrain", (0.0, 0.0, 0.0), (1.0, 1.0, 1.0), [(0.0, 1.0, -0.3), (6.0, 3.0, 0.4)])
+        self.assertEqual(([0.0, 1.0, -0.3], [6.0, 3.0, 0.4]), view.extent([terrain]))
+        ceiling = marker("obstacles", (2.0, 1.5, 2.55), (4.0, 3.0, 0.1))
+        self.assertAlmostEqual(2.6, view.extent(floor + [ceiling])[1][2])
+        half = math.sqrt(0.5)
+        pole = marker("obstacles", (1.0, 1.0, 1.0), (3.0, 0.1, 0.1), orientation=(0.0, half, 0.0, half))  # stands upright
+        self.assertAlmostEqual(2.5, view.extent(floor + [pole])[1][2])
 
-        floor = [part("floor", 1.0, 2.0, 2.0, 4.0), part("floor", 2.5, 0.5, 5.0, 1.0)]
-        self.assertEqual((5.0, 4.0), view.extent(floor + [part("obstacles", 9.0, 9.0, 1.0, 1.0)]))
-        corner = types.SimpleNamespace(x=6.0, y=3.0)
-        self.assertEqual((6.0, 3.0), view.extent([part("terrain", 0.0, 0.0, 1.0, 1.0, [corner])]))
+    def test_robots_count_and_their_labels_do_not(self):
+        floor = marker("floor", (1.0, 2.0, 0.0), (2.0, 4.0, 0.0))
+        label = marker("labels", (1.0, 1.0, 9.0), (0.0, 0.0, 0.1))
+        lines = marker("label_lines", (0.0, 0.0, 0.0), (0.01, 0.0, 0.0), [(1.0, 1.0, 0.3), (1.0, 1.0, 8.9), (1.0, 2.0, 2.2),
+                                                                          (1.0, 2.0, 2.4)])
+        self.assertAlmostEqual(2.2, view.extent([floor, label, lines])[1][2])
+
+    def test_what_is_deleted_and_what_moves_with_another_frame_do_not_count(self):
+        floor = marker("floor", (1.0, 2.0, 0.0), (2.0, 4.0, 0.0))
+        others = [marker("obstacles", (9.0, 9.0, 9.0), (1.0, 1.0, 1.0), action=2),
+                  marker("robots", (0.0, 0.0, 9.0), (1.0, 1.0, 1.0), frame="fb/base_link")]
+        self.assertEqual(view.extent([floor]), view.extent([floor] + others))
         self.assertIsNone(view.extent([]))
+        self.assertIsNone(view.extent(others))
 
-    def test_there_is_room_for_those_who_fly(self):
-        flat, _ = self.fitted(5.0, 5.0, 0.2)
-        high, _ = self.fitted(5.0, 5.0, 2.4)
-        self.assertGreater(high["Distance"], flat["Distance"])
-        self.assertGreater(high["Focal Point"]["Y"], flat["Focal Point"]["Y"])
+
+class LayoutTest(unittest.TestCase):
+    def test_the_window_fits_a_small_display_beside_the_bars_of_a_desktop(self):
+        window = layout()["Window Geometry"]
+        self.assertLessEqual(window["X"] + window["Width"], SMALL_DISPLAY[0])
+        self.assertLessEqual(window["Y"] + window["Height"], SMALL_DISPLAY[1] - 64)
+
+    def test_the_usual_panels_are_there(self):
+        names = ["Displays", "Views", "Selection", "Time"]
+        self.assertEqual(sorted(names), sorted(panel["Name"] for panel in layout()["Panels"]))
+        window = layout()["Window Geometry"]
+        docks = bytes.fromhex(window["QMainWindow State"])
+        for name in names:
+            self.assertEqual({"collapsed": False}, window[name])  # rviz hides a panel without it
+            self.assertIn(name.encode("utf-16-be"), docks)
+
+    def test_the_picture_is_not_squeezed_by_the_docks(self):
+        docks = bytes.fromhex(layout()["Window Geometry"]["QMainWindow State"])
+        # Qt: a marker and the version, a marker and the number of docks, then of each its side (0: left), width and height
+        self.assertEqual((2, 0), (int.from_bytes(docks[9:13], "big"), int.from_bytes(docks[13:17], "big")))
+        self.assertLess(int.from_bytes(docks[17:21], "big"), 0.3 * SMALL_DISPLAY[0])
+
+    def test_the_grid_is_the_arenas_own(self):
+        """rviz's is always square."""
+        self.assertNotIn("rviz/Grid", [display["Class"] for display in layout()["Visualization Manager"]["Displays"]])
 
 
 if __name__ == "__main__":

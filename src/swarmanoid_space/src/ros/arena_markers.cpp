@@ -33,12 +33,17 @@ std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const 
   }
   const Eigen::Vector2d& low = whole.min();
   const Eigen::Vector2d& high = whole.max();
-  const auto box = [](double x, double y, double to_x, double to_y) {
-    return Eigen::AlignedBox2d(Eigen::Vector2d(x, y), Eigen::Vector2d(to_x, to_y));
+  std::vector<Eigen::AlignedBox2d> parts;
+  const auto add = [&](double x, double y, double to_x, double to_y) {
+    if (to_x > x && to_y > y) {
+      parts.emplace_back(Eigen::Vector2d(x, y), Eigen::Vector2d(to_x, to_y));
+    }
   };
-  return {box(low.x(), low.y(), high.x(), cut.min().y()), box(low.x(), cut.max().y(), high.x(), high.y()),
-          box(low.x(), cut.min().y(), cut.min().x(), cut.max().y()),
-          box(cut.max().x(), cut.min().y(), high.x(), cut.max().y())};
+  add(low.x(), low.y(), high.x(), cut.min().y());
+  add(low.x(), cut.max().y(), high.x(), high.y());
+  add(low.x(), cut.min().y(), cut.min().x(), cut.max().y());
+  add(cut.max().x(), cut.min().y(), high.x(), cut.max().y());
+  return parts;
 }
 
 void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
@@ -53,13 +58,15 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
   int part_id = 0;
   for (const Eigen::AlignedBox2d& part : parts) {
     const Eigen::Vector2d size = part.sizes();
-    if (size.minCoeff() > 0.0) {
-      Marker floor = makeMarker(header, "floor", part_id++, Marker::CUBE, {size.x(), size.y(), kThickness},
-                                rgba(0.82F, 0.83F, 0.85F, 1.0F));
-      const Eigen::Vector2d middle = part.center();
-      floor.pose.position = toMessage(Eigen::Vector3d(middle.x(), middle.y(), -0.5 * kThickness - kPatchHeight));
-      markers.markers.push_back(floor);
-    }
+    Marker floor = makeMarker(header, "floor", part_id++, Marker::CUBE, {size.x(), size.y(), kThickness},
+                              rgba(0.82F, 0.83F, 0.85F, 1.0F));
+    const Eigen::Vector2d middle = part.center();
+    floor.pose.position = toMessage(Eigen::Vector3d(middle.x(), middle.y(), -0.5 * kThickness - kPatchHeight));
+    markers.markers.push_back(floor);
+  }
+  Marker grid = gridMarker(header, space.size.head<2>(), parts);
+  if (!grid.points.empty()) {
+    markers.markers.push_back(std::move(grid));
   }
   drawFloorPatches(space, header, markers);
 }
@@ -78,10 +85,14 @@ void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int
     markers.markers.push_back(lamp);
   }
   const std_msgs::ColorRGBA grey = rgba(0.55F, 0.57F, 0.6F, 1.0F);
-  const bool is_boundary = space.entities.name[i].rfind("boundary_", 0) == 0;
+  const bool is_boundary = isBoundary(space, row);
   for (const CollisionShape& shape : model.shapes) {
     Marker marker = shapeMarker(header, is_boundary ? "boundary" : "obstacles", id++, shape, pose,
                                 color.isLit() ? opaque(color) : grey);
+    if (isOverhead(space, row, shape)) {
+      constexpr float kTranslucent = 0.2F;
+      marker.color.a = kTranslucent;
+    }
     if (is_boundary) {
       // the arena's own walls would hide what happens behind them: only their foot is drawn
       constexpr double kHeight = 0.1;
@@ -93,6 +104,17 @@ void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int
 }
 
 }  // namespace
+
+bool isBoundary(const Space& space, Row row) {
+  return space.entities.name[static_cast<std::size_t>(row)].rfind("boundary_", 0) == 0;
+}
+
+bool isOverhead(const Space& space, Row row, const CollisionShape& shape) {
+  const Pose& pose = space.entities.pose[static_cast<std::size_t>(row)];
+  const Eigen::Matrix3d orientation = (pose.orientation * shape.orientation).toRotationMatrix();
+  const double middle = (pose.position + pose.orientation * shape.position).z();
+  return middle - orientation.row(2).cwiseAbs().dot(shape.half_extent) > 0.5 * space.size.z();
+}
 
 MarkerArray arenaMarkers(const Space& space) {
   const std_msgs::Header header = headerOf(space);

@@ -59,32 +59,6 @@ void drawSwarm(const Canvas& canvas) {
   }
 }
 
-void drawLabels(const Canvas& canvas) {
-  constexpr double kTextHeight = 0.1;
-  constexpr double kLineHeight = 1.2 * kTextHeight;
-  constexpr double kGap = 0.2;  // antennas rise above the shapes
-  for (const Row row : canvas.space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    if (!canvas.modelOf(row).is_robot) {
-      continue;
-    }
-    Marker label = makeMarker(canvas.header, "labels", static_cast<int>(canvas.space.entities.number[i]),
-                              Marker::TEXT_VIEW_FACING, {0.0, 0.0, kTextHeight}, rgba(0.05F, 0.07F, 0.1F, 1.0F));
-    label.text = canvas.space.entities.name[i];
-    double lines = 1.0;
-    if (const auto& robot = canvas.space.robots[i]) {
-      for (const auto& [key, value] : robot->debugValues()) {
-        label.text += "\n" + value;
-        lines += 1.0;
-      }
-    }
-    // the position is the middle of the text; its lowest line stands above the robot
-    const double middle = canvas.modelOf(row).highest + kGap + 0.5 * lines * kLineHeight;
-    label.pose.position = toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, middle}));
-    canvas.array.markers.push_back(label);
-  }
-}
-
 void drawPreys(const Canvas& canvas) {
   for (const Row row : canvas.space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
@@ -175,7 +149,7 @@ const MarkerArray& MovingMarkers::draw(const Space& space) {
   message_.markers.clear();
   const Canvas canvas{space, headerOf(space), hasFewRobots(space), message_};
   if (canvas.has_few_robots) {
-    drawLabels(canvas);
+    addLabels(space, canvas.header, message_);
   } else {
     drawSwarm(canvas);
   }

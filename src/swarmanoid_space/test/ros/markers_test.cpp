@@ -98,5 +98,57 @@ TEST(MarkersTest, NothingIsSentEmpty) {
   }
 }
 
+TEST(MarkersTest, TheGridIsAsOblongAsTheFloor) {
+  Space space;
+  space.size = {6.0, 2.0, 1.0};
+  const auto corners = [](const Marker& grid) {
+    Eigen::AlignedBox2d box;
+    for (const auto& point : grid.points) {
+      box.extend(Eigen::Vector2d(point.x, point.y));
+    }
+    return box;
+  };
+  const std::vector<Marker> grids = inNamespace(arenaMarkers(space), "grid");
+  ASSERT_EQ(1U, grids.size());
+  EXPECT_TRUE(corners(grids[0]).isApprox({Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(6.0, 2.0)}));
+  EXPECT_EQ(2U * (13U + 5U), grids[0].points.size());  // cells of 0.5 m
+
+  space.size = {12.65, 12.65, 1.0};
+  EXPECT_EQ(2U * (13U + 13U), inNamespace(arenaMarkers(space), "grid")[0].points.size());  // cells of 1 m
+}
+
+TEST(MarkersTest, TheGridLeavesRoomForTheTerrain) {
+  Space space;
+  space.size = {4.0, 3.0, 1.0};
+  space.terrain = std::make_shared<const Terrain>(Eigen::Vector2d(1.0, 1.0), Eigen::Vector2d(2.0, 1.0), 2, 2,
+                                                  std::vector<double>(4, 0.0));
+  const Marker grid = inNamespace(arenaMarkers(space), "grid")[0];
+  for (std::size_t i = 0; i + 1 < grid.points.size(); i += 2) {
+    const double x = 0.5 * (grid.points[i].x + grid.points[i + 1].x);
+    const double y = 0.5 * (grid.points[i].y + grid.points[i + 1].y);
+    EXPECT_FALSE(x > 1.0 && x < 3.0 && y > 1.0 && y < 2.0);
+  }
+  space.terrain = std::make_shared<const Terrain>(Eigen::Vector2d(0.0, 0.0), Eigen::Vector2d(4.0, 3.0), 2, 2,
+                                                  std::vector<double>(4, 0.0));
+  EXPECT_TRUE(inNamespace(arenaMarkers(space), "grid").empty());
+}
+
+TEST(MarkersTest, OneCanSeeThroughACeiling) {
+  Simulation simulation(parseExperiment(R"(
+<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>10</maxclock></framework>
+  <arena size="4,3,2.6" optimization="3D">
+    <block id="ceiling"><position>2, 1.5, 2.55</position><orientation>0, 0, 0</orientation><size>4, 3, 0.1</size></block>
+    <block id="pillar"><position>2, 1.5, 1.25</position><orientation>0, 0, 0</orientation><size>0.1, 0.1, 2.5</size></block>
+  </arena>
+</ahss-config>)",
+                                        "ceiling.xml"));
+  simulation.start();
+  const std::vector<Marker> obstacles = inNamespace(arenaMarkers(simulation.space()), "obstacles");
+  ASSERT_EQ(2U, obstacles.size());
+  EXPECT_GT(0.5F, obstacles[0].color.a);
+  EXPECT_FLOAT_EQ(1.0F, obstacles[1].color.a);
+}
+
 }  // namespace
 }  // namespace swarmanoid

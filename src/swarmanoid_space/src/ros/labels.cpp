@@ -1,0 +1,189 @@
+// Names and states of robots, as text above them that meets neither other text nor other robots.
+#include <algorithm>
+#include <cmath>
+
+#include "marker.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::Vector3d;
+using visualization_msgs::Marker;
+
+/// Room is shared out in the picture of a camera that looks from the south and down by kPitch, as that of view.py does
+/// at first; from elsewhere texts may meet.
+constexpr double kPitch = 0.85;  // rad
+Vector3d upInPicture() { return {0.0, std::sin(kPitch), std::cos(kPitch)}; }
+Vector3d towardsCamera() { return {0.0, -std::cos(kPitch), std::sin(kPitch)}; }
+
+constexpr double kAntenna = 0.2;  // m; antennas rise so far above the shapes at the most
+
+/// Part of the picture [m]: x to the right, y up.
+using Area = Eigen::AlignedBox2d;
+
+Area areaAround(const Vector3d& place, double width, double height) {
+  const Eigen::Vector2d middle(place.x(), upInPicture().dot(place));
+  const Eigen::Vector2d half(0.5 * width, 0.5 * height);
+  return {middle - half, middle + half};
+}
+
+bool overlap(const Area& a, const Area& b) {
+  constexpr double kTouching = 1e-6;  // m; no overlap yet
+  return (a.min().array() + kTouching < b.max().array()).all() && (b.min().array() + kTouching < a.max().array()).all();
+}
+
+/// What one robot has above it.
+struct Label {
+  Marker marker;
+  Vector3d place;   // where it is when nothing is in its way: the middle of the text
+  Vector3d anchor;  // the robot's top
+  double width = 0.0;
+  double height = 0.0;
+};
+
+/// Arenas are seen as a whole, and large ones from far away: text is as high as a part of the picture of the arena.
+double textHeight(const Space& space) {
+  const Vector3d up = upInPicture();
+  constexpr double kPart = 0.032;
+  constexpr double kAspect = 1.5;  // of the picture: a wide arena is not seen from as far away as a deep one
+  const double height = std::min(space.size.z(), space.size.head<2>().maxCoeff());
+  return kPart * std::max(space.size.x() / kAspect, up.y() * space.size.y() + up.z() * height);
+}
+
+/// Up to the tips of antennas.
+Area bodyArea(const EntityModel& model, const Pose& pose) {
+  const double radius = model.shapes.empty() ? 0.1 : model.shapes.front().half_extent.head<2>().maxCoeff();
+  Area area =
+      areaAround(pose.position + Vector3d(0.0, 0.0, model.lowest), 2.0 * radius, 2.0 * radius * upInPicture().y());
+  area.extend(Eigen::Vector2d(pose.position.x(),
+                              upInPicture().dot(pose.position + Vector3d(0.0, 0.0, model.highest + kAntenna))));
+  return area;
+}
+
+Label labelOf(const Space& space, Row row, const std_msgs::Header& header) {
+  constexpr double kLine = 1.15;      // a line's height by that of the text
+  constexpr double kCharacter = 0.5;  // a character's width likewise, at the most on average
+  const auto i = static_cast<std::size_t>(row);
+  const double text_height = textHeight(space);
+  Label label;
+  label.marker = makeMarker(header, "labels", static_cast<int>(space.entities.number[i]), Marker::TEXT_VIEW_FACING,
+                            {0.0, 0.0, text_height}, rgba(0.05F, 0.07F, 0.1F, 1.0F));
+  std::string& text = label.marker.text;
+  text = space.entities.name[i];
+  std::size_t lines = 1;
+  std::size_t longest = text.size();
+  if (const auto& robot = space.robots[i]) {
+    for (const auto& [key, value] : robot->debugValues()) {
+      text += "\n" + value;
+      longest = std::max(longest, value.size());
+      ++lines;
+    }
+  }
+  label.width = kCharacter * text_height * static_cast<double>(longest);
+  label.height = kLine * text_height * static_cast<double>(lines);
+  const Pose& pose = space.entities.pose[i];
+  label.anchor = pose.position + pose.orientation * Vector3d(0.0, 0.0, space.entities.model[i]->highest);
+  label.place = pose.position + pose.orientation * Vector3d(0.0, 0.0, space.entities.model[i]->highest + kAntenna);
+  label.place.z() += 0.5 * label.height / upInPicture().z();
+  return label;
+}
+
+/// The lowest place at or above this one where the label meets nothing that is in its way.
+Vector3d freePlaceAbove(Vector3d place, const Label& label, const std::vector<Area>& taken) {
+  // whatever was risen above is never in the way again
+  for (std::size_t tries = taken.size(); tries > 0; --tries) {
+    const Area area = areaAround(place, label.width, label.height);
+    const auto other = std::find_if(taken.begin(), taken.end(), [&](const Area& one) { return overlap(area, one); });
+    if (other == taken.end()) {
+      break;
+    }
+    place.z() += (other->max().y() - area.min().y()) / upInPicture().z();
+  }
+  return place;
+}
+
+/// Whether something that does not move stands between the camera and this place.
+bool isHidden(const Space& space, const Vector3d& place) {
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    if (space.entities.model[i]->is_movable || isBoundary(space, row)) {
+      continue;
+    }
+    const Pose& pose = space.entities.pose[i];
+    for (const CollisionShape& shape : space.entities.model[i]->shapes) {
+      // the ray towards the camera is between the shape's two faces across each of its axes from one distance to
+      // another
+      const Eigen::Quaterniond turn = (pose.orientation * shape.orientation).conjugate();
+      const Vector3d from = turn * (place - pose.position - pose.orientation * shape.position);
+      const Eigen::Array3d direction = turn * towardsCamera();
+      const Eigen::Array3d a = (shape.half_extent - from).array() / direction;
+      const Eigen::Array3d b = (-shape.half_extent - from).array() / direction;
+      if (std::max(0.0, a.min(b).maxCoeff()) <= a.max(b).minCoeff() && !isOverhead(space, row, shape)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The nearest of the free places above the label's own, and above those to its left and right: one above the other,
+/// the labels of a crowd would leave the picture. No label leaves the arena aside.
+Vector3d freePlace(const Space& space, const Label& label, const std::vector<Area>& taken) {
+  const auto badness = [&](const Vector3d& place) {
+    constexpr double kHidden = 1e3;  // m
+    const Eigen::Vector2d away(place.x() - label.place.x(), upInPicture().dot(place - label.place));
+    double sum = away.norm();
+    for (const double part : {-0.5, -0.25, 0.0, 0.25, 0.5}) {
+      sum += isHidden(space, place + Vector3d(part * label.width, 0.0, 0.0)) ? kHidden : 0.0;
+    }
+    return sum;
+  };
+  constexpr double kBetter = 0.01;  // m; places as good as each other would take turns by errors of rounding
+  Vector3d best = freePlaceAbove(label.place, label, taken);
+  double least = badness(best);
+  for (const double column : {-0.5, 0.5, -1.0, 1.0}) {
+    const Vector3d beside = label.place + Vector3d(column * label.width, 0.0, 0.0);
+    const Vector3d place = freePlaceAbove(beside, label, taken);
+    const bool is_inside = place.x() > 0.5 * label.width && place.x() < space.size.x() - 0.5 * label.width;
+    if (is_inside && badness(place) < least - kBetter) {
+      best = place;
+      least = badness(place);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+void addLabels(const Space& space, const std_msgs::Header& header, visualization_msgs::MarkerArray& markers) {
+  std::vector<Area> taken;
+  std::vector<Label> labels;
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    if (space.entities.model[i]->is_robot) {
+      taken.push_back(bodyArea(*space.entities.model[i], space.entities.pose[i]));
+      labels.push_back(labelOf(space, row, header));
+    }
+  }
+  // from below: who has to give way rises above those that are in their own place
+  std::stable_sort(labels.begin(), labels.end(), [](const Label& a, const Label& b) {
+    return upInPicture().dot(a.place) < upInPicture().dot(b.place);
+  });
+  constexpr double kLineWidth = 0.06;  // by the height of text
+  Marker lines = makeMarker(header, "label_lines", 0, Marker::LINE_LIST, {kLineWidth * textHeight(space), 0.0, 0.0},
+                            rgba(0.05F, 0.07F, 0.1F, 0.5F));
+  for (Label& label : labels) {
+    const Vector3d place = freePlace(space, label, taken);
+    taken.push_back(areaAround(place, label.width, label.height));
+    lines.points.push_back(toMessage(label.anchor));
+    lines.points.push_back(toMessage(Vector3d(place - Vector3d(0.0, 0.0, 0.5 * label.height / upInPicture().z()))));
+    label.marker.pose.position = toMessage(place);
+    markers.markers.push_back(std::move(label.marker));
+  }
+  if (!lines.points.empty()) {
+    markers.markers.push_back(std::move(lines));
+  }
+}
+
+}  // namespace swarmanoid
