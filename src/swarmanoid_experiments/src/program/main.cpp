@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
   CLI::App app{"Runs experiments of the swarmanoid simulator.", "swarmanoid"};
   app.require_subcommand(1);
   std::vector<std::pair<CLI::App*, Command>> commands;
-  for (const auto add : {addRunCommand, addValidateCommand, addListCommand, addSchemaCommand}) {
+  for (const auto add : {addRunCommand, addLaunchCommand, addValidateCommand, addListCommand, addSchemaCommand}) {
     Command command = add(app);
     commands.emplace_back(app.get_subcommands({}).back(), std::move(command));
   }

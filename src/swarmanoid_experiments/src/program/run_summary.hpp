@@ -8,7 +8,7 @@
 
 namespace swarmanoid::program {
 
-/// Exit codes of `swarmanoid run`.
+/// Exit codes of `swarmanoid run` and `swarmanoid launch`.
 enum ExitCode : int { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kEngineStopped = 4, kInterrupted = 130 };
 
 /// @param wall_s spent in ticks [s]; @param robot_ticks robots times ticks, summed over the run
