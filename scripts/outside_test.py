@@ -21,7 +21,7 @@ PACKAGES = ("example_controller", "example_engine", "example_python_controller",
             "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
-LAUNCH = ["roslaunch", "swarmanoid_experiments", "object_retrieval.launch", "rviz:=false", "real_time_factor:=0"]
+LAUNCH = ["roslaunch", "swarmanoid_experiments", "run.launch", "rviz:=false", "real_time_factor:=0"]
 BUILD_FOLDER = ""
 
 
@@ -150,7 +150,6 @@ class OutsideTest(unittest.TestCase):
             environment = sourced(self.bare, *(f"{build}/devel/setup.bash" for build in builds))
         headless_out = os.path.join(folder, "headless")
         ros_out = os.path.join(folder, "ros")
-        os.mkdir(ros_out)
         result = self.check_run_headless(environment, headless_out)
         self.check_run_under_ros(environment, headless_out, ros_out)
         return result["state_hash"]

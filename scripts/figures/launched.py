@@ -34,7 +34,7 @@ class Launched:
         os.environ.update(ROS_MASTER_URI=f"http://localhost:{port}", ROS_HOSTNAME="localhost")
         settings = {"rviz": "false", "paused": "true", "real_time_factor": "0", "on_end": "stay", "out": self.path}
         settings.update(argument.split(":=", 1) for argument in arguments)
-        command = ["roslaunch", "-p", str(port), ROOT / "launch/object_retrieval.launch"]
+        command = ["roslaunch", "-p", str(port), ROOT / "launch/run.launch"]
         self.log = open(self.path / "log.txt", "w+")
         self.process = subprocess.Popen(
             command + [f"{name}:={value}" for name, value in settings.items()], stdout=self.log,

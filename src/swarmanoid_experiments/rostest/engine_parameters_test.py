@@ -20,7 +20,7 @@ FILE = {"iterations": 50, "gravity": 9.81, "friction": 0.5, "treel_friction": 0.
 
 
 def values(config):
-    return {name: value for name, value in config.items() if name != "groups"}
+    return {name: value for name, value in config.items() if name not in ("groups", "last_error")}
 
 
 class EngineParametersTest(unittest.TestCase):
@@ -40,7 +40,7 @@ class EngineParametersTest(unittest.TestCase):
 
     def test_description_is_what_the_engine_says(self):
         described = {p["name"]: p for p in self.client.get_parameter_descriptions(timeout=TIMEOUT)}
-        self.assertEqual(set(FILE), set(described))
+        self.assertEqual(set(FILE) | {"last_error"}, set(described))
         self.assertEqual((0.0, 100.0, 9.81), tuple(described["gravity"][key] for key in ("min", "max", "default")))
         self.assertEqual("Downwards along z. [m/s2]", described["gravity"]["description"])
         self.assertEqual("int", described["iterations"]["type"])
@@ -65,6 +65,18 @@ class EngineParametersTest(unittest.TestCase):
         self.space.step(1)
         self.assertIsNone(self.events.wait_for(lambda e: e.kind == Event.INTERVENTION, timeout=0.5))
         self.assertEqual(FILE, values(self.client.update_configuration({})))
+
+    def test_a_client_learns_why_it_was_refused(self):
+        self.updates.clear()
+        reason = "gravity: found '-1', allowed: a number from 0 to 100"
+        with self.assertRaises(DynamicReconfigureCallbackException) as refused:
+            self.client.update_configuration({"gravity": -1.0})
+        self.assertIn(reason, str(refused.exception.__context__).replace("\\", ""))
+        update = self.updates.wait_for(lambda c: reason in {s.name: s.value for s in c.strs}["last_error"])
+        self.assertIsNotNone(update, "it is not in the update that user interfaces show")
+        self.assertEqual(9.81, {d.name: d.value for d in update.doubles}["gravity"])
+        answer = self.client.update_configuration({"gravity": 5.0, "last_error": "sent back by a client"})
+        self.assertEqual((5.0, ""), (answer["gravity"], answer["last_error"]))
 
     def test_diagnostics_have_a_status_of_the_engine(self):
         self.space.step(5)

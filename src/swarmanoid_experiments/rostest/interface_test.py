@@ -92,11 +92,11 @@ class InterfaceTest(unittest.TestCase):
     def test_parameters_are_those_of_the_page(self):
         source = (REPOSITORY / "src/swarmanoid_space/src/nodelet/space_options.cpp").read_text()
         read = re.findall(r'reader\.\w+\("([a-z_/]+)"', source)
-        self.assertEqual(sorted(read), sorted(re.findall(r"^\| `([a-z_/]+)` \|", section("Parameters of the space"), re.M)))
+        self.assertEqual(sorted(set(read)), sorted(re.findall(r"^\| `([a-z_/]+)` \|", section("Parameters of the space"), re.M)))
 
     def test_launch_arguments_are_those_of_the_page(self):
         first, second = section("Launch arguments").split("`launch/play_bag.launch`")
-        for name, text in (("object_retrieval", first), ("play_bag", second.split(".\n")[0])):
+        for name, text in (("run", first), ("play_bag", second.split(".\n")[0])):
             file = str(REPOSITORY / f"launch/{name}.launch")
             written = set(re.findall(r"`([a-z_]+)`", text)) - {"stay"}
             self.assertEqual(set(roslaunch.arg_dump.get_args([file])), written)
@@ -115,13 +115,13 @@ class InterfaceTest(unittest.TestCase):
         bag = pathlib.Path(rospkg.get_ros_home(), "interface_test.bag")
         rosbag.Bag(str(bag), "w").close()
         self.addCleanup(bag.unlink)
-        for name, arguments in (("object_retrieval", ["rviz:=true"]), ("object_retrieval", ["rviz:=false"]),
+        for name, arguments in (("run", ["rviz:=true"]), ("run", ["rviz:=false"]), ("object_retrieval", []),
                                 ("play_bag", [f"bag:={bag}", "loop:=true"]),
                                 ("robot", ["robot:=fb_1 fb_2", "controller:=footbot_retrieval"]),
                                 ("mock_robot", ["robot:=fb_1", "type:=footbot"])):
             config = roslaunch.config.load_config_default([(folder + name + ".launch", arguments)], None)
             self.assertEqual([], config.config_errors)
-        for name in ("object_retrieval", "play_bag", "robot", "mock_robot"):
+        for name in ("run", "play_bag", "robot", "mock_robot"):
             for argument, (doc, _) in roslaunch.arg_dump.get_args([folder + name + ".launch"]).items():
                 self.assertTrue(doc, f"{name}.launch: {argument} has no doc")
 

@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""What roslaunch itself does: bad arguments are refused before anything starts, and Ctrl-C leaves a complete bag."""
+"""What roslaunch itself does: bad arguments are refused before anything starts, ends are told of as what they are, files
+land where they are looked for, and Ctrl-C leaves a complete bag; and what `swarmanoid launch` returns."""
 
 import pathlib
 import signal
@@ -10,14 +11,21 @@ import rosbag
 
 from roslaunch_process import LAUNCH_FOLDER, TIMEOUT, RoslaunchTest
 
-LAUNCH_FILE = LAUNCH_FOLDER / "object_retrieval.launch"
+LAUNCH_FILE = LAUNCH_FOLDER / "run.launch"
+FAILING = LAUNCH_FOLDER.parent / "src/swarmanoid_experiments/test/data/failing_controller.xml"
+QUICK = ("rviz:=false", "real_time_factor:=0")
+ALARM = "REQUIRED process"
 
 
 class LaunchTest(RoslaunchTest):
     launch_file = LAUNCH_FILE
 
-    def launch(self, *arguments):
-        return super().launch("rviz:=false", *arguments)
+    def launch(self, *arguments, **more):
+        return super().launch("rviz:=false", *arguments, **more)
+
+    def code_of(self, *arguments):
+        """What `swarmanoid launch` returns."""
+        return self.end_of(self.start("swarmanoid", "launch", *arguments))
 
     def test_a_bad_experiment_is_refused_before_anything_starts(self):
         for argument, reason in (("experiment:=object_retrievl", "did you mean 'object_retrieval'?"),
@@ -39,8 +47,7 @@ class LaunchTest(RoslaunchTest):
             self.assertRegex(output, r"process has died|exit code [1-9]", "roslaunch is not told of it")
 
     def test_a_failed_controller_is_in_the_exit_code(self):
-        experiment = LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/test/data/failing_controller.xml"
-        _, output = self.output_of(f"experiment:={experiment}", "real_time_factor:=0")
+        _, output = self.output_of(f"experiment:={FAILING}", "real_time_factor:=0")
         self.assertIn("the controller of fb_2 failed", output)
         self.assertIn("exit code 3", output)
 
@@ -50,7 +57,92 @@ class LaunchTest(RoslaunchTest):
         code, output = self.output_of("experiment:=mine.xml", "max_ticks:=10", "real_time_factor:=0")
         self.assertEqual(0, code)
         self.assertIn("mine, seed 1: finished after 10 ticks", output)
-        self.assertIn("finished cleanly", output)
+
+    def test_a_run_that_is_over_ends_without_alarm(self):
+        code, output = self.output_of("max_ticks:=10", "real_time_factor:=0", "exit_code:=code.txt")
+        self.assertEqual(0, code)
+        self.assertIn("finished after 10 ticks", output)
+        self.assertNotIn(ALARM, output)
+        self.assertNotIn("has died", output)
+        self.assertNotIn("escalating", output)
+        self.assertNotIn("\033[31m", output, "something is red")
+        self.assertEqual("0\n", pathlib.Path(self.folder.name, "code.txt").read_text())
+
+    def test_the_former_name_of_the_launch_file_is_another_name_of_it(self):
+        code, output = self.output_of("max_ticks:=10", "real_time_factor:=0",
+                                      file=LAUNCH_FILE.with_name("object_retrieval.launch"))
+        self.assertEqual(0, code)
+        self.assertIn("object_retrieval, seed 1: finished after 10 ticks", output)
+
+    def test_the_command_returns_what_the_run_returns(self):
+        for code, arguments in ((0, ("object_retrieval", "max_ticks:=10")),
+                                (2, ("object_retrievl",)),
+                                (2, ("object_retrieval", "rviz:=perhaps")),
+                                (2, ("object_retrieval", "device_topics:=fb_9")),
+                                (2, ("object_retrieval", "record:=/nowhere/run.bag", "on_end:=stay")),
+                                (3, (FAILING,)),
+                                (4, ("object_retrieval", "set:=arena.eb.controller.source=remote",
+                                     "lockstep_policy:=stop", "lockstep_join_timeout:=0.2"))):
+            with self.subTest(code=code, arguments=arguments):
+                found, output = self.code_of(*map(str, arguments), *QUICK)
+                self.assertEqual(code, found, output)
+                self.assertEqual(code == 0 or "RLException" in output, ALARM not in output, output)
+        self.assertEqual([], list(pathlib.Path(self.folder.name).glob("swarmanoid_launch_*")), "it leaves files")
+
+    def test_the_command_refuses_what_it_says_itself(self):
+        code, output = self.code_of("object_retrieval", "exit_code:=mine.txt")
+        self.assertEqual(2, code)
+        self.assertIn("launch: found 'exit_code:=mine.txt', allowed: arguments of run.launch other than", output)
+
+    def test_an_interrupted_command_ends_its_roslaunch(self):
+        for arguments, file, code in ((("max_ticks:=10", "on_end:=stay"), "swarmanoid_launch_*/exit_code", 0),
+                                      (("paused:=true", "hashes:=hashes.txt"), "hashes.txt", 130)):
+            with self.subTest(arguments=arguments):
+                process = self.start("swarmanoid", "launch", "object_retrieval", *QUICK, *arguments)
+                until = time.monotonic() + TIMEOUT
+                while not list(pathlib.Path(self.folder.name).glob(file)) and time.monotonic() < until:
+                    time.sleep(0.1)
+                process.send_signal(signal.SIGINT)
+                found, output = self.end_of(process)
+                self.assertEqual(code, found, output)
+                self.assertNotIn(ALARM, output)
+                self.assertIn("done", output)
+
+    def test_files_land_where_roslaunch_was_started_or_in_out(self):
+        world = LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/experiments/diffusion.xml"
+        table = '<visualisations><text_render id="t"><file>table.txt</file></text_render>'
+        text = world.read_text()
+        self.assertEqual(1, text.count("</ahss-config>"))
+        text = text.replace("<visualisations>", table) if "<visualisations>" in text else text.replace(
+            "</ahss-config>", table + "</visualisations></ahss-config>")
+        here = pathlib.Path(self.folder.name)
+        (here / "mine.xml").write_text(text)
+        arguments = ("experiment:=mine.xml", "max_ticks:=10", "real_time_factor:=0", "hashes:=hashes.txt",
+                     "record:=run.bag")
+        for out, folder in ((), here), (("out:=deep/er",), here / "deep/er"):
+            code, output = self.output_of(*arguments, *out)
+            self.assertEqual(0, code, output)
+            self.assertIn(f"files go to {folder}", output)
+            for name in ("table.txt", "hashes.txt", "run.bag"):
+                self.assertTrue((folder / name).exists(), f"{name} is not in {folder}")
+
+    def test_out_is_taken_away_again_if_nothing_starts(self):
+        _, output = self.output_of("out:=new", "record:=nowhere/run.bag")
+        self.assertIn("cannot write", output)
+        self.assertFalse(pathlib.Path(self.folder.name, "new").exists())
+        _, output = self.output_of("out:=/dev/null/x")
+        self.assertIn("~out: cannot make the folder '/dev/null/x': Not a directory", output)
+
+    def test_values_of_set_may_hold_blanks_and_commas(self):
+        code, output = self.output_of("set:=arena.size=6, 6, 3 framework.maxclock=7 arena.eb.position=2, 3, 2",
+                                      "real_time_factor:=0")
+        self.assertEqual(0, code)
+        self.assertIn("finished after 7 ticks", output)
+        for bad, reason in (("set:=arena.size=6, 6", "found '6, 6'"), ("set:=it's", "found 'it's', allowed: path=value")):
+            code, output = self.output_of(bad)
+            self.assertEqual(1, code)
+            self.assertIn(reason, output)
+            self.assertNotIn("process[", output, "something was started")
 
     def test_an_interrupt_leaves_a_complete_bag(self):
         bag = pathlib.Path(self.folder.name, "run.bag")

@@ -15,7 +15,7 @@ from swarmanoid_msgs.srv import Register, RegisterRequest
 from participants import CONTROLLERS, Participant, set_source
 from space_client import TIMEOUT, Space, run_without_ros
 
-HASHES = os.path.join(rospkg.get_ros_home(), "lockstep_test.txt")  # where roslaunch starts nodes
+HASHES = os.path.join(rospkg.get_ros_home(), "lockstep_test.txt")  # as space.launch says
 
 
 class LockstepTest(unittest.TestCase):

@@ -16,7 +16,7 @@ import rostest
 from participants import CONTROLLERS, Participant, set_source
 from space_client import Space
 
-BAG = os.path.join(rospkg.get_ros_home(), "replay_test.bag")  # where roslaunch starts nodes
+BAG = os.path.join(rospkg.get_ros_home(), "replay_test.bag")  # as space.launch says
 
 
 class ReplayTest(unittest.TestCase):

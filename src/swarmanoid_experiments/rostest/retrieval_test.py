@@ -15,7 +15,7 @@ from swarmanoid_msgs.msg import RunResult
 
 from space_client import Collector, Space, run_without_ros
 
-BAG = os.path.join(rospkg.get_ros_home(), "retrieval_test.bag")  # where roslaunch starts nodes
+BAG = os.path.join(rospkg.get_ros_home(), "retrieval_test.bag")  # as space.launch says
 
 
 class RetrievalTest(unittest.TestCase):

@@ -27,22 +27,27 @@ class RoslaunchTest(unittest.TestCase):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
 
-    def launch(self, *arguments):
+    def start(self, *command):
+        """roslaunch, or a program that starts it, with a master on a port of its own."""
         port = free_port()
-        environment = dict(os.environ, ROS_HOME=self.folder.name, ROS_MASTER_URI=f"http://localhost:{port}",
-                           ROS_HOSTNAME="localhost", PWD=self.folder.name)
-        command = ["roslaunch", "-p", str(port), str(self.launch_file), *arguments]
-        # in a session of its own, so that the signal goes to roslaunch alone
-        return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
-                                env=environment, cwd=self.folder.name, start_new_session=True)
+        environment = dict(os.environ, ROS_HOME=self.folder.name + "/ros", ROS_MASTER_URI=f"http://localhost:{port}",
+                           ROS_HOSTNAME="localhost", PWD=self.folder.name, TMPDIR=self.folder.name)
+        # in a session of its own, so that the signal goes to that process alone
+        return subprocess.Popen([*command, "-p", str(port)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                universal_newlines=True, env=environment, cwd=self.folder.name, start_new_session=True)
 
-    def output_of(self, *arguments):
+    def launch(self, *arguments, file=None):
+        return self.start("roslaunch", str(file or self.launch_file), *arguments)
+
+    def end_of(self, process):
         """Exit code and output; the test fails if it does not end."""
-        process = self.launch(*arguments)
         try:
             output, _ = process.communicate(timeout=TIMEOUT)
         except subprocess.TimeoutExpired:
             process.send_signal(signal.SIGINT)
             output, _ = process.communicate()
-            self.fail(f"{arguments}: does not end:\n{output}")
+            self.fail(f"{process.args}: does not end:\n{output}")
         return process.returncode, output
+
+    def output_of(self, *arguments, **more):
+        return self.end_of(self.launch(*arguments, **more))

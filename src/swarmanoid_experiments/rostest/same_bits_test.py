@@ -15,7 +15,7 @@ from visualization_msgs.msg import MarkerArray
 
 from space_client import Collector, Space, run_without_ros
 
-HASHES = os.path.join(rospkg.get_ros_home(), "same_bits_test.txt")  # where roslaunch starts nodes
+HASHES = os.path.join(rospkg.get_ros_home(), "same_bits_test.txt")  # as space.launch says
 TOPICS = {"/clock": Clock, "/tf": TFMessage, "/tf_static": TFMessage, "/space/world_state": WorldState,
           "/space/markers": MarkerArray, "/space/markers_static": MarkerArray, "/space/events": Event,
           "/space/performance": Performance}

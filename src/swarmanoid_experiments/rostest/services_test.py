@@ -11,6 +11,7 @@ import rostest
 from geometry_msgs.msg import PoseStamped
 from rosgraph_msgs.msg import Clock
 from swarmanoid_msgs.msg import EntityPose, EntitySpecification, Event, RunResult, WorldState
+from swarmanoid_msgs.srv import ResetRequest
 from visualization_msgs.msg import MarkerArray
 
 from space_client import Collector, Space
@@ -83,10 +84,10 @@ class ServicesTest(unittest.TestCase):
 
     def test_pause_resume_and_toggle_say_what_they_did(self):
         self.assertEqual("it was not running", self.space.pause().message)
-        self.space.reset(scope=0, keep_seed=True)
+        self.space.reset(scope=0)
         self.assertEqual("resumed", self.space.toggle_pause().message)
         self.space.pause()
-        self.space.reset(scope=0, keep_seed=True)
+        self.space.reset(scope=0)
         self.assertEqual("resumed", self.space.resume().message)
 
     def test_a_pause_ends_a_long_step(self):
@@ -103,7 +104,7 @@ class ServicesTest(unittest.TestCase):
     def test_reset_repeats_the_run_and_keeps_time_rising(self):
         before = self.space.step(30)
         first = self.state_after(30)
-        self.run_number = self.space.reset(scope=0, keep_seed=True).run
+        self.run_number = self.space.reset(scope=0).run
         after = self.space.step(30)
         self.assertEqual(first.state_hash, self.state_after(30).state_hash)
         self.assertGreater(after.stamp, before.stamp)
@@ -116,10 +117,23 @@ class ServicesTest(unittest.TestCase):
         self.assertNotEqual(first.state_hash, self.state_after(30).state_hash)
         self.space.reset(scope=0, seed=1)
 
+    def test_an_empty_reset_keeps_the_seed(self):
+        self.assertEqual("reset, seed 2", self.space.reset(scope=0, seed=2).message)
+        self.assertEqual("reset, seed 2", self.space.reset(ResetRequest()).message)
+        self.assertEqual("reset, seed 1", self.space.reset(scope=0, seed=1).message)
+
+    def test_a_reset_to_seed_0_is_asked_for_in_its_own_field(self):
+        self.assertEqual("reset, seed 0", self.space.reset(scope=0, zero_seed=True).message)
+        self.assertEqual("reset, seed 0", self.space.reset(ResetRequest()).message, "it is kept like any other")
+        answer = self.space.reset(scope=0, zero_seed=True, seed=3)
+        self.assertEqual((False, "zero_seed: found true beside seed 3, allowed: one of them"),
+                         (answer.success, answer.message))
+        self.space.reset(scope=0, seed=1)
+
     def test_reset_may_rewind_time(self):
         self.space.step(10)
-        self.assertEqual(rospy.Time(1), self.space.reset(scope=7, keep_seed=True).stamp)
-        self.assertFalse(self.space.reset(scope=2, keep_seed=True).success)
+        self.assertEqual(rospy.Time(1), self.space.reset(scope=7).stamp)
+        self.assertFalse(self.space.reset(scope=2).success)
 
     def test_spawned_moved_and_deleted(self):
         self.space.step(1)
@@ -171,7 +185,7 @@ class ServicesTest(unittest.TestCase):
         self.assertIn("there are: ground, sky", self.space.handover(["fb_1"], "gruond").message)
         self.space.step(1)
         after = self.state_after(6).state_hash
-        self.run_number = self.space.reset(scope=0, keep_seed=True).run
+        self.run_number = self.space.reset(scope=0).run
         self.space.step(6)
         self.assertEqual(before.state_hash, self.state_after(5).state_hash)
         self.assertEqual(after, self.state_after(6).state_hash)
@@ -179,7 +193,7 @@ class ServicesTest(unittest.TestCase):
     def test_reset_undoes_interventions(self):
         self.space.spawn([footbot("fb_9", 4.5, 4.5)])
         self.space.delete(["prey_yellow"])
-        self.run_number = self.space.reset(scope=0, keep_seed=True).run
+        self.run_number = self.space.reset(scope=0).run
         self.space.step(1)
         names = self.state_after(1).names
         self.assertNotIn("fb_9", names)
@@ -214,7 +228,7 @@ class ServicesTest(unittest.TestCase):
         self.assertTrue(result.finished)
         self.assertEqual(answer.tick, result.ticks)
         self.assertFalse(self.space.resume().success)
-        self.assertTrue(self.space.reset(scope=0, keep_seed=True).success)
+        self.assertTrue(self.space.reset(scope=0).success)
         self.assertTrue(self.space.step(1).success)
 
 

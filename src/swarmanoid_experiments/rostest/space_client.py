@@ -26,7 +26,6 @@ class Space:
     def restart(self, **request):
         """Paused, before the first tick."""
         self.pause()
-        request.setdefault("keep_seed", True)
         return self.reset(ResetRequest(**request))
 
 

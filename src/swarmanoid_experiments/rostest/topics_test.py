@@ -26,7 +26,7 @@ from space_client import TIMEOUT, Collector, Space, run_without_ros
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 EXPERIMENT = REPOSITORY / "src/swarmanoid_experiments/rostest/topics.xml"
 SCRIPTS = REPOSITORY / "examples/example_python_controller/scripts"
-HASHES = os.path.join(rospkg.get_ros_home(), "topics_test.txt")  # where roslaunch starts nodes
+HASHES = os.path.join(rospkg.get_ros_home(), "topics_test.txt")  # as space.launch says
 TICK = 0.1  # [s]
 
 

@@ -40,7 +40,8 @@ const AttachmentPoint::Seat& AttachmentPoint::seat(PluginKind kind, const std::s
   return found->second;
 }
 
-const AttachmentPoint::Request& AttachmentPoint::request(PluginKind kind, const std::string& id) const {
+AttachmentPoint::Request AttachmentPoint::request(PluginKind kind, const std::string& id) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
   return seat(kind, id).request;
 }
 
@@ -80,13 +81,29 @@ void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
     }
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  seats_[{kind, id}].part.reset();
+  const auto found = seats_.find({kind, id});
+  if (found != seats_.end()) {
+    found->second.part.reset();
+  }
 }
 
 bool AttachmentPoint::isDecided() const {
   const auto has_refused = [](const auto& item) { return !item.second.refusal.empty(); };
   const auto is_there = [](const auto& item) { return item.second.part != nullptr; };
   return std::any_of(seats_.begin(), seats_.end(), has_refused) || std::all_of(seats_.begin(), seats_.end(), is_there);
+}
+
+void AttachmentPoint::expect(Request request) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  Seat seat;
+  const Key key{request.kind, request.id};
+  seat.request = std::move(request);
+  seats_.emplace(key, std::move(seat));
+}
+
+void AttachmentPoint::forget(PluginKind kind, const std::string& id) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  seats_.erase({kind, id});
 }
 
 void AttachmentPoint::waitForAll(std::chrono::milliseconds timeout) {

@@ -10,6 +10,8 @@ using Command = std::function<int()>;
 
 /// `run FILE`: runs an experiment without ROS.
 Command addRunCommand(CLI::App& app);
+/// `launch EXPERIMENT [ARGUMENT...]`: runs an experiment under ROS, and returns what `run` would.
+Command addLaunchCommand(CLI::App& app);
 /// `validate FILE`: reads an experiment file, builds it, and says what is wrong.
 Command addValidateCommand(CLI::App& app);
 /// `list [KIND]`: what can be named in an experiment file.

@@ -7,12 +7,13 @@
 #include <memory>
 
 #include "commands.hpp"
-#include "out_folder.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
+#include "swarmanoid_space/out_folder.hpp"
+#include "swarmanoid_space/override_text.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid::program {
@@ -28,6 +29,7 @@ struct RunOptions {
   std::optional<std::uint64_t> ticks;
   std::optional<int> threads;
   std::vector<std::string> settings;
+  std::string all_settings;
   std::vector<std::string> overrides;  // the options above that were given, for the summary
   std::string out;
   std::string bag;
@@ -41,12 +43,10 @@ struct RunOptions {
 std::vector<Override> settingsOf(const RunOptions& options) {
   std::vector<Override> settings;
   for (const std::string& setting : options.settings) {
-    const auto equals = setting.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw ConfigError({"--set", 0}, "found '" + setting + "', allowed: path=value");
-    }
-    settings.push_back({setting.substr(0, equals), setting.substr(equals + 1)});
+    settings.push_back(parseOverride(setting, "--set"));
   }
+  const std::vector<Override> together = parseOverrides(options.all_settings, "--set-all");
+  settings.insert(settings.end(), together.begin(), together.end());
   return settings;
 }
 
@@ -154,7 +154,7 @@ int run(const RunOptions& options) {
   RunContext context;
   context.out_folder = options.out;
   Experiment experiment = readExperiment(options);
-  OutFolder out(options.out);
+  OutFolder out(options.out, "--out");
   refuseRobotsOfOthers(experiment);
   Simulation simulation(std::move(experiment), context);
   if (!options.hashes.empty()) {
@@ -234,6 +234,8 @@ Command addValidateCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("validate", "read and build an experiment, and say what is wrong");
   addCommonOptions(*command, *options);
   command->add_flag("--path", options->path, "only say the file's full name");
+  command->add_option("--set-all", options->all_settings,
+                      "several path=value in one text, as the launch argument set:= has them");
   return [options] {
     // outputs of visualisations must not be touched by a mere check
     Experiment experiment = readExperiment(*options);

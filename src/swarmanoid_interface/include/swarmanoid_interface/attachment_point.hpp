@@ -43,7 +43,7 @@ class AttachmentPoint {
   // For nodelets.
 
   /// @throws std::runtime_error naming what is needed, if that is not
-  const Request& request(PluginKind kind, const std::string& id) const;
+  Request request(PluginKind kind, const std::string& id) const;
   /// @throws std::runtime_error if the part is not needed, or there already
   void attach(PluginKind kind, const std::string& id, std::shared_ptr<void> part);
   /// The part cannot be made; whoever waits for it learns why. The first reason counts.
@@ -52,6 +52,11 @@ class AttachmentPoint {
   void detach(PluginKind kind, const std::string& id);
 
   // For the space.
+
+  /// One more part is needed while the experiment runs; nobody waits for it. Nothing happens if it is needed already.
+  void expect(Request request);
+  /// The part is needed no more. @pre nothing is attached as that part
+  void forget(PluginKind kind, const std::string& id);
 
   /// Waits until all parts are there or one is refused.
   /// @throws std::runtime_error naming who is missing, or who was refused and why

@@ -11,6 +11,7 @@ namespace {
 using dynamic_reconfigure::Config;
 
 constexpr const char* kGroup = "Default";  // as clients expect of those that have only one
+constexpr const char* kLastError = "last_error";
 
 bool isDouble(const Parameter& parameter) {
   return parameter.type == Parameter::Type::kNumber || parameter.type == Parameter::Type::kAngle;
@@ -81,7 +82,16 @@ Config limits(const std::vector<Parameter>& parameters, bool is_least) {
       add(config.strs, parameter.name, "");
     }
   }
+  add(config.strs, kLastError, "");
   return config;
+}
+
+dynamic_reconfigure::ParamDescription describeLastError() {
+  dynamic_reconfigure::ParamDescription result;
+  result.name = kLastError;
+  result.type = "str";
+  result.description = "Why the last change was refused; empty: it was made. To set it does nothing.";
+  return result;
 }
 
 void addGroup(Config& config) {
@@ -102,20 +112,22 @@ dynamic_reconfigure::ConfigDescription describe(const std::vector<Parameter>& pa
     group.parameters.push_back(describe(parameter));
     defaults.emplace_back(parameter.name, parameter.value.value_or(""));
   }
+  group.parameters.push_back(describeLastError());
   result.groups = {group};
   result.min = limits(parameters, true);
   result.max = limits(parameters, false);
-  result.dflt = toConfig(parameters, defaults);
+  result.dflt = toConfig(parameters, defaults, "");
   addGroup(result.min);
   addGroup(result.max);
   return result;
 }
 
-Config toConfig(const std::vector<Parameter>& parameters, const NamedValues& values) {
+Config toConfig(const std::vector<Parameter>& parameters, const NamedValues& values, const std::string& last_error) {
   Config config;
   for (std::size_t i = 0; i < parameters.size(); ++i) {
     add(config, parameters[i], values[i].second);
   }
+  add(config.strs, kLastError, last_error);
   addGroup(config);
   return config;
 }
@@ -132,7 +144,9 @@ NamedValues fromConfig(const Config& config) {
     values.emplace_back(entry.name, entry.value != 0 ? "true" : "false");
   }
   for (const auto& entry : config.strs) {
-    values.emplace_back(entry.name, entry.value);
+    if (entry.name != kLastError) {
+      values.emplace_back(entry.name, entry.value);
+    }
   }
   return values;
 }

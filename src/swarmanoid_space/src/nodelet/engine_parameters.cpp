@@ -1,13 +1,21 @@
 #include "engine_parameters.hpp"
 
 #include <dynamic_reconfigure/ConfigDescription.h>
-#include <ros/console.h>
 
 #include <stdexcept>
 
 #include "engine_config.hpp"
 
 namespace swarmanoid {
+namespace {
+
+/// A request stands in no file, so a message need not say so.
+std::string withoutPlace(const std::string& message) {
+  const std::string place = SourceLocation().toString() + ": ";
+  return message.rfind(place, 0) == 0 ? message.substr(place.size()) : message;
+}
+
+}  // namespace
 
 EngineParameters::EngineParameters(ros::NodeHandle own, const std::string& engine, std::vector<Parameter> live,
                                    SimulationThread& thread)
@@ -24,33 +32,47 @@ EngineParameters::EngineParameters(ros::NodeHandle own, const std::string& engin
 
 bool EngineParameters::set(dynamic_reconfigure::Reconfigure::Request& request,
                            dynamic_reconfigure::Reconfigure::Response& response) {
+  std::string problem;
   try {
     NamedValues values;
     thread_.call([&](Simulation& simulation) {
       simulation.setEngineParameters(engine_, fromConfig(request.config));
       values = valuesOf(live_, simulation.engineParameters(engine_));
     });
-    response.config = toConfig(live_, values);
-    publishChanges();
-    return true;
+    response.config = toConfig(live_, values, problem);
   } catch (const std::exception& error) {
-    // the protocol has no place for a message
-    ROS_ERROR("set_parameters: %s", error.what());
-    return false;
+    problem = withoutPlace(error.what());
   }
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    last_error_ = problem;
+  }
+  publishChanges();
+  if (!problem.empty()) {
+    throw std::runtime_error(problem);  // ROS logs it, and sends it to the caller
+  }
+  return true;
+}
+
+NamedValues EngineParameters::valuesNow() const {
+  NamedValues values;
+  thread_.look([&](const Simulation& simulation) { values = valuesOf(live_, simulation.engineParameters(engine_)); });
+  return values;
 }
 
 void EngineParameters::publishChanges() {
-  NamedValues values;
+  std::optional<NamedValues> now;
   try {
-    thread_.look([&](const Simulation& simulation) { values = valuesOf(live_, simulation.engineParameters(engine_)); });
+    now = valuesNow();
   } catch (const std::exception&) {
-    return;  // stopped: nothing changes any more
+    // stopped: no value changes any more
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (values != published_) {
-    updates_.publish(toConfig(live_, values));
-    published_ = values;
+  const NamedValues& values = now ? *now : published_values_;
+  if (values.size() == live_.size() && (values != published_values_ || last_error_ != published_error_)) {
+    updates_.publish(toConfig(live_, values, last_error_));
+    published_error_ = last_error_;
+    published_values_ = NamedValues(values);
   }
 }
 

@@ -2,14 +2,15 @@
 /// ~parameter_descriptions, ~parameter_updates, ~set_parameters next to the engine's nodelet.
 ///
 /// What there is comes from the engine's own description at run time, so engines of other packages have it too. A
-/// request is one intervention: it takes effect at the next tick boundary, as a whole or, with a message in the log,
-/// not at all.
+/// request is one intervention: it takes effect at the next tick boundary, as a whole or not at all. Then the service
+/// fails with the reason, which is also the value of `last_error` until the next request.
 #pragma once
 
 #include <dynamic_reconfigure/Reconfigure.h>
 #include <ros/node_handle.h>
 
 #include <mutex>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -29,6 +30,7 @@ class EngineParameters {
   bool set(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response);
   /// Tells clients of changes, those too that did not come through here, such as a reset.
   void publishChanges();
+  NamedValues valuesNow() const;
 
   std::string engine_;
   std::vector<Parameter> live_;
@@ -37,8 +39,10 @@ class EngineParameters {
   ros::Publisher updates_;
   ros::ServiceServer server_;
   ros::WallTimer timer_;
-  std::mutex mutex_;  // guards what was published last
-  NamedValues published_;
+  std::mutex mutex_;  // guards what follows: what is published
+  std::string last_error_;
+  NamedValues published_values_;
+  std::optional<std::string> published_error_;  // nothing: none has been published yet
 };
 
 /// Parameters of the experiment's engines that may change, by engine; those that have none are left out.

@@ -3,7 +3,10 @@
 #include <atomic>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <mutex>
+#include <stdexcept>
 
 namespace swarmanoid {
 namespace {
@@ -25,6 +28,22 @@ void setExitCode(ExitCode code) {
   std::call_once(once, [] { std::atexit(endWithCode); });
   int expected = 0;
   exit_code.compare_exchange_strong(expected, static_cast<int>(code));
+}
+
+void writeExitCode(const std::string& file, ExitCode code) {
+  if (file.empty()) {
+    return;
+  }
+  const std::string unfinished = file + ".new";
+  {
+    std::ofstream out(unfinished);
+    out << static_cast<int>(code) << '\n';
+  }
+  std::error_code problem;
+  std::filesystem::rename(unfinished, file, problem);
+  if (problem) {
+    throw std::runtime_error("~exit_code: cannot write " + file + ": " + problem.message());
+  }
 }
 
 }  // namespace swarmanoid

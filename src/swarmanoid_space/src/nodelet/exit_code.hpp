@@ -1,7 +1,11 @@
-/// What this process ends with, the same numbers as those of the program `swarmanoid`.
+/// What a run ends with, the same numbers as those of the program `swarmanoid`: as the exit code of this process, and
+/// in a file.
 ///
-/// A nodelet manager returns 0 whatever happened in it. roslaunch is to report a run that failed.
+/// A nodelet manager returns 0 whatever happened in it, and roslaunch returns 0 whatever its nodes return. roslaunch is
+/// to report a run that failed, and whoever started roslaunch is to find out.
 #pragma once
+
+#include <string>
 
 namespace swarmanoid {
 
@@ -9,5 +13,9 @@ enum class ExitCode { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kStop
 
 /// Takes effect when the process ends by itself. The first one that is not kFinished counts.
 void setExitCode(ExitCode code);
+
+/// Writes the number to a file, which is replaced as a whole. Nothing happens if the name is empty.
+/// @throws std::runtime_error if it cannot be written
+void writeExitCode(const std::string& file, ExitCode code);
 
 }  // namespace swarmanoid

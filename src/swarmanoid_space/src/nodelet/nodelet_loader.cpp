@@ -24,6 +24,7 @@ NodeletLoader::NodeletLoader() {
 }
 
 void NodeletLoader::shutdown() {
+  is_shut_down_ = true;
   load_.shutdown();
   unload_.shutdown();
   list_.shutdown();
@@ -31,14 +32,14 @@ void NodeletLoader::shutdown() {
 
 bool NodeletLoader::load(const std::string& name, const std::string& type, const std::string& space,
                          const std::string& id) {
+  if (is_shut_down_) {
+    return false;
+  }
   nodelet::NodeletList list;
   if (list_.call(list)) {
     const auto& loaded = list.response.nodelets;
     if (std::find(loaded.begin(), loaded.end(), name) != loaded.end()) {
-      // left over from a space that was unloaded
-      nodelet::NodeletUnload unload;
-      unload.request.name = name;
-      unload_.call(unload);
+      unload(name);  // left over from a space that was unloaded
     }
   }
   ros::param::set(name + "/space", space);
@@ -47,6 +48,15 @@ bool NodeletLoader::load(const std::string& name, const std::string& type, const
   load.request.name = name;
   load.request.type = type;
   return load_.call(load) && load.response.success != 0;
+}
+
+bool NodeletLoader::unload(const std::string& name) {
+  if (is_shut_down_) {
+    return false;
+  }
+  nodelet::NodeletUnload unload;
+  unload.request.name = name;
+  return unload_.call(unload) && unload.response.success != 0;
 }
 
 std::string NodeletLoader::controllerNodelet(const std::string& label) {

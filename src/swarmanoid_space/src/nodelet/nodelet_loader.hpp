@@ -5,6 +5,7 @@
 
 #include <ros/node_handle.h>
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -21,11 +22,14 @@ class NodeletLoader {
   /// @return false if the manager could not; its log says why
   bool load(const std::string& name, const std::string& type, const std::string& space, const std::string& id);
 
+  /// @return false if the manager has no such nodelet
+  bool unload(const std::string& name);
+
   /// The nodelet made for a controller, <package>/<label>; swarmanoid_interface/ControllerNodelet if there is none, or
   /// more than one.
   std::string controllerNodelet(const std::string& label);
 
-  /// Ends a call that is under way.
+  /// Ends a call that is under way; later ones do nothing, for a manager that is ending would not answer.
   void shutdown();
 
  private:
@@ -33,6 +37,7 @@ class NodeletLoader {
   ros::ServiceClient unload_;
   ros::ServiceClient list_;
   bool is_manager_ = false;
+  std::atomic<bool> is_shut_down_{false};
   std::vector<std::string> declared_;
 };
 

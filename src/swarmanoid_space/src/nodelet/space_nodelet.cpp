@@ -4,6 +4,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include <cstdio>
+#include <filesystem>
 #include <thread>
 
 #include "engine_diagnostics.hpp"
@@ -11,11 +12,14 @@
 #include "exit_code.hpp"
 #include "lockstep_server.hpp"
 #include "recorder.hpp"
+#include "robot_topics.hpp"
+#include "roslaunch_parent.hpp"
 #include "run_result.hpp"
 #include "space_diagnostics.hpp"
 #include "space_parts.hpp"
 #include "space_services.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
+#include "swarmanoid_space/out_folder.hpp"
 
 namespace swarmanoid {
 class SpaceNodelet final : public nodelet::Nodelet {
@@ -30,6 +34,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::unique_ptr<Simulation> build(Experiment experiment);
   void onChange(State state, const std::string& stop_reason);
   void onLoss(PluginKind kind, const std::string& id);
+  void tellExitCode(ExitCode code);
   void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
@@ -40,6 +45,8 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::thread starter_;  // inside onInit the manager would not answer
   const Simulation* simulation_ = nullptr;
   std::shared_ptr<SpaceDisplay> display_;
+  RobotTopics::Selection with_topics_;
+  std::shared_ptr<RobotTopics> robot_topics_;  // null: this process is no manager
   State last_state_ = State::kPaused;
   std::unique_ptr<SimulationThread> thread_;
   std::unique_ptr<SpaceServices> services_;
@@ -52,18 +59,24 @@ class SpaceNodelet final : public nodelet::Nodelet {
 
 void SpaceNodelet::onInit() {
   try {
+    // before all others: one of those may be what is wrong
+    options_.exit_code = readExitCodeFile(getPrivateNodeHandle());
     options_ = readSpaceOptions(getPrivateNodeHandle());
     Experiment experiment = readExperiment(options_);
     for (const std::string& warning : takeExperimentWarnings()) {
       NODELET_WARN("%s", warning.c_str());
     }
-    parts_ = partsOf(experiment, robotsWithTopics(options_, experiment), commands_);
+    const std::vector<std::string> with_topics = robotsWithTopics(options_, experiment);
+    with_topics_.is_all = options_.device_topics == std::vector<std::string>{"all"};
+    with_topics_.names.insert(with_topics.begin(), with_topics.end());
+    parts_ = partsOf(experiment, with_topics, commands_);
     chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // a mistake is told of at once
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
   } catch (const std::exception& error) {
     NODELET_FATAL("%s", error.what());
+    tellExitCode(ExitCode::kBadInput);
     throw;  // the manager reports the nodelet as not loaded
   }
 }
@@ -89,11 +102,15 @@ void SpaceNodelet::startUp(Experiment experiment) {
           ros::NodeHandle(getMTPrivateNodeHandle(), "engines/" + engine), engine, std::move(live), *thread_));
     }
     lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_->experiment().name, lockstep);
+    if (robot_topics_ != nullptr) {
+      robot_topics_->start(*thread_);
+    }
     services_ = std::make_unique<SpaceServices>(getMTPrivateNodeHandle(), *thread_);
   } catch (const std::exception& error) {
     if (ros::ok()) {
       NODELET_FATAL("%s", error.what());
-      shutDownSoon(ExitCode::kBadInput);
+      tellExitCode(ExitCode::kBadInput);
+      shutDownSoon(ExitCode::kBadInput);  // also if it is to stay at the end: there is nothing to look at
     }
   }
 }
@@ -108,6 +125,7 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   }
   supplied.commands = commands_;
   RunContext context;
+  OutFolder out(options_.out, "~out");
   context.out_folder = options_.out;
   context.headless = false;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
@@ -116,9 +134,9 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   display_->follow(*simulation);
   simulation->addVisualisation(display_);
   if (loader_->isManager()) {
-    for (auto& visualisation : takeVisualisations(*point_, parts_)) {
-      simulation->addVisualisation(std::move(visualisation));
-    }
+    robot_topics_ = std::make_shared<RobotTopics>(getName(), with_topics_, *loader_, *point_, commands_);
+    robot_topics_->adopt(parts_);
+    simulation->addVisualisation(robot_topics_);
   }
   if (!options_.record.empty()) {
     NODELET_INFO("recording %s", record(*simulation, context, options_, getName()).c_str());
@@ -126,6 +144,9 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   if (!options_.hashes.empty()) {
     NODELET_INFO("writing state hashes to %s", writeHashes(*simulation, context, options_.hashes).c_str());
   }
+  NODELET_INFO("files go to %s, unless their names say otherwise",
+               (std::filesystem::current_path() / options_.out).lexically_normal().c_str());
+  out.keep();
   simulation->setLogSink(logRobot);
   return simulation;
 }
@@ -137,6 +158,9 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   }
   last_state_ = state;
   display_->flush();
+  if (robot_topics_ != nullptr) {
+    robot_topics_->follow(simulation_->space());
+  }
   if (!is_news || (state != State::kFinished && state != State::kStopped)) {
     return;
   }
@@ -151,8 +175,15 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   } else {
     NODELET_ERROR("%s", result.c_str());
   }
-  const ExitCode code = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
-  shutDownSoon(state == State::kFinished ? code : ExitCode::kStopped);
+  if (!ros::ok()) {
+    return;  // interrupted, so it has neither succeeded nor failed
+  }
+  const ExitCode at_end = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
+  const ExitCode code = state == State::kFinished ? at_end : ExitCode::kStopped;
+  tellExitCode(code);
+  if (!options_.stays_at_end) {
+    shutDownSoon(code);
+  }
 }
 
 void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
@@ -162,16 +193,26 @@ void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   thread_->stop(ros::ok() ? std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded" : "shut down");
 }
 
-void SpaceNodelet::shutDownSoon(ExitCode code) {
-  if (options_.stays_at_end || !ros::ok()) {
-    return;
+void SpaceNodelet::tellExitCode(ExitCode code) {
+  try {
+    writeExitCode(options_.exit_code, code);
+  } catch (const std::exception& error) {
+    NODELET_ERROR("%s", error.what());
   }
+}
+
+void SpaceNodelet::shutDownSoon(ExitCode code) {
   setExitCode(code);
   // not at once: what was published last is still on its way
   constexpr double kDelay = 0.5;  // [s]
-  constexpr bool kOnce = true;
+  constexpr int kPatience = 20;   // delays that roslaunch has to interrupt this process
   end_ = getMTPrivateNodeHandle().createWallTimer(
-      ros::WallDuration(kDelay), [](const ros::WallTimerEvent&) { ros::requestShutdown(); }, kOnce);
+      ros::WallDuration(kDelay), [code, waited = 0](const ros::WallTimerEvent&) mutable {
+        const bool is_interrupted_soon = code == ExitCode::kFinished && (waited > 0 || interruptRoslaunch());
+        if (!is_interrupted_soon || ++waited > kPatience) {
+          ros::requestShutdown();
+        }
+      });
 }
 
 SpaceNodelet::~SpaceNodelet() {
@@ -187,6 +228,9 @@ SpaceNodelet::~SpaceNodelet() {
   // first nobody waits for the simulation any more, then nobody asks it, then it goes
   if (thread_ != nullptr) {
     thread_->stop(ros::ok() ? "the space was unloaded" : "shut down");
+  }
+  if (robot_topics_ != nullptr) {
+    robot_topics_->stop();
   }
   services_.reset();
   lockstep_.reset();

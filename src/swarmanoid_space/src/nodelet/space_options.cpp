@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <ctime>
+#include <filesystem>
 
 #include "parameter_reader.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
+#include "swarmanoid_space/override_text.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -20,7 +22,18 @@ std::string dateAndTime() {
   return text;
 }
 
+/// The folder itself for an empty name.
+std::string inFolder(const std::string& folder, const std::string& name) {
+  return name.empty() ? folder : (std::filesystem::path(folder) / name).string();
+}
+
 }  // namespace
+
+std::string readExitCodeFile(const ros::NodeHandle& own) {
+  ParameterReader reader(own);
+  const std::string file = reader.text("exit_code", "");
+  return file.empty() ? "" : inFolder(reader.text("folder", ""), file);
+}
 
 SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   ParameterReader reader(own);
@@ -47,14 +60,11 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   }
   options.record_controllers = reader.words("record_controllers");
   options.hashes = reader.text("hashes", "");
-  options.out = reader.text("out", "");
-  for (const std::string& word : reader.words("set")) {
-    const auto equals = word.find('=');
-    if (equals == std::string::npos || equals == 0) {
-      throw ConfigError(reader.location(), "~set: found '" + word + "', allowed: path=value, separated by spaces");
-    }
-    options.set.push_back({word.substr(0, equals), word.substr(equals + 1)});
-  }
+  options.folder = reader.text("folder", "");
+  options.out = inFolder(options.folder, reader.text("out", ""));
+  options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
+  reader.text("exit_code", "");  // it is known
+  options.exit_code = readExitCodeFile(own);
   options.tf_level = parseTransformLevel(reader.choice("tf/level", {"auto", "none", "base", "full"}));
   options.tf_rate = reader.number("tf/rate", options.tf_rate, {0.0, 1e6});
   options.markers_rate = reader.number("markers/rate", options.markers_rate, {0.0, 1e6});

@@ -25,8 +25,10 @@ struct SpaceOptions {
   std::string record;                           ///< the bag; "": none
   std::vector<std::string> record_controllers;  ///< robots whose controllers are in the bag; as device_topics
   std::string hashes;                           ///< file of the state hash of every tick; "": none
-  std::string out;                              ///< folder of the files that visualisations write
-  std::vector<Override> set;                    ///< "path=value", separated by spaces
+  std::string folder;                           ///< where relative names begin; "": where the manager works
+  std::string out;                              ///< folder of the files that are written, made if it is not there
+  std::vector<Override> set;                    ///< instead of what the file says
+  std::string exit_code;                        ///< file that gets the exit code of the run when it is over; "": none
   std::optional<TransformLevel> tf_level;       ///< nothing: by the number of robots
   double tf_rate = 100.0;                       ///< of /tf at most, wall time [Hz]; 0: every tick
   double markers_rate = 30.0;                   ///< of ~markers likewise
@@ -37,6 +39,9 @@ struct SpaceOptions {
   double timeout = 20.0;                        ///< for all parts to attach [s]
   Lockstep::Options lockstep;                   ///< how long participants may take
 };
+
+/// Only `exit_code`, which is of use even if another parameter is bad.
+std::string readExitCodeFile(const ros::NodeHandle& own);
 
 /// @throws ConfigError naming the parameter, what was found and what is allowed; unknown parameters too
 SpaceOptions readSpaceOptions(const ros::NodeHandle& own);

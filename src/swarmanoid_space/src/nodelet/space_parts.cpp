@@ -7,20 +7,6 @@
 namespace swarmanoid {
 namespace {
 
-/// The namespace of a robot is its name, next to the space's node.
-std::string nodeletName(const std::string& space, const AttachmentPoint::Request& part) {
-  switch (part.kind) {
-    case PluginKind::kEngine:
-      return space + "/engines/" + part.id;
-    case PluginKind::kController:
-      return space + "/controllers/" + part.id;
-    default:
-      return ros::names::parentNamespace(space) == "/"
-                 ? "/" + part.id + "/devices"
-                 : ros::names::parentNamespace(space) + "/" + part.id + "/devices";
-  }
-}
-
 std::string nodeletType(NodeletLoader& loader, const AttachmentPoint::Request& part) {
   switch (part.kind) {
     case PluginKind::kEngine:
@@ -34,6 +20,28 @@ std::string nodeletType(NodeletLoader& loader, const AttachmentPoint::Request& p
 
 }  // namespace
 
+AttachmentPoint::Request deviceTopicsOf(const std::string& robot, const std::shared_ptr<CommandMailbox>& commands) {
+  return {PluginKind::kVisualisation, robot, "device_topics", {}, commands};
+}
+
+std::string nodeletName(const std::string& space, const AttachmentPoint::Request& part) {
+  switch (part.kind) {
+    case PluginKind::kEngine:
+      return space + "/engines/" + part.id;
+    case PluginKind::kController:
+      return space + "/controllers/" + part.id;
+    default:
+      // the namespace of a robot is its name, next to the space's node
+      return ros::names::parentNamespace(space) == "/"
+                 ? "/" + part.id + "/devices"
+                 : ros::names::parentNamespace(space) + "/" + part.id + "/devices";
+  }
+}
+
+bool loadPart(NodeletLoader& loader, const std::string& space, const AttachmentPoint::Request& part) {
+  return loader.load(nodeletName(space, part), nodeletType(loader, part), space, part.id);
+}
+
 std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots,
                                               const std::shared_ptr<CommandMailbox>& commands) {
   std::vector<AttachmentPoint::Request> parts;
@@ -44,7 +52,7 @@ std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, cons
     parts.push_back({PluginKind::kController, controller.id, controller.label, controller.parameters, nullptr});
   }
   for (const std::string& robot : robots) {
-    parts.push_back({PluginKind::kVisualisation, robot, "device_topics", {}, commands});
+    parts.push_back(deviceTopicsOf(robot, commands));
   }
   return parts;
 }
@@ -52,10 +60,9 @@ std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, cons
 void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint& point,
                const std::vector<AttachmentPoint::Request>& parts, double timeout_s) {
   for (const AttachmentPoint::Request& part : parts) {
-    const std::string type = nodeletType(loader, part);
-    if (!loader.load(nodeletName(space, part), type, space, part.id)) {
+    if (!loadPart(loader, space, part)) {
       // a nodelet that failed by itself has given its reason already, and the first reason counts
-      point.refuse(part.kind, part.id, "the manager cannot load " + type + "; its log says why");
+      point.refuse(part.kind, part.id, "the manager cannot load " + nodeletType(loader, part) + "; its log says why");
       break;
     }
   }
@@ -73,17 +80,6 @@ SuppliedParts takeParts(const AttachmentPoint& point, const std::vector<Attachme
     }
   }
   return supplied;
-}
-
-std::vector<std::shared_ptr<Visualisation>> takeVisualisations(const AttachmentPoint& point,
-                                                               const std::vector<AttachmentPoint::Request>& parts) {
-  std::vector<std::shared_ptr<Visualisation>> visualisations;
-  for (const AttachmentPoint::Request& part : parts) {
-    if (part.kind == PluginKind::kVisualisation) {
-      visualisations.push_back(std::static_pointer_cast<Visualisation>(point.part(part.kind, part.id)));
-    }
-  }
-  return visualisations;
 }
 
 }  // namespace swarmanoid

@@ -39,7 +39,12 @@ bool intervene(SimulationThread& thread, const Items& items, Response& response,
 
 /// @return the seed to start anew with; nothing: the one it has
 std::optional<std::uint64_t> seedOf(const swarmanoid_msgs::Reset::Request& request) {
-  return request.keep_seed != 0 ? std::nullopt : std::optional<std::uint64_t>(request.seed);
+  if (request.zero_seed != 0 && request.seed != 0) {
+    throw std::runtime_error("zero_seed: found true beside seed " + std::to_string(request.seed) +
+                             ", allowed: one of them");
+  }
+  const bool is_given = request.zero_seed != 0 || request.seed != 0;
+  return is_given ? std::optional<std::uint64_t>(request.seed) : std::nullopt;
 }
 
 void checkScope(std::uint8_t scope) {

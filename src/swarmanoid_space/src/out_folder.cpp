@@ -1,12 +1,12 @@
-#include "out_folder.hpp"
+#include "swarmanoid_space/out_folder.hpp"
 
 #include "swarmanoid_interface/configuration.hpp"
 
-namespace swarmanoid::program {
+namespace swarmanoid {
 
 namespace fs = std::filesystem;
 
-OutFolder::OutFolder(const std::string& folder) {
+OutFolder::OutFolder(const std::string& folder, const std::string& option) {
   if (folder.empty()) {
     return;
   }
@@ -22,7 +22,7 @@ OutFolder::OutFolder(const std::string& folder) {
     problem = std::make_error_code(std::errc::not_a_directory);
   }
   if (problem) {
-    throw ConfigError({"--out", 0}, "cannot make the folder '" + folder + "': " + problem.message());
+    throw ConfigError({option, 0}, "cannot make the folder '" + folder + "': " + problem.message());
   }
 }
 
@@ -33,4 +33,4 @@ OutFolder::~OutFolder() {
   }
 }
 
-}  // namespace swarmanoid::program
+}  // namespace swarmanoid

@@ -1,0 +1,137 @@
+// `swarmanoid launch`: roslaunch with the launch file of experiments, and with the exit code of the run, which
+// roslaunch by itself does not have.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <stdexcept>
+
+#include "commands.hpp"
+#include "run_summary.hpp"
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid::program {
+namespace {
+
+volatile std::sig_atomic_t is_told_to_end = 0;
+volatile std::sig_atomic_t roslaunch_pid = 0;
+
+/// Ctrl-C in a terminal reaches roslaunch by itself; a signal that somebody sends to this process does not.
+void passOn(int signal, siginfo_t* sender, void*) {
+  is_told_to_end = 1;
+  if (sender->si_code <= 0 && roslaunch_pid > 0) {
+    kill(static_cast<pid_t>(roslaunch_pid), signal);
+  }
+}
+
+/// A folder that goes with its owner.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "swarmanoid_launch_XXXXXX") {
+    std::string name = path_.string();
+    if (mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("cannot make the folder " + name + ": " + std::strerror(errno));
+    }
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// @return the exit code of roslaunch; nothing if a signal has ended it
+std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
+  std::vector<char*> words;
+  for (const std::string& argument : arguments) {
+    words.push_back(const_cast<char*>(argument.c_str()));  // execvp changes nothing, but C has no way to say so
+  }
+  words.push_back(nullptr);
+  struct sigaction action {};
+  action.sa_sigaction = passOn;
+  action.sa_flags = SA_SIGINFO | SA_RESTART;
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    sigaction(signal, &action, nullptr);
+  }
+  const pid_t child = fork();
+  if (child < 0) {
+    throw std::runtime_error(std::string("cannot start roslaunch: ") + std::strerror(errno));
+  }
+  if (child == 0) {
+    execvp(words[0], words.data());
+    std::cerr << "swarmanoid: cannot start roslaunch: " << std::strerror(errno) << std::endl;
+    _exit(kBadInput);
+  }
+  roslaunch_pid = child;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) {
+      throw std::runtime_error(std::string("lost roslaunch: ") + std::strerror(errno));
+    }
+  }
+  roslaunch_pid = 0;
+  return WIFEXITED(status) ? std::optional<int>(WEXITSTATUS(status)) : std::nullopt;
+}
+
+/// What the run itself says, or else what can be told from roslaunch.
+int exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
+  int code = 0;
+  if (std::ifstream(file) >> code) {
+    return code;
+  }
+  if (is_told_to_end != 0) {
+    return kInterrupted;
+  }
+  if (of_roslaunch.value_or(0) != 0) {
+    return kBadInput;  // it has refused to start anything, and has said why
+  }
+  std::cerr << "swarmanoid: the run has ended without a result\n";
+  return kEngineStopped;
+}
+
+int launch(const std::string& experiment, const std::vector<std::string>& others) {
+  for (const std::string& argument : others) {
+    for (const char* own : {"exit_code:=", "experiment:="}) {
+      if (argument.rfind(own, 0) == 0) {
+        throw ConfigError({"launch", 0}, "found '" + argument + "', allowed: arguments of run.launch other than " +
+                                             "experiment and exit_code, and options of roslaunch");
+      }
+    }
+  }
+  const TemporaryFolder folder;
+  const std::filesystem::path file = folder.path() / "exit_code";
+  std::vector<std::string> arguments{"roslaunch", "swarmanoid_experiments", "run.launch", "experiment:=" + experiment,
+                                     "exit_code:=" + file.string()};
+  arguments.insert(arguments.end(), others.begin(), others.end());
+  return exitCode(file, runRoslaunch(arguments));
+}
+
+}  // namespace
+
+Command addLaunchCommand(CLI::App& app) {
+  auto experiment = std::make_shared<std::string>();
+  CLI::App* command = app.add_subcommand("launch", "run an experiment under ROS, with the exit code of the run");
+  command->add_option("experiment", *experiment, "an experiment file, or the name of an installed experiment")
+      ->required();
+  command->prefix_command();
+  command->footer(
+      "What follows the experiment goes on to roslaunch: arguments of run.launch such as seed:=3 (it has "
+      "them all: roslaunch --ros-args swarmanoid_experiments run.launch), and roslaunch's own options.");
+  return [experiment, command] { return launch(*experiment, command->remaining()); };
+}
+
+}  // namespace swarmanoid::program

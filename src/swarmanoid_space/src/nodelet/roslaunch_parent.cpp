@@ -1,0 +1,32 @@
+#include "roslaunch_parent.hpp"
+
+#include <signal.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+namespace swarmanoid {
+namespace {
+
+/// A script: the interpreter comes first, then the script itself.
+bool isRoslaunch(pid_t process) {
+  std::ifstream command("/proc/" + std::to_string(process) + "/cmdline", std::ios::binary);
+  std::string word;
+  for (int i = 0; i < 2 && std::getline(command, word, '\0'); ++i) {
+    if (std::filesystem::path(word).filename() == "roslaunch") {
+      return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+bool interruptRoslaunch() {
+  const pid_t parent = getppid();
+  return isRoslaunch(parent) && kill(parent, SIGINT) == 0;
+}
+
+}  // namespace swarmanoid
