@@ -23,21 +23,24 @@ TEST(CollisionTest, AFootbotStopsWithItsGripperAtTheWallAndCanBackOff) {
   EXPECT_NEAR(world.pose(row).position.x(), 1.95 - 0.11 - 0.1, kTouching);
 }
 
-TEST(CollisionTest, ItStaysAtItsLastFreePose) {
+TEST(CollisionTest, ItAdvancesToContactWhateverItsStep) {
   World world;
   world.addBlock({0.1, 4.0, 0.5}, {2.0, 2.0, 0.25});
-  const Row row = world.addFootbot(flatPose(1.0, 2.0));
-  world.drive(row, 0.3);  // 3 cm a tick, 28 of them fit in 84 cm
+  const Row row = world.addFootbot(flatPose(1.0 - 0.013, 2.0));
+  world.drive(row, 0.3);  // 3 cm a tick: the last one has 2.3 cm left
   world.step(28);
+  EXPECT_NEAR(world.pose(row).position.x(), 1.827, kTouching);
+  world.step();
   const Pose last = world.pose(row);
   EXPECT_NEAR(last.position.x(), 1.84, kTouching);
+  EXPECT_EQ(last.position.y(), 2.0);
   world.drive(row, 0.25);
   world.step(20);
-  EXPECT_EQ(world.pose(row).position, last.position);
+  EXPECT_NEAR(world.pose(row).position.x(), 1.84, kTouching);
   EXPECT_EQ(world.pose(row).orientation.coeffs(), last.orientation.coeffs());
 }
 
-TEST(CollisionTest, ARoundRobotTurnsAtTheWallUntilItIsFree) {
+TEST(CollisionTest, ARoundRobotSlidesAlongTheWallWhileItTurnsAway) {
   World world;
   world.addBlock({0.1, 8.0, 0.5}, {2.0, 4.0, 0.25});
   const Row row = world.addRobot(discModel(0.1, 0.15), flatPose(1.7, 2.0));
@@ -47,12 +50,14 @@ TEST(CollisionTest, ARoundRobotTurnsAtTheWallUntilItIsFree) {
   EXPECT_NEAR(at_wall.x(), 1.85, kTouching);
   world.drive(row, 0.1, 0.5);
   world.step(20);
-  EXPECT_EQ(world.pose(row).position, at_wall);
+  EXPECT_NEAR(world.pose(row).position.x(), at_wall.x(), kTouching);
+  // what is along the wall of the way that it turns through: v / w (1 - cos 1)
+  EXPECT_NEAR(world.pose(row).position.y(), at_wall.y() + 0.2 * (1.0 - std::cos(1.0)), 1e-6);
   EXPECT_NEAR(headingOf(world.pose(row)), 1.0, 1e-9);
   EXPECT_NEAR(world.twist(row).angular.z(), 0.5, 1e-9);
   world.step(20);  // past a right angle the arc leads away
   EXPECT_LT(world.pose(row).position.x(), at_wall.x() - 0.005);
-  EXPECT_GT(world.pose(row).position.y(), at_wall.y() + 0.05);
+  EXPECT_GT(world.pose(row).position.y(), at_wall.y() + 0.15);
 }
 
 TEST(CollisionTest, HeadOnRobotsMeetInTheMiddle) {
@@ -79,7 +84,7 @@ TEST(CollisionTest, TheOlderRobotTakesTheGapFirst) {
     world.drive(second, 0.5);
     world.step();
     EXPECT_NEAR(world.pose(first).position.x(), 1.05, 1e-12);
-    EXPECT_NEAR(world.pose(second).position.x(), 1.29, 1e-12);
+    EXPECT_NEAR(world.pose(second).position.x(), 1.25, kTouching);
   }
 }
 
@@ -93,7 +98,7 @@ TEST(CollisionTest, ARobotPassesUnderATableButNotThroughItsLeg) {
   world.drive(at_leg, 0.1);
   world.step(200);
   EXPECT_NEAR(world.pose(under).position.x(), 3.0, kTouching);
-  EXPECT_NEAR(world.pose(at_leg).position.x(), 1.975 - 0.11 - 0.005, 0.006);
+  EXPECT_NEAR(world.pose(at_leg).position.x(), 1.975 - 0.11, kTouching);
 }
 
 TEST(CollisionTest, OnlyTheShapesAtAHeightMeet) {
@@ -103,8 +108,7 @@ TEST(CollisionTest, OnlyTheShapesAtAHeightMeet) {
   const Row row = world.addFootbot(flatPose(1.5, 2.0));
   world.drive(row, 0.1);
   world.step(100);
-  EXPECT_NEAR(world.pose(row).position.x(), 1.95 - 0.085, 0.01);
-  EXPECT_GT(world.pose(row).position.x(), 1.95 - 0.11 + 0.005);
+  EXPECT_NEAR(world.pose(row).position.x(), 1.95 - 0.085, kTouching);
 }
 
 TEST(CollisionTest, ATurnedBlockIsMetWhereItIs) {
@@ -113,8 +117,7 @@ TEST(CollisionTest, ATurnedBlockIsMetWhereItIs) {
   const Row row = world.addRobot(discModel(0.1, 0.15), flatPose(2.0, 2.0));
   world.drive(row, 0.01);
   world.step(1000);
-  EXPECT_NEAR(world.pose(row).position.x(), 3.0 - std::sqrt(0.5) - 0.1, 0.0011);
-  EXPECT_LT(world.pose(row).position.x(), 3.0 - std::sqrt(0.5) - 0.1 + kTouching);
+  EXPECT_NEAR(world.pose(row).position.x(), 3.0 - std::sqrt(0.5) - 0.1, kTouching);
 }
 
 TEST(CollisionTest, PreysAreNotPushed) {
@@ -124,7 +127,7 @@ TEST(CollisionTest, PreysAreNotPushed) {
   world.drive(row, 0.1);
   world.step(100);
   EXPECT_EQ(world.pose(prey).position, Vector3d(2.0, 2.0, 0.0));
-  EXPECT_NEAR(world.pose(row).position.x(), 1.79, 0.006);
+  EXPECT_NEAR(world.pose(row).position.x(), 1.79, kTouching);
 }
 
 TEST(CollisionTest, OverlapNamesTheOldestInTheWay) {

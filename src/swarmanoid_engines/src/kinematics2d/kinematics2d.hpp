@@ -1,17 +1,20 @@
 /// The two-dimensional kinematic engine (thesis 3.5.1): bodies in a plane go where their velocities take them.
 ///
 /// There are no masses and no forces. Bodies move one after another, in the order of their entity numbers, so results
-/// do not depend on anything else; one that would overlap another tries its turn alone, and otherwise stays at its last
-/// free pose. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may come to overlap a body
-/// through no doing of this engine; such a pair hinders a body only from going deeper.
+/// do not depend on anything else. A body that would overlap another advances to contact and slides along it: its new
+/// pose is pushed out of what it overlaps by the shortest way, so that a robot with its nose at a wall can turn, and
+/// slips back by as much as its nose needs. Where there is no room for that, it goes as much of its way, and then makes
+/// as much of its turn, as is free. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may
+/// come to overlap a body through no doing of this engine; such a pair hinders a body only from going deeper.
+/// Where others are near, a body moves in pieces of half its inner radius, so nothing fast jumps through a thin wall.
 ///
 /// Wheels are integrated exactly along the arc. What would lead out of the plane is dropped: an eyebot flies the part
 /// of its velocity that lies in the plane. A footbot can grip a prey, not another footbot; a prey is gripped by one
 /// footbot at a time, and keeps its place in the gripper to the last digits.
 ///
 /// Turrets turn after all bodies have moved, at the speed that they are told; what the gripper holds turns with them
-/// around the robot. One that would overlap another with its gripper or with what that holds stays at its last free
-/// angle. What a passive one holds trails behind the robot like a trailer: its centre is never moved to the side.
+/// around the robot. One that would overlap another with its gripper or with what that holds turns as far as is free.
+/// What a passive one holds trails behind the robot like a trailer: its centre is never moved to the side.
 ///
 /// Rays meet bodies as prisms over their planar shapes. A mirror of what another engine moves is not met: that engine
 /// answers for it.
@@ -19,6 +22,7 @@
 
 #include <vector>
 
+#include "planar/body_overlap.hpp"
 #include "planar/placed_pose.hpp"
 #include "planar/planar_engine.hpp"
 
@@ -74,10 +78,20 @@ class Kinematics2d final : public planar::PlanarEngine {
   // motion.cpp
   void startTick(const Space& space, double step);
   void moveBody(BodyIndex index, double dt);
+  bool moveFreely(BodyIndex index, const PlacedPose& target);
   bool tryPose(BodyIndex index, const PlacedPose& pose);
   bool tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place);
+  static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
   bool isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner, Clearance& clearance);
+  bool isHindering(BodyIndex index, const PlacedPose& pose, const Body& other);
   void finishTick(Space& space, double dt);
+
+  // contact.cpp
+  void movePiece(BodyIndex index, double dt);
+  bool tryPushedOut(BodyIndex index, const PlacedPose& target);
+  planar::Penetration deepestOverlap(BodyIndex index, const PlacedPose& pose);
+  planar::Penetration deepestOverlapOf(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
+  void countDetour(double moved);
 
   // turning.cpp
   double startTurrets(double step);
@@ -105,6 +119,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   // Bounds on how far any body moves: most bodies then need not look around in most steps (see Clearance).
   double mirrors_moved_ = 0.0;    // by at most, before this tick [m]
   double stride_ = 0.0;           // in one step of this tick [m]
+  double detour_ = 0.0;           // beyond the stride, by bodies that were pushed out in this step, at most [m]
   double travelled_ = 0.0;        // up to the end of the step under way [m]
   bool is_somebody_new_ = false;  // clearances hold no longer: a body came, or was put elsewhere
 };

@@ -26,6 +26,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
   startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
     travelled_ += stride_;
+    detour_ = 0.0;
     for (const BodyIndex index : bodies_.order()) {
       moveBody(index, step);
     }
@@ -75,23 +76,32 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
   if (body.turn_rate == 0.0 && body.velocity.isZero(0.0)) {
     return;
   }
-  const PlacedPose target = planar::integrate(body.pose, body.velocity, body.turn_rate, dt);
-  if (tryPose(index, target) || body.turn_rate == 0.0) {
+  if (moveFreely(index, planar::integrate(body.pose, body.velocity, body.turn_rate, dt))) {
     return;
   }
-  // blocked: a robot that can still turn finds its way out
-  PlacedPose turned = target;
-  turned.position = body.pose.position;
-  tryPose(index, turned);
+  const Eigen::Vector2d start = body.pose.position;
+  const double longest = 0.5 * body.model->inner_radius;
+  const int pieces = std::max(1, static_cast<int>(std::ceil(body.velocity.norm() * dt / longest)));
+  for (int i = 0; i < pieces; ++i) {
+    movePiece(index, dt / pieces);
+  }
+  countDetour((body.pose.position - start).norm());
 }
 
+/// Where nothing can be near, a body need not look around. @return whether it has moved
+bool Kinematics2d::moveFreely(BodyIndex index, const PlacedPose& target) {
+  const Motion& its = motion(index);
+  if (its.gripped != kNoBody || travelled_ > its.clearance.free_until) {
+    return false;
+  }
+  bodies_.setPose(index, target);
+  return true;
+}
+
+/// Looks around. @return whether the body, with what it grips, is free there; then it has moved
 bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
   Motion& its = motion(index);
   const BodyIndex gripped = its.gripped;
-  if (gripped == kNoBody && travelled_ <= its.clearance.free_until) {
-    bodies_.setPose(index, pose);
-    return true;
-  }
   planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
   if (turret != nullptr && turret->told->mode == FootbotTurret::Mode::kPassive) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
@@ -111,10 +121,14 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
   return true;
 }
 
+PlacedPose Kinematics2d::carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place) {
+  return PlacedPose::at(gripper.position + gripper.rotated(place.position),
+                        planar::wrapAngle(gripper.heading + place.heading));
+}
+
 bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place) {
   const BodyIndex gripped = motion(index).gripped;
-  const PlacedPose carried =
-      PlacedPose::at(pose.position + pose.rotated(place.position), planar::wrapAngle(pose.heading + place.heading));
+  const PlacedPose carried = carriedPose(pose, place);
   Clearance unused;
   unused.look_ahead = 0.0;
   if (!isFree(gripped, carried, index, unused)) {
@@ -142,24 +156,25 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex par
     }
     const double gap = bodies_.distanceTo(other_index, pose.position) - radius;
     nearest = std::min(nearest, gap);
-    if (gap > 0.0 || !planar::modelsOverlap(*body.model, pose, body.along, other, relative_shapes_)) {
-      return true;
-    }
-    // a mirror was put upon us: moving away from it must stay possible
-    const bool goes_away =
-        (pose.position - other.pose.position).squaredNorm() > (body.pose.position - other.pose.position).squaredNorm();
-    if (other.role == Role::kMirror && other.is_movable && goes_away &&
-        planar::modelsOverlap(*body.model, body.pose, body.along, other, relative_shapes_)) {
-      return true;
-    }
-    free = false;
-    return false;
+    free = gap > 0.0 || !planar::modelsOverlap(*body.model, pose, body.along, other, relative_shapes_) ||
+           !isHindering(index, pose, other);
+    return free;
   });
-  // From now on both sides come nearer by what is travelled; some bodies have this step's stride still before them.
+  // From now on both sides come nearer by what is travelled; some bodies have this step's stride and detour still
+  // before them.
   constexpr double kMargin = 1e-6;  // m, for rounding
-  clearance.free_until = travelled_ + 0.5 * (nearest - stride_ - kMargin);
+  clearance.free_until = travelled_ + 0.5 * (nearest - stride_ - detour_ - kMargin);
   clearance.look_ahead = std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
   return free;
+}
+
+/// Not so a mirror that was put upon a body: moving away from it must stay possible.
+bool Kinematics2d::isHindering(BodyIndex index, const PlacedPose& pose, const Body& other) {
+  const Body& body = bodies_[index];
+  const bool goes_away =
+      (pose.position - other.pose.position).squaredNorm() > (body.pose.position - other.pose.position).squaredNorm();
+  return other.role != Role::kMirror || !other.is_movable || !goes_away ||
+         !planar::modelsOverlap(*body.model, body.pose, body.along, other, relative_shapes_);
 }
 
 void Kinematics2d::finishTick(Space& space, double dt) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "kinematics2d/kinematics2d.hpp"
+#include "kinematics2d/try_parts.hpp"
 
 namespace swarmanoid::kinematics2d {
 
@@ -27,9 +28,11 @@ double Kinematics2d::startTurrets(double step) {
 }
 
 void Kinematics2d::turn(Turret& turret, double dt) {
-  const double angle = freeTurn(*turret.told, bodies_.jointOf(turret), turret.state.angle, dt);
-  if (angle != turret.state.angle) {
-    tryTurned(turret, bodies_[turret.body].pose, angle);
+  const double start = turret.state.angle;
+  const double angle = freeTurn(*turret.told, bodies_.jointOf(turret), start, dt);
+  const PlacedPose& pose = bodies_[turret.body].pose;
+  if (angle != start && !tryTurned(turret, pose, angle)) {
+    tryParts([&](double part) { return tryTurned(turret, pose, wrapTurn(start + part * wrapTurn(angle - start))); });
   }
 }
 

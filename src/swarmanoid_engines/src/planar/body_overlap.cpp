@@ -2,30 +2,52 @@
 
 #include <algorithm>
 
-#include "planar/planar_overlap.hpp"
-
 namespace swarmanoid::planar {
 
-bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                   std::vector<PlanarShape>& scratch) {
+namespace {
+
+/// Calls visit(mine, other's) for all pairs of shapes at the same heights, in the other body's frame, in which only one
+/// of the two models has to be placed; until it returns true. @return whether it did
+template <class Visit>
+bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                std::vector<PlanarShape>& scratch, Visit visit) {
   if (!model.band.meets(other.model->band, along, other.along)) {
     return false;
   }
-  // in the other's frame only one of the two models has to be placed
-  const Eigen::Vector2d way = pose.position - other.pose.position;
   const double cosine = other.pose.cosine;
   const double sine = other.pose.sine;
-  placeShapes(model, {cosine * way.x() + sine * way.y(), cosine * way.y() - sine * way.x()},
-              pose.cosine * cosine + pose.sine * sine, pose.sine * cosine - pose.cosine * sine, scratch);
+  placeShapes(model, other.pose.unrotated(pose.position - other.pose.position), pose.cosine * cosine + pose.sine * sine,
+              pose.sine * cosine - pose.cosine * sine, scratch);
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
-    const PlanarShape& mine = scratch[i];
-    for (const PlanarShape& its : other.model->shapes) {
-      if (mine.band.meets(its.band, along, other.along) && overlap(mine, its)) {
+    for (const PlanarShape& shape : other.model->shapes) {
+      if (scratch[i].band.meets(shape.band, along, other.along) && visit(scratch[i], shape)) {
         return true;
       }
     }
   }
   return false;
+}
+
+}  // namespace
+
+bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                   std::vector<PlanarShape>& scratch) {
+  return visitPairs(model, pose, along, other, scratch,
+                    [](const PlanarShape& mine, const PlanarShape& theirs) { return overlap(mine, theirs); });
+}
+
+Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                               std::vector<PlanarShape>& scratch) {
+  Penetration deepest;
+  visitPairs(model, pose, along, other, scratch, [&](const PlanarShape& mine, const PlanarShape& theirs) {
+    const Penetration found = overlap(mine, theirs) ? penetration(mine, theirs) : Penetration{};
+    if (found.depth > deepest.depth) {
+      deepest = found;
+    }
+    return false;
+  });
+  deepest.normal = other.pose.rotated(deepest.normal);
+  return deepest;
 }
 
 BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored) {

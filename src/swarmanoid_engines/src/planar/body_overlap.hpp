@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "planar/bodies.hpp"
+#include "planar/planar_overlap.hpp"
 
 namespace swarmanoid::planar {
 
@@ -11,6 +12,11 @@ namespace swarmanoid::planar {
 /// @param along of the model's origin, along the plane's normal [m]
 bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
                    std::vector<PlanarShape>& scratch);
+
+/// The deepest overlap of any of the model's shapes with one of the body's, and the way out of it, in the plane's
+/// frame. Parameters as above.
+Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
+                               std::vector<PlanarShape>& scratch);
 
 /// The oldest body that an entity at a pose would overlap; kNoBody if there is none.
 BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored);

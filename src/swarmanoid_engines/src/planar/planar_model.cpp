@@ -80,6 +80,20 @@ void projectShape(const CollisionShape& shape, const Plane& plane, const Eigen::
   }
 }
 
+/// Of the largest circle around its centre that lies in it.
+double innerRadius(const PlanarShape& shape) {
+  if (shape.isCircle()) {
+    return shape.radius;
+  }
+  double least = shape.radius;
+  const std::size_t count = shape.vertices.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const Eigen::Vector2d edge = shape.vertices[(i + 1) % count] - shape.vertices[i];
+    least = std::min(least, cross(edge, shape.centre - shape.vertices[i]) / edge.norm());
+  }
+  return least;
+}
+
 }  // namespace
 
 void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
@@ -89,6 +103,7 @@ void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Qua
   result.up = plane.toLocal(base * Eigen::Vector3d::UnitZ());
   result.turn = plane.along(base * Eigen::Vector3d::UnitZ());
   result.radius = 0.0;
+  result.inner_radius = 0.0;
   result.band = Band{};
   result.shapes.resize(model.shapes.size());
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
@@ -104,6 +119,7 @@ void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Qua
       }
     }
     result.radius = std::max(result.radius, reach);
+    result.inner_radius = std::max(result.inner_radius, innerRadius(projected));
     result.band.low = i == 0 ? projected.band.low : std::min(result.band.low, projected.band.low);
     result.band.high = i == 0 ? projected.band.high : std::max(result.band.high, projected.band.high);
   }

@@ -41,6 +41,7 @@ struct PlanarShape {
 struct PlanarModel {
   std::vector<PlanarShape> shapes;  ///< at heading 0, around the body's origin
   double radius = 0.0;              ///< of a circle around the origin that holds all shapes [m]
+  double inner_radius = 0.0;        ///< of the largest circle around a shape's centre that lies in the shape [m]
   Band band;                        ///< of all shapes, relative to the origin
 
   // The body's axes at heading 0, as far as they lie in the plane, and how far body z is along the normal.
