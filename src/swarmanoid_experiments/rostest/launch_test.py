@@ -77,7 +77,7 @@ class LaunchTest(RoslaunchTest):
     def test_the_command_returns_what_the_run_returns(self):
         for code, arguments in ((0, ("object_retrieval", "max_ticks:=10")),
                                 (2, ("object_retrievl",)),
-                                (2, ("object_retrieval", "rviz:=perhaps")),
+                                (2, ("object_retrieval", "paused:=perhaps")),
                                 (2, ("object_retrieval", "device_topics:=fb_9")),
                                 (2, ("object_retrieval", "record:=/nowhere/run.bag", "on_end:=stay")),
                                 (3, (FAILING,)),
