@@ -61,7 +61,7 @@ class LogTest(ProgramTest):
         talk = [line for line in lines if ": tick" in line]
         self.assertEqual(sorted(talk), sorted(f"fb_{i}: tick {tick}" for i in range(robots) for tick in range(5)))
         for line in set(lines) - set(talk):
-            self.assertRegex(line, r"^world \[[#.]{40}\] \d of at most 5 ticks, \d+ ticks/s$")
+            self.assertRegex(line, r"^world \[[#.]{40}\] \d of at most 5 ticks, [0-9.]+ s simulated, \d+ ticks/s(, about .* left)?$")
 
     def crowd(self, robots):
         """The small world with many robots that talk, and nothing else."""
