@@ -12,6 +12,7 @@ RATE = 10.0      # commands a second; a robot stops when none comes for half a s
 SPEED = 0.1      # [m/s]
 TURN_RATE = 1.5  # [rad/s]
 THRESHOLD = 0.05
+HALF_FIELD = 1.5  # [rad]; what is farther to the side does not count
 
 
 class Diffusion:
@@ -21,13 +22,14 @@ class Diffusion:
         rospy.Subscriber(f"/{robot}/proximity", ProximityArray, self._look, queue_size=1, tcp_nodelay=True)
 
     def _look(self, readings):
-        x = sum(value * math.cos(angle) for value, angle in zip(readings.values, readings.angles))
-        y = sum(value * math.sin(angle) for value, angle in zip(readings.values, readings.angles))
+        ahead = [(value, angle) for value, angle in zip(readings.values, readings.angles) if abs(angle) <= HALF_FIELD]
+        x = sum(value * math.cos(angle) for value, angle in ahead)
+        y = sum(value * math.sin(angle) for value, angle in ahead)
         command = Twist()
-        if math.hypot(x, y) <= THRESHOLD or x < 0.0:
+        if math.hypot(x, y) <= THRESHOLD:
             command.linear.x = SPEED
-        else:
-            command.angular.z = -TURN_RATE if y > 0.0 else TURN_RATE
+        else:  # once begun, it goes on to the same side
+            command.angular.z = self._command.angular.z or (-TURN_RATE if y > 0.0 else TURN_RATE)
         self._command = command
 
     def drive(self):

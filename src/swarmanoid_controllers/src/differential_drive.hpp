@@ -24,11 +24,13 @@ struct ObstacleVector {
   double x = 0.0;  ///< ahead
   double y = 0.0;  ///< left
 
-  explicit ObstacleVector(const FootbotProximity& proximity) {
+  /// @param half_field sensors farther to the side than this do not count [rad]
+  explicit ObstacleVector(const FootbotProximity& proximity, double half_field = M_PI) {
     for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
-      if (proximity.value[i] > 0.0F) {
-        x += proximity.value[i] * std::cos(FootbotProximity::angle(i));
-        y += proximity.value[i] * std::sin(FootbotProximity::angle(i));
+      const double angle = FootbotProximity::angle(i);
+      if (proximity.value[i] > 0.0F && std::abs(angle) <= half_field) {
+        x += proximity.value[i] * std::cos(angle);
+        y += proximity.value[i] * std::sin(angle);
       }
     }
   }

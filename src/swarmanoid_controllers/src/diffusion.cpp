@@ -1,4 +1,4 @@
-// Diffusion: straight on until something is near, then turn away from it.
+// Diffusion: straight on until something is near ahead, then turn away from it, on and on until nothing is.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
@@ -14,14 +14,22 @@ class Diffusion final : public Controller {
     parameters.refuseUnread({"speed", "threshold"});
   }
 
+  void reset() override { turn_rate_ = 0.0; }
+
   void step(Time, Duration) override {
-    const ObstacleVector obstacle(*proximity_);
-    if (obstacle.length() <= threshold_ || obstacle.x < 0.0) {
+    // what is beside and behind does not count: it must not outweigh what a robot drives into
+    constexpr double kHalfField = 1.5;  // rad
+    const ObstacleVector obstacle(*proximity_, kHalfField);
+    if (obstacle.length() <= threshold_) {
+      turn_rate_ = 0.0;
       wheels_->drive(speed_, 0.0);
-    } else {
-      constexpr double kTurnRate = 1.5;  // rad/s
-      wheels_->drive(0.0, obstacle.y > 0.0 ? -kTurnRate : kTurnRate);
+      return;
     }
+    if (turn_rate_ == 0.0) {             // once begun, it goes on to the same side: a corner would turn it to and fro
+      constexpr double kTurnRate = 1.5;  // rad/s
+      turn_rate_ = obstacle.y > 0.0 ? -kTurnRate : kTurnRate;
+    }
+    wheels_->drive(0.0, turn_rate_);
   }
 
  private:
@@ -29,6 +37,7 @@ class Diffusion final : public Controller {
   const FootbotProximity* proximity_ = nullptr;
   double speed_ = 0.0;      // m/s
   double threshold_ = 0.0;  // length of the obstacle vector
+  double turn_rate_ = 0.0;  // rad/s, while it turns away
 };
 
 }  // namespace swarmanoid

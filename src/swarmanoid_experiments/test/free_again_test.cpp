@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -30,7 +31,8 @@ std::unique_ptr<Simulation> diffusion(double speed, int subclock, std::uint64_t 
       <parameters><speed>)" +
                     std::to_string(speed) + R"(</speed></parameters></diffusion></controllers>
     <arena size=")" +
-                    side + "," + side + R"(,1" optimization="2D" bounded="true"><distribute quantity="200" layout="uniform">
+                    side + "," + side +
+                    R"(,1" optimization="2D" bounded="true"><distribute quantity="200" layout="uniform">
       <minimum>0.2,0.2,0</minimum><maximum>)" +
                     most + "," + most +
                     R"(,0</maximum><footbot id="fb"><controller>dc</controller></footbot></distribute>
@@ -40,6 +42,20 @@ std::unique_ptr<Simulation> diffusion(double speed, int subclock, std::uint64_t 
   auto simulation = std::make_unique<Simulation>(parseExperiment(xml, "diffusion.xml"));
   simulation->start();
   return simulation;
+}
+
+/// A robot and all that are near it, with their headings: what is needed to put the case into a small world.
+std::string surroundings(const Entities& entities, std::size_t row) {
+  constexpr double kNear = 0.4;  // m
+  std::ostringstream text;
+  for (std::size_t other = 0; other < entities.pose.size(); ++other) {
+    const Pose& pose = entities.pose[other];
+    if (entities.model[other]->is_robot && (pose.position - entities.pose[row].position).norm() < kNear) {
+      text << "\n  " << entities.name[other] << " at " << pose.position.transpose() << ", heading "
+           << 2.0 * std::atan2(pose.orientation.z(), pose.orientation.w());
+    }
+  }
+  return text.str();
 }
 
 struct Watched {
@@ -73,7 +89,7 @@ TEST_P(FreeAgainTest, Diffusion) {
           robot = {pose, 0};
         }
         ASSERT_LT(robot.since, kPatience) << entities.name[row] << " has stood since tick " << tick - kPatience
-                                          << ", seed " << seed << ", at " << pose.position.transpose();
+                                          << ", seed " << seed << surroundings(entities, row);
       }
     }
   }

@@ -1,5 +1,6 @@
 // Phase `move`: what a body does that would overlap another.
 #include <algorithm>
+#include <cmath>
 
 #include "kinematics2d/kinematics2d.hpp"
 #include "kinematics2d/try_parts.hpp"
@@ -8,7 +9,8 @@ namespace swarmanoid::kinematics2d {
 namespace {
 
 constexpr double kMostPush = 0.005;  // m, beyond the way of the step: a nose that turns at a wall needs less
-constexpr int kPushes = 6;           // of one contact after the other; two walls at a right angle need two
+constexpr int kPushes = 24;          // of one contact after the other; two walls at a right angle need two
+constexpr double kWedgeSkin = 1e-6;  // m: between contacts at other angles, pushes end that only come nearer and nearer
 
 }  // namespace
 
@@ -47,11 +49,14 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target) {
   const double most = (target.position - bodies_[index].pose.position).norm() + kMostPush;
   PlacedPose pose = target;
   for (int i = 0; i < kPushes; ++i) {
-    const planar::Penetration deepest = deepestOverlap(index, pose);
-    if (deepest.depth <= planar::kContactTolerance) {
+    const std::vector<planar::Penetration>& contacts = findContacts(index, pose);
+    if (contacts.empty()) {
       return tryPose(index, pose);
     }
-    pose.position += deepest.depth * deepest.normal;
+    const planar::Penetration& deepest = *std::max_element(
+        contacts.begin(), contacts.end(), [](const auto& left, const auto& right) { return left.depth < right.depth; });
+    constexpr int kExactPushes = 2;
+    pose.position += (deepest.depth + (i < kExactPushes ? 0.0 : kWedgeSkin)) * deepest.normal;
     if ((pose.position - target.position).norm() > most) {
       return false;
     }
@@ -59,35 +64,32 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target) {
   return tryPose(index, pose);
 }
 
-/// Of a body and what it grips.
-planar::Penetration Kinematics2d::deepestOverlap(BodyIndex index, const PlacedPose& pose) {
+/// All that hinders a body, or what it grips, from being there: with each other body the deepest overlap.
+const std::vector<planar::Penetration>& Kinematics2d::findContacts(BodyIndex index, const PlacedPose& pose) {
+  contacts_.clear();
   const BodyIndex gripped = motion(index).gripped;
-  planar::Penetration deepest = deepestOverlapOf(index, pose, gripped);
+  addContacts(index, pose, gripped);
   const planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
-  if (gripped == kNoBody || (turret != nullptr && turret->told->mode == FootbotTurret::Mode::kPassive)) {
-    return deepest;  // what trails behind is not where the pose alone would put it
+  const bool is_trailing = turret != nullptr && turret->told->mode == FootbotTurret::Mode::kPassive;
+  if (gripped != kNoBody && !is_trailing) {  // what trails behind is not where the pose alone would put it
+    addContacts(gripped, carriedPose(pose, motion(gripped).place_in_gripper), index);
   }
-  const planar::Penetration of_gripped =
-      deepestOverlapOf(gripped, carriedPose(pose, motion(gripped).place_in_gripper), index);
-  return of_gripped.depth > deepest.depth ? of_gripped : deepest;
+  return contacts_;
 }
 
 /// @param partner what it holds, or is held by: never in its way
-planar::Penetration Kinematics2d::deepestOverlapOf(BodyIndex index, const PlacedPose& pose, BodyIndex partner) {
+void Kinematics2d::addContacts(BodyIndex index, const PlacedPose& pose, BodyIndex partner) {
   const Body& body = bodies_[index];
-  planar::Penetration deepest;
   bodies_.visitNear(pose.position, body.model->radius, [&](BodyIndex other_index) {
-    if (other_index == index || other_index == partner) {
-      return true;
-    }
-    const planar::Penetration found =
-        planar::deepestPenetration(*body.model, pose, body.along, bodies_[other_index], relative_shapes_);
-    if (found.depth > deepest.depth && isHindering(index, pose, bodies_[other_index])) {
-      deepest = found;
+    const Body& other = bodies_[other_index];
+    if (other_index != index && other_index != partner) {
+      const auto found = planar::deepestPenetration(*body.model, pose, body.along, other, relative_shapes_);
+      if (found.depth > planar::kContactTolerance && isHindering(index, pose, other)) {
+        contacts_.push_back(found);
+      }
     }
     return true;
   });
-  return deepest;
 }
 
 /// Clearances count on nobody moving farther than a stride in a step: who was pushed out may have.

@@ -5,8 +5,8 @@
 /// pose is pushed out of what it overlaps by the shortest way, so that a robot with its nose at a wall can turn, and
 /// slips back by as much as its nose needs. Where there is no room for that, it goes as much of its way, and then makes
 /// as much of its turn, as is free. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may
-/// come to overlap a body through no doing of this engine; such a pair hinders a body only from going deeper.
-/// Where others are near, a body moves in pieces of half its inner radius, so nothing fast jumps through a thin wall.
+/// come to overlap a body through no doing of this engine; such a pair hinders a body only from going deeper. Where
+/// others are near, a body moves in pieces of half its inner radius, so nothing fast jumps through a thin wall.
 ///
 /// Wheels are integrated exactly along the arc. What would lead out of the plane is dropped: an eyebot flies the part
 /// of its velocity that lies in the plane. A footbot can grip a prey, not another footbot; a prey is gripped by one
@@ -89,8 +89,8 @@ class Kinematics2d final : public planar::PlanarEngine {
   // contact.cpp
   void movePiece(BodyIndex index, double dt);
   bool tryPushedOut(BodyIndex index, const PlacedPose& target);
-  planar::Penetration deepestOverlap(BodyIndex index, const PlacedPose& pose);
-  planar::Penetration deepestOverlapOf(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
+  const std::vector<planar::Penetration>& findContacts(BodyIndex index, const PlacedPose& pose);
+  void addContacts(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
   void countDetour(double moved);
 
   // turning.cpp
@@ -115,6 +115,7 @@ class Kinematics2d final : public planar::PlanarEngine {
 
   std::vector<Motion> motions_;                       // by body
   std::vector<planar::PlanarShape> relative_shapes_;  // scratch of modelsOverlap
+  std::vector<planar::Penetration> contacts_;         // scratch of findContacts
 
   // Bounds on how far any body moves: most bodies then need not look around in most steps (see Clearance).
   double mirrors_moved_ = 0.0;    // by at most, before this tick [m]
