@@ -30,6 +30,12 @@ def long_tests(table, build):
              "1.000 m within 1e-9; arc within 0.1 %"),
             ("engines", "crowd", "*", "1,000 footbots packed at 0.6 of the area, to one point, then into a wall",
              "no overlap, ever; equal hash on repeat"),
+            ("experiments", "free_again", "*",
+             "diffusion, 200 footbots, 0.1, 0.2, 0.3 m/s, subclock 1 and 10, 1,000 s, 5 seeds, kinematics2d",
+             "nobody stands for 100 s (no turn of 10 degrees, no advance of 1 cm)"),
+            ("engines", "contact", "*",
+             "wall, corner, prey, robot approached at 0.05 to 0.3 m/s, ticks of 10 to 200 ms, kinematics2d",
+             "contact within 1 mm, no overlap, free again"),
             ("experiments", "repeatability", "LifeCycle*:Failure*",
              "every second of 1,000 robots deleted, others spawned; failing controllers",
              "references kept, equal hash on repeat; the robot stops, the others go on")):

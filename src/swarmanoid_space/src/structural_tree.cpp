@@ -57,8 +57,9 @@ Row StructuralTree::root(Row row) const {
 std::vector<Row> StructuralTree::members(Row row) const {
   std::vector<Row> result{root(row)};
   for (std::size_t i = 0; i < result.size(); ++i) {
-    const std::vector<Row>& grippers = grippersOf(result[i]);
-    result.insert(result.end(), grippers.begin(), grippers.end());
+    for (const Row gripper : grippersOf(result[i])) {
+      result.push_back(gripper);
+    }
   }
   return result;
 }

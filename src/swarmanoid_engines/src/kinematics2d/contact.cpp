@@ -1,6 +1,7 @@
 // Phase `move`: what a body does that would overlap another.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "kinematics2d/kinematics2d.hpp"
 #include "kinematics2d/try_parts.hpp"
@@ -9,8 +10,19 @@ namespace swarmanoid::kinematics2d {
 namespace {
 
 constexpr double kMostPush = 0.005;  // m, beyond the way of the step: a nose that turns at a wall needs less
-constexpr int kPushes = 24;          // of one contact after the other; two walls at a right angle need two
-constexpr double kWedgeSkin = 1e-6;  // m: between contacts at other angles, pushes end that only come nearer and nearer
+constexpr double kSkin = 1e-6;       // m, left between bodies where more than two contacts, or curved ones, meet
+
+/// How far out of a contact, without going back into the one before it: along its surface, if the normals are against
+/// each other.
+Eigen::Vector2d wayOut(const planar::Penetration& contact, const std::optional<Eigen::Vector2d>& normal_before) {
+  if (!normal_before || normal_before->dot(contact.normal) >= 0.0) {
+    return contact.depth * contact.normal;
+  }
+  Eigen::Vector2d along(-normal_before->y(), normal_before->x());
+  along *= along.dot(contact.normal) < 0.0 ? -1.0 : 1.0;
+  constexpr double kLeastSlope = 1e-6;
+  return contact.depth / std::max(along.dot(contact.normal), kLeastSlope) * along;
+}
 
 }  // namespace
 
@@ -30,36 +42,42 @@ void Kinematics2d::movePiece(BodyIndex index, double dt) {
       return tryPose(index, pose);
     });
   }
-  if (body.turn_rate != 0.0) {
-    const double turn = body.turn_rate * dt;
-    const auto turned = [&](double part) {
-      return PlacedPose::at(body.pose.position, planar::wrapAngle(start.heading + part * turn));
-    };
-    if (!tryPose(index, turned(1.0))) {
-      tryParts([&](double part) {
-        const PlacedPose pose = turned(part);
-        return tryPose(index, pose) || tryPushedOut(index, pose);
-      });
+  turnPiece(index, body.turn_rate * dt);
+}
+
+/// The whole turn, or the largest of its halves, quarters and so on that it can make, slipping away if need be.
+void Kinematics2d::turnPiece(BodyIndex index, double turn) {
+  constexpr int kParts = 5;
+  const PlacedPose& pose = bodies_[index].pose;
+  for (int i = 0; i < kParts && turn != 0.0; ++i) {
+    const PlacedPose turned = PlacedPose::at(pose.position, planar::wrapAngle(pose.heading + turn));
+    if (tryPose(index, turned) || tryPushedOut(index, turned)) {
+      return;
     }
+    turn *= 0.5;
   }
 }
 
 /// Moves the target out of what it overlaps, one contact after the other. @return whether that has led to a free pose
 bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target) {
+  constexpr int kPushes = 5;
   const double most = (target.position - bodies_[index].pose.position).norm() + kMostPush;
   PlacedPose pose = target;
+  std::optional<Eigen::Vector2d> normal_before;
   for (int i = 0; i < kPushes; ++i) {
     const std::vector<planar::Penetration>& contacts = findContacts(index, pose);
     if (contacts.empty()) {
       return tryPose(index, pose);
     }
-    const planar::Penetration& deepest = *std::max_element(
+    planar::Penetration deepest = *std::max_element(
         contacts.begin(), contacts.end(), [](const auto& left, const auto& right) { return left.depth < right.depth; });
     constexpr int kExactPushes = 2;
-    pose.position += (deepest.depth + (i < kExactPushes ? 0.0 : kWedgeSkin)) * deepest.normal;
+    deepest.depth += i < kExactPushes ? 0.0 : kSkin;
+    pose.position += wayOut(deepest, normal_before);
     if ((pose.position - target.position).norm() > most) {
       return false;
     }
+    normal_before = deepest.normal;
   }
   return tryPose(index, pose);
 }

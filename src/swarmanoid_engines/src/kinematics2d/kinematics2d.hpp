@@ -88,6 +88,7 @@ class Kinematics2d final : public planar::PlanarEngine {
 
   // contact.cpp
   void movePiece(BodyIndex index, double dt);
+  void turnPiece(BodyIndex index, double turn);
   bool tryPushedOut(BodyIndex index, const PlacedPose& target);
   const std::vector<planar::Penetration>& findContacts(BodyIndex index, const PlacedPose& pose);
   void addContacts(BodyIndex index, const PlacedPose& pose, BodyIndex partner);

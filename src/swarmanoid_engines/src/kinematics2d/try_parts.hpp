@@ -4,10 +4,10 @@
 namespace swarmanoid::kinematics2d {
 
 /// Goes from 0 towards 1 by a half, a quarter, and so on, as far as `try_part(part)` says that it has gone there. A way
-/// of 6 cm ends within 0.5 mm of the contact.
+/// of 3 cm ends within 1 mm of the contact.
 template <class TryPart>
 void tryParts(TryPart try_part) {
-  constexpr int kHalvings = 7;
+  constexpr int kHalvings = 5;
   double done = 0.0;
   double part = 1.0;
   for (int i = 0; i < kHalvings; ++i) {

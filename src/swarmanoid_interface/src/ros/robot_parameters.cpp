@@ -39,7 +39,8 @@ RobotConfiguration readRobotConfiguration(const ros::NodeHandle& own) {
   return readRobotConfiguration(configurationFrom(values, "configuration", path), knownDevices());
 }
 
-const Registry::Entry& findController(const ros::NodeHandle& own, std::string label) {
+const Registry::Entry& findController(const ros::NodeHandle& own, const std::string& given_label) {
+  std::string label = given_label;
   if (label.empty() && !own.getParam("controller", label)) {
     throw ConfigError({own.getNamespace() + "/controller", 0}, "found nothing, allowed: the label of a controller");
   }

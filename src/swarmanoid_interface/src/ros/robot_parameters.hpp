@@ -16,7 +16,7 @@ std::string readRobotName(const ros::NodeHandle& own);
 /// With the devices that have topics in this process. @throws ConfigError
 RobotConfiguration readRobotConfiguration(const ros::NodeHandle& own);
 
-/// Loads its library if need be. @param label the nodelet's, or "" @throws std::runtime_error
-const Registry::Entry& findController(const ros::NodeHandle& own, std::string label);
+/// Loads its library if need be. @param given_label the nodelet's, or "" @throws std::runtime_error
+const Registry::Entry& findController(const ros::NodeHandle& own, const std::string& given_label);
 
 }  // namespace swarmanoid

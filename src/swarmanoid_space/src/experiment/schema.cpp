@@ -63,7 +63,8 @@ void writeArena(SchemaWriter& out) {
   out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
   writeEntities(false, out);
   for (const std::string& name : tagsIn("arena")) {
-    const ExperimentTag& tag = tagAt("arena/" + name);
+    const std::string path = "arena/" + name;
+    const ExperimentTag& tag = tagAt(path);
     if (name == "distribute") {
       writeDistribute(tag, out);
     } else {
