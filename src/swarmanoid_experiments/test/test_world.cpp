@@ -99,9 +99,9 @@ std::string footbot(const std::string& id, double x, double y, double heading_de
 
 std::string member(const std::string& id) { return "<entity id=\"" + id + "\"/>"; }
 
-const Pose& poseOf(const Simulation& simulation, const std::string& name) {
+const Pose& poseOf(const Simulation& simulation, std::string_view name) {
   const Entities& entities = simulation.space().entities;
-  return entities.pose[static_cast<std::size_t>(entities.find(name))];
+  return entities.pose[static_cast<std::size_t>(entities.find(std::string(name)))];
 }
 
 double headingOf(const Simulation& simulation, const std::string& name) {

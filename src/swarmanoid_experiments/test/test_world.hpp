@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "swarmanoid_space/simulation.hpp"
@@ -32,7 +33,7 @@ std::string footbot(const std::string& id, double x, double y, double heading_de
 std::string member(const std::string& id);
 
 /// Where an entity is.
-const Pose& poseOf(const Simulation& simulation, const std::string& name);
+const Pose& poseOf(const Simulation& simulation, std::string_view name);
 /// Its heading about z [rad].
 double headingOf(const Simulation& simulation, const std::string& name);
 
