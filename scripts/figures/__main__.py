@@ -36,7 +36,8 @@ FIGURES = {
     "sanitizer": lambda table, build: long_tests.sanitizer(table),
     "fresh_clone": lambda table, build: build_time.fresh_clone(table),
     "fresh_tests": lambda table, build: build_time.fresh_tests(table),
-    "fresh_machines": lambda table, build: build_time.fresh_machines(table),
+    "fresh_machines_run": lambda table, build: build_time.fresh_machines(table, "./run", "--headless"),
+    "fresh_machines_test": lambda table, build: build_time.fresh_machines(table, "./test"),
 }
 
 
