@@ -146,8 +146,10 @@ TEST(EngineReportTest, SaysWhoIsWhere) {
   EXPECT_EQ(reports[2].moved, 1U);
   EXPECT_EQ(reports[2].mirrored, 1U);
   EXPECT_EQ(reports[2].health.warning, "");
-  const std::vector<std::pair<std::string, std::string>> counters = {
-      {"steps", "30"}, {"steps redone", "0"}, {"steps left to the iterative solver", "0"}};
+  const std::vector<std::pair<std::string, std::string>> counters = {{"steps", "30"},
+                                                                     {"steps solved again for friction", "0"},
+                                                                     {"steps redone", "0"},
+                                                                     {"steps left to the iterative solver", "0"}};
   EXPECT_EQ(reports[2].health.counters, counters);
 }
 

@@ -39,7 +39,8 @@ class Dynamics3d final : public Engine {
   struct SolverCounts {
     std::uint64_t steps = 0;
     std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
-    std::uint64_t iterative = 0;  ///< of them, those that the iterative solver made in the end
+    std::uint64_t corrected = 0;  ///< solutions made once more, since friction did not oppose the slip
+    std::uint64_t iterative = 0;  ///< of the steps redone, those that the iterative solver made in the end
   };
 
   static PluginDescription describe();
@@ -90,6 +91,9 @@ class Dynamics3d final : public Engine {
   void stepOnce(double step);
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
+  bool solveContacts(double step);
+  bool correctFriction(double step);
+  void restoreStates();
   void makeRopeJoints(double step);
   void finishTick(Space& space);
   void tellTrouble(Space& space);

@@ -105,21 +105,42 @@ bool Dynamics3d::solveExactly(double step) {
     body->saveState();
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    const long failures = solverFailures();
     contacts_.make(order_, step, attempt);
-    makeRopeJoints(step);
-    dWorldStep(world_, step);
-    contacts_.clear();
-    if (solverFailures() == failures) {
+    if (solveContacts(step) && correctFriction(step)) {
       return true;
     }
     counts_.redone += attempt == 0 ? 1 : 0;
     // what is left then is a step in which some contacts hold nothing
-    for (Body* body : order_) {
-      body->restoreState();
-    }
+    restoreStates();
   }
   return false;
+}
+
+bool Dynamics3d::solveContacts(double step) {
+  const long failures = solverFailures();
+  makeRopeJoints(step);
+  dWorldStep(world_, step);
+  contacts_.clear();
+  return solverFailures() == failures;
+}
+
+bool Dynamics3d::correctFriction(double step) {
+  constexpr int kMostCorrections = 2;
+  for (int i = 0; i < kMostCorrections && !contacts_.rubAsCoulombSays(); ++i) {
+    ++counts_.corrected;
+    restoreStates();
+    contacts_.makeAgain(order_);
+    if (!solveContacts(step)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Dynamics3d::restoreStates() {
+  for (Body* body : order_) {
+    body->restoreState();
+  }
 }
 
 void Dynamics3d::makeRopeJoints(double step) {
@@ -144,6 +165,7 @@ EngineHealth Dynamics3d::health() const {
   EngineHealth health;
   health.steps_per_tick = settings_.subclock;
   health.counters = {{"steps", std::to_string(counts_.steps)},
+                     {"steps solved again for friction", std::to_string(counts_.corrected)},
                      {"steps redone", std::to_string(counts_.redone)},
                      {"steps left to the iterative solver", std::to_string(counts_.iterative)}};
   if (counts_.iterative > 0) {
