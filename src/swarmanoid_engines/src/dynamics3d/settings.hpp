@@ -28,4 +28,7 @@ constexpr double kLongestStep = 0.01;  // s
 /// keeps its contacts although it rocks a little, and what comes at a footbot's speed is stopped at the surface.
 constexpr double kMargin = 2e-3;  // m
 
+constexpr double kErrorReduction = 0.2;  // of a depth or a joint's gap, in each step
+constexpr double kSoftness = 1e-6;       // m/s per N: makes forces unique where many contacts share a load
+
 }  // namespace swarmanoid::dynamics3d
