@@ -13,11 +13,6 @@
 #include "dynamics3d/treels.hpp"
 
 namespace swarmanoid::dynamics3d {
-namespace {
-
-constexpr int kSettlingSteps = 2;
-
-}  // namespace
 
 std::string Dynamics3d::clocktickRefusal(Duration clocktick) const {
   const double step = toSeconds(clocktick) / settings_.subclock;

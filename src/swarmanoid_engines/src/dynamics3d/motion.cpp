@@ -83,6 +83,7 @@ void Dynamics3d::stepOnce(double step) {
     driveLinks(*body);
     if (body->holding != nullptr && body->holding->rope.held != nullptr) {
       windRope(*body->holding, step);
+      dragRope(*body, settings_.rope_drag);
     }
     driveTurret(*body, contacts_, step);
   }
