@@ -89,6 +89,7 @@ class Dynamics3d final : public Engine {
 
   // motion.cpp
   void stepOnce(double step);
+  void setDamping(bool is_damped);
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
   bool solveContacts(double step);
@@ -138,6 +139,7 @@ class Dynamics3d final : public Engine {
   std::vector<Body*> order_;        // by entity number
   std::vector<Body*> newcomers_;    // since findLateDevices
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
+  int settling_ = 0;                // steps that are left until what was put down stands
   SolverCounts counts_;
   bool has_told_trouble_ = false;
   std::vector<Treels>* recorded_treels_ = nullptr;

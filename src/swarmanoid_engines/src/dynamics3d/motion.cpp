@@ -1,4 +1,6 @@
 // Phase `move`: forces to poses.
+#include <algorithm>
+
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
@@ -81,9 +83,11 @@ void Dynamics3d::stepOnce(double step) {
     driveLinks(*body);
     if (body->holding != nullptr && body->holding->rope.held != nullptr) {
       windRope(*body->holding, step);
+      dragRope(*body, settings_.rope_drag);
     }
     driveTurret(*body, contacts_, step);
   }
+  setDamping(settling_ == 0);
   ++counts_.steps;
   const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
   if (is_iterative || !solveExactly(step)) {
@@ -93,10 +97,20 @@ void Dynamics3d::stepOnce(double step) {
     dWorldQuickStep(world_, step);
     contacts_.clear();
   }
+  setDamping(true);
+  settling_ = std::max(settling_ - 1, 0);
   for (Body* body : order_) {
     readTurret(*body);
   }
   feelGrips(step);
+}
+
+void Dynamics3d::setDamping(bool is_damped) {
+  // Contacts carry what rests on them by being pressed together by parts of a micrometre, which takes some ten steps.
+  // What was just put down shall stand at once, since a grip that is closed meanwhile would be left with what is
+  // missing as a force: so at first contacts are as stiff as ever, but not damped.
+  dWorldSetERP(world_, is_damped ? kErrorReduction : 1.0);
+  dWorldSetCFM(world_, is_damped ? kSoftness : kSoftness / kErrorReduction);
 }
 
 bool Dynamics3d::solveExactly(double step) {
