@@ -196,7 +196,7 @@ TEST(TurretTest, WhatAPassiveOneHoldsTrails) {
   holder.world.step(10);
   EXPECT_NEAR(holder.state().angle, -M_PI / 2.0, 0.1);
   holder.world.drive(holder.footbot, 0.1);
-  holder.world.step(120);
+  holder.world.step(80);
   EXPECT_LT(std::abs(holder.state().angle), M_PI);
   EXPECT_GT(std::abs(holder.state().angle), 2.8) << "behind";
   EXPECT_NEAR((holder.world.pose(holder.prey).position - holder.world.pose(holder.footbot).position).norm(), kArm,
