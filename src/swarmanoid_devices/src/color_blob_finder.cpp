@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "swarmanoid_space/solid_ray.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -9,21 +13,43 @@ namespace {
 // A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
 constexpr double kOwnSurface = 1e-6;
 
+/// A blob, and its place in the order that ColorBlobs promises.
+struct Found {
+  ColorBlob blob;
+  std::size_t place = 0;
+};
+
+/// @return whether some were left out
+bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
+  if (found.size() <= capacity) {
+    return false;
+  }
+  const auto end = found.begin() + static_cast<std::ptrdiff_t>(capacity);
+  std::nth_element(found.begin(), end, found.end(), [](const Found& a, const Found& b) {
+    return std::pair(a.blob.distance, a.place) < std::pair(b.blob.distance, b.place);
+  });
+  std::sort(found.begin(), end, [](const Found& a, const Found& b) { return a.place < b.place; });
+  found.resize(capacity);
+  return true;
+}
+
 class Finder {
  public:
-  Finder(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity)
-      : space_(space), view_(view), blobs_(blobs), capacity_(capacity) {}
+  Finder(const Space& space, const BlobView& view, std::vector<Found>& found)
+      : space_(space), view_(view), found_(found) {}
 
   void lookAtEntity(Row row) {
     const auto i = static_cast<std::size_t>(row);
     const Entities& entities = space_.entities;
-    const std::vector<Eigen::Vector3d>& points = entities.model[i]->led_positions;
+    const EntityModel& model = *entities.model[i];
+    const Pose& pose = entities.pose[i];
     const Color* leds = space_.ledsOf(row);
-    for (std::size_t k = 0; k < points.size(); ++k) {
+    for (std::size_t k = 0; k < model.led_positions.size(); ++k) {
       // robots shine with their LEDs, other things have a colour of their own
-      const Color color = entities.model[i]->is_robot ? leds[k] : entities.color[i];
-      if (color.isLit()) {
-        look(entities.pose[i].position + entities.pose[i].orientation * points[k], color, row);
+      const Color color = model.is_robot ? leds[k] : entities.color[i];
+      const Segment sight{view_.position, pose.position + pose.orientation * model.led_positions[k]};
+      if (color.isLit() && view_.inView(sight.to) && !hidesOwnLamp(sight, model, space_.jointsOf(row), pose)) {
+        look(sight.to, color, row);
       }
     }
   }
@@ -37,23 +63,16 @@ class Finder {
     if (hit.fraction < 1.0 - kOwnSurface) {
       return false;
     }
-    if (count_ < capacity_) {
-      const Eigen::Vector2d offset = (point - view_.position).head<2>();
-      const float bearing = toBearing(std::atan2(offset.y(), offset.x()) - view_.heading);
-      blobs_[count_] = {color, bearing, static_cast<float>(offset.norm())};
-    }
-    ++count_;
+    const Eigen::Vector2d offset = (point - view_.position).head<2>();
+    const float bearing = toBearing(std::atan2(offset.y(), offset.x()) - view_.heading);
+    found_.push_back({{color, bearing, static_cast<float>(offset.norm())}, found_.size()});
     return true;
   }
-
-  std::size_t count() const { return count_; }
 
  private:
   const Space& space_;
   const BlobView& view_;
-  ColorBlob* blobs_;
-  std::size_t capacity_;
-  std::size_t count_ = 0;
+  std::vector<Found>& found_;
 };
 
 }  // namespace
@@ -69,11 +88,14 @@ bool BlobView::inView(const Eigen::Vector3d& point) const {
   return horizontal <= range && (slope == 0.0 || horizontal <= slope * (position.z() - point.z()));
 }
 
-std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity) {
-  Finder finder(space, view, blobs, capacity);
+FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity) {
   // kept between calls so that a steady state allocates nothing
   thread_local std::vector<Row> near;
+  thread_local std::vector<Found> found;
   near.clear();
+  found.clear();
+  found.reserve(capacity);
+  Finder finder(space, view, found);
   // entities are at any height within the arena, so the sphere must hold the whole cylinder of view
   const double lowest = space.lowestGround();
   const double half_height = 0.5 * (space.size.z() - lowest);
@@ -99,7 +121,11 @@ std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs
       }
     }
   }
-  return finder.count();
+  FoundBlobs result;
+  result.overflowed = keepNearest(found, capacity);
+  result.count = found.size();
+  std::transform(found.begin(), found.end(), blobs, [](const Found& each) { return each.blob; });
+  return result;
 }
 
 }  // namespace swarmanoid::devices

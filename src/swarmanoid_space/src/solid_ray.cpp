@@ -9,6 +9,9 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+// A lamp this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the sight).
+constexpr double kSameDepth = 1e-6;
+
 /// The part of a segment that is inside something: from `enter` to `leave`, as fractions.
 struct Inside {
   double enter = -kNever;
@@ -72,21 +75,49 @@ Inside insideOf(const CollisionShape& shape, const Eigen::Vector3d& start, const
   return inside;
 }
 
+CollisionShape withoutSkin(CollisionShape shape) {
+  shape.half_extent = (shape.half_extent.array() - kLampHeight).max(0.5 * shape.half_extent.array());
+  return shape;
+}
+
+/// A segment in the body frame.
+struct BodySegment {
+  Eigen::Vector3d start;
+  Eigen::Vector3d step;
+
+  BodySegment(const Segment& segment, const Pose& pose) {
+    const Eigen::Quaterniond to_body = pose.orientation.conjugate();
+    start = to_body * (segment.from - pose.position);
+    step = to_body * (segment.to - segment.from);
+  }
+
+  Inside insideOf(const CollisionShape& shape) const {
+    const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
+    return swarmanoid::insideOf(shape, to_shape * (start - shape.position), to_shape * step);
+  }
+};
+
 }  // namespace
 
 double firstMeeting(const Segment& segment, const EntityModel& model, const Pose& pose) {
-  const Eigen::Quaterniond to_body = pose.orientation.conjugate();
-  const Eigen::Vector3d start = to_body * (segment.from - pose.position);
-  const Eigen::Vector3d step = to_body * (segment.to - segment.from);
+  const BodySegment way(segment, pose);
   double first = kNever;
   for (const CollisionShape& shape : model.shapes) {
-    const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
-    const Inside inside = insideOf(shape, to_shape * (start - shape.position), to_shape * step);
+    const Inside inside = way.insideOf(shape);
     if (inside.enter <= inside.leave && inside.leave >= 0.0 && inside.enter <= 1.0) {
       first = std::min(first, std::max(inside.enter, 0.0));
     }
   }
   return first;
+}
+
+bool hidesOwnLamp(const Segment& sight, const EntityModel& model, const JointState* joints, const Pose& pose) {
+  const BodySegment way(sight, pose);
+  return std::any_of(model.shapes.begin(), model.shapes.end(), [&](const CollisionShape& shape) {
+    const Inside inside = way.insideOf(withoutSkin(shape.joint < 0 ? shape : placeOf(model, joints, shape)));
+    // what goes on behind the lamp is a hull around it, or does not stand before it
+    return inside.enter <= inside.leave && inside.leave >= 0.0 && inside.leave <= 1.0 + kSameDepth;
+  });
 }
 
 }  // namespace swarmanoid
