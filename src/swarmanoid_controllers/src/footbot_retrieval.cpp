@@ -22,7 +22,9 @@ class FootbotRetrieval final : public Controller {
     camera_ = &robot.sensor<FootbotCamera>();
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
-    parameters.refuseUnread({"speed"});
+    // from the robot's axis to that of a prey that it grips: 0.11 m to the tip, the prey's radius, and what is left
+    prey_reach_ = parameters.number("prey_reach", 0.24, {0.11, 1.0});
+    parameters.refuseUnread({"speed", "prey_reach"});
     reset();
   }
 
@@ -148,7 +150,7 @@ class FootbotRetrieval final : public Controller {
     const double bearing = prey->bearing();
     if (std::abs(bearing) > kAligned) {
       // close to the prey the gripper would hit it in turning: back off first
-      wheels_->drive(prey->distance() < kInGripperReach ? -0.5 * speed_ : 0.0, 2.0 * bearing);
+      wheels_->drive(prey->distance() < prey_reach_ ? -0.5 * speed_ : 0.0, 2.0 * bearing);
     } else {
       wheels_->drive(0.3 * speed_, 2.0 * bearing);
     }
@@ -189,13 +191,8 @@ class FootbotRetrieval final : public Controller {
   /// Whether for some time there has been no prey where the gripper is, so that it holds another footbot; or another
   /// one in blue beside the prey, who holds it too.
   bool holdsInVain() {
-    constexpr double kAhead = 0.5;  // rad
-    bool is_mine = false;
-    for (const ColorBlob& blob : camera_->blobs) {
-      if (isPrey(blob) && blob.distance < kInGripperReach && std::abs(blob.bearing) < kAhead) {
-        is_mine = !signaller_ || signaller_->distanceTo(sightingOf(blob)) > kInGripperReach;
-      }
-    }
+    const std::optional<Sighting> prey = preyInGripper();
+    const bool is_mine = prey && !(signaller_ && signaller_->distanceTo(*prey) < prey_reach_);
     memory_.time_in_vain = is_mine ? 0.0 : memory_.time_in_vain + dt_;
     return memory_.time_in_vain > memory_.patience;
   }
@@ -234,6 +231,20 @@ class FootbotRetrieval final : public Controller {
         if (isPrey(blob) && distance < kAtSpot && (!nearest || distance < nearest->distanceTo(*spot_))) {
           nearest = sighting;
         }
+      }
+    }
+    return nearest;
+  }
+
+  /// What a gripper that holds something can hold: the nearest prey ahead that it reaches.
+  std::optional<Sighting> preyInGripper() const {
+    constexpr double kAhead = 0.5;  // rad
+    std::optional<Sighting> nearest;
+    for (const ColorBlob& blob : camera_->blobs) {
+      const Sighting sighting = sightingOf(blob);
+      const bool is_reached = sighting.distance() < prey_reach_ && std::abs(sighting.bearing()) < kAhead;
+      if (isPrey(blob) && is_reached && (!nearest || sighting.distance() < nearest->distance())) {
+        nearest = sighting;
       }
     }
     return nearest;
@@ -293,7 +304,6 @@ class FootbotRetrieval final : public Controller {
     }
   }
 
-  static constexpr double kInGripperReach = 0.24;  // m, from the robot's axis to the prey's
   static constexpr int kMostJams = 3;
 
   Robot* robot_ = nullptr;
@@ -303,7 +313,8 @@ class FootbotRetrieval final : public Controller {
   const FootbotProximity* proximity_ = nullptr;
   const FootbotCamera* camera_ = nullptr;
   const FootbotGripperState* gripper_state_ = nullptr;
-  double speed_ = 0.0;  // m/s
+  double speed_ = 0.0;       // m/s
+  double prey_reach_ = 0.0;  // m
 
   /// All that steps leave behind for later ones; a reset forgets it.
   struct Memory {

@@ -1,6 +1,7 @@
 #include "color_blob_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -33,6 +34,8 @@ bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
   return true;
 }
 
+static_assert(Space::kMaxLeds <= Lamps{}.size(), "each LED of an entity has its bit");
+
 class Finder {
  public:
   Finder(const Space& space, const BlobView& view, std::vector<Found>& found)
@@ -40,16 +43,25 @@ class Finder {
 
   void lookAtEntity(Row row) {
     const auto i = static_cast<std::size_t>(row);
-    const Entities& entities = space_.entities;
-    const EntityModel& model = *entities.model[i];
-    const Pose& pose = entities.pose[i];
-    const Color* leds = space_.ledsOf(row);
-    for (std::size_t k = 0; k < model.led_positions.size(); ++k) {
-      // robots shine with their LEDs, other things have a colour of their own
-      const Color color = model.is_robot ? leds[k] : entities.color[i];
-      const Segment sight{view_.position, pose.position + pose.orientation * model.led_positions[k]};
-      if (color.isLit() && view_.inView(sight.to) && !hidesOwnLamp(sight, model, space_.jointsOf(row), pose)) {
-        look(sight.to, color, row);
+    const EntityModel& model = *space_.entities.model[i];
+    const Pose& pose = space_.entities.pose[i];
+    std::array<Eigen::Vector3d, Lamps{}.size()> points;
+    Lamps lit;
+    const std::size_t count = std::min(model.led_positions.size(), lit.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      if (colorOf(row, k).isLit()) {
+        points[k] = pose.position + pose.orientation * model.led_positions[k];
+        lit[k] = view_.inView(points[k]);
+      }
+    }
+    if (lit.none()) {
+      return;
+    }
+    const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.position - pose.position);
+    const Lamps seen = lit & ~hiddenLamps(model, space_.jointsOf(row), eye, lit);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (seen[k]) {
+        look(points[k], colorOf(row, k), row);
       }
     }
   }
@@ -70,6 +82,12 @@ class Finder {
   }
 
  private:
+  /// Robots shine with their LEDs, other things have a colour of their own.
+  Color colorOf(Row row, std::size_t lamp) const {
+    const auto i = static_cast<std::size_t>(row);
+    return space_.entities.model[i]->is_robot ? space_.ledsOf(row)[lamp] : space_.entities.color[i];
+  }
+
   const Space& space_;
   const BlobView& view_;
   std::vector<Found>& found_;

@@ -31,7 +31,9 @@ void replace(std::string& text, const std::string& first, const std::string& las
 }
 
 /// The experiment in dynamics2d with footbots that look at the magenta prey, and the eyebot above it.
-std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, std::uint64_t seed) {
+/// @param prey_radius [m] @param more parameters of the footbots
+std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, std::uint64_t seed,
+                                              const std::string& prey_radius = "0.06", const std::string& more = "") {
   loadBuiltInPlugins();
   std::ifstream file(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
   std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -48,6 +50,8 @@ std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, 
     members += member(id);
   }
   replace(text, "<distribute", "</distribute>", footbots);
+  text.replace(text.find("<radius>", text.find("prey_magenta")), 12, "<radius>" + prey_radius);
+  text.insert(text.find("<speed>"), more);
   replace(text, "<entity id=\"fb\"", ">", members);
   replace(text, "<position>2.5, 2.5, 2", "</position>", "<position>1.5, 4.0, 2</position>");
   replace(text, "<kinematics2d id=\"ground\">", "</kinematics2d>",
@@ -114,6 +118,16 @@ TEST_P(RetrievalGripTest, WhoGripsAnotherFootbotLetsItGo) {
   EXPECT_LE(runUntil(*simulation, {}), gripped + 45);
   runToEnd(*simulation);
   EXPECT_EQ(simulation->success(), true);
+}
+
+TEST_P(RetrievalGripTest, ALargePreyIsBroughtHomeByThoseWhoKnowHowLargeItIs) {
+  auto simulation = startedBesidePrey({{0.4, 0.0, true}}, GetParam(), "0.15", "<prey_reach>0.3</prey_reach>");
+  ASSERT_LT(runUntil(*simulation, {{"fb_1", "prey_magenta"}}), 200U);
+  runToEnd(*simulation);
+  EXPECT_EQ(simulation->success(), true);
+  auto in_vain = startedBesidePrey({{0.4, 0.0, true}}, GetParam(), "0.15");
+  const std::uint64_t gripped = runUntil(*in_vain, {{"fb_1", "prey_magenta"}});
+  EXPECT_LE(runUntil(*in_vain, {}), gripped + 45);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, RetrievalGripTest, testing::Values(3, 8, 21, 34, 55));

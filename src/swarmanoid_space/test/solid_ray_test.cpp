@@ -13,7 +13,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A box of 0.2 x 0.3 x 0.1 m around the origin of a body that is turned and off the origin of W.
+/// A box of 0.2 x 0.3 x 0.1 m around the body's origin.
 class OwnLampTest : public testing::Test {
  protected:
   OwnLampTest() { addBox({0.1, 0.15, 0.05}); }
@@ -28,14 +28,13 @@ class OwnLampTest : public testing::Test {
   }
 
   /// Both in B.
-  bool isSeen(const Vector3d& eye, const Vector3d& lamp) const {
-    return !hidesOwnLamp({pose.position + pose.orientation * eye, pose.position + pose.orientation * lamp}, model,
-                         joints, pose);
+  bool isSeen(const Vector3d& eye, const Vector3d& lamp) {
+    model.led_positions = {Vector3d::Zero(), lamp};
+    return hiddenLamps(model, joints, eye, Lamps("10")).none();
   }
 
   EntityModel model;
   JointState joints[Space::kMaxJoints];
-  Pose pose{{1.3, -0.7, 0.4}, Eigen::Quaterniond(Eigen::AngleAxisd(2.1, Vector3d(0.36, -0.48, 0.8)))};
 };
 
 TEST_F(OwnLampTest, ALampOnAFaceIsSeenFromItsSide) {
@@ -100,6 +99,22 @@ TEST_F(OwnLampTest, AnArmHidesWhereItsJointHasTurnedIt) {
   joints[0].angle = turned;
   EXPECT_TRUE(isSeen({0.9, 0.0, 0.1}, lamp));
   EXPECT_FALSE(isSeen(lamp + 0.9 * along, lamp));
+}
+
+TEST_F(OwnLampTest, AShapeThatIsTurnedHidesAsItStands) {
+  model.shapes[0].orientation = Eigen::AngleAxisd(0.6, Vector3d::UnitZ());
+  const Vector3d ahead(std::cos(0.6), std::sin(0.6), 0.0);
+  const Vector3d left(-std::sin(0.6), std::cos(0.6), 0.0);
+  EXPECT_TRUE(isSeen(0.9 * ahead + 0.1 * left, 0.1 * ahead + 0.02 * left));
+  EXPECT_FALSE(isSeen(-0.9 * ahead + 0.1 * left, 0.1 * ahead + 0.02 * left));
+  EXPECT_FALSE(isSeen({0.9, 0.0, 0.0}, -0.1 * ahead));
+}
+
+TEST_F(OwnLampTest, OnlyWhatIsAskedIsSaid) {
+  model.led_positions = {{0.1, 0.0, 0.0}, {0.0, 0.15, 0.0}, {-0.1, 0.0, 0.0}};
+  const Vector3d eye(1.0, 0.3, 0.0);
+  EXPECT_EQ(hiddenLamps(model, joints, eye, Lamps("111")), Lamps("100"));
+  EXPECT_EQ(hiddenLamps(model, joints, eye, Lamps("011")), Lamps());
 }
 
 TEST_F(OwnLampTest, NothingHidesALampWithoutABody) {

@@ -83,7 +83,7 @@ TEST(ModelsPageTest, EyebotStopping) {
   EXPECT_NEAR(across, 0.230, 5e-4) << "as the page says";
   EXPECT_NEAR(up, 0.109, 5e-4);
   for (const int axis : {0, 1, 2}) {
-    const double told = 0.21;
+    const double told = 0.29;
     bool goes = true;
     setProgram([&](Robot& robot) {
       auto& linear = robot.actuator<EyebotVelocity>().linear;

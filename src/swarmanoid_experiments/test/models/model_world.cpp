@@ -41,7 +41,7 @@ std::unique_ptr<Simulation> ModelWorld::start() const {
   const std::string text = join(
       "<ahss-config><framework><clocktick>", clocktick, "</clocktick><maxclock>1000000</maxclock><random_seed>", seed,
       "</random_seed></framework><controllers>", controller("footbot", wheels + footbot_actuators, footbot_sensors),
-      controller("eyebot", "<eyebot_velocity/><eyebot_leds/>", eyebot_sensors),
+      controller("eyebot", "<eyebot_velocity/><eyebot_laser/>", eyebot_sensors),
       has_handbot ? controller("handbot", "<handbot_rope/>", "<handbot_rope_state/>") : "",
       "</controllers><arena size='20,20,10' optimization='2D'>", entities, extras, "</arena><engines><", engine,
       " id='engine'>", engine_parameters, "</", engine, "></engines><arena_physics><engine id='engine'>", mapping,

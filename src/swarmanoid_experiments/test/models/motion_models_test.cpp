@@ -60,7 +60,8 @@ TEST(ModelsPageTest, WheelNoise) {
   }
   const double variance = 2.0 * 0.07 * 0.07;
   EXPECT_NEAR(sum / kTicks, 0.0, 5.0 * std::sqrt(variance / kTicks));
-  EXPECT_NEAR(squares / kTicks, variance, 5.0 * variance * std::sqrt(2.0 / kTicks)) << "one draw for a tick's three steps";
+  EXPECT_NEAR(squares / kTicks, variance, 5.0 * variance * std::sqrt(2.0 / kTicks))
+      << "one draw for a tick's three steps";
   EXPECT_NEAR(product / kTicks, 0.0, 5.0 * variance / std::sqrt(kTicks)) << "a new one for each tick";
 }
 
@@ -117,9 +118,9 @@ std::unique_ptr<Simulation> letGo(int subclock, double speed, double turn_rate) 
   world.engine = "dynamics2d";
   world.clocktick = 10;
   world.engine_parameters = join("<subclock>", subclock, "</subclock><ground_friction>0.31</ground_friction>");
-  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 28.0) +
-                   prey("p", 5.0 + 0.4 * std::cos(28.0 * kDegree), 5.0 + 0.4 * std::sin(28.0 * kDegree), 0.29, 0.1,
-                        "<mass>0.21</mass>");
+  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 28.0) + prey("p", 5.0 + 0.4 * std::cos(28.0 * kDegree),
+                                                                      5.0 + 0.4 * std::sin(28.0 * kDegree), 0.29, 0.1,
+                                                                      "<mass>0.21</mass>");
   world.members = "fb p";
   int ticks = 0;
   setProgram([=](Robot& robot) mutable {
@@ -167,7 +168,8 @@ double gapIn(const std::string& engine, int subclock, double speed) {
   ModelWorld world;
   world.engine = engine;
   world.engine_parameters = join("<subclock>", subclock, "</subclock>");
-  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, speed > 0.0 ? 0.0 : 180.0) + block("wall", 6.16, 5.0, 0.25, "0.2,4,0.5");
+  world.entities =
+      robot("footbot", "fb", 5.0, 5.0, 0.0, speed > 0.0 ? 0.0 : 180.0) + block("wall", 6.16, 5.0, 0.25, "0.2,4,0.5");
   world.members = "fb wall";
   setProgram([=](Robot& robot) { robot.actuator<FootbotWheels>().drive(speed, 0.0); });
   auto simulation = world.start();

@@ -14,12 +14,12 @@ struct ColorBlob {
 };
 
 /// What a colour-blob camera saw this tick. LEDs on the far side of their own robot are hidden. Blobs come in the order
-/// of what they belong to: entities by number (the LEDs of one by theirs), then laser spots, then floor patches. If more
-/// is in sight than the camera reports, the nearest are reported, in the same order. The span is valid until the next
-/// tick.
+/// of what they belong to: entities by number (the LEDs of one by theirs), then laser spots, then floor patches. If
+/// more is in sight than the camera reports, the nearest are reported, in the same order. The span is valid until the
+/// next tick.
 struct ColorBlobs {
   Span<const ColorBlob> blobs;
-  bool overflowed = false;  ///< more was in sight than the camera reports; what is farthest is left out (and an event says so)
+  bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event says so)
 };
 
 /// The footbot's omnidirectional camera ("pie camera").

@@ -1,19 +1,18 @@
-// The formulas of docs/reference/models.md, "Sensing".
+// The formulas of docs/reference/models.md, "Cameras".
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
+#include <string>
 #include <vector>
 
 #include "model_world.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
-#include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
 
 namespace swarmanoid::test {
 namespace {
-
 
 std::string camera(const std::string& parameters) {
   return "<footbot_camera><range>9</range>" + parameters + "</footbot_camera>";
@@ -37,62 +36,41 @@ std::vector<ColorBlob> seenIn(ModelWorld world, const Program& others = {}) {
 
 std::string colored(int red) { return join("<color>", red, ",7,9</color>"); }
 
-TEST(ModelsPageTest, ProximityResponse) {
-  ModelWorld world;
-  world.footbot_sensors = "<footbot_proximity><range>0.13</range></footbot_proximity>";
-  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 17.0) + block("wall", 5.0 + 0.085 + 0.061 + 0.1, 5.0, 0.25, "0.2,3,0.5");
-  FootbotProximity readings;
-  setProgram([&](Robot& robot) { readings = robot.sensor<FootbotProximity>(); });
-  auto simulation = world.start();
-  tick(*simulation);
-  int felt = 0;
-  for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
-    const double cosine = std::cos(17.0 * kDegree + static_cast<double>(i) * 15.0 * kDegree);
-    const double s = cosine > 0.0 ? (0.085 + 0.061) / cosine - 0.085 : 1.0;
-    const double value = s < 0.13 ? std::pow(1.0 - s / 0.13, 3) : 0.0;
-    EXPECT_NEAR(readings.value[i], value, 1e-6) << "sensor " << i;
-    felt += value > 0.0 ? 1 : 0;
-  }
-  EXPECT_GE(felt, 5);
-}
-
-TEST(ModelsPageTest, ProximityNoise) {
-  ModelWorld world;
-  world.footbot_sensors = "<footbot_proximity><noise>0.3</noise></footbot_proximity>";
-  const double s = 0.1 * (1.0 - std::cbrt(0.05));  // reads 0.05 without noise
-  // sensor 6 looks left, at right angles to the wall
-  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, -90.0) + block("wall", 5.0 + 0.085 + s + 0.1, 5.0, 0.25, "0.2,3,0.5");
-  std::vector<double> values;
-  setProgram([&](Robot& robot) { values.push_back(robot.sensor<FootbotProximity>().value[6]); });
-  auto simulation = world.start();
-  tick(*simulation, 4000);
-  const auto zeros = static_cast<double>(std::count(values.begin(), values.end(), 0.0));
-  EXPECT_NEAR(zeros / 4000.0, 0.25 / 0.6, 5.0 * std::sqrt(0.24 / 4000.0)) << "what falls below 0 is cut";
-  EXPECT_LE(*std::max_element(values.begin(), values.end()), 0.35 + 1e-6);
-  EXPECT_GT(*std::max_element(values.begin(), values.end()), 0.345);
-}
-
 TEST(ModelsPageTest, BlobPoint) {
   ModelWorld world;
   world.footbot_sensors = camera("<sees_floor>true</sees_floor>");
   world.entities = robot("footbot", "watcher", 5.0, 5.0, 0.0) + prey("tall", 5.3, 6.1, 0.07, 0.19, colored(1)) +
                    entity("light", "lamp", 4.1, 4.7, 0.83, 0.0, "<color>2,7,9</color>") +
-                   robot("footbot", "lit", 3.7, 6.2, 0.0, 200.0);
+                   robot("footbot", "lit", 3.7, 6.2, 0.0, 200.0) + robot("eyebot", "pointer", 6.9, 7.1, 1.9, 20.0);
   world.extras =
       "<floor_patch id='disc'><position>6.2,4.2,0</position><radius>0.5</radius><color>3,7,9</color></floor_patch>"
       "<floor_patch id='far'><position>14.3,5,0</position><radius>0.5</radius><color>4,7,9</color></floor_patch>";
-  const auto blobs = seenIn(world, [](Robot& robot) { robot.actuator<FootbotLeds>().ring[5] = {5, 7, 9}; });
+  const double tilt = 0.43;
+  const double pan = -1.9;
+  const auto blobs = seenIn(world, [&](Robot& robot) {
+    if (robot.name() == "lit") {
+      robot.actuator<FootbotLeds>().ring[5] = {5, 7, 9};
+    } else {
+      robot.actuator<EyebotLaser>().on = true;
+      robot.actuator<EyebotLaser>().tilt = tilt;
+      robot.actuator<EyebotLaser>().pan = pan;
+    }
+  });
   std::map<int, double> distance;
   for (const ColorBlob& blob : blobs) {
     distance[blob.color.red] = blob.distance;
   }
   const double led = (200.0 + 150.0) * kDegree;
-  EXPECT_EQ(distance.size(), 5U);
+  EXPECT_EQ(distance.size(), 6U);
   EXPECT_NEAR(distance[1], std::hypot(0.3, 1.1), 1e-6) << "a prey's middle";
   EXPECT_NEAR(distance[2], std::hypot(0.9, 0.3), 1e-6) << "a light's origin";
   EXPECT_NEAR(distance[3], std::hypot(1.2, 0.8), 1e-6) << "a patch's middle";
   EXPECT_NEAR(distance[4], 9.3 - 0.5, 1e-6) << "its nearest point, for the middle is out of range";
   EXPECT_NEAR(distance[5], std::hypot(-1.3 + 0.085 * std::cos(led), 1.2 + 0.085 * std::sin(led)), 1e-6) << "a LED";
+  const double aside = (1.9 + 0.15) * std::tan(tilt);  // down to the ground
+  const double spot_x = 1.9 + 0.05 * std::cos(20.0 * kDegree) + aside * std::cos(20.0 * kDegree + pan);
+  const double spot_y = 2.1 + 0.05 * std::sin(20.0 * kDegree) + aside * std::sin(20.0 * kDegree + pan);
+  EXPECT_NEAR(distance[255], std::hypot(spot_x, spot_y), 1e-6) << "a laser spot";
 }
 
 TEST(ModelsPageTest, BlobBearingAndDistance) {
@@ -104,7 +82,8 @@ TEST(ModelsPageTest, BlobBearingAndDistance) {
   world.footbot_sensors = camera("");
   world.entities =
       "<footbot id='watcher'><position>5,5,0.6</position><orientation>11,-19,47</orientation><controller>footbot"
-      "</controller></footbot>" + prey("p", 6.9, 5.8, 0.05, 0.1, colored(1));
+      "</controller></footbot>" +
+      prey("p", 6.9, 5.8, 0.05, 0.1, colored(1));
   const auto blobs = seenIn(world);
   ASSERT_EQ(blobs.size(), 1U);
   // R = Rz(yaw) Ry(pitch) Rx(roll): its columns for x (ahead) and z (up)
@@ -136,8 +115,9 @@ TEST(ModelsPageTest, OwnBody) {
   const double heading = 40.0;
   ModelWorld world;
   world.footbot_sensors = camera("");
-  world.entities = robot("footbot", "watcher", 5.0, 5.0, 0.0) +
-                   robot("footbot", "lit", 5.0 + distance * std::cos(bearing), 5.0 + distance * std::sin(bearing), 0.0, heading);
+  world.entities =
+      robot("footbot", "watcher", 5.0, 5.0, 0.0) +
+      robot("footbot", "lit", 5.0 + distance * std::cos(bearing), 5.0 + distance * std::sin(bearing), 0.0, heading);
   const auto blobs = seenIn(world, [](Robot& robot) {
     for (int k = 0; k < 12; ++k) {
       robot.actuator<FootbotLeds>().ring[static_cast<std::size_t>(k)] = {static_cast<std::uint8_t>(k + 1), 7, 9};
@@ -164,7 +144,8 @@ TEST(ModelsPageTest, NearestBlobs) {
   world.entities = robot("footbot", "watcher", 5.0, 5.0, 0.0);
   const double distances[] = {1.7, 0.9, 2.3, 0.6, 1.2};
   for (int i = 0; i < 5; ++i) {
-    world.entities += prey(join("p_", i), 5.0 + distances[i] * std::cos(1.3 * i), 5.0 + distances[i] * std::sin(1.3 * i), 0.03, 0.1, colored(i + 1));
+    world.entities += prey(join("p_", i), 5.0 + distances[i] * std::cos(1.3 * i),
+                           5.0 + distances[i] * std::sin(1.3 * i), 0.03, 0.1, colored(i + 1));
   }
   std::vector<int> seen;
   for (const ColorBlob& blob : seenIn(world)) {
