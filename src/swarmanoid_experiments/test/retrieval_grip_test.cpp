@@ -31,9 +31,10 @@ void replace(std::string& text, const std::string& first, const std::string& las
 }
 
 /// The experiment in dynamics2d with footbots that look at the magenta prey, and the eyebot above it.
-/// @param prey_radius [m] @param more parameters of the footbots
+/// @param prey_radius [m]; @param more parameters of the footbots; @param prey_mass an element
 std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, std::uint64_t seed,
-                                              const std::string& prey_radius = "0.06", const std::string& more = "") {
+                                              const std::string& prey_radius = "0.06", const std::string& more = "",
+                                              const std::string& prey_mass = "") {
   loadBuiltInPlugins();
   std::ifstream file(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
   std::string text{std::istreambuf_iterator<char>(file), {}};
@@ -50,7 +51,7 @@ std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, 
     members += member(id);
   }
   replace(text, "<distribute", "</distribute>", footbots);
-  text.replace(text.find("<radius>", text.find("prey_magenta")), 12, "<radius>" + prey_radius);
+  text.replace(text.find("<radius>", text.find("prey_magenta")), 12, prey_mass + "<radius>" + prey_radius);
   text.insert(text.find("<speed>"), more);
   replace(text, "<entity id=\"fb\"", ">", members);
   replace(text, "<position>2.5, 2.5, 2", "</position>", "<position>1.5, 4.0, 2</position>");
@@ -118,6 +119,17 @@ TEST_P(RetrievalGripTest, WhoGripsAnotherFootbotLetsItGo) {
   EXPECT_LE(runUntil(*simulation, {}), gripped + 45);
   runToEnd(*simulation);
   EXPECT_EQ(simulation->success(), true);
+}
+
+TEST_P(RetrievalGripTest, WhoCannotMoveWhatItHoldsLetsGo) {
+  // with a friction of 0.4 it takes 196 N to slide it; a footbot pulls with 16 N at the most
+  auto simulation = startedBesidePrey({{0.4, 0.0, true}}, GetParam(), "0.06", "", "<mass>50</mass>");
+  const std::uint64_t gripped = runUntil(*simulation, {{"fb_1", "prey_magenta"}});
+  ASSERT_LT(gripped, 200U);
+  // four times 8 s without coming nearer, and up to 1.5 s of wiggling after each; the spot needs some time to wait
+  const std::uint64_t released = runUntil(*simulation, {});
+  EXPECT_GE(released, gripped + 320);
+  EXPECT_LE(released, gripped + 380 + 150);
 }
 
 TEST_P(RetrievalGripTest, ALargePreyIsBroughtHomeByThoseWhoKnowHowLargeItIs) {
