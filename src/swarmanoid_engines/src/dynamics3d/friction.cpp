@@ -37,20 +37,12 @@ Vector3d armTo(const Vector3d& point, dBodyID rigid) {
   return rigid == nullptr ? Vector3d::Zero() : Vector3d(point - toVector(dBodyGetPosition(rigid)));
 }
 
-double massOf(dBodyID rigid) {
-  dMass mass;
-  dBodyGetMass(rigid, &mass);
-  return mass.mass;
-}
-
-bool isMoved(dBodyID rigid) { return rigid != nullptr && dBodyIsKinematic(rigid) == 0; }
-
-/// Of the lighter of two bodies [kg].
-double lighterMass(dBodyID a, dBodyID b) {
-  if (isMoved(a) && isMoved(b)) {
-    return std::min(massOf(a), massOf(b));
+/// Of the lighter of two bodies that forces move [kg].
+double lighterMass(const Body& a, const Body* b) {
+  if (b == nullptr || !b->is_dynamic) {
+    return a.model->mass;
   }
-  return massOf(isMoved(a) ? a : b);
+  return a.is_dynamic ? std::min(a.model->mass, b->model->mass) : b->model->mass;
 }
 
 /// The larger part of friction along its two axes.
@@ -64,9 +56,12 @@ void Friction::startStep(double step, double gravity) {
   step_ = step;
   gravity_ = gravity;
   next_ = 0;
-  for (Rubbing& rubbing : rubbings_) {
-    rubbing.is_known = false;
-  }
+  is_again_ = false;
+}
+
+void Friction::startAgain() {
+  next_ = 0;
+  is_again_ = true;
 }
 
 Friction::Rubbing& Friction::next() {
@@ -88,7 +83,8 @@ void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_
   rubbing.arm_b = armTo(point, rigid_b);
   rubbing.belt = has_belt ? Vector3d(contact.surface.motion1 * toVector(contact.fdir1)) : Vector3d::Zero();
   rubbing.coefficient = contact.surface.mu;
-  rubbing.feedback = {};
+  rubbing.mass = lighterMass(a, b);
+  rubbing.is_known = rubbing.is_known && is_again_;
   if (!rubbing.is_known) {
     guess(a, b, contact, rubbing);
   }
@@ -122,7 +118,7 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
 double Friction::usualLoad(const Rubbing& rubbing) const {
   constexpr double kContacts = 4.0;  // that share a body's weight
   constexpr double kLeast = 1.0;     // m/s2, where there is no gravity
-  return lighterMass(rubbing.rigid_a, rubbing.rigid_b) * std::max(gravity_, kLeast) / kContacts;
+  return rubbing.mass * std::max(gravity_, kLeast) / kContacts;
 }
 
 Vector3d Friction::slipOf(const Rubbing& rubbing) {
@@ -147,7 +143,7 @@ bool Friction::isCoulombs() {
 }
 
 bool Friction::isCoulombs(Rubbing& rubbing) {
-  constexpr double kSlips = 1e-4;       // m/s: what slips less is held
+  constexpr double kSlips = 1e-3;       // m/s: what slips less is held
   constexpr double kAstray = 0.01;      // of the force
   constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body
   if (rubbing.slips) {
@@ -157,7 +153,7 @@ bool Friction::isCoulombs(Rubbing& rubbing) {
   const double load = rubbing.normal.dot(force);
   const Vector3d friction = force - load * rubbing.normal;
   const double size = friction.norm();
-  const double noticeable = kNoticeable * lighterMass(rubbing.rigid_a, rubbing.rigid_b);
+  const double noticeable = kNoticeable * rubbing.mass;
   const double limit = rubbing.coefficient * load;
   if (limit < noticeable || size < noticeable) {
     return true;

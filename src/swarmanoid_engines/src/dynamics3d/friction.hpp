@@ -25,7 +25,7 @@ class Friction {
   /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2]
   void startStep(double step, double gravity);
   /// Before they are made again, in the same order, from the same state, for `opposesSlip` was false.
-  void startAgain() { next_ = 0; }
+  void startAgain();
 
   /// Lays the axes of a contact. @pre its normal, position and coefficient are set; a belt's speed and direction, if
   /// there is one, as motion1 along fdir1 @param b null: the ground
@@ -46,6 +46,7 @@ class Friction {
     Eigen::Vector3d arm_b = Eigen::Vector3d::Zero();    // likewise
     Eigen::Vector3d belt = Eigen::Vector3d::Zero();     // velocity that a would have without slip, against b [m/s]
     double coefficient = 0.0;
+    double mass = 0.0;                                   // of the lighter one that moves [kg]
     dJointFeedback feedback = {};
 
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // the first of friction
@@ -69,6 +70,7 @@ class Friction {
   double gravity_ = 0.0;
   std::deque<Rubbing> rubbings_;  // ODE writes into them, so they must not move; there are never fewer
   std::size_t next_ = 0;
+  bool is_again_ = false;
 };
 
 }  // namespace swarmanoid::dynamics3d
