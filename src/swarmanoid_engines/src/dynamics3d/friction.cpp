@@ -1,11 +1,14 @@
 #include "dynamics3d/friction.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swarmanoid::dynamics3d {
 namespace {
 
 using Eigen::Vector3d;
+
+constexpr double kSlips = 1e-3;  // m/s: what slips less is held
 
 /// The part of a vector along a surface.
 Vector3d alongSurface(const Vector3d& vector, const Vector3d& normal) { return vector - normal.dot(vector) * normal; }
@@ -96,11 +99,11 @@ void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_
 
 void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubbing& rubbing) const {
   constexpr double kStill = 1e-9;  // m/s
-  constexpr double kSlips = 1e-3;  // m/s: a treel that slips by less holds, along and across
   const bool has_belt = (contact.surface.mode & dContactMotion1) != 0;
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();
-  rubbing.slips = speed > kSlips;
+  const double holds = has_belt ? kSlips + changeOfBelt(rubbing) : kSlips;
+  rubbing.slips = speed > holds;
   rubbing.slip_per_force = rubbing.coefficient > 0.0 ? speed / (rubbing.coefficient * usualLoad(rubbing)) : 0.0;
   if (rubbing.slips) {
     rubbing.axis = slip / speed;
@@ -108,11 +111,17 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   }
   const Vector3d pull = pullOf(&a, rubbing.rigid_a) - pullOf(b, rubbing.rigid_b);
   const Vector3d expected = slip + alongSurface(step_ * pull, rubbing.normal);
-  if (expected.norm() > (has_belt ? kSlips : kStill)) {
+  if (expected.norm() > (has_belt ? holds : kStill)) {
     rubbing.axis = expected.normalized();
   } else {
     rubbing.axis = has_belt ? toVector(contact.fdir1) : ownAxis(rubbing.rigid_a, rubbing.normal);
   }
+}
+
+double Friction::changeOfBelt(const Rubbing& rubbing) const {
+  constexpr double kSteps = 1.5;  // a treel that holds has the direction of the middle of the last step
+  const double turn_rate = rubbing.normal.dot(toVector(dBodyGetAngularVel(rubbing.rigid_a)));
+  return step_ * kSteps * std::abs(turn_rate) * rubbing.belt.norm();
 }
 
 double Friction::usualLoad(const Rubbing& rubbing) const {
@@ -143,7 +152,6 @@ bool Friction::isCoulombs() {
 }
 
 bool Friction::isCoulombs(Rubbing& rubbing) {
-  constexpr double kSlips = 1e-3;       // m/s: what slips less is held
   constexpr double kAstray = 0.01;      // of the force
   constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body
   if (rubbing.slips) {

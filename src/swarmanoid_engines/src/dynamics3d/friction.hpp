@@ -46,7 +46,7 @@ class Friction {
     Eigen::Vector3d arm_b = Eigen::Vector3d::Zero();    // likewise
     Eigen::Vector3d belt = Eigen::Vector3d::Zero();     // velocity that a would have without slip, against b [m/s]
     double coefficient = 0.0;
-    double mass = 0.0;                                   // of the lighter one that moves [kg]
+    double mass = 0.0;  // of the lighter one that moves [kg]
     dJointFeedback feedback = {};
 
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // the first of friction
@@ -58,6 +58,8 @@ class Friction {
   Rubbing& next();
   /// Lays the axis by what is known before the step.
   void guess(const Body& a, const Body* b, const dContact& contact, Rubbing& rubbing) const;
+  /// By how much the velocity of a belt that does not slip differs from that of what it drives, before a step [m/s].
+  double changeOfBelt(const Rubbing& rubbing) const;
   /// On a contact, as far as can be guessed [N].
   double usualLoad(const Rubbing& rubbing) const;
   /// Now [m/s].
