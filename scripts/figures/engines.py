@@ -148,15 +148,34 @@ def oracles(table, build):
             ("dynamics3d", "flight", "hover, steps, landing, bumps", "height within 2 cm"),
             ("dynamics3d", "endurance", "four footbots, two preys, an eyebot, a mirror put upon them, grips torn, 10^6 ticks",
              "speeds bounded, no NaN, nobody through a wall; equal bits on repeat"),
+            ("dynamics2d", "approach", "wall, corners, prey, robot, head-on, 0.05 to 0.3 m/s, ticks of 10 to 200 ms",
+             "contact within 1 mm, no overlap over 0.6 mm, free again"),
+            ("dynamics2d", "impact", "eyebots at 3 m/s in ticks of 200 ms, thin walls, grips at walls, a jam",
+             "nothing passes through; rest within 0.2 mm"),
+            ("dynamics2d", "friction", "slip of treels in 16 directions, alone and in contact",
+             "force opposes slip within 1 degree, size within 3 %"),
+            ("dynamics3d", "friction", "slip of treels in 16 directions, slopes, a smooth wall, what is thrown",
+             "force opposes slip within 1 degree, size within 3 %"),
+            ("dynamics3d", "isotropy", "24 headings of a pushed prey; five experiments turned by 17, 37, 61 degrees; toppling",
+             "1 mm in 0.5 m; equal within 2 mm after 20 s; topples within 3 % of the angle"),
+            ("dynamics3d", "arm_limits", "any command to any joint of a handbot, at, near, beyond its limits",
+             "rests within 1 % of the limit, 1.05 of max_speed never exceeded"),
+            ("dynamics3d", "swing", "swinging handbots, two lengths and amplitudes, steps of 10 ms, 40 s",
+             "energy at least 0.95, at most 1.01"),
+            ("dynamics3d", "grip_start", "grips closed in the first tick", "tear at the stated force within 5 %"),
             ("dynamics3d", "crowd", "crowds, what was put into each other, command steps", "speeds bounded, no NaN")):
         file = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_{test}_test"
         done = subprocess.run([file], capture_output=True, text=True, env=environment)
         table.add(f"{engine}: {what}", figure, last_word(done.stdout), done.returncode == 0)
-    for test, what, figure in (
-            ("handover_engines", "a footbot with a prey through kinematics2d, dynamics2d and dynamics3d, 1,000 handovers at speed",
+    for package, test, what, figure in (
+            ("devices", "led_visibility", "8 lit robots around one camera, 12 LEDs each; from above; at any tilt",
+             "all 8 seen, each LED exactly where the own body does not hide it"),
+            ("experiments", "models_page", "the formulas of the page of models, each against the simulator",
+             "as the page says"),
+            ("experiments", "handover_engines", "a footbot with a prey through kinematics2d, dynamics2d and dynamics3d, 1,000 handovers at speed",
              "pose and twist kept to the bit, grip and course kept, equal hash on repeat"),
-            ("climbing", "a handbot carried by footbots in dynamics2d climbs in dynamics3d and brings a box; handed over while it hangs",
+            ("experiments", "climbing", "a handbot carried by footbots in dynamics2d climbs in dynamics3d and brings a box; handed over while it hangs",
              "the box is down; pose, twist, joints, rope kept to the bit")):
-        file = build / f"devel/lib/swarmanoid_experiments/swarmanoid_experiments_{test}_test"
+        file = build / f"devel/lib/swarmanoid_{package}/swarmanoid_{package}_{test}_test"
         done = subprocess.run([file], capture_output=True, text=True, env=environment)
         table.add(what, figure, last_word(done.stdout), done.returncode == 0)

@@ -1,5 +1,6 @@
 // The eyebot of the object retrieval experiment (thesis 4.3, figure 4.3): picks a prey, finds it, points at it with the
-// laser until a footbot has gripped it, then finds the nest and leads the footbot there.
+// laser until a footbot has gripped it, then finds the nest and leads the footbot there. If the footbot lets go on the
+// way, it begins anew.
 #include <algorithm>
 #include <string>
 #include <vector>
@@ -92,6 +93,7 @@ class EyebotRetrieval final : public Controller {
 
   void enter(State state) {
     state_ = state;
+    time_alone_ = 0.0;
     laser_->on = state != State::kSearchForPrey;
     laser_->tilt = 0.0;
     robot_->debug("state", nameOf(state));
@@ -132,6 +134,9 @@ class EyebotRetrieval final : public Controller {
   }
 
   void searchForNest() {
+    if (isLeftAlone()) {
+      return enter(State::kSearchForPrey);
+    }
     if (nearestBlob(*camera_, nest_color_)) {
       return enter(State::kGoToNest);
     }
@@ -146,6 +151,9 @@ class EyebotRetrieval final : public Controller {
   }
 
   void goToNest() {
+    if (isLeftAlone()) {
+      return enter(State::kSearchForPrey);
+    }
     const auto nest = nearestBlob(*camera_, nest_color_);
     if (!nest) {
       return enter(State::kSearchForNest);
@@ -161,6 +169,14 @@ class EyebotRetrieval final : public Controller {
     constexpr double kHoldsPrey = 0.5;  // m from the prey to the footbot
     const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
     return footbot && footbot->distanceTo(prey) < kHoldsPrey;
+  }
+
+  /// Whether nobody has been in blue for some time: a footbot that holds a prey is never farther away than its camera
+  /// sees the spot.
+  bool isLeftAlone() {
+    constexpr double kGiveUp = 5.0;  // s
+    time_alone_ = nearestBlob(*camera_, colors::kBlue) ? 0.0 : time_alone_ + dt_;
+    return time_alone_ > kGiveUp;
   }
 
   /// Whether the blue footbot is near enough to the spot, which lies straight below, to go on.
@@ -214,6 +230,7 @@ class EyebotRetrieval final : public Controller {
   bool has_chosen_ = false;
   Color prey_color_;
   double dt_ = 0.0;                     // s
+  double time_alone_ = 0.0;             // s since a blue footbot was in sight
   Sighting flown_;                      // from the start, in the frame of the start
   Sighting waypoint_;                   // likewise
   std::optional<Sighting> nest_place_;  // likewise; where the nest was seen last

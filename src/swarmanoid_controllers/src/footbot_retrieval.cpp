@@ -1,5 +1,6 @@
 // The footbots of the object retrieval experiment (thesis 4.3, figure 4.2): wander until a laser spot is seen, go to
-// it, grip the prey beside it, turn blue and follow the spot. Whoever sees blue keeps out of the way.
+// it, grip the prey beside it, turn blue and follow the spot. Whoever sees blue keeps out of the way. A gripper says
+// only that it holds something: a footbot that sees no prey before it, or another one in blue beside it, lets go again.
 #include <string>
 
 #include "blob_search.hpp"
@@ -21,7 +22,9 @@ class FootbotRetrieval final : public Controller {
     camera_ = &robot.sensor<FootbotCamera>();
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
-    parameters.refuseUnread({"speed"});
+    // from the robot's axis to that of a prey that it grips: 0.11 m to the tip, the prey's radius, and what is left
+    prey_reach_ = parameters.number("prey_reach", 0.24, {0.11, 1.0});
+    parameters.refuseUnread({"speed", "prey_reach"});
     reset();
   }
 
@@ -77,33 +80,33 @@ class FootbotRetrieval final : public Controller {
     memory_.state = state;
     memory_.time_in_state = 0.0;
     memory_.time_unseen = 0.0;
+    memory_.time_in_vain = 0.0;
+    memory_.jams = 0;
     memory_.retreat_time = 0.0;
     gripper_->closed = state == State::kGripPrey || state == State::kGoToNest;
     leds_->setAll(state == State::kGoToNest ? colors::kBlue : colors::kBlack);
     robot_->debug("state", nameOf(state));
   }
 
+  /// Makes room after a grip that failed, so that not everybody stands around the prey in everybody's way.
+  void letGo() {
+    enter(State::kSearchForLaser);
+    memory_.retreat_time = robot_->random().uniform(2.0, 10.0);
+  }
+
   void searchForLaser() {
+    constexpr double kBackwards = 1.0;  // s
+    const bool is_retreating = memory_.time_in_state < memory_.retreat_time;
+    if (is_retreating && memory_.time_in_state < kBackwards) {
+      return wheels_->drive(-speed_, 0.0);
+    }
     if (signaller_) {
       return enter(State::kAvoidGrippingFootbot);
     }
-    if (memory_.time_in_state < memory_.retreat_time) {
-      return retreat();
-    }
-    if (spot_) {
+    if (spot_ && !is_retreating) {
       return enter(State::kGoToLaser);
     }
     wander();
-  }
-
-  /// Makes room after a failed grip, so that not everybody stands around the prey in everybody's way.
-  void retreat() {
-    constexpr double kBackwards = 1.0;  // s
-    if (memory_.time_in_state < kBackwards) {
-      wheels_->drive(-speed_, 0.0);
-    } else {
-      wander();
-    }
   }
 
   void goToLaser() {
@@ -129,25 +132,25 @@ class FootbotRetrieval final : public Controller {
   }
 
   void gripPrey() {
-    constexpr double kGiveUp = 20.0;          // s
-    constexpr double kInGripperReach = 0.24;  // m, from the robot's axis to the prey's
-    constexpr double kAligned = 0.12;         // rad
+    constexpr double kGiveUp = 20.0;   // s
+    constexpr double kAligned = 0.12;  // rad
     if (gripper_state_->gripping) {
-      return enter(State::kGoToNest);
+      enter(State::kGoToNest);
+      // two that grip one prey differ in it, so that one of them keeps the prey
+      memory_.patience = robot_->random().uniform(1.0, 4.0);
+      return;
     }
     if (signaller_) {
       return enter(State::kAvoidGrippingFootbot);
     }
     const std::optional<Sighting> prey = preyAtSpot();
     if (!prey || memory_.time_in_state > kGiveUp) {
-      enter(State::kSearchForLaser);
-      memory_.retreat_time = robot_->random().uniform(2.0, 10.0);
-      return;
+      return letGo();
     }
     const double bearing = prey->bearing();
     if (std::abs(bearing) > kAligned) {
       // close to the prey the gripper would hit it in turning: back off first
-      wheels_->drive(prey->distance() < kInGripperReach ? -0.5 * speed_ : 0.0, 2.0 * bearing);
+      wheels_->drive(prey->distance() < prey_reach_ ? -0.5 * speed_ : 0.0, 2.0 * bearing);
     } else {
       wheels_->drive(0.3 * speed_, 2.0 * bearing);
     }
@@ -156,8 +159,15 @@ class FootbotRetrieval final : public Controller {
   void goToNest() {
     constexpr double kArrived = 0.15;    // m: the spot lies on the prey
     constexpr double kBehindPrey = 3.0;  // s: the prey hides a spot that is straight ahead
+    constexpr double kGiveUp = 30.0;     // s without seeing the spot
     if (!gripper_state_->gripping) {
       return enter(State::kSearchForLaser);
+    }
+    if (holdsInVain() || memory_.time_unseen > kGiveUp || memory_.jams > kMostJams) {
+      return letGo();
+    }
+    if (memory_.time_in_vain > 0.0) {
+      return wheels_->drive(0.0, 0.0);
     }
     if (spot_) {
       memory_.time_unseen = 0.0;
@@ -176,6 +186,15 @@ class FootbotRetrieval final : public Controller {
     } else {
       wheels_->drive(0.0, memory_.last_bearing < 0.0 ? -0.5 : 0.5);
     }
+  }
+
+  /// Whether for some time there has been no prey where the gripper is, so that it holds another footbot; or another
+  /// one in blue beside the prey, who holds it too.
+  bool holdsInVain() {
+    const std::optional<Sighting> prey = preyInGripper();
+    const bool is_mine = prey && !(signaller_ && signaller_->distanceTo(*prey) < prey_reach_);
+    memory_.time_in_vain = is_mine ? 0.0 : memory_.time_in_vain + dt_;
+    return memory_.time_in_vain > memory_.patience;
   }
 
   void avoidGrippingFootbot() {
@@ -199,6 +218,8 @@ class FootbotRetrieval final : public Controller {
     }
   }
 
+  static bool isPrey(const ColorBlob& blob) { return blob.color != colors::kRed && blob.color != colors::kBlue; }
+
   /// The prey that the laser points at, whatever its colour.
   std::optional<Sighting> preyAtSpot() const {
     constexpr double kAtSpot = 0.15;  // m
@@ -207,10 +228,23 @@ class FootbotRetrieval final : public Controller {
       for (const ColorBlob& blob : camera_->blobs) {
         const Sighting sighting = sightingOf(blob);
         const double distance = sighting.distanceTo(*spot_);
-        const bool is_prey = blob.color != colors::kRed && blob.color != colors::kBlue;
-        if (is_prey && distance < kAtSpot && (!nearest || distance < nearest->distanceTo(*spot_))) {
+        if (isPrey(blob) && distance < kAtSpot && (!nearest || distance < nearest->distanceTo(*spot_))) {
           nearest = sighting;
         }
+      }
+    }
+    return nearest;
+  }
+
+  /// What a gripper that holds something can hold: the nearest prey ahead that it reaches.
+  std::optional<Sighting> preyInGripper() const {
+    constexpr double kAhead = 0.5;  // rad
+    std::optional<Sighting> nearest;
+    for (const ColorBlob& blob : camera_->blobs) {
+      const Sighting sighting = sightingOf(blob);
+      const bool is_reached = sighting.distance() < prey_reach_ && std::abs(sighting.bearing()) < kAhead;
+      if (isPrey(blob) && is_reached && (!nearest || sighting.distance() < nearest->distance())) {
+        nearest = sighting;
       }
     }
     return nearest;
@@ -253,20 +287,24 @@ class FootbotRetrieval final : public Controller {
     memory_.wiggle_turn_rate = robot_->random().uniform(-1.5, 1.5);
   }
 
-  /// While the spot waits and comes no nearer, the way is barred.
+  /// While the spot waits and comes no nearer, the way is barred: by what it holds itself, if wiggling does not help.
   void noticeJam(double spot_distance) {
     constexpr double kNearer = 0.02;  // m
     constexpr double kJammed = 8.0;   // s
     if (spot_distance < memory_.best_distance - kNearer || spot_distance > memory_.best_distance + 0.2) {
       memory_.best_distance = spot_distance;
       memory_.time_barred = 0.0;
+      memory_.jams = 0;
     }
     memory_.time_barred += dt_;
     if (memory_.time_barred > kJammed) {
       memory_.time_barred = 0.0;
+      ++memory_.jams;
       wiggle();
     }
   }
+
+  static constexpr int kMostJams = 3;
 
   Robot* robot_ = nullptr;
   FootbotWheels* wheels_ = nullptr;
@@ -275,7 +313,8 @@ class FootbotRetrieval final : public Controller {
   const FootbotProximity* proximity_ = nullptr;
   const FootbotCamera* camera_ = nullptr;
   const FootbotGripperState* gripper_state_ = nullptr;
-  double speed_ = 0.0;  // m/s
+  double speed_ = 0.0;       // m/s
+  double prey_reach_ = 0.0;  // m
 
   /// All that steps leave behind for later ones; a reset forgets it.
   struct Memory {
@@ -286,6 +325,9 @@ class FootbotRetrieval final : public Controller {
     double time_avoiding = 0.0;     // s of turning away without success
     double time_barred = 0.0;       // s since the spot came nearer
     double best_distance = 0.0;     // m to the spot, since it was last jammed
+    double time_in_vain = 0.0;      // s of holding what it cannot bring home
+    double patience = 0.0;          // s of that
+    int jams = 0;                   // since the spot came nearer
     double wiggle_time = 0.0;       // s left
     double wiggle_speed = 0.0;      // m/s
     double wiggle_turn_rate = 0.0;  // rad/s

@@ -1,7 +1,12 @@
 #include "color_blob_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
+
+#include "swarmanoid_space/solid_ray.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -9,21 +14,54 @@ namespace {
 // A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
 constexpr double kOwnSurface = 1e-6;
 
+/// A blob, and its place in the order that ColorBlobs promises.
+struct Found {
+  ColorBlob blob;
+  std::size_t place = 0;
+};
+
+/// @return whether some were left out
+bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
+  if (found.size() <= capacity) {
+    return false;
+  }
+  const auto end = found.begin() + static_cast<std::ptrdiff_t>(capacity);
+  std::nth_element(found.begin(), end, found.end(), [](const Found& a, const Found& b) {
+    return std::pair(a.blob.distance, a.place) < std::pair(b.blob.distance, b.place);
+  });
+  std::sort(found.begin(), end, [](const Found& a, const Found& b) { return a.place < b.place; });
+  found.resize(capacity);
+  return true;
+}
+
+static_assert(Space::kMaxLeds <= Lamps{}.size(), "each LED of an entity has its bit");
+
 class Finder {
  public:
-  Finder(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity)
-      : space_(space), view_(view), blobs_(blobs), capacity_(capacity) {}
+  Finder(const Space& space, const BlobView& view, std::vector<Found>& found)
+      : space_(space), view_(view), found_(found) {}
 
   void lookAtEntity(Row row) {
     const auto i = static_cast<std::size_t>(row);
-    const Entities& entities = space_.entities;
-    const std::vector<Eigen::Vector3d>& points = entities.model[i]->led_positions;
-    const Color* leds = space_.ledsOf(row);
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      // robots shine with their LEDs, other things have a colour of their own
-      const Color color = entities.model[i]->is_robot ? leds[k] : entities.color[i];
-      if (color.isLit()) {
-        look(entities.pose[i].position + entities.pose[i].orientation * points[k], color, row);
+    const EntityModel& model = *space_.entities.model[i];
+    const Pose& pose = space_.entities.pose[i];
+    std::array<Eigen::Vector3d, Lamps{}.size()> points;
+    Lamps lit;
+    const std::size_t count = std::min(model.led_positions.size(), lit.size());
+    for (std::size_t k = 0; k < count; ++k) {
+      if (colorOf(row, k).isLit()) {
+        points[k] = pose.position + pose.orientation * model.led_positions[k];
+        lit[k] = view_.inView(points[k]);
+      }
+    }
+    if (lit.none()) {
+      return;
+    }
+    const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.position - pose.position);
+    const Lamps seen = lit & ~hiddenLamps(model, space_.jointsOf(row), eye, lit);
+    for (std::size_t k = 0; k < count; ++k) {
+      if (seen[k]) {
+        look(points[k], colorOf(row, k), row);
       }
     }
   }
@@ -37,23 +75,22 @@ class Finder {
     if (hit.fraction < 1.0 - kOwnSurface) {
       return false;
     }
-    if (count_ < capacity_) {
-      const Eigen::Vector2d offset = (point - view_.position).head<2>();
-      const float bearing = toBearing(std::atan2(offset.y(), offset.x()) - view_.heading);
-      blobs_[count_] = {color, bearing, static_cast<float>(offset.norm())};
-    }
-    ++count_;
+    const Eigen::Vector2d offset = (point - view_.position).head<2>();
+    const float bearing = toBearing(std::atan2(offset.y(), offset.x()) - view_.heading);
+    found_.push_back({{color, bearing, static_cast<float>(offset.norm())}, found_.size()});
     return true;
   }
 
-  std::size_t count() const { return count_; }
-
  private:
+  /// Robots shine with their LEDs, other things have a colour of their own.
+  Color colorOf(Row row, std::size_t lamp) const {
+    const auto i = static_cast<std::size_t>(row);
+    return space_.entities.model[i]->is_robot ? space_.ledsOf(row)[lamp] : space_.entities.color[i];
+  }
+
   const Space& space_;
   const BlobView& view_;
-  ColorBlob* blobs_;
-  std::size_t capacity_;
-  std::size_t count_ = 0;
+  std::vector<Found>& found_;
 };
 
 }  // namespace
@@ -69,11 +106,14 @@ bool BlobView::inView(const Eigen::Vector3d& point) const {
   return horizontal <= range && (slope == 0.0 || horizontal <= slope * (position.z() - point.z()));
 }
 
-std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity) {
-  Finder finder(space, view, blobs, capacity);
+FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity) {
   // kept between calls so that a steady state allocates nothing
   thread_local std::vector<Row> near;
+  thread_local std::vector<Found> found;
   near.clear();
+  found.clear();
+  found.reserve(capacity);
+  Finder finder(space, view, found);
   // entities are at any height within the arena, so the sphere must hold the whole cylinder of view
   const double lowest = space.lowestGround();
   const double half_height = 0.5 * (space.size.z() - lowest);
@@ -99,7 +139,11 @@ std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs
       }
     }
   }
-  return finder.count();
+  FoundBlobs result;
+  result.overflowed = keepNearest(found, capacity);
+  result.count = found.size();
+  std::transform(found.begin(), found.end(), blobs, [](const Found& each) { return each.blob; });
+  return result;
 }
 
 }  // namespace swarmanoid::devices

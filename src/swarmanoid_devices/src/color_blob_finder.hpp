@@ -1,9 +1,9 @@
 /// What a colour-blob camera has in sight: lit LEDs, coloured preys, laser spots and floor patches, if nothing stands
-/// between. Shared by all cameras; they differ in what `inView` says.
+/// between: neither anything else nor the robot that carries the LED (hiddenLamps). Shared by all cameras; they differ
+/// in what `inView` says.
 #pragma once
 
-#include <functional>
-#include <vector>
+#include <cstddef>
 
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_space/space.hpp"
@@ -25,8 +25,13 @@ struct BlobView {
   bool inView(const Eigen::Vector3d& point) const;
 };
 
-/// Fills `blobs` (room for `capacity`) in the order that ColorBlobs promises.
-/// @return how many were in sight; more than `capacity` means that the rest is left out
-std::size_t findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity);
+struct FoundBlobs {
+  std::size_t count = 0;    ///< of the blobs that were filled in
+  bool overflowed = false;  ///< more were in sight than there was room for
+};
+
+/// Fills `blobs` (room for `capacity`) in the order that ColorBlobs promises. Of more the nearest are kept, as seen
+/// from above; of equally near ones those that come first in that order. Thread-safe.
+FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity);
 
 }  // namespace swarmanoid::devices

@@ -69,12 +69,13 @@ TEST_F(FootbotCameraTest, TheRangeIsIncludedAndNothingBeyondIt) {
 TEST_F(FootbotCameraTest, SeesLedsOfOthersEachWithItsColourButNotItsOwn) {
   world.space.ledsOf(robot)[0] = colors::kRed;
   const Row other = world.addFootbot(2.0, 1.0);
-  world.space.ledsOf(other)[0] = colors::kBlue;   // ahead, on the far side: 0.085 m beyond its axis
-  world.space.ledsOf(other)[6] = colors::kGreen;  // behind, on the near side
+  world.space.ledsOf(other)[0] = colors::kRed;     // ahead, on the far side, which its body hides
+  world.space.ledsOf(other)[5] = colors::kOrange;  // behind, to the left
+  world.space.ledsOf(other)[6] = colors::kGreen;   // behind, on the near side
   const auto blobs = seen();
   ASSERT_EQ(blobs.size(), 2U);
-  EXPECT_EQ(blobs[0].color, colors::kBlue);
-  EXPECT_NEAR(blobs[0].distance, 1.085, 1e-6);
+  EXPECT_EQ(blobs[0].color, colors::kOrange);
+  EXPECT_NEAR(blobs[0].distance, std::hypot(1.0 - 0.085 * std::cos(M_PI / 6.0), 0.085 * 0.5), 1e-6);
   EXPECT_EQ(blobs[1].color, colors::kGreen);
   EXPECT_NEAR(blobs[1].distance, 0.915, 1e-6);
 }

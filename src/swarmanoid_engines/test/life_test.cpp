@@ -41,6 +41,20 @@ TEST(LifeTest, SaysWhereAMisplacedRobotIsAndBelongs) {
   EXPECT_EQ(world.engine.misplacement(*blockModel({1.0, 1.0, 1.0}), flatPose(1.0, 1.0, 0.0, 0.5)), "");
 }
 
+TEST(LifeTest, RefusesARobotThatDoesNotStandOnItsTreels) {
+  World world;
+  const auto tilted = [](double angle, const Eigen::Vector3d& axis) {
+    return Pose{{1.0, 1.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()))};
+  };
+  const Pose pose = tilted(0.17, {1.0, 0.4, 0.0});
+  EXPECT_EQ(world.engine.misplacement(*footbotModel(), pose),
+            "found tilted, allowed: standing on its treels, its z axis along z");
+  EXPECT_NE(world.engine.misplacement(*footbotModel(), tilted(M_PI / 2.0, {0.0, 1.0, 0.0})), "");
+  EXPECT_EQ(world.engine.misplacement(*footbotModel(), tilted(0.83, {0.0, 0.0, 1.0})), "");
+  EXPECT_EQ(world.engine.misplacement(*cylindricPreyModel(0.1, 0.1), pose), "")
+      << "what has no treels may lie as it does";
+}
+
 TEST(LifeTest, RefusesAnAxisThatIsNone) {
   Kinematics2d engine;
   Configuration configuration;

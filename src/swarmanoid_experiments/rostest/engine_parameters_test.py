@@ -16,7 +16,8 @@ from space_client import TIMEOUT, Collector, Space
 
 ENGINE = "/space/engines/space"
 FILE = {"iterations": 50, "gravity": 9.81, "friction": 0.5, "treel_friction": 0.9, "restitution": 0.0,
-        "grip_strength": 50.0, "suction_strength": 30.0, "rope_strength": 80.0, "magnet_strength": 60.0}
+        "grip_strength": 50.0, "suction_strength": 30.0, "rope_strength": 80.0, "rope_drag": 0.0,
+        "magnet_strength": 60.0}
 
 
 def values(config):

@@ -255,7 +255,7 @@ const Mistake mistakes[] =
      {"GripperOpenForClosed",
       "fb",
       wire<FootbotGripper>([](FootbotGripper& gripper) { gripper.closed = !gripper.closed; }),
-      {{"fb", "conformance test failed: gripper_closes, footbot_turret"}}},
+      {{"fb", "conformance test failed: gripper_closes"}}},
      {"GripperStateUpsideDown",
       "fb",
       wire<FootbotGripperState>([](FootbotGripperState& state) { state.gripping = !state.gripping; }),

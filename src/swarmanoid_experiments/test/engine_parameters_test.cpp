@@ -81,7 +81,7 @@ TEST(EngineParametersTest, ABadValueIsRefusedInWords) {
   const auto simulation = started(threeEngines());
   const std::string live =
       "what may change while it runs: iterations, gravity, friction, treel_friction, restitution, "
-      "grip_strength, suction_strength, rope_strength, magnet_strength";
+      "grip_strength, suction_strength, rope_strength, rope_drag, magnet_strength";
   EXPECT_EQ(messageOf(*simulation, "dep", {{"gravity", "1"}}),
             "(no file): engine 'dep' does not exist; there are: ground, flat, deep; did you mean 'deep'?");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"gravty", "1"}}),
@@ -146,8 +146,10 @@ TEST(EngineReportTest, SaysWhoIsWhere) {
   EXPECT_EQ(reports[2].moved, 1U);
   EXPECT_EQ(reports[2].mirrored, 1U);
   EXPECT_EQ(reports[2].health.warning, "");
-  const std::vector<std::pair<std::string, std::string>> counters = {
-      {"steps", "30"}, {"steps redone", "0"}, {"steps left to the iterative solver", "0"}};
+  const std::vector<std::pair<std::string, std::string>> counters = {{"steps", "30"},
+                                                                     {"steps solved again for friction", "0"},
+                                                                     {"steps redone", "0"},
+                                                                     {"steps left to the iterative solver", "0"}};
   EXPECT_EQ(reports[2].health.counters, counters);
 }
 

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
+// A lamp this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
+constexpr double kSameDepth = 1e-6;
+
 /// The part of a segment that is inside something: from `enter` to `leave`, as fractions.
 struct Inside {
   double enter = -kNever;
@@ -53,23 +56,42 @@ void clipToRound(Inside& inside, const Vector& start, const Vector& step, double
   inside.clip((-b - root) / a, (-b + root) / a);
 }
 
-Inside insideOf(const CollisionShape& shape, const Eigen::Vector3d& start, const Eigen::Vector3d& step) {
+/// Of a segment in the shape's frame.
+Inside insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
+                const Eigen::Vector3d& step) {
   Inside inside;
-  switch (shape.kind) {
+  switch (kind) {
     case CollisionShape::Kind::kBox:
       for (int axis = 0; axis < 3; ++axis) {
-        clipToSlab(inside, start[axis], step[axis], shape.half_extent[axis]);
+        clipToSlab(inside, start[axis], step[axis], half_extent[axis]);
       }
       break;
     case CollisionShape::Kind::kCylinder:
-      clipToSlab(inside, start.z(), step.z(), shape.half_extent.z());
-      clipToRound(inside, Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(step.head<2>()), shape.half_extent.x());
+      clipToSlab(inside, start.z(), step.z(), half_extent.z());
+      clipToRound(inside, Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(step.head<2>()), half_extent.x());
       break;
     case CollisionShape::Kind::kSphere:
-      clipToRound(inside, start, step, shape.half_extent.x());
+      clipToRound(inside, start, step, half_extent.x());
       break;
   }
   return inside;
+}
+
+/// Adds the lamps that one shape hides. @param shape where its joint has turned it
+void addHidden(const CollisionShape& shape, const EntityModel& model, const Eigen::Vector3d& eye, const Lamps& asked,
+               Lamps& hidden) {
+  const Eigen::Vector3d half_extent = (shape.half_extent.array() - kLampHeight).max(0.5 * shape.half_extent.array());
+  const Eigen::Matrix3d to_shape = shape.orientation.conjugate().toRotationMatrix();
+  const Eigen::Vector3d start = to_shape * (eye - shape.position);
+  for (std::size_t k = 0; k < std::min(model.led_positions.size(), asked.size()); ++k) {
+    if (!asked[k] || hidden[k]) {
+      continue;
+    }
+    const Eigen::Vector3d step = to_shape * (model.led_positions[k] - eye);
+    const Inside inside = insideOf(shape.kind, half_extent, start, step);
+    // what goes on behind the lamp is a hull around it, or does not stand before it
+    hidden[k] = inside.enter <= inside.leave && inside.leave >= 0.0 && inside.leave <= 1.0 + kSameDepth;
+  }
 }
 
 }  // namespace
@@ -81,12 +103,24 @@ double firstMeeting(const Segment& segment, const EntityModel& model, const Pose
   double first = kNever;
   for (const CollisionShape& shape : model.shapes) {
     const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
-    const Inside inside = insideOf(shape, to_shape * (start - shape.position), to_shape * step);
+    const Inside inside = insideOf(shape.kind, shape.half_extent, to_shape * (start - shape.position), to_shape * step);
     if (inside.enter <= inside.leave && inside.leave >= 0.0 && inside.enter <= 1.0) {
       first = std::min(first, std::max(inside.enter, 0.0));
     }
   }
   return first;
+}
+
+Lamps hiddenLamps(const EntityModel& model, const JointState* joints, const Eigen::Vector3d& eye, const Lamps& asked) {
+  Lamps hidden;
+  for (const CollisionShape& shape : model.shapes) {
+    if (shape.joint < 0) {
+      addHidden(shape, model, eye, asked, hidden);
+    } else {
+      addHidden(placeOf(model, joints, shape), model, eye, asked, hidden);
+    }
+  }
+  return hidden;
 }
 
 }  // namespace swarmanoid

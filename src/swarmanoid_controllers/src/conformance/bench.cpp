@@ -71,7 +71,7 @@ void Bench::readSurroundings(const Configuration& parameters) {
   surroundings_.is_free_upwards = parameters.boolean("upwards", !is_footbot);
   surroundings_.observed_leds = static_cast<std::size_t>(parameters.integer("observed_leds", 12, {0.0, 360.0}));
   surroundings_.observed_radius = parameters.number("observed_radius", 0.085, {0.001, 1.0});
-  surroundings_.observer_bearing = parameters.angle("observer_bearing", M_PI, {-180.0, 180.0});
+  surroundings_.observer_bearing = parameters.angle("observer_bearing", 90.0 * kDegree, {-180.0, 180.0});
   settling_time_ = parameters.number("settling_time", robot_.type() == "eyebot" ? 2.0 : 0.5, {0.0, 10.0});
   tolerance_ = parameters.number("tolerance", 0.15, {0.001, 0.5});
   parameters.refuseUnread({"role", "beacon_color", "beacon_distance", "prey_color", "prey_distance", "prey_bearing",

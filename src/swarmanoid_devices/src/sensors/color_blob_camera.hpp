@@ -30,7 +30,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
     range_ = parameters.number("range", 1.0);
     noise_distance_ = parameters.number("noise_distance", 0.0);
     noise_bearing_ = parameters.angle("noise_bearing", 0.0);
-    max_blobs_ = static_cast<std::size_t>(parameters.integer("max_blobs", std::int64_t{64}));
+    max_blobs_ = static_cast<std::size_t>(parameters.integer("max_blobs", std::int64_t{128}));
     sees_floor_ = parameters.boolean("sees_floor", false);
     configureView(parameters);
   }
@@ -60,7 +60,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
         number("range", "m", range, {0.0, 100.0}, "Horizontal distance beyond which nothing is seen."),
         number("noise_distance", "", "0", {0.0, 1.0}, "Standard deviation of the factor on each distance."),
         angle("noise_bearing", "0", {0.0, 90.0}, "Standard deviation added to each bearing."),
-        integer("max_blobs", "64", {1.0, 10000.0}, "Blobs reported at the most in one tick."),
+        integer("max_blobs", "128", {1.0, 10000.0}, "Blobs reported at the most in one tick, the nearest."),
         boolean("sees_floor", sees_floor, "Whether floor patches are seen.")};
     return description;
   }
@@ -101,9 +101,9 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
     view.range = range_;
     view.slope = slope();
     view.sees_floor = sees_floor_;
-    const std::size_t count = findBlobs(space, view, seat.buffer.data(), max_blobs_);
-    seat.readings->overflowed = count > max_blobs_;
-    seat.readings->blobs = Span<const ColorBlob>(seat.buffer.data(), std::min(count, max_blobs_));
+    const FoundBlobs found = findBlobs(space, view, seat.buffer.data(), max_blobs_);
+    seat.readings->overflowed = found.overflowed;
+    seat.readings->blobs = Span<const ColorBlob>(seat.buffer.data(), found.count);
     if (noise_distance_ > 0.0 || noise_bearing_ > 0.0) {
       disturb(space, seat);
     }
@@ -121,7 +121,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
   double range_ = 1.0;
   double noise_distance_ = 0.0;
   double noise_bearing_ = 0.0;
-  std::size_t max_blobs_ = 64;
+  std::size_t max_blobs_ = 128;
   bool sees_floor_ = false;
 };
 

@@ -42,9 +42,8 @@ void Dynamics2d::drawContacts(EngineDrawing& drawing) const {
 
 void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
   const RigidBody& its = rigid(index);
-  const auto line = [&](const Eigen::Vector2d& from, const b2Vec2& force) {
-    planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * toMetres(force),
-                     drawing);
+  const auto line = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& force) {
+    planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * force, drawing);
   };
   if (its.belt.body == nullptr) {
     if (its.drive != Drive::kNone) {
@@ -53,7 +52,7 @@ void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
     return;
   }
   for (b2FrictionJoint* treel : its.belt.treels) {
-    line(toMetres(treel->GetAnchorB()), treel->GetReactionForce(static_cast<float>(1.0 / last_step_)));
+    line(toMetres(treel->GetAnchorB()), toMetres(treel->GetReactionForce(static_cast<float>(1.0 / last_step_))));
   }
 }
 

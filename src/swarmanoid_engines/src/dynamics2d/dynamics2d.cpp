@@ -9,6 +9,7 @@
 
 #include "common/parameter.hpp"
 #include "common/turret.hpp"
+#include "dynamics2d/fixtures.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
@@ -115,14 +116,6 @@ std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std:
   return problem.empty() ? problemWithModel(model) : problem;
 }
 
-std::string Dynamics2d::misplacement(const EntityModel& model, const Pose& pose) const {
-  std::string problem = PlanarEngine::misplacement(model, pose);
-  if (problem.empty() && model.wheels && !bodies_.plane().isUpright(pose.orientation)) {
-    return "found tilted, allowed: standing on its treels, its z axis along " + bodies_.plane().axisName();
-  }
-  return problem;
-}
-
 void Dynamics2d::makeWorld() {
   world_ = std::make_unique<b2World>(b2Vec2(0.0F, 0.0F));
   world_->SetContactFilter(&contacts_);
@@ -139,6 +132,7 @@ void Dynamics2d::add(Space& space, Row row, Role role) {
   rigid(index) = RigidBody{};
   makeBody(index);
   putBody(space, index);
+  travelled_ += kLookAhead;  // everybody looks around anew
   if (role == Role::kMove && bodies_[index].is_movable) {
     const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };
     movers_.insert(std::upper_bound(movers_.begin(), movers_.end(), index, older), index);
@@ -154,6 +148,7 @@ void Dynamics2d::makeBody(BodyIndex index) {
   definition.userData.pointer = static_cast<uintptr_t>(index);
   if (body.is_movable) {
     definition.type = body.role == Role::kMove ? b2_dynamicBody : b2_kinematicBody;
+    definition.bullet = body.role == Role::kMove;  // or Box2D would look for impacts with what stands only
   }
   its.body = world_->CreateBody(&definition);
   makeFixtures(index);
@@ -172,10 +167,6 @@ void Dynamics2d::makeFixtures(BodyIndex index) {
   }
   const planar::Plane& plane = bodies_.plane();
   const Eigen::Matrix3d base = bodies_.details(index).base.toRotationMatrix();
-  its.thickness = 0.0;
-  for (const CollisionShape& shape : body.entity->shapes) {
-    its.thickness = std::max(its.thickness, shape.half_extent.minCoeff());
-  }
   its.mass = body.entity->mass;
   its.inertia = plane.along(base * body.entity->inertia * base.transpose() * plane.normal());
   its.arm = plane.toLocal(base * body.entity->centre_of_mass);
@@ -197,8 +188,7 @@ void Dynamics2d::putBody(const Space& space, BodyIndex index) {
   const double turn_rate = plane.along(twist.angular);
   const Eigen::Vector2d arm = body.pose.rotated(its.arm);
   const Eigen::Vector2d velocity = plane.toLocal(twist.linear) + turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
-  its.body->SetLinearVelocity(toUnits(velocity));
-  its.body->SetAngularVelocity(static_cast<float>(turn_rate));
+  its.setVelocity(velocity, turn_rate);
 }
 
 void Dynamics2d::takePose(const Space& space, BodyIndex index) {
@@ -219,7 +209,7 @@ void Dynamics2d::remove(Space&, Row row) {
   dropBelt(rigid(index));
   world_->DestroyBody(rigid(index).body);
   rigid(index) = RigidBody{};
-  for (std::vector<BodyIndex>* list : {&movers_, &newcomers_}) {
+  for (std::vector<BodyIndex>* list : {&movers_, &present_, &mirrors_, &newcomers_}) {
     list->erase(std::remove(list->begin(), list->end(), index), list->end());
   }
   bodies_.remove(index);
@@ -229,14 +219,18 @@ void Dynamics2d::place(Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   takePose(space, index);
+  travelled_ += kLookAhead;  // everybody looks around anew
 }
 
 void Dynamics2d::clear() {
   bodies_.clear();
   rigid_bodies_.clear();
   movers_.clear();
+  present_.clear();
+  mirrors_.clear();
   newcomers_.clear();
   grippers_.clear();
+  travelled_ = 0.0;
   makeWorld();
 }
 

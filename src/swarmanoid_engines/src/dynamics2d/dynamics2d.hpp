@@ -12,8 +12,10 @@
 /// turret's torque: a load that is too heavy to turn turns the robot instead. A turret without load turns as it is
 /// told, and stops before its gripper would sink into something.
 ///
-/// Bodies may sink into each other by up to 0.6 mm, which is Box2D's tolerance here. The positions of entities are
-/// integrated in double precision from Box2D's velocities, so small steps far from the origin lose nothing.
+/// Bodies rest where their surfaces meet, within 0.1 mm, and sink into each other by up to 0.6 mm when they meet: Box2D
+/// finds the times of all impacts, and steps are finer where something fast is near. What nothing can reach in a tick
+/// is moved without Box2D. The positions of entities are integrated in double precision from Box2D's velocities, so
+/// small steps far from the origin lose nothing.
 ///
 /// A mirror is a body that nothing pushes: it is where the space says, and moves through the tick with its last twist.
 #pragma once
@@ -31,13 +33,31 @@ namespace swarmanoid::dynamics2d {
 
 /// Parameters of the engine, all of which may change live; SI units.
 struct Material {
-  int iterations = 8;             ///< of the solver of contacts and joints, in each step
+  int iterations = 12;            ///< of the solver of contacts and joints, in each step
   double gravity = 9.81;          ///< that presses on the plane [m/s2]
   double ground_friction = 0.4;   ///< of what slides
   double treel_friction = 0.9;    ///< of treels
   double contact_friction = 0.3;  ///< between bodies
   double restitution = 0.0;       ///< between bodies
   double grip_strength = 50.0;    ///< a grip tears beyond it [N]
+};
+
+/// What drove the robots in a tick, for comparisons with Box2D alone.
+struct Recording {
+  /// Force, and torque about the centre of mass, in Box2D's units.
+  struct Entry {
+    b2Vec2 force{0.0F, 0.0F};
+    float torque = 0.0F;
+  };
+
+  Entry& of(int step, int ordinal) {
+    return entries[static_cast<std::size_t>(step) * static_cast<std::size_t>(robots) +
+                   static_cast<std::size_t>(ordinal)];
+  }
+
+  int steps = 0;               ///< of equal length
+  int robots = 0;              ///< with a drive, by entity number
+  std::vector<Entry> entries;  ///< by step, then by robot
 };
 
 class Dynamics2d final : public planar::PlanarEngine {
@@ -48,7 +68,6 @@ class Dynamics2d final : public planar::PlanarEngine {
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
   std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
-  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
   std::string gripRefusal(const Space&, Row) const override { return ""; }
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
@@ -59,15 +78,10 @@ class Dynamics2d final : public planar::PlanarEngine {
   void connect(Space& space) override;
   void draw(EngineDrawing& drawing) const override;
 
-  /// The force and torque about the centre of mass of what drives a robot, in a step, in Box2D's units: for comparisons
-  /// with Box2D alone.
-  struct Push {
-    b2Vec2 force{0.0F, 0.0F};
-    float torque = 0.0F;
-  };
-  /// Notes the push of every driven robot from now on, by step and entity number; null: no longer.
-  void record(std::vector<Push>* pushes) { recorded_pushes_ = pushes; }
-  const b2World& world() const { return *world_; }
+  /// Notes what drives robots in each step of each tick from now on; null: no longer.
+  void record(Recording* recording) { recording_ = recording; }
+  /// Box2D's world, with every body in its place, those too that it does not have now: see moveAlone.
+  const b2World& world();
 
  private:
   const RigidBody& rigid(BodyIndex index) const { return rigid_bodies_[static_cast<std::size_t>(index)]; }
@@ -81,22 +95,31 @@ class Dynamics2d final : public planar::PlanarEngine {
   void takePose(const Space& space, BodyIndex index);
 
   // motion.cpp
-  void startTick(const Space& space, double step);
+  void startTick(const Space& space, double tick);
+  void choosePieces(double step);
+  void moveInBox2d();
   void meetGround(BodyIndex index);
   void setGroundFriction(BodyIndex index);
-  bool mayTunnel(BodyIndex index, double step) const;
   void finishTick(Space& space);
 
   // drive.cpp
   void prepareDrive(BodyIndex index, double step);
-  void drive(BodyIndex index, double step);
-  void push(RigidBody& its, const Eigen::Vector2d& force, double torque);
-  void driveTreels(RigidBody& its, double step);
-  void fly(RigidBody& its, double step);
+  void drive(BodyIndex index, double step, int step_number);
+  void driveAlone(RigidBody& its, double step, int step_number);
+  void recordPush(const RigidBody& its, int step_number, const b2Vec2& force, float torque);
   void makeBelt(const Body& body, RigidBody& its);
   static void moveBelt(RigidBody& its, double step);
   void dropBelt(RigidBody& its);
-  void recordBelts(double step);
+  void recordBelts(double step, int step_number);
+
+  // alone.cpp
+  void measureWay(BodyIndex index, double tick, double jump);
+  void sortOut();
+  void warnOthers(BodyIndex index);
+  void lookAround(BodyIndex index);
+  void enterBox2d(BodyIndex index);
+  void leaveBox2d(BodyIndex index);
+  void moveAlone(double tick);
 
   // turning.cpp
   void driveTurrets(double step);
@@ -117,18 +140,28 @@ class Dynamics2d final : public planar::PlanarEngine {
   void letGo(BodyIndex gripper);
   void forgetGrips(BodyIndex index);
   void takeOverGrips(const Space& space, BodyIndex index);
-  void tearGrips(double step);
+  void readGrips(double step);
+  void tearGrips(double time);
+
+  /// How far any body comes without the others seeing it before it looks around again [m].
+  static constexpr double kLookAhead = 0.3;
 
   Material material_;
+  int pieces_ = 1;                       // that each step is made in, in this tick
   double last_step_ = 0.1;               // [s]
+  double longest_way_ = 0.0;             // m, of any body in this tick
+  double longest_slow_way_ = 0.0;        // m, of those that are not fast
+  double travelled_ = 0.0;               // m, no body that was not fast has moved farther since the start
   std::vector<RigidBody> rigid_bodies_;  // by body
   std::vector<BodyIndex> movers_;        // what Box2D moves, by entity number
+  std::vector<BodyIndex> present_;       // those of them that Box2D has in this tick, by entity number
+  std::vector<BodyIndex> mirrors_;       // that may move, by entity number
   std::vector<BodyIndex> newcomers_;     // since the last tick
   std::vector<BodyIndex> grippers_;      // that hold something, by entity number
   Contacts contacts_{bodies_, rigid_bodies_};
   std::unique_ptr<b2World> world_;
   b2Body* ground_ = nullptr;
-  std::vector<Push>* recorded_pushes_ = nullptr;
+  Recording* recording_ = nullptr;
 };
 
 }  // namespace swarmanoid::dynamics2d

@@ -52,6 +52,8 @@ BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const
 void Dynamics2d::hold(BodyIndex gripper_index, BodyIndex gripped_index) {
   RigidBody& gripper = rigid(gripper_index);
   RigidBody& gripped = rigid(gripped_index);
+  enterBox2d(gripper_index);
+  enterBox2d(gripped_index);
   if (planar::Turret* turret = bodies_.findTurret(gripper_index)) {
     gripper.grip.joint = makeTurretJoint(*turret, gripped_index);
   } else {
@@ -103,10 +105,18 @@ void Dynamics2d::takeOverGrips(const Space& space, BodyIndex index) {
   });
 }
 
-void Dynamics2d::tearGrips(double step) {
+void Dynamics2d::readGrips(double step) {
+  for (const BodyIndex gripper : grippers_) {
+    Grip& grip = rigid(gripper).grip;
+    grip.impulse += static_cast<float>(step) * grip.joint->GetReactionForce(static_cast<float>(1.0 / step));
+  }
+}
+
+void Dynamics2d::tearGrips(double time) {
   for (std::size_t i = 0; i < grippers_.size();) {
     Grip& grip = rigid(grippers_[i]).grip;
-    const double force = grip.joint->GetReactionForce(static_cast<float>(1.0 / step)).Length() / kUnitsPerMetre;
+    const double force = toMetres(grip.impulse).norm() / time;
+    grip.impulse.SetZero();
     if (force <= material_.grip_strength) {
       ++i;
       continue;

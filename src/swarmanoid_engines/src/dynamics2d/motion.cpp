@@ -6,71 +6,134 @@
 
 namespace swarmanoid::dynamics2d {
 
+/// In how many pieces each step is made in this tick, so that nothing in Box2D moves or turns by more in one than it
+/// may; and whether anything moves by so much that times of impact are needed, which are dear.
+void Dynamics2d::choosePieces(double step) {
+  // Box2D bears no longer ways and no larger turns, and what is hit may be twice as fast as who hits it
+  constexpr double kMostWay = 0.5 * kLongestWay;                           // m
+  constexpr double kMostTurn = 0.5 * static_cast<double>(b2_maxRotation);  // rad
+  // contacts and grips are solved where they are when a step begins, and should not be far from there when it ends
+  constexpr double kWayAtContact = 0.01;  // m
+  constexpr double kWayInGrip = 0.002;    // m: Box2D stops who runs into something without asking who holds it
+  constexpr double kTurnOfHeld = 0.03;    // rad
+  // and the solver comes back only bit by bit from what somebody has pushed with who pushes no longer
+  constexpr double kTimeOfHeld = 0.05;  // s
+  constexpr double kMostPieces = 1e4;
+  double rate = 0.0;     // of pieces [1/s]
+  double fastest = 0.0;  // surface [m/s]
+  const auto include = [&](BodyIndex index, bool is_held) {
+    const Body& body = bodies_[index];
+    const RigidBody& its = rigid(index);
+    const double turn = std::max(std::abs(its.spinNow()), std::abs(body.turn_rate));
+    const double speed = std::sqrt(std::max(its.velocityNow().squaredNorm(), body.velocity.squaredNorm()));
+    const double way_of_held = its.isConnected() ? kWayInGrip : kWayAtContact;
+    fastest = std::max(fastest, speed + turn * body.model->radius);
+    rate = is_held ? std::max({rate, speed / way_of_held, turn / kTurnOfHeld, 1.0 / kTimeOfHeld})
+                   : std::max({rate, speed / kMostWay, turn / kMostTurn});
+  };
+  for (const BodyIndex index : present_) {
+    include(index, !rigid(index).isFree());
+  }
+  for (const BodyIndex index : mirrors_) {
+    if (!present_.empty() && (!rigid(index).is_fast || rigid(index).is_reached)) {
+      include(index, false);
+    }
+  }
+  pieces_ = static_cast<int>(std::ceil(std::clamp(rate * step, 1.0, kMostPieces)));
+  last_step_ = step / pieces_;
+  world_->SetContinuousPhysics(fastest * last_step_ > kSlop);
+}
+
 void Dynamics2d::readMirrors(const Space& space) {
+  mirrors_.clear();
   for (const BodyIndex index : bodies_.order()) {
     const Body& body = bodies_[index];
     if (body.role == Role::kMirror && body.is_movable) {
+      const Eigen::Vector2d before = body.pose.position;
+      const double radius = body.model->radius;
       takePose(space, index);
+      mirrors_.push_back(index);
+      rigid(index).jump = (body.pose.position - before).norm() + std::max(0.0, body.model->radius - radius);
     }
   }
 }
 
 void Dynamics2d::move(Space& space, Duration dt) {
-  constexpr int kPositionIterations = 3;
-  const double step = toSeconds(dt) / subclock_;
-  last_step_ = step;
-  startTick(space, step);
-  for (const BodyIndex index : movers_) {
-    drive(index, step);
-  }
-  for (int i = 1; i <= subclock_; ++i) {
-    driveTurrets(step);
-    world_->Step(static_cast<float>(step), material_.iterations, kPositionIterations);
-    if (recorded_pushes_ != nullptr) {
-      recordBelts(step);
-    }
-    for (const BodyIndex index : movers_) {
-      rigid(index).readStep(step);
-      if (i < subclock_) {
-        drive(index, step);
-      }
-    }
-    readTurrets(step);
-    tearGrips(step);
+  startTick(space, toSeconds(dt));
+  moveAlone(toSeconds(dt));
+  if (!present_.empty() || !mirrors_.empty()) {  // moved mirrors are noted in Box2D until it steps
+    moveInBox2d();
   }
   finishTick(space);
   finishTurrets(space);
 }
 
-void Dynamics2d::startTick(const Space& space, double step) {
+void Dynamics2d::moveInBox2d() {
+  constexpr int kPositionIterations = 3;
+  const int steps = subclock_ * pieces_;
+  const double step = last_step_;
+  for (const BodyIndex index : present_) {
+    drive(index, step, 0);
+  }
+  for (int i = 0; i < steps; ++i) {
+    driveTurrets(step);
+    world_->Step(static_cast<float>(step), material_.iterations, kPositionIterations);
+    if (recording_ != nullptr) {
+      recordBelts(step, i);
+    }
+    for (const BodyIndex index : present_) {
+      rigid(index).readStep(step);
+      if (i + 1 < steps) {
+        drive(index, step, i + 1);
+      }
+    }
+    readTurrets(step);
+    readGrips(step);
+    if ((i + 1) % pieces_ == 0) {
+      tearGrips(pieces_ * step);
+    }
+  }
+}
+
+void Dynamics2d::startTick(const Space& space, double tick) {
   bodies_.findLateDevices(space);
   for (const BodyIndex index : newcomers_) {
     meetGround(index);
   }
   newcomers_.clear();
-  bool may_tunnel = false;
+  longest_way_ = 0.0;
+  longest_slow_way_ = 0.0;
+  int robots = 0;
   for (const BodyIndex index : movers_) {
     Body& body = bodies_[index];
+    if (body.wheels != nullptr || body.flight != nullptr) {
+      readCommands(body);
+      rigid(index).ordinal = robots++;
+    }
+    measureWay(index, tick, 0.0);
+  }
+  for (const BodyIndex index : mirrors_) {
+    measureWay(index, tick, rigid(index).jump);
+  }
+  sortOut();
+  for (const BodyIndex index : present_) {
     RigidBody& its = rigid(index);
     if (its.belt.body != nullptr && its.isFree()) {
       dropBelt(its);
     }
-    if (body.wheels != nullptr || body.flight != nullptr) {
-      readCommands(body);
-      prepareDrive(index, step);
-    }
-    may_tunnel = may_tunnel || mayTunnel(index, step);
   }
-  // times of impact are dear, and only what moves far in a step needs them
-  world_->SetContinuousPhysics(may_tunnel);
-}
-
-bool Dynamics2d::mayTunnel(BodyIndex index, double step) const {
-  constexpr double kSafe = 0.25;  // of the thickness: a push on top of it is still safe
-  const RigidBody& its = rigid(index);
-  const double most = kSafe * its.thickness;
-  const double way_squared = toMetres(its.body->GetLinearVelocity()).squaredNorm() * step * step;
-  return std::max(way_squared, its.centre_advance.squaredNorm()) > most * most;
+  const double nominal = tick / subclock_;
+  choosePieces(nominal);
+  for (const BodyIndex index : movers_) {
+    if (bodies_[index].wheels != nullptr || bodies_[index].flight != nullptr) {
+      prepareDrive(index, rigid(index).is_alone ? nominal : last_step_);
+    }
+  }
+  if (recording_ != nullptr) {
+    recording_->steps = subclock_ * pieces_;
+    recording_->robots = robots;
+    recording_->entries.assign(static_cast<std::size_t>(robots * recording_->steps), {});
+  }
 }
 
 void Dynamics2d::meetGround(BodyIndex index) {
@@ -108,9 +171,8 @@ void Dynamics2d::finishTick(Space& space) {
     const planar::PlacedPose pose = its.pose();
     Twist& twist = space.entities.twist[static_cast<std::size_t>(bodies_[index].row)];
     const Eigen::Vector2d arm = pose.rotated(its.arm);
-    const double turn_rate = its.body->GetAngularVelocity();
-    const Eigen::Vector2d velocity =
-        toMetres(its.body->GetLinearVelocity()) - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
+    const double turn_rate = its.spinNow();
+    const Eigen::Vector2d velocity = its.velocityNow() - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
     twist.linear = plane.toGlobal(velocity, 0.0);
     twist.angular = plane.normal() * turn_rate;
     const planar::PlacedPose before = bodies_[index].pose;

@@ -1,7 +1,5 @@
 #include "dynamics2d/rigid_body.hpp"
 
-#include <box2d/b2_fixture.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,25 +17,14 @@ double change(float now, float before, double by_velocity) {
   return std::abs(beyond) <= rounding ? by_velocity : by_velocity + beyond;
 }
 
-void addPolygon(b2Body& body, b2FixtureDef& definition, const planar::PlanarShape& shape) {
-  const std::vector<Eigen::Vector2d>& corners = shape.vertices;
-  constexpr std::size_t kMost = b2_maxPolygonVertices;
-  // a fan of pieces around corner 0; neighbours share an edge
-  for (std::size_t first = 1; first + 1 < corners.size(); first += kMost - 2) {
-    const std::size_t count = std::min(kMost - 1, corners.size() - first);
-    std::array<b2Vec2, kMost> piece;
-    piece[0] = toUnits(corners[0]);
-    for (std::size_t i = 0; i < count; ++i) {
-      piece[i + 1] = toUnits(corners[first + i]);
-    }
-    b2PolygonShape polygon;
-    polygon.Set(piece.data(), static_cast<int32>(count + 1));
-    definition.shape = &polygon;
-    body.CreateFixture(&definition);
-  }
-}
-
 }  // namespace
+
+void RigidBody::setVelocity(const Eigen::Vector2d& linear, double angular) {
+  velocity = linear;
+  spin = angular;
+  body->SetLinearVelocity(toUnits(linear));
+  body->SetAngularVelocity(static_cast<float>(angular));
+}
 
 void RigidBody::writeTransform() {
   if (!isConnected()) {
@@ -51,9 +38,9 @@ void RigidBody::writeTransform() {
 void RigidBody::readStep(double h) {
   const b2Vec2& now = body->GetWorldCenter();
   const float angle = body->GetAngle();
-  const b2Vec2& velocity = body->GetLinearVelocity();
-  centre.x() += change(now.x, last_centre.x, velocity.x * h) / kUnitsPerMetre;
-  centre.y() += change(now.y, last_centre.y, velocity.y * h) / kUnitsPerMetre;
+  const b2Vec2& moved = body->GetLinearVelocity();
+  centre.x() += change(now.x, last_centre.x, moved.x * h) / kUnitsPerMetre;
+  centre.y() += change(now.y, last_centre.y, moved.y * h) / kUnitsPerMetre;
   heading += change(angle, last_angle, body->GetAngularVelocity() * h);
   last_centre = now;
   last_angle = angle;
@@ -73,53 +60,6 @@ planar::PlacedPose RigidBody::pose() const {
     pose.position -= pose.rotated(arm);
   }
   return pose;
-}
-
-void setShape(const planar::PlanarShape& shape, b2CircleShape& circle) {
-  circle.m_p = toUnits(shape.centre);
-  circle.m_radius = toUnits(shape.radius);
-}
-
-void setShape(const planar::PlanarShape& shape, b2PolygonShape& polygon) {
-  std::array<b2Vec2, b2_maxPolygonVertices> corners;
-  std::transform(shape.vertices.begin(), shape.vertices.end(), corners.begin(),
-                 [](const Eigen::Vector2d& corner) { return toUnits(corner); });
-  polygon.Set(corners.data(), static_cast<int32>(shape.vertices.size()));
-}
-
-void turnFixtures(b2Body& body, const PlanarModel& model, const EntityModel& entity, int joint) {
-  for (b2Fixture* fixture = body.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-    const std::size_t i = fixture->GetUserData().pointer;
-    if (entity.shapes[i].joint != joint) {
-      continue;
-    }
-    const planar::PlanarShape& shape = model.shapes[i];
-    if (shape.isCircle()) {
-      setShape(shape, *static_cast<b2CircleShape*>(fixture->GetShape()));
-    } else {
-      setShape(shape, *static_cast<b2PolygonShape*>(fixture->GetShape()));
-    }
-  }
-}
-
-void addFixtures(b2Body& body, const PlanarModel& model, float friction, float restitution) {
-  constexpr double kSlowestBounce = 0.01;  // m/s
-  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
-    const planar::PlanarShape& shape = model.shapes[i];
-    b2FixtureDef definition;
-    definition.friction = friction;
-    definition.restitution = restitution;
-    definition.restitutionThreshold = toUnits(kSlowestBounce);
-    definition.userData.pointer = i;
-    if (!shape.isCircle()) {
-      addPolygon(body, definition, shape);
-      continue;
-    }
-    b2CircleShape circle;
-    setShape(shape, circle);
-    definition.shape = &circle;
-    body.CreateFixture(&definition);
-  }
 }
 
 }  // namespace swarmanoid::dynamics2d

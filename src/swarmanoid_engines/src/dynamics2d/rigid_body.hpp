@@ -2,10 +2,8 @@
 #pragma once
 
 #include <box2d/b2_body.h>
-#include <box2d/b2_circle_shape.h>
 #include <box2d/b2_friction_joint.h>
 #include <box2d/b2_joint.h>
-#include <box2d/b2_polygon_shape.h>
 
 #include <Eigen/Core>
 #include <array>
@@ -32,16 +30,34 @@ struct Belt {
 struct Grip {
   b2Joint* joint = nullptr;  ///< null: nothing is held, or it has just been torn off
   BodyIndex gripped = kNoBody;
-  bool is_torn = false;    ///< in this tick; the structural tree learns it in `connect`
-  bool must_open = false;  ///< was torn off: grips again only after it was opened
+  bool is_torn = false;        ///< in this tick; the structural tree learns it in `connect`
+  bool must_open = false;      ///< was torn off: grips again only after it was opened
+  b2Vec2 impulse{0.0F, 0.0F};  ///< of the joint since the grip was last looked at, in Box2D's units
 };
 
 /// What pushes a body by itself.
 enum class Drive : std::uint8_t { kNone, kTreels, kFlight };
 
+/// What drives a body in a step.
+struct Push {
+  Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< at heading 0 [N]
+  double torque = 0.0;                              ///< about the centre of mass [N m]
+};
+
 /// What every step needs comes first: with many bodies, a step costs as much as the memory that it touches.
 struct RigidBody {
   b2Body* body = nullptr;
+  bool is_alone = false;    ///< nothing can reach it in this tick: Box2D does not have it
+  int ordinal = 0;          ///< among those with a drive, by entity number
+  bool is_fast = false;     ///< so that it looks for others, instead of others for it
+  bool is_reached = false;  ///< by one that is fast, in this tick
+  double way = 0.0;         ///< that it may come in this tick [m]
+  double jump = 0.0;        ///< of a mirror: from where it was to where it was put before this tick [m]
+  double free_until = 0.0;  ///< nothing slow can reach it until travelled_ (see Dynamics2d) is as large
+
+  // How it moves while it is alone; otherwise Box2D knows.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< of the centre of mass, in the plane [m/s]
+  double spin = 0.0;                                   ///< [rad/s]
 
   // Where the centre of mass is, in double; Box2D's own floats follow.
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< in the plane [m]
@@ -57,6 +73,7 @@ struct RigidBody {
   Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();  ///< [m]
   double turn_rate = 0.0;                                    ///< [rad/s]
   Eigen::Vector2d ahead = Eigen::Vector2d::Zero();           ///< the way that treels push
+  Eigen::Vector2d axle = Eigen::Vector2d::Zero();            ///< from the right treel to the left one [m]
   double track = 0.0;     ///< between treels; below 0 where a turn to the left is one to the right in the plane [m]
   double traction = 0.0;  ///< the most that a treel pushes with [N]
   Drive drive = Drive::kNone;
@@ -65,13 +82,19 @@ struct RigidBody {
   Belt belt;
 
   Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();  ///< in each step of this tick, at heading 0 [m]
-  double thickness = 0.0;                                    ///< half the thickness of the thickest shape [m]
-  b2Vec2 last_push{0.0F, 0.0F};                              ///< of plain forces in the last step, in Box2D's units
+  Eigen::Vector2d last_push = Eigen::Vector2d::Zero();       ///< of plain forces in the last step, in the plane [N]
   b2FrictionJoint* ground = nullptr;                         ///< with the ground, of what slides
 
   bool isConnected() const { return grip.joint != nullptr || held_by > 0; }
   bool isFree() const { return touching == 0 && !isConnected(); }
 
+  Eigen::Vector2d velocityNow() const { return is_alone ? velocity : toMetres(body->GetLinearVelocity()); }
+  double spinNow() const { return is_alone ? spin : static_cast<double>(body->GetAngularVelocity()); }
+  /// Nothing moves it, and it moves nothing.
+  bool isAtRest() const { return velocityNow().isZero(0.0) && spinNow() == 0.0; }
+
+  /// Sets both.
+  void setVelocity(const Eigen::Vector2d& linear, double angular);
   /// Puts Box2D's body where `centre` and `heading` say.
   void writeTransform();
   /// Adds what Box2D moved the body by in a step of `h` seconds.
@@ -79,19 +102,5 @@ struct RigidBody {
   /// Where the body's origin is.
   planar::PlacedPose pose() const;
 };
-
-/// Gives a body its shapes, as fixtures that know their number in the model. Box2D has polygons of up to eight corners:
-/// those with more become several.
-void addFixtures(b2Body& body, const PlanarModel& model, float friction, float restitution);
-
-/// Give Box2D's shapes the extent of a planar one. @pre it is a circle; a polygon with room for its corners in Box2D's
-void setShape(const planar::PlanarShape& shape, b2CircleShape& circle);
-void setShape(const planar::PlanarShape& shape, b2PolygonShape& polygon);
-
-/// Puts the shapes that a joint turns where the projection of the model now has them.
-void turnFixtures(b2Body& body, const PlanarModel& model, const EntityModel& entity, int joint);
-
-/// The thinnest shape that Box2D can be given [m].
-constexpr double kThinnest = 1e-3;
 
 }  // namespace swarmanoid::dynamics2d

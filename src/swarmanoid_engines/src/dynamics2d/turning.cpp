@@ -10,6 +10,8 @@
 #include <limits>
 
 #include "dynamics2d/dynamics2d.hpp"
+#include "dynamics2d/fixtures.hpp"
+#include "dynamics2d/joints.hpp"
 
 namespace swarmanoid::dynamics2d {
 
@@ -77,6 +79,9 @@ class Separation final : public b2QueryCallback {
 
 void Dynamics2d::driveTurrets(double step) {
   for (Turret& turret : bodies_.turrets()) {
+    if (rigid(turret.body).is_alone) {
+      continue;
+    }
     b2RevoluteJoint* motor = motorOf(rigid(turret.body));
     if (motor == nullptr) {
       turnFreely(turret, step);
@@ -95,10 +100,12 @@ void Dynamics2d::turnFreely(Turret& turret, double step) {
   if (angle == turret.state.angle) {
     return;
   }
-  const double reached = separation(turret, bodies_.modelAt(turret, angle));
-  constexpr double kTouching = -b2_linearSlop / kUnitsPerMetre;
-  if (reached < kTouching && reached < separation(turret, *bodies_[turret.body].model)) {
-    return;
+  if (!rigid(turret.body).is_alone) {
+    const double reached = separation(turret, bodies_.modelAt(turret, angle));
+    constexpr double kTouching = -2.0 * kWidening;
+    if (reached < kTouching && reached < separation(turret, *bodies_[turret.body].model)) {
+      return;
+    }
   }
   turret.state.speed = wrapTurn(angle - turret.state.angle) / step;
   turret.state.angle = angle;
@@ -142,7 +149,7 @@ b2Joint* Dynamics2d::makeTurretJoint(Turret& turret, BodyIndex gripped) {
   definition.Initialize(robot.body, held.body, toUnits(bodies_[turret.body].pose.position));
   definition.maxMotorTorque = static_cast<float>(bodies_.jointOf(turret).max_effort * kSquareUnits);
   turret.held.heading = held.heading - robot.heading - turret.sense * turret.state.angle;
-  return world_->CreateJoint(&definition);
+  return makeJoint<TurretJoint, b2RevoluteJoint>(*world_, definition);
 }
 
 void Dynamics2d::readTurrets(double step) {

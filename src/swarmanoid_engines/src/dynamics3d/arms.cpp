@@ -1,11 +1,17 @@
 #include "dynamics3d/arms.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swarmanoid::dynamics3d {
 namespace {
 
 using Eigen::Vector3d;
+
+// The stops stand a little beyond the range that the motors keep to: a motor that holds its joint at the end of the
+// range and a stop there would share the load in a way that no solver can tell.
+constexpr double kStopGap = 1e-3;  // rad
+constexpr double kWholeTurn = 2.0 * M_PI;
 
 const double* targetOf(const std::string& joint, const HandbotArms& arms) {
   const std::array<const double*, HandbotArmsState::kJoints> angles{&arms.left.shoulder, &arms.left.elbow,
@@ -25,6 +31,44 @@ dBodyID carrierOf(const Body& body, const std::vector<Link>& links, int joint) {
   return carrier < 0 ? body.rigid : links[static_cast<std::size_t>(carrier)].rigid;
 }
 
+/// @pre the link's rigid body is where it is while all joints are at zero, and that of its carrier too
+void makeHinge(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier, Link& link) {
+  link.hinge = dJointCreateHinge(world, nullptr);
+  dJointAttach(link.hinge, link.rigid, carrier);
+  dJointSetHingeAnchor(link.hinge, joint.frame.position.x(), joint.frame.position.y(), joint.frame.position.z());
+  dJointSetHingeAxis(link.hinge, joint.axis.x(), joint.axis.y(), joint.axis.z());
+  dJointSetHingeParam(link.hinge, dParamFMax, joint.max_effort);
+  dJointSetFeedback(link.hinge, &link.feedback);
+}
+
+/// The hinge has a motor, so its stops are a joint of their own: at a stop ODE's hinges drive with the motor's whole
+/// torque for a step, however fast that makes them, and beyond half a turn they take one stop for the other.
+void makeStop(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier, Link& link) {
+  link.stop = dJointCreateAMotor(world, nullptr);
+  dJointAttach(link.stop, link.rigid, carrier);
+  dJointSetAMotorNumAxes(link.stop, 1);
+  dJointSetAMotorAxis(link.stop, 0, 1, joint.axis.x(), joint.axis.y(), joint.axis.z());
+  dJointSetAMotorParam(link.stop, dParamLoStop, joint.lower - kStopGap);
+  dJointSetAMotorParam(link.stop, dParamHiStop, joint.upper + kStopGap);
+  dJointSetFeedback(link.stop, &link.stop_feedback);
+}
+
+bool isEndless(const EntityModel::Joint& joint) { return std::isinf(joint.upper); }
+
+/// How far the joint is turned now. If it has stops this counts on beyond half a turn, of which the hinge knows
+/// nothing.
+double turnedTo(const EntityModel::Joint& joint, const Link& link) {
+  const double angle = dJointGetHingeAngle(link.hinge);
+  return isEndless(joint) ? angle : link.angle + std::remainder(angle - link.angle, kWholeTurn);
+}
+
+/// What is missing to the angle that it is told, as far as it may go.
+double missingTo(const EntityModel::Joint& joint, const Link& link) {
+  const double target = link.target == nullptr ? 0.0 : *link.target;
+  return isEndless(joint) ? std::remainder(target - link.angle, kWholeTurn)
+                          : std::clamp(target, joint.lower, joint.upper) - link.angle;
+}
+
 }  // namespace
 
 std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms& arms) {
@@ -39,23 +83,19 @@ std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms&
     link.rigid = dBodyCreate(world);
     const Vector3d& at = joint.part.centre_of_mass;
     dBodySetPosition(link.rigid, at.x(), at.y(), at.z());
-    link.hinge = dJointCreateHinge(world, nullptr);
-    dJointAttach(link.hinge, link.rigid, carrierOf(body, links, static_cast<int>(i)));
-    dJointSetHingeAnchor(link.hinge, joint.frame.position.x(), joint.frame.position.y(), joint.frame.position.z());
-    dJointSetHingeAxis(link.hinge, joint.axis.x(), joint.axis.y(), joint.axis.z());
-    dJointSetHingeParam(link.hinge, dParamLoStop, std::max(joint.lower, -M_PI));
-    dJointSetHingeParam(link.hinge, dParamHiStop, std::min(joint.upper, M_PI));
-    dJointSetHingeParam(link.hinge, dParamFMax, joint.max_effort);
-    dJointSetFeedback(link.hinge, &link.feedback);
+    const dBodyID carrier = carrierOf(body, links, static_cast<int>(i));
+    makeHinge(world, joint, carrier, link);
+    makeStop(world, joint, carrier, link);
   }
   return links;
 }
 
 void placeLinks(Body& body, const JointState* joints) {
   const JointState zero[Space::kMaxJoints] = {};
+  const JointState* states = joints == nullptr ? zero : joints;
   for (std::size_t i = 0; i < body.links.size(); ++i) {
-    const Eigen::Isometry3d displacement =
-        displacementOf(*body.model, joints == nullptr ? zero : joints, static_cast<int>(i));
+    body.links[i].angle = states[i].angle;
+    const Eigen::Isometry3d displacement = displacementOf(*body.model, states, static_cast<int>(i));
     const Vector3d& centre = body.model->joints[i].part.centre_of_mass;
     const Eigen::Quaterniond turn = body.pose.orientation * Eigen::Quaterniond(displacement.linear());
     setBodyPose(body.links[i].rigid, body.pose.position + body.pose.orientation * (displacement * centre),
@@ -106,10 +146,13 @@ void turnSolids(Body& body, const JointState* joints) {
 void driveLinks(Body& body) {
   constexpr double kGain = 20.0;  // 1/s: the last of the way takes a twentieth of a second
   for (std::size_t i = 0; i < body.links.size(); ++i) {
-    const Link& link = body.links[i];
-    const double most = body.model->joints[i].max_speed;
-    const double missing = (link.target == nullptr ? 0.0 : *link.target) - dJointGetHingeAngle(link.hinge);
-    dJointSetHingeParam(link.hinge, dParamVel, std::clamp(kGain * missing, -most, most));
+    Link& link = body.links[i];
+    const EntityModel::Joint& joint = body.model->joints[i];
+    link.angle = turnedTo(joint, link);
+    dJointSetAMotorAngle(link.stop, 0, link.angle);
+    link.stop_feedback = {};  // ODE writes nothing into that of a stop that is idle
+    const double speed = kGain * missingTo(joint, link);
+    dJointSetHingeParam(link.hinge, dParamVel, std::clamp(speed, -joint.max_speed, joint.max_speed));
   }
 }
 
@@ -122,8 +165,9 @@ void readLinks(const Body& body, JointState* joints) {
     dJointGetHingeAnchor(link.hinge, anchor);
     // ODE tells the torque about the link's centre; about the axis the hinge's own force has none
     const Vector3d arm = toVector(dBodyGetPosition(link.rigid)) - toVector(anchor);
-    const Vector3d torque = toVector(link.feedback.t1) + arm.cross(toVector(link.feedback.f1));
-    joints[i].angle = dJointGetHingeAngle(link.hinge);
+    const Vector3d torque =
+        toVector(link.feedback.t1) + toVector(link.stop_feedback.t1) + arm.cross(toVector(link.feedback.f1));
+    joints[i].angle = turnedTo(body.model->joints[i], link);
     joints[i].speed = dJointGetHingeAngleRate(link.hinge);
     joints[i].effort = toVector(axis).dot(torque);
   }

@@ -59,7 +59,7 @@ bool isNearest(const GroundSurface& ground, const Vector3d& point, const Vector3
 }  // namespace
 
 void meetPoint(const GroundSurface& ground, const Vector3d& point, double radius, double margin,
-               GroundContacts& contacts) {
+               SurfaceContacts& contacts) {
   const auto column = ground.columnAt(point);
   if (!column) {
     return;
@@ -68,7 +68,7 @@ void meetPoint(const GroundSurface& ground, const Vector3d& point, double radius
   if (over >= radius + margin) {
     return;
   }
-  GroundContact contact{point - radius * column->normal, column->normal, radius + margin - over};
+  SurfaceContact contact{point - radius * column->normal, column->normal, radius + margin - over};
   if (over < 0.0) {
     const Vector3d reach = Vector3d::Constant(-over);
     ground.visitCliffs({point - reach, point + reach}, [&](const Triangle& cliff) {
@@ -82,7 +82,7 @@ void meetPoint(const GroundSurface& ground, const Vector3d& point, double radius
   contacts.add(contact);
 }
 
-void meetBall(const GroundSurface& ground, const PlacedSolid& ball, double margin, GroundContacts& contacts) {
+void meetBall(const GroundSurface& ground, const PlacedSolid& ball, double margin, SurfaceContacts& contacts) {
   constexpr double kBehind = 1e-9;
   const Vector3d& centre = ball.centre;
   const double radius = ball.half.x();

@@ -33,6 +33,7 @@ Body::~Body() {
     dGeomDestroy(solid.geom);
   }
   for (const Link& link : links) {
+    dJointDestroy(link.stop);
     dJointDestroy(link.hinge);
     dBodyDestroy(link.rigid);
   }

@@ -41,8 +41,11 @@ struct Solid {
 /// A link that a joint of the model turns. See arms.hpp.
 struct Link {
   dBodyID rigid = nullptr;
-  dJointID hinge = nullptr;
+  dJointID hinge = nullptr;  ///< with the motor
   dJointFeedback feedback = {};
+  dJointID stop = nullptr;  ///< idle within the joint's range
+  dJointFeedback stop_feedback = {};
+  double angle = 0.0;              ///< as of the start of the step, not wrapped [rad]
   const double* target = nullptr;  ///< the angle that the joint is told [rad]; null: 0
 };
 

@@ -93,8 +93,7 @@ Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
 void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
   step_ = step;
   attempt_ = attempt;
-  joints_made_ = 0;
-  points_.clear();
+  friction_.startStep(step, settings_.gravity);
   near_.update([](Body* body) { return boundsNow(*body); });
   pairs_.clear();
   near_.visitPairs([&](const Body* a, const Body* b) {
@@ -103,6 +102,17 @@ void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) 
     }
   });
   std::sort(pairs_.begin(), pairs_.end());
+  meetAll(bodies);
+}
+
+void Contacts::makeAgain(const std::vector<Body*>& bodies) {
+  friction_.startAgain();
+  meetAll(bodies);
+}
+
+void Contacts::meetAll(const std::vector<Body*>& bodies) {
+  joints_made_ = 0;
+  points_.clear();
   for (Body* body : bodies) {
     if (body->is_dynamic) {
       meetGround(*body);
@@ -144,9 +154,9 @@ void Contacts::meetGround(Body& body) {
 }
 
 void Contacts::meetRoughGround(Body& body, const Solid& solid) {
-  GroundContacts contacts = dynamics3d::meetGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
+  SurfaceContacts contacts = dynamics3d::meetGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
   contacts.keepSpread(kMostUsed);
-  for (const GroundContact& contact : contacts) {
+  for (const SurfaceContact& contact : contacts) {
     dContactGeom geometry = {};
     geometry.depth = contact.depth;
     Eigen::Map<Eigen::Vector3d>(geometry.normal) = contact.normal;
@@ -179,6 +189,9 @@ void Contacts::meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& s
   std::array<dContactGeom, kMostFound> found;
   int count = b == nullptr ? meetPlane(solid_a.geom, solid_b.geom, found.data())
                            : collideSides(solid_a.geom, solid_b.geom, found.data());
+  if (count == 0 && b != nullptr) {
+    count = collideFaces(solid_a.geom, solid_b.geom, found.data());
+  }
   if (count == 0) {
     count = dCollide(solid_a.geom, solid_b.geom, kMostFound, found.data(), sizeof(dContactGeom));
   }
@@ -223,12 +236,15 @@ void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, con
   }
   contact.surface.mode |= dContactMotionN;
   contact.surface.motionN = std::min(geometry.depth, 0.0) / step_;
-  if (solid_a.kind == Solid::Kind::kPlain || !driveContact(a, solid_a, settings_, step_, contact)) {
-    chooseFriction(a, rigid_a, b, rigid_b, contact);
+  if (solid_a.kind != Solid::Kind::kPlain) {
+    driveContact(a, solid_a, settings_, step_, contact);
   }
+  friction_.lay(a, rigid_a, b, rigid_b, contact);
   breakTies(contact.surface);
   points_.push_back({toVector(geometry.pos), normal});
-  dJointAttach(dJointCreateContact(world_, joints_, &contact), rigid_a, rigid_b);
+  const dJointID joint = dJointCreateContact(world_, joints_, &contact);
+  dJointAttach(joint, rigid_a, rigid_b);
+  friction_.watch(joint);
 }
 
 void Contacts::breakTies(dSurfaceParameters& surface) {
@@ -242,34 +258,6 @@ void Contacts::breakTies(dSurfaceParameters& surface) {
   surface.motionN -= (1 + attempt_) * kMost * number;
   if (attempt_ > 0) {
     surface.mu *= 1.0 - kMostFriction * number;
-  }
-}
-
-Eigen::Vector3d Contacts::expectedVelocity(const Body* body, dBodyID rigid, const dReal* point) const {
-  if (body == nullptr || rigid == nullptr) {
-    return Eigen::Vector3d::Zero();
-  }
-  dVector3 velocity;
-  dBodyGetPointVel(rigid, point[0], point[1], point[2], velocity);
-  Eigen::Vector3d result = toVector(velocity);
-  if (body->is_dynamic) {
-    const Eigen::Vector3d force = toVector(dBodyGetForce(rigid)) + body->pull;
-    result += step_ * (force / body->model->mass - settings_.gravity * Eigen::Vector3d::UnitZ());
-  }
-  return result;
-}
-
-void Contacts::chooseFriction(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact) const {
-  // ODE limits friction along two directions, each for itself: with the first one along the sliding the limit is right
-  constexpr double kStill = 1e-9;  // m/s
-  const Eigen::Vector3d normal = toVector(contact.geom.normal);
-  Eigen::Vector3d slip =
-      expectedVelocity(&a, rigid_a, contact.geom.pos) - expectedVelocity(b, rigid_b, contact.geom.pos);
-  slip -= normal.dot(slip) * normal;
-  const double speed = slip.norm();
-  if (speed > kStill) {
-    contact.surface.mode |= dContactFDir1;
-    Eigen::Map<Eigen::Vector3d>(contact.fdir1) = slip / speed;
   }
 }
 

@@ -2,7 +2,7 @@
 ///
 /// Pairs are gone through in the order of entity numbers and solids, so a run does not depend on memory addresses.
 /// Surfaces are looked at before they meet (kMargin): they may come together by no more than their gap in a step.
-/// Friction follows Coulomb in the direction in which surfaces slide, or would without friction.
+/// Friction is that of friction.hpp.
 #pragma once
 
 #include <utility>
@@ -10,6 +10,7 @@
 
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/bounds.hpp"
+#include "dynamics3d/friction.hpp"
 #include "dynamics3d/ground_surface.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -35,6 +36,11 @@ class Contacts {
   /// Makes the joints of one step. @param bodies by entity number; @param step [s]
   /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
   void make(const std::vector<Body*>& bodies, double step, int attempt);
+  /// After the step was solved: whether friction is Coulomb's everywhere.
+  bool rubAsCoulombSays() { return friction_.isCoulombs(); }
+  /// Makes the joints once more, now with friction where it was found to point. @pre rubAsCoulombSays() was false; the
+  /// bodies are back in the state of the last make
+  void makeAgain(const std::vector<Body*>& bodies);
   /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
   /// 0: not at all. Who is near, is as of the last step. @pre a Turn is held
   double depthAmongBodies(const Body& body, const Solid& solid) const;
@@ -50,18 +56,18 @@ class Contacts {
   static Eigen::AlignedBox3d boundsNow(Body& body);
   void meetGround(Body& body);
   void meetRoughGround(Body& body, const Solid& solid);
+  void meetAll(const std::vector<Body*>& bodies);
   void meetPair(Body& a, Body& b);
   void meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
   void makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b, dContactGeom geometry);
   void breakTies(dSurfaceParameters& surface);
-  void chooseFriction(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact) const;
-  Eigen::Vector3d expectedVelocity(const Body* body, dBodyID rigid, const dReal* point) const;
 
   Settings settings_;
   dWorldID world_ = nullptr;
   dJointGroupID joints_ = nullptr;
   Solid level_ground_;
   GroundSurface ground_;
+  Friction friction_;
   double step_ = 0.0;
   int joints_made_ = 0;  // in this step
   int attempt_ = 0;

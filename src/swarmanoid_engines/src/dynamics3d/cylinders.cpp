@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics3d/settings.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -10,6 +12,7 @@ struct Cylinder {
   explicit Cylinder(dGeomID geom) : centre(toVector(dGeomGetPosition(geom))) {
     const dReal* rotation = dGeomGetRotation(geom);
     axis = {rotation[2], rotation[6], rotation[10]};
+    spoke = {rotation[0], rotation[4], rotation[8]};
     dReal length = 0.0;
     dGeomCylinderGetParams(geom, &radius, &length);
     half_length = length / 2.0;
@@ -21,6 +24,7 @@ struct Cylinder {
 
   Eigen::Vector3d centre;
   Eigen::Vector3d axis;
+  Eigen::Vector3d spoke;  // some direction across the axis that turns with the cylinder
   double radius = 0.0;
   double half_length = 0.0;
 };
@@ -41,8 +45,8 @@ int meetPlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
   const Eigen::Vector3d face = -std::copysign(cylinder.half_length, along) * cylinder.axis;  // the lower one
   Eigen::Vector3d down = along * cylinder.axis - normal;
   const double slant = down.norm();
-  down = slant > 1e-9 ? Eigen::Vector3d(down / slant) : cylinder.axis.unitOrthogonal();
-  const double radius = cylinder.radius;
+  down = slant > 1e-9 ? Eigen::Vector3d(down / slant) : cylinder.spoke;
+  const double radius = cylinder.radius - kMargin / 2.0;  // the growth makes contacts early, but carries nothing
   const bool is_flat = std::abs(along) > kFlat;
   const Eigen::Vector3d across = radius * cylinder.axis.cross(down);
   const Eigen::Vector3d other_end =

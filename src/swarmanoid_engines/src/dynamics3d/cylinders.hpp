@@ -1,5 +1,6 @@
 /// Contacts of cylinders where ODE finds one point only, though it takes more of them to hold a body: it would rock
-/// from one point to the next and sink in.
+/// from one point to the next and sink in. Where ODE finds several, it takes a cylinder for a prism of eight sides,
+/// which topples too early. None of them depends on the axes of W.
 #pragma once
 
 #include "dynamics3d/ode.hpp"
@@ -15,5 +16,11 @@ int collideSides(dGeomID a, dGeomID b, dContactGeom* found);
 /// @param found room for four
 /// @return their number; 0 if the first geom is no cylinder
 int meetPlane(dGeomID cylinder, dGeomID plane, dContactGeom* found);
+
+/// A cylinder that stands on a face of a box, or bears one: the corners of what their faces have in common, at most
+/// four that are spread.
+/// @param found room for four
+/// @return their number; 0 if the geoms are not a box and a cylinder, or touch with their sides
+int collideFaces(dGeomID a, dGeomID b, dContactGeom* found);
 
 }  // namespace swarmanoid::dynamics3d

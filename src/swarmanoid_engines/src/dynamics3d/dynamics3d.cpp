@@ -98,6 +98,7 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   newcomers_.push_back(&body);
   takeOverGrips(space, body);
   takeOverAttachments(space, body);
+  settling_ = body.is_dynamic ? kSettlingSteps : settling_;
 }
 
 void Dynamics3d::takePose(const Space& space, Body& body) {
@@ -147,6 +148,7 @@ void Dynamics3d::place(Space& space, Row row) {
   seen_.add(&body, boundsOf(body.seen(), body.pose));
   contacts_.remove(body);
   contacts_.add(body);
+  settling_ = body.is_dynamic ? kSettlingSteps : settling_;
 }
 
 void Dynamics3d::clear() {
@@ -160,8 +162,6 @@ Dynamics3d::~Dynamics3d() {
 }
 
 void Dynamics3d::makeWorld() {
-  constexpr double kErrorReduction = 0.2;     // of a depth or a joint's gap, in each step
-  constexpr double kSoftness = 1e-6;          // m/s per N: makes forces unique where many contacts share a load
   constexpr double kFastestCorrection = 0.3;  // m/s: how fast what was put into each other comes apart
   constexpr double kFastestTurn = 200.0;      // rad/s
   if (world_ != nullptr) {
@@ -169,8 +169,7 @@ void Dynamics3d::makeWorld() {
   }
   world_ = dWorldCreate();
   dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
-  dWorldSetERP(world_, kErrorReduction);
-  dWorldSetCFM(world_, kSoftness);
+  setDamping(true);
   dWorldSetContactMaxCorrectingVel(world_, kFastestCorrection);
   dWorldSetMaxAngularSpeed(world_, kFastestTurn);
   dWorldSetQuickStepNumIterations(world_, settings_.iterations);

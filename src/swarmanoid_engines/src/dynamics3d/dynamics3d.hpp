@@ -39,7 +39,8 @@ class Dynamics3d final : public Engine {
   struct SolverCounts {
     std::uint64_t steps = 0;
     std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
-    std::uint64_t iterative = 0;  ///< of them, those that the iterative solver made in the end
+    std::uint64_t corrected = 0;  ///< solutions made once more, since friction did not oppose the slip
+    std::uint64_t iterative = 0;  ///< of the steps redone, those that the iterative solver made in the end
   };
 
   static PluginDescription describe();
@@ -88,8 +89,12 @@ class Dynamics3d final : public Engine {
 
   // motion.cpp
   void stepOnce(double step);
+  void setDamping(bool is_damped);
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
+  bool solveContacts(double step);
+  bool correctFriction(double step);
+  void restoreStates();
   void makeRopeJoints(double step);
   void finishTick(Space& space);
   void tellTrouble(Space& space);
@@ -134,6 +139,7 @@ class Dynamics3d final : public Engine {
   std::vector<Body*> order_;        // by entity number
   std::vector<Body*> newcomers_;    // since findLateDevices
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
+  int settling_ = 0;                // steps that are left until what was put down stands
   SolverCounts counts_;
   bool has_told_trouble_ = false;
   std::vector<Treels>* recorded_treels_ = nullptr;

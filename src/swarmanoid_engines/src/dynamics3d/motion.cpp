@@ -1,4 +1,6 @@
 // Phase `move`: forces to poses.
+#include <algorithm>
+
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
@@ -81,9 +83,11 @@ void Dynamics3d::stepOnce(double step) {
     driveLinks(*body);
     if (body->holding != nullptr && body->holding->rope.held != nullptr) {
       windRope(*body->holding, step);
+      dragRope(*body, settings_.rope_drag);
     }
     driveTurret(*body, contacts_, step);
   }
+  setDamping(settling_ == 0);
   ++counts_.steps;
   const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
   if (is_iterative || !solveExactly(step)) {
@@ -93,10 +97,20 @@ void Dynamics3d::stepOnce(double step) {
     dWorldQuickStep(world_, step);
     contacts_.clear();
   }
+  setDamping(true);
+  settling_ = std::max(settling_ - 1, 0);
   for (Body* body : order_) {
     readTurret(*body);
   }
   feelGrips(step);
+}
+
+void Dynamics3d::setDamping(bool is_damped) {
+  // Contacts carry what rests on them by being pressed together by parts of a micrometre, which takes some ten steps.
+  // What was just put down shall stand at once, since a grip that is closed meanwhile would be left with what is
+  // missing as a force: so at first contacts are as stiff as ever, but not damped.
+  dWorldSetERP(world_, is_damped ? kErrorReduction : 1.0);
+  dWorldSetCFM(world_, is_damped ? kSoftness : kSoftness / kErrorReduction);
 }
 
 bool Dynamics3d::solveExactly(double step) {
@@ -105,21 +119,42 @@ bool Dynamics3d::solveExactly(double step) {
     body->saveState();
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    const long failures = solverFailures();
     contacts_.make(order_, step, attempt);
-    makeRopeJoints(step);
-    dWorldStep(world_, step);
-    contacts_.clear();
-    if (solverFailures() == failures) {
+    if (solveContacts(step) && correctFriction(step)) {
       return true;
     }
     counts_.redone += attempt == 0 ? 1 : 0;
     // what is left then is a step in which some contacts hold nothing
-    for (Body* body : order_) {
-      body->restoreState();
-    }
+    restoreStates();
   }
   return false;
+}
+
+bool Dynamics3d::solveContacts(double step) {
+  const long failures = solverFailures();
+  makeRopeJoints(step);
+  dWorldStep(world_, step);
+  contacts_.clear();
+  return solverFailures() == failures;
+}
+
+bool Dynamics3d::correctFriction(double step) {
+  constexpr int kMostCorrections = 2;
+  for (int i = 0; i < kMostCorrections && !contacts_.rubAsCoulombSays(); ++i) {
+    ++counts_.corrected;
+    restoreStates();
+    contacts_.makeAgain(order_);
+    if (!solveContacts(step)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Dynamics3d::restoreStates() {
+  for (Body* body : order_) {
+    body->restoreState();
+  }
 }
 
 void Dynamics3d::makeRopeJoints(double step) {
@@ -144,6 +179,7 @@ EngineHealth Dynamics3d::health() const {
   EngineHealth health;
   health.steps_per_tick = settings_.subclock;
   health.counters = {{"steps", std::to_string(counts_.steps)},
+                     {"steps solved again for friction", std::to_string(counts_.corrected)},
                      {"steps redone", std::to_string(counts_.redone)},
                      {"steps left to the iterative solver", std::to_string(counts_.iterative)}};
   if (counts_.iterative > 0) {

@@ -11,6 +11,7 @@ constexpr Range kGravityRange{0.0, 100.0};
 constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kRestitutionRange{0.0, 1.0};
 constexpr Range kStrengthRange{0.0, 1e6};
+constexpr Range kDragRange{0.0, 10.0};  // beyond, steps of 10 ms would be too long for it
 
 Settings readSettings(const Configuration& parameters) {
   const Settings fallback;
@@ -32,6 +33,7 @@ Settings readSettings(const Configuration& parameters) {
   s.grip_strength = parameters.number("grip_strength", fallback.grip_strength, kStrengthRange);
   s.suction_strength = parameters.number("suction_strength", fallback.suction_strength, kStrengthRange);
   s.rope_strength = parameters.number("rope_strength", fallback.rope_strength, kStrengthRange);
+  s.rope_drag = parameters.number("rope_drag", fallback.rope_drag, kDragRange);
   s.magnet_strength = parameters.number("magnet_strength", fallback.magnet_strength, kStrengthRange);
   return s;
 }
@@ -65,6 +67,8 @@ PluginDescription Dynamics3d::describe() {
                       "The force that pulls a handbot's hand off what it holds.")),
       live(makeNumber("rope_strength", "N", standard.rope_strength, kStrengthRange,
                       "The force that pulls the magnet of a handbot's rope off.")),
+      live(makeNumber("rope_drag", "N s/m", standard.rope_drag, kDragRange,
+                      "What brakes a handbot that hangs on its rope, for each m/s of its launcher across the rope.")),
       live(makeNumber("magnet_strength", "N", standard.magnet_strength, kStrengthRange,
                       "The force that pulls an eyebot's magnet off."))};
   return description;
@@ -85,6 +89,7 @@ void Dynamics3d::reconfigure(const Configuration& parameters) {
   settings_.grip_strength = wanted.grip_strength;
   settings_.suction_strength = wanted.suction_strength;
   settings_.rope_strength = wanted.rope_strength;
+  settings_.rope_drag = wanted.rope_drag;
   settings_.magnet_strength = wanted.magnet_strength;
   if (world_ != nullptr) {
     const Turn turn(seed_);

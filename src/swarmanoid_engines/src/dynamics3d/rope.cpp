@@ -1,6 +1,7 @@
 #include "dynamics3d/rope.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -15,13 +16,18 @@ Vector3d anchorOf(const Rope& rope) {
   return pose.position + pose.orientation * rope.anchor;
 }
 
-Vector3d speedAt(dBodyID rigid, const Vector3d& point) {
+/// How fast a point of a body goes after a step if nothing but gravity acts on it.
+Vector3d speedAfter(dWorldID world, dBodyID rigid, const Vector3d& point, double step) {
   if (rigid == nullptr) {
     return Vector3d::Zero();
   }
   dVector3 speed;
   dBodyGetPointVel(rigid, point.x(), point.y(), point.z(), speed);
-  return toVector(speed);
+  dVector3 gravity = {};
+  if (dBodyIsKinematic(rigid) == 0) {
+    dWorldGetGravity(world, gravity);
+  }
+  return toVector(speed) + step * toVector(gravity);
 }
 
 }  // namespace
@@ -40,20 +46,38 @@ void windRope(Holding& holding, double step) {
   rope.winding = std::clamp(wanted, (rope.length - kRopeLength) / step, (rope.length - kShortest) / step);
 }
 
+void dragRope(Body& robot, double drag) {
+  const Rope& rope = robot.holding->rope;
+  const bool is_slack = toVector(rope.feedback.f1).isZero(0.0);
+  if (drag == 0.0 || is_slack) {
+    return;
+  }
+  const Vector3d launcher = launcherOf(robot);
+  dVector3 speed;
+  dBodyGetPointVel(robot.rigid, launcher.x(), launcher.y(), launcher.z(), speed);
+  const Vector3d force = -drag * (toVector(speed) - rope.towards.dot(toVector(speed)) * rope.towards);
+  dBodyAddForceAtPos(robot.rigid, force.x(), force.y(), force.z(), launcher.x(), launcher.y(), launcher.z());
+}
+
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step) {
   Rope& rope = robot.holding->rope;
   const Vector3d launcher = launcherOf(robot);
   const Vector3d anchor = anchorOf(rope);
   const Vector3d way = anchor - launcher;
-  const double excess = way.norm() - rope.length;
-  // the direction of the middle of the step: that of its start would let a pendulum lose its swing
-  const Vector3d approach = speedAt(robot.rigid, launcher) - speedAt(rope.held->rigid, anchor);
-  rope.towards = (way - 0.5 * step * approach).normalized();
+  const double distance = way.norm();
+  rope.towards = way.normalized();
+
+  // It pulls along its direction at the start of the step, so much that its ends are its length apart at the end. Who
+  // swings moves across it meanwhile, which takes them apart; the speed that the last step left would pull too late.
+  const Vector3d speed =
+      speedAfter(world, robot.rigid, launcher, step) - speedAfter(world, rope.held->rigid, anchor, step);
+  const double across = step * (speed - rope.towards.dot(speed) * rope.towards).norm();
+  const double length = rope.length - step * rope.winding;
+  const double along = std::sqrt(std::max(length * length - across * across, 0.0));
 
   dContact contact = {};
   contact.surface.mode = dContactApprox1 | dContactMotionN;
-  contact.geom.depth = std::max(excess, 0.0);
-  contact.surface.motionN = rope.winding + std::min(excess, 0.0) / step;
+  contact.surface.motionN = (distance - along) / step;
   Eigen::Map<Vector3d>(contact.geom.normal) = rope.towards;
   Eigen::Map<Vector3d>(contact.geom.pos) = launcher;
   const dJointID joint = dJointCreateContact(world, joints, &contact);

@@ -3,7 +3,9 @@
 ///
 /// It is a contact in ODE whose normal is the rope's direction: what contacts do between surfaces, the rope does
 /// between its ends, with the sign turned. So it is solved together with all other contacts, in the exact solver
-/// exactly.
+/// exactly. Its tension acts along the direction at the start of the step and is what leaves its ends its length apart
+/// at the end: a swing then keeps its energy, whatever the step is (the SHAKE scheme; velocities are those of the
+/// middle of the step). A rope that becomes taut takes the speed along it, and gives nothing back.
 #pragma once
 
 #include "dynamics3d/body.hpp"
@@ -17,6 +19,9 @@ Eigen::Vector3d launcherOf(const Body& robot);
 
 /// Before each step: how fast the rope is wound in it. @pre the rope holds something
 void windRope(Holding& holding, double step);
+/// Before each step: brakes who hangs on it, across the rope, with so much for each m/s of its launcher [N s/m].
+/// @pre the rope holds something
+void dragRope(Body& robot, double drag);
 /// Makes the rope's joint of a step. @pre it holds something
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step);
 /// After each step: how strong it was pulled, and how long it is now. @pre it holds something

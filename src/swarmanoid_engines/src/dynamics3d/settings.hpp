@@ -18,6 +18,7 @@ struct Settings {
   double grip_strength = 50.0;     ///< force that opens a gripper [N]
   double suction_strength = 30.0;  ///< force that pulls a hand off what it holds [N]
   double rope_strength = 80.0;     ///< force that pulls a rope's magnet off [N]
+  double rope_drag = 0.0;          ///< of who hangs on a rope, across it [N s/m]
   double magnet_strength = 60.0;   ///< force that pulls an eyebot's magnet off [N]
 };
 
@@ -27,5 +28,11 @@ constexpr double kLongestStep = 0.01;  // s
 /// Surfaces nearer than this are looked at in a step, so that they meet without sinking in: what rests on something
 /// keeps its contacts although it rocks a little, and what comes at a footbot's speed is stopped at the surface.
 constexpr double kMargin = 2e-3;  // m
+
+constexpr double kErrorReduction = 0.2;  // of a depth or a joint's gap, in each step
+constexpr double kSoftness = 1e-6;       // m/s per N: makes forces unique where many contacts share a load
+
+/// Until what was put down stands: in these steps contacts are as stiff as ever, but not damped.
+constexpr int kSettlingSteps = 2;
 
 }  // namespace swarmanoid::dynamics3d

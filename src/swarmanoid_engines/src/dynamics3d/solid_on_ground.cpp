@@ -81,14 +81,14 @@ Face faceOver(Kind kind, const Vector3d& half, const Vector3d& point, const Vect
 
 }  // namespace
 
-void meetCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, GroundContacts& contacts) {
+void meetCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, SurfaceContacts& contacts) {
   for (int i = 0; i < 8; ++i) {
     const Vector3d signs((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
     meetPoint(ground, box.centre + box.axes * box.half.cwiseProduct(signs), 0.0, margin, contacts);
   }
 }
 
-void meetRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, GroundContacts& contacts) {
+void meetRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, SurfaceContacts& contacts) {
   constexpr int kPlaces = 8;  // around a face, so that it can stand
   const Vector3d axis = cylinder.axes.col(2);
   const auto meet = [&](const Vector3d& across) {
@@ -113,7 +113,7 @@ void meetRims(const GroundSurface& ground, const PlacedSolid& cylinder, double m
   }
 }
 
-void meetRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, GroundContacts& contacts) {
+void meetRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, SurfaceContacts& contacts) {
   const Vector3d half = solid.half.array() + margin;
   ground.visitRidges(solid.bounds(), [&](const Ridge& ridge) {
     const Vector3d start = solid.axes.transpose() * (ridge.from - solid.centre);

@@ -30,15 +30,16 @@ void followCommand(Body& robot, double step) {
   }
 }
 
-bool driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact) {
+void driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact) {
   constexpr double kLeastAcross = 0.3;
   dSurfaceParameters& surface = contact.surface;
-  const Eigen::Quaterniond turn = toQuaternion(dBodyGetQuaternion(robot.rigid));
+  const dReal* axes = dBodyGetRotation(robot.rigid);
+  const Eigen::Vector3d left(axes[1], axes[5], axes[9]);
   const Eigen::Vector3d normal = toVector(contact.geom.normal);
-  Eigen::Vector3d ahead = (turn * Eigen::Vector3d::UnitY()).cross(normal);
+  Eigen::Vector3d ahead = left.cross(normal);
   const double across = ahead.norm();
   if (across < kLeastAcross) {
-    return false;
+    return;
   }
   if (solid.kind == Solid::Kind::kSupport) {
     const double both = step * kSupportStiffness + kSupportDamping;
@@ -54,7 +55,6 @@ bool driveContact(const Body& robot, const Solid& solid, const Settings& setting
   surface.mu = settings.treel_friction;
   surface.motion1 = robot.treels.rim_speed[solid.side];
   Eigen::Map<Eigen::Vector3d>(contact.fdir1) = ahead;
-  return true;
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -19,8 +19,8 @@ void takeSpeed(Body& robot, const Twist& twist);
 /// Brings the treels' speeds nearer to what the wheels are told. @param step [s]
 void followCommand(Body& robot, double step);
 
-/// Sets a contact's friction and motion. @param solid of the robot, which is the contact's first body
-/// @return false if the ball touches sideways: then it is a contact as any other
-bool driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact);
+/// Sets a contact's friction and motion; if the ball touches sideways, it stays a contact as any other.
+/// @param solid of the robot, which is the contact's first body
+void driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact);
 
 }  // namespace swarmanoid::dynamics3d

@@ -76,13 +76,16 @@ std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pos
   const double along = plane.along(pose.position);
   // what has its origin above its base stands on the plane
   const double height = model.origin_height * plane.along(pose.orientation * Eigen::Vector3d::UnitZ());
-  if (!model.is_movable || std::abs(along - height - plane.distance()) <= kInPlane) {
-    return "";
+  if (model.is_movable && std::abs(along - height - plane.distance()) > kInPlane) {
+    std::ostringstream text;
+    text << "found at " << plane.axisName() << " = " << along << ", allowed: in the engine's plane, "
+         << plane.axisName() << " = " << plane.distance() + height;
+    return text.str();
   }
-  std::ostringstream text;
-  text << "found at " << plane.axisName() << " = " << along << ", allowed: in the engine's plane, " << plane.axisName()
-       << " = " << plane.distance() + height;
-  return text.str();
+  if (model.wheels && !plane.isUpright(pose.orientation)) {
+    return "found tilted, allowed: standing on its treels, its z axis along " + plane.axisName();
+  }
+  return "";
 }
 
 Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const {

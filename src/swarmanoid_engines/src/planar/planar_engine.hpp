@@ -16,6 +16,7 @@ class PlanarEngine : public Engine {
   /// Arms, hands, ropes and magnets.
   bool mayStandIdle(const std::string& device) const override;
   std::string stateRefusal(const Space& space, Row row) const override;
+  /// What is not in the plane, and robots that do not stand on their treels: these drive along the plane only so.
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;

@@ -19,8 +19,8 @@ constexpr double kTreelTorque = 0.5 * 0.9 * 1.8 * kGravity * 0.14;  // N m
 /// A footbot with a turret at (2, 2), closed on a prey ahead.
 struct Holder {
   explicit Holder(double prey_mass, const std::shared_ptr<const EntityModel>& model = robotModel("footbot"),
-                  const std::map<std::string, std::string>& parameters = {})
-      : world(worldWith(parameters)) {
+                  const std::map<std::string, std::string>& parameters = {}, int subclock = 10)
+      : world(worldWith(parameters, subclock)) {
     footbot = world.addTurret(flatPose(2.0, 2.0), model);
     prey = world.addPrey(0.1, 0.12, 2.0 + kArm, 2.0, prey_mass);
     world.setGripper(footbot, true);
@@ -151,6 +151,25 @@ TEST(TurretTest, ItsTorqueTurnsLoadsAsNewtonSays) {
   const double load = 0.5 * kMass * 0.01 + reduced * kArm * kArm;  // about the robot's centre, which gives way
   EXPECT_NEAR(holder.state().speed, kTorque * (1.0 / robot.inertia(2, 2) + 1.0 / load), 0.01 * holder.state().speed);
   EXPECT_NEAR(holder.state().effort, kTorque, 1e-4 * kTorque);
+}
+
+TEST(TurretTest, ALightLoadFeelsTheTorqueAndNoMoreThanItsSpeedNeeds) {
+  // on ice, with treels that hold: the load is brought to the speed by the torque, and stays at it
+  for (const double mass : {0.02, 0.1, 0.3}) {
+    for (const double torque : {0.02, 0.1, 0.3, 1.0}) {
+      for (const int subclock : {1, 4, 10}) {
+        Holder holder(mass, footbotOfTorque(torque), {{"ground_friction", "0"}}, subclock);
+        holder.turret().turnAt(kTurretSpeed);
+        const double acceleration = torque / (mass * (0.5 * 0.01 + kArm * kArm));
+        for (int tick = 1; tick <= 6; ++tick) {
+          holder.world.step();
+          const double expected = std::min(kTurretSpeed, acceleration * 0.1 * tick);
+          EXPECT_NEAR(holder.state().speed, expected, 0.02 * expected)
+              << mass << " kg, " << torque << " N m, " << subclock << ", tick " << tick;
+        }
+      }
+    }
+  }
 }
 
 TEST(TurretTest, UnderAPassiveOneTheChassisTurnsAlone) {

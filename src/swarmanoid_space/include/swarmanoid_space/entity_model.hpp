@@ -104,7 +104,7 @@ struct EntityModel {
   std::optional<Gripper> gripper;
 
   std::map<std::string, Mount> mounts;         ///< URDF frames by link name, relative to the body
-  std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points at which cameras see their colour [m]
+  std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points, at most 64, at which cameras see colour [m]
   std::string urdf;                            ///< the whole URDF text; empty if there is none
 
   /// Fills `lowest`, `highest` and the two radii from `shapes`.

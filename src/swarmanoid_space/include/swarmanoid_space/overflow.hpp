@@ -12,7 +12,7 @@ namespace swarmanoid {
 struct Overflow {
   std::string robot;
   std::string device;            ///< its type, such as "footbot_camera"
-  std::string text;              ///< "footbot_camera: more than 64 blobs"
+  std::string text;              ///< "footbot_camera: more than 128 blobs"
   std::uint64_t first_tick = 0;  ///< as Space::tick counts
   std::uint64_t readings = 0;    ///< that were cut short, one a tick at the most
 };

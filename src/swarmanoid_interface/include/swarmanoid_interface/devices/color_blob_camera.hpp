@@ -13,11 +13,13 @@ struct ColorBlob {
   float distance = 0.0F;  ///< horizontal distance from the camera's vertical axis [m]
 };
 
-/// What a colour-blob camera saw this tick. Blobs come in the order of what they belong to: entities by number, then
-/// laser spots, then floor patches. The span is valid until the next tick.
+/// What a colour-blob camera saw this tick. LEDs on the far side of their own robot are hidden. Blobs come in the order
+/// of what they belong to: entities by number (the LEDs of one by theirs), then laser spots, then floor patches. If
+/// more is in sight than the camera reports, the nearest are reported, in the same order. The span is valid until the
+/// next tick.
 struct ColorBlobs {
   Span<const ColorBlob> blobs;
-  bool overflowed = false;  ///< more was in sight than the camera reports; the rest is left out (and an event says so)
+  bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event says so)
 };
 
 /// The footbot's omnidirectional camera ("pie camera").

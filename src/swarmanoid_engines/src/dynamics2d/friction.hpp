@@ -1,0 +1,17 @@
+/// Coulomb's friction in the plane: what a place of contact that slips is held back by.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace swarmanoid::dynamics2d {
+
+/// The friction that ends a slip, or, if that takes more than the ground holds, the largest one, against the slip that
+/// remains. So it is exact for any mass behind the place of contact, and for steps of any length.
+/// @param yield velocity of the place for each unit of friction, symmetric and positive definite [m/s/N]
+/// @param slip velocity of the place over the ground without friction [m/s]
+/// @param most friction [N]; in impulses instead of forces, all in N s
+/// @param guess of the slip that remains, for each unit of friction: who knows saves time
+Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most,
+                                double guess = 0.0);
+
+}  // namespace swarmanoid::dynamics2d

@@ -1,0 +1,156 @@
+// A cylinder's face on a box's face, or a box's on a cylinder's.
+#include <array>
+#include <cmath>
+
+#include "dynamics3d/cylinders.hpp"
+#include "dynamics3d/placed_solid.hpp"
+#include "dynamics3d/settings.hpp"
+#include "dynamics3d/surface_contacts.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// A face of a box and the disc of a cylinder that looks at it. Coordinates on the face are along its two edges.
+struct Faces {
+  Vector3d out = Vector3d::UnitZ();    // of the box
+  Vector3d middle = Vector3d::Zero();  // of the box's face
+  std::array<Vector3d, 2> edges;       // unit vectors
+  Vector2d half = Vector2d::Zero();    // of the box's face
+  Vector3d centre = Vector3d::Zero();  // of the disc
+  std::array<Vector3d, 2> spokes;      // of the disc, as long as its radius; the first to where it would fall
+
+  Vector2d onFace(const Vector3d& vector) const { return {edges[0].dot(vector), edges[1].dot(vector)}; }
+  double depthOf(const Vector3d& point) const { return out.dot(middle - point); }
+};
+
+/// Where a cylinder that stands on a face would fall: to where it is tilted already, or else downhill. It needs a
+/// contact there from the first step on: the tilt until it gets one would set it rocking.
+Vector3d wayToFall(const PlacedSolid& cylinder, const Vector3d& out) {
+  constexpr double kTilted = 1e-3;  // rad
+  constexpr double kSlope = 1e-6;   // rad
+  const Vector3d up = cylinder.axes.col(2);
+  const Vector3d deep = up.dot(out) * up - out;
+  const Vector3d downhill = out.z() * out - Vector3d::UnitZ();
+  const Vector3d on_disc = downhill - up.dot(downhill) * up;
+  if (deep.norm() > kTilted || on_disc.norm() < kSlope) {
+    return deep.norm() > kSlope ? Vector3d(deep.normalized()) : Vector3d(cylinder.axes.col(0));
+  }
+  return on_disc.normalized();
+}
+
+/// Of the solids as they are in the model: their growth makes contacts early, but carries nothing.
+Faces facesOf(const PlacedSolid& cylinder, const PlacedSolid& box, int axis, double side) {
+  constexpr double kGrowth = kMargin / 2.0;
+  Faces faces;
+  const int u = (axis + 1) % 3;
+  const int v = (axis + 2) % 3;
+  faces.out = side * box.axes.col(axis);
+  faces.middle = box.centre + box.half[axis] * faces.out;
+  faces.edges = {box.axes.col(u), box.axes.col(v)};
+  faces.half = Vector2d(box.half[u] - kGrowth, box.half[v] - kGrowth);
+  const Vector3d up = cylinder.axes.col(2);
+  faces.centre = cylinder.centre - std::copysign(cylinder.half.z(), up.dot(faces.out)) * up;
+  const Vector3d spoke = wayToFall(cylinder, faces.out);
+  const double radius = cylinder.half.x() - kGrowth;
+  faces.spokes = {radius * spoke, radius * up.cross(spoke)};
+  return faces;
+}
+
+bool isInside(const Vector2d& point, const Vector2d& half) {
+  return std::abs(point.x()) <= half.x() && std::abs(point.y()) <= half.y();
+}
+
+/// Visits the corners of what disc and face have in common: of the rim four points, where the rim crosses the face's
+/// edges, and the face's corners under the disc.
+template <class Visit>  // void visit(const Vector3d& point_of_disc)
+void visitCorners(const Faces& faces, Visit visit) {
+  const Vector2d centre = faces.onFace(faces.centre - faces.middle);
+  const std::array<Vector2d, 2> spokes = {faces.onFace(faces.spokes[0]), faces.onFace(faces.spokes[1])};
+  const auto visitRim = [&](double cosine, double sine) {
+    if (isInside(centre + cosine * spokes[0] + sine * spokes[1], faces.half)) {
+      visit(Vector3d(faces.centre + cosine * faces.spokes[0] + sine * faces.spokes[1]));
+    }
+  };
+  visitRim(1.0, 0.0);
+  visitRim(-1.0, 0.0);
+  visitRim(0.0, 1.0);
+  visitRim(0.0, -1.0);
+  for (int edge = 0; edge < 2; ++edge) {
+    const Vector2d swing(spokes[0][edge], spokes[1][edge]);
+    for (const double side : {-1.0, 1.0}) {
+      const double reach = (side * faces.half[edge] - centre[edge]) / swing.norm();
+      if (std::abs(reach) < 1.0) {
+        const double middle = std::atan2(swing.y(), swing.x());
+        const double spread = std::acos(reach);
+        for (const double angle : {middle - spread, middle + spread}) {
+          const double other =
+              centre[1 - edge] + std::cos(angle) * spokes[0][1 - edge] + std::sin(angle) * spokes[1][1 - edge];
+          if (std::abs(other) <= faces.half[1 - edge]) {
+            visit(Vector3d(faces.centre + std::cos(angle) * faces.spokes[0] + std::sin(angle) * faces.spokes[1]));
+          }
+        }
+      }
+    }
+  }
+  const Vector3d across = faces.spokes[0].cross(faces.spokes[1]);
+  for (int corner = 0; corner < 4; ++corner) {
+    const double u = (corner & 1) != 0 ? faces.half.x() : -faces.half.x();
+    const double v = (corner & 2) != 0 ? faces.half.y() : -faces.half.y();
+    const Vector3d below = faces.middle + u * faces.edges[0] + v * faces.edges[1];
+    const Vector3d point = below + across.dot(faces.centre - below) / across.dot(faces.out) * faces.out;
+    if ((point - faces.centre).squaredNorm() <= faces.spokes[0].squaredNorm()) {
+      visit(point);
+    }
+  }
+}
+
+}  // namespace
+
+int collideFaces(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
+  constexpr double kFlat = 0.9;        // of the axes along each other: it stands, or is about to
+  constexpr double kLookAhead = 4e-3;  // m above the face
+  const bool is_first = dGeomGetClass(geom_a) == dCylinderClass;
+  const dGeomID other = is_first ? geom_b : geom_a;
+  if ((!is_first && dGeomGetClass(geom_b) != dCylinderClass) || dGeomGetClass(other) != dBoxClass) {
+    return 0;
+  }
+  const PlacedSolid cylinder(is_first ? geom_a : geom_b);
+  const PlacedSolid box(other);
+  int axis = 0;
+  const Vector3d along = (box.axes.transpose() * cylinder.axes.col(2)).cwiseAbs();
+  if (along.maxCoeff(&axis) < kFlat) {
+    return 0;
+  }
+  const double side = box.axes.col(axis).dot(cylinder.centre - box.centre) < 0.0 ? -1.0 : 1.0;
+  const Faces faces = facesOf(cylinder, box, axis, side);
+  const double depth = faces.depthOf(faces.centre + faces.spokes[0]);
+  const Vector2d centre = faces.onFace(faces.centre - faces.middle);
+  const double beside = (centre.cwiseAbs() - faces.half).cwiseMax(0.0).norm();
+  if (depth <= 0.0 || depth > faces.spokes[0].norm() - beside) {
+    return 0;  // they touch with their sides, if at all
+  }
+  SurfaceContacts contacts;
+  visitCorners(faces, [&](const Vector3d& point) {
+    const double its_depth = faces.depthOf(point);
+    if (its_depth > -kLookAhead) {
+      contacts.add({point, is_first ? faces.out : Vector3d(-faces.out), its_depth});
+    }
+  });
+  contacts.keepSpread(4);
+  int count = 0;
+  for (const SurfaceContact& contact : contacts) {
+    dContactGeom& geometry = found[count++];
+    geometry = {};
+    geometry.depth = contact.depth;
+    Eigen::Map<Vector3d>(geometry.normal) = contact.normal;
+    Eigen::Map<Vector3d>(geometry.pos) = contact.position;
+    geometry.g1 = geom_a;
+    geometry.g2 = geom_b;
+  }
+  return count;
+}
+
+}  // namespace swarmanoid::dynamics3d

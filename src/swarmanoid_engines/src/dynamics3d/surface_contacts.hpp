@@ -1,0 +1,34 @@
+/// Places where a solid touches something, of which the best few become contacts.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+
+namespace swarmanoid::dynamics3d {
+
+/// Where a solid touches a surface, or nearly does.
+struct SurfaceContact {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< out of the surface
+  double depth = 0.0;                                 ///< by which the solid is nearer than the margin [m]
+};
+
+/// Those of one solid, each place once. Where there is no more room, the shallowest are left out.
+class SurfaceContacts {
+ public:
+  void add(const SurfaceContact& contact);
+  std::size_t size() const { return count_; }
+  const SurfaceContact& operator[](std::size_t i) const { return contacts_[i]; }
+  const SurfaceContact* begin() const { return contacts_.data(); }
+  const SurfaceContact* end() const { return contacts_.data() + count_; }
+  /// Keeps the deepest one, and of the others those that are farthest from each other.
+  void keepSpread(std::size_t most);
+
+ private:
+  static constexpr std::size_t kRoom = 48;
+  std::array<SurfaceContact, kRoom> contacts_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,93 @@
+/// Small worlds for the formulas of docs/reference/models.md: one engine, robots that do what a function says.
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <memory>
+#include <sstream>
+#include <string>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/robot.hpp"
+#include "swarmanoid_space/simulation.hpp"
+
+namespace swarmanoid::test {
+
+constexpr double kDegree = M_PI / 180.0;  // rad
+
+/// What robots do in each tick: read sensors, give commands. One for all robots, which have names.
+using Program = std::function<void(Robot&)>;
+void setProgram(Program program);
+
+/// Text from numbers and words.
+template <class... Parts>
+std::string join(const Parts&... parts) {
+  std::ostringstream text;
+  text.precision(17);
+  (text << ... << parts);
+  return text.str();
+}
+
+/// @param heading [deg]
+inline std::string entity(const std::string& type, const std::string& id, double x, double y, double z,
+                          double heading = 0.0, const std::string& more = "") {
+  return join("<", type, " id='", id, "'><position>", x, ",", y, ",", z, "</position><orientation>0,0,", heading,
+              "</orientation>", more, "</", type, ">");
+}
+
+/// A robot of a type that obeys the program.
+inline std::string robot(const std::string& type, const std::string& id, double x, double y, double z,
+                         double heading = 0.0) {
+  return entity(type, id, x, y, z, heading, "<controller>" + type + "</controller>");
+}
+
+inline std::string prey(const std::string& id, double x, double y, double radius, double height,
+                        const std::string& more = "") {
+  return entity("cylindric_prey", id, x, y, 0.0, 0.0,
+                join("<radius>", radius, "</radius><height>", height, "</height>", more));
+}
+
+inline std::string block(const std::string& id, double x, double y, double z, const std::string& size,
+                         double heading = 0.0, const std::string& more = "") {
+  return entity("block", id, x, y, z, heading, "<size>" + size + "</size>" + more);
+}
+
+/// An experiment in pieces; SI units, but for the clocktick in milliseconds.
+struct ModelWorld {
+  std::string entities;
+  std::string members;  ///< ids of what the engine moves, with spaces between
+  std::string engine = "kinematics2d";
+  std::string engine_parameters;
+  std::string footbot_sensors;
+  std::string eyebot_sensors;
+  std::string wheels = "<footbot_wheels/>";
+  std::string footbot_actuators = "<footbot_gripper/><footbot_leds/>";
+  std::string extras;  ///< more elements of <arena>
+  int clocktick = 100;
+  std::uint64_t seed = 1;
+
+  std::unique_ptr<Simulation> start() const;
+};
+
+inline void tick(Simulation& simulation, int ticks = 1) {
+  for (int i = 0; i < ticks; ++i) {
+    simulation.tick();
+  }
+}
+
+inline std::size_t rowOf(const Simulation& simulation, const std::string& name) {
+  return static_cast<std::size_t>(simulation.space().entities.find(name));
+}
+inline const Pose& poseOf(const Simulation& simulation, const std::string& name) {
+  return simulation.space().entities.pose[rowOf(simulation, name)];
+}
+inline const Twist& twistOf(const Simulation& simulation, const std::string& name) {
+  return simulation.space().entities.twist[rowOf(simulation, name)];
+}
+/// About z [rad].
+inline double headingOf(const Simulation& simulation, const std::string& name) {
+  const Eigen::Vector3d ahead = poseOf(simulation, name).orientation * Eigen::Vector3d::UnitX();
+  return std::atan2(ahead.y(), ahead.x());
+}
+
+}  // namespace swarmanoid::test

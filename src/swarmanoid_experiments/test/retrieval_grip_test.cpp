@@ -1,0 +1,148 @@
+// Footbots of the object retrieval experiment that gripped what does not bring the prey home: they let go, and it goes
+// on.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "test_world.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+/// A footbot on a line that leads away from the prey at 31 degrees, or beside it.
+struct Place {
+  double along;     // m, from the prey's axis
+  double aside;     // m, to the left of that line
+  bool is_working;  // looks at the prey; otherwise it stands there without a controller
+};
+
+constexpr double kLine = 31.0 * M_PI / 180.0;  // rad
+
+void replace(std::string& text, const std::string& first, const std::string& last, const std::string& by) {
+  const std::size_t begin = text.find(first);
+  const std::size_t end = text.find(last, begin);
+  ASSERT_NE(end, std::string::npos) << first;
+  text.replace(begin, end + last.size() - begin, by);
+}
+
+/// The experiment in dynamics2d with footbots that look at the magenta prey, and the eyebot above it.
+/// @param prey_radius [m]; @param more parameters of the footbots; @param prey_mass an element
+std::unique_ptr<Simulation> startedBesidePrey(const std::vector<Place>& places, std::uint64_t seed,
+                                              const std::string& prey_radius = "0.06", const std::string& more = "",
+                                              const std::string& prey_mass = "") {
+  loadBuiltInPlugins();
+  std::ifstream file(findShared("swarmanoid_experiments", "experiments/object_retrieval.xml"));
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  std::string footbots;
+  std::string members;
+  for (const Place& place : places) {
+    const std::string id = (place.is_working ? "fb_" : "idle_") + std::to_string(&place - places.data() + 1);
+    const double x = 1.5 + place.along * std::cos(kLine) - place.aside * std::sin(kLine);
+    const double y = 4.0 + place.along * std::sin(kLine) + place.aside * std::cos(kLine);
+    const double to_prey = std::atan2(4.0 - y, 1.5 - x) * 180.0 / M_PI;
+    std::string one = footbot(id, x, y, to_prey);
+    replace(one, "<controller>", "</controller>", place.is_working ? "<controller>fc</controller>" : "");
+    footbots += one;
+    members += member(id);
+  }
+  replace(text, "<distribute", "</distribute>", footbots);
+  text.replace(text.find("<radius>", text.find("prey_magenta")), 12, prey_mass + "<radius>" + prey_radius);
+  text.insert(text.find("<speed>"), more);
+  replace(text, "<entity id=\"fb\"", ">", members);
+  replace(text, "<position>2.5, 2.5, 2", "</position>", "<position>1.5, 4.0, 2</position>");
+  replace(text, "<kinematics2d id=\"ground\">", "</kinematics2d>",
+          "<dynamics2d id=\"ground\"><subclock>4</subclock></dynamics2d>");
+  replace(text, "<search_radius>", "</search_radius>", "<search_radius>3</search_radius>");
+  replace(text, "<prey_color_1>yellow", "</prey_color_1>", "<prey_color_1>magenta</prey_color_1>");
+  Experiment experiment = parseExperiment(text, "beside_prey.xml");
+  experiment.framework.seed = seed;
+  auto simulation = std::make_unique<Simulation>(std::move(experiment));
+  simulation->start();
+  return simulation;
+}
+
+/// Who grips what.
+std::map<std::string, std::string> gripsIn(const Simulation& simulation) {
+  std::map<std::string, std::string> grips;
+  const Space& space = simulation.space();
+  for (const Row row : space.entities.order) {
+    if (const Row gripped = space.structure.grippedBy(row); gripped != kNoRow) {
+      grips[space.entities.name[static_cast<std::size_t>(row)]] =
+          space.entities.name[static_cast<std::size_t>(gripped)];
+    }
+  }
+  return grips;
+}
+
+using Grips = std::map<std::string, std::string>;
+
+/// @return after how many ticks it is so; all ticks of the run if never
+std::uint64_t runUntil(Simulation& simulation, const Grips& grips) {
+  while (!simulation.isFinished() && gripsIn(simulation) != grips) {
+    simulation.tick();
+  }
+  return simulation.space().tick;
+}
+
+void runToEnd(Simulation& simulation) {
+  while (!simulation.isFinished()) {
+    simulation.tick();
+  }
+}
+
+class RetrievalGripTest : public testing::TestWithParam<std::uint64_t> {};
+
+TEST_P(RetrievalGripTest, OfTwoThatGripOnePreyOneLetsGo) {
+  // as far away from it as each other, at 177 degrees, so that they reach it in the same tick
+  auto simulation = startedBesidePrey({{0.28, 0.0, true}, {-0.2796, 0.0147, true}}, GetParam());
+  const std::uint64_t together = runUntil(*simulation, {{"fb_1", "prey_magenta"}, {"fb_2", "prey_magenta"}});
+  ASSERT_LT(together, 100U);
+  while (gripsIn(*simulation).size() == 2 && !simulation->isFinished()) {
+    simulation->tick();
+  }
+  EXPECT_GE(simulation->space().tick, together + 10) << "patience lasts 1 s at least";
+  EXPECT_LE(simulation->space().tick, together + 45) << "and 4 s at most";
+  runToEnd(*simulation);
+  EXPECT_EQ(simulation->success(), true);
+}
+
+TEST_P(RetrievalGripTest, WhoGripsAnotherFootbotLetsItGo) {
+  // beside the way to the prey: the tip comes to its strip before it reaches the prey
+  auto simulation = startedBesidePrey({{0.43, 0.0, true}, {0.17, 0.08, false}}, GetParam());
+  const std::uint64_t gripped = runUntil(*simulation, {{"fb_1", "idle_2"}});
+  ASSERT_LT(gripped, 200U);
+  EXPECT_LE(runUntil(*simulation, {}), gripped + 45);
+  runToEnd(*simulation);
+  EXPECT_EQ(simulation->success(), true);
+}
+
+TEST_P(RetrievalGripTest, WhoCannotMoveWhatItHoldsLetsGo) {
+  // with a friction of 0.4 it takes 196 N to slide it; a footbot pulls with 16 N at the most
+  auto simulation = startedBesidePrey({{0.4, 0.0, true}}, GetParam(), "0.06", "", "<mass>50</mass>");
+  const std::uint64_t gripped = runUntil(*simulation, {{"fb_1", "prey_magenta"}});
+  ASSERT_LT(gripped, 200U);
+  // four times 8 s without coming nearer, and up to 1.5 s of wiggling after each; the spot needs some time to wait
+  const std::uint64_t released = runUntil(*simulation, {});
+  EXPECT_GE(released, gripped + 320);
+  EXPECT_LE(released, gripped + 380 + 150);
+}
+
+TEST_P(RetrievalGripTest, ALargePreyIsBroughtHomeByThoseWhoKnowHowLargeItIs) {
+  auto simulation = startedBesidePrey({{0.4, 0.0, true}}, GetParam(), "0.15", "<prey_reach>0.3</prey_reach>");
+  ASSERT_LT(runUntil(*simulation, {{"fb_1", "prey_magenta"}}), 200U);
+  runToEnd(*simulation);
+  EXPECT_EQ(simulation->success(), true);
+  auto in_vain = startedBesidePrey({{0.4, 0.0, true}}, GetParam(), "0.15");
+  const std::uint64_t gripped = runUntil(*in_vain, {{"fb_1", "prey_magenta"}});
+  EXPECT_LE(runUntil(*in_vain, {}), gripped + 45);
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RetrievalGripTest, testing::Values(3, 8, 21, 34, 55));
+
+}  // namespace
+}  // namespace swarmanoid::test
