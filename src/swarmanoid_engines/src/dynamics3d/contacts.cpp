@@ -56,6 +56,15 @@ bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
   return robot.holding != nullptr && std::any_of(robot.holding->grips.begin(), robot.holding->grips.end(), holds);
 }
 
+/// Makes room for so many joints, that crowds which are pressed together ever more closely need no more memory.
+void reserveJoints(dWorldID world, dJointGroupID joints, std::size_t count) {
+  const dContact none = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    dJointCreateContact(world, joints, &none);
+  }
+  dJointGroupEmpty(joints);
+}
+
 }  // namespace
 
 void Contacts::configure(dWorldID world, const Settings& settings, const GroundSurface& ground) {
@@ -78,7 +87,7 @@ void Contacts::release() {
     level_ground_.geom = nullptr;
   }
   near_.clear();
-  points_.clear();
+  points_ = {};
 }
 
 Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
@@ -91,6 +100,12 @@ Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
 }
 
 void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
+  constexpr std::size_t kContactsOfABody = 24;  // in a crowd, and more
+  if (points_.capacity() < kContactsOfABody * bodies.size()) {
+    points_.reserve(kContactsOfABody * bodies.size());
+    pairs_.reserve(points_.capacity());
+    reserveJoints(world_, joints_, points_.capacity());
+  }
   step_ = step;
   attempt_ = attempt;
   friction_.startStep(step, settings_.gravity);

@@ -68,7 +68,7 @@ void Friction::startAgain() {
 }
 
 Friction::Rubbing& Friction::next() {
-  constexpr std::size_t kFirst = 64;
+  constexpr std::size_t kFirst = 1024;
   if (next_ == rubbings_.size()) {
     rubbings_.resize(std::max(kFirst, 2 * rubbings_.size()));  // by so many that it hardly happens again
   }
@@ -104,9 +104,12 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   const double speed = slip.norm();
   const double holds = has_belt ? kSlips + changeOfBelt(rubbing) : kSlips;
   rubbing.slips = speed > holds;
-  rubbing.slip_per_force = rubbing.coefficient > 0.0 ? speed / (rubbing.coefficient * usualLoad(rubbing)) : 0.0;
+  rubbing.slip_per_force = 0.0;
   if (rubbing.slips) {
     rubbing.axis = slip / speed;
+    if (rubbing.coefficient > 0.0) {
+      rubbing.slip_per_force = speed / (rubbing.coefficient * usualLoad(rubbing));
+    }
     return;
   }
   const Vector3d pull = pullOf(&a, rubbing.rigid_a) - pullOf(b, rubbing.rigid_b);

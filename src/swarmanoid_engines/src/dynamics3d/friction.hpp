@@ -24,7 +24,7 @@ class Friction {
  public:
   /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2]
   void startStep(double step, double gravity);
-  /// Before they are made again, in the same order, from the same state, for `opposesSlip` was false.
+  /// Before they are made again, in the same order, from the same state, for `isCoulombs` was false.
   void startAgain();
 
   /// Lays the axes of a contact. @pre its normal, position and coefficient are set; a belt's speed and direction, if
