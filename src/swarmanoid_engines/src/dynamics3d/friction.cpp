@@ -119,6 +119,8 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   } else {
     rubbing.axis = has_belt ? toVector(contact.fdir1) : ownAxis(rubbing.rigid_a, rubbing.normal);
   }
+  // a treel that begins to slip finds its direction in the steps that follow; in a crowd some treel always begins to
+  rubbing.slips = has_belt;
 }
 
 double Friction::changeOfBelt(const Rubbing& rubbing) const {

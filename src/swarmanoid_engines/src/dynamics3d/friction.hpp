@@ -6,7 +6,8 @@
 /// in any direction, up to the limit along the pull of gravity and drives.
 ///
 /// Where rest turns into sliding in a step, by pushes of other bodies, its direction is known only once the step is
-/// solved. Then the step is solved again with the axis along that slip (Newton's method on the cone).
+/// solved. Then the step is solved again with the axis along that slip (Newton's method on the cone). Not for treels:
+/// in a crowd some always begin to slip, and their direction is found in the steps that follow.
 ///
 /// The limit is that of ODE's solver: of the load that the contact would have if nothing rubbed.
 ///
@@ -51,7 +52,7 @@ class Friction {
 
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // the first of friction
     double slip_per_force = 0.0;                      // across it [m/s/N]
-    bool slips = false;                               // before the step
+    bool slips = false;                               // before the step, or is a treel's: the axis stays
     bool is_known = false;                            // the axis, from a solution of this step
   };
 
