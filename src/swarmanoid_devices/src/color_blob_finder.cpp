@@ -34,7 +34,7 @@ bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
   return true;
 }
 
-static_assert(Space::kMaxLeds <= Lamps{}.size(), "each LED of an entity has its bit");
+static_assert(Space::kMaxLeds <= LedSet{}.size(), "each LED of an entity has its bit");
 
 class Finder {
  public:
@@ -45,8 +45,8 @@ class Finder {
     const auto i = static_cast<std::size_t>(row);
     const EntityModel& model = *space_.entities.model[i];
     const Pose& pose = space_.entities.pose[i];
-    std::array<Eigen::Vector3d, Lamps{}.size()> points;
-    Lamps lit;
+    std::array<Eigen::Vector3d, LedSet{}.size()> points;
+    LedSet lit;
     const std::size_t count = std::min(model.led_positions.size(), lit.size());
     for (std::size_t k = 0; k < count; ++k) {
       if (colorOf(row, k).isLit()) {
@@ -58,7 +58,7 @@ class Finder {
       return;
     }
     const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.position - pose.position);
-    const Lamps seen = lit & ~hiddenLamps(model, space_.jointsOf(row), eye, lit);
+    const LedSet seen = lit & ~hiddenLeds(model, space_.jointsOf(row), eye, lit);
     for (std::size_t k = 0; k < count; ++k) {
       if (seen[k]) {
         look(points[k], colorOf(row, k), row);
@@ -83,9 +83,9 @@ class Finder {
 
  private:
   /// Robots shine with their LEDs, other things have a colour of their own.
-  Color colorOf(Row row, std::size_t lamp) const {
+  Color colorOf(Row row, std::size_t led) const {
     const auto i = static_cast<std::size_t>(row);
-    return space_.entities.model[i]->is_robot ? space_.ledsOf(row)[lamp] : space_.entities.color[i];
+    return space_.entities.model[i]->is_robot ? space_.ledsOf(row)[led] : space_.entities.color[i];
   }
 
   const Space& space_;

@@ -1,5 +1,5 @@
 /// What a colour-blob camera has in sight: lit LEDs, coloured preys, laser spots and floor patches, if nothing stands
-/// between: neither anything else nor the robot that carries the LED (hiddenLamps). Shared by all cameras; they differ
+/// between: neither anything else nor the robot that carries the LED (hiddenLeds). Shared by all cameras; they differ
 /// in what `inView` says.
 #pragma once
 

@@ -141,9 +141,9 @@ TEST(LedVisibilityTest, AtAnyTiltAndFromAnySideTheBodyHidesWhatItStandsBefore) {
     const Eigen::Vector3d eye = pose.orientation.conjugate() * (Eigen::Vector3d(4.0, 4.0, kCameraHeight) - place);
     for (int led = 0; led < kLeds; ++led) {
       const double direction = led * M_PI / 6.0;
-      const Eigen::Vector3d lamp(kRing * std::cos(direction), kRing * std::sin(direction), kLedHeight);
-      // the wheels and the gripper lie low and can hide a lamp from below only
-      const double clearance = clearanceOf(eye, lamp);
+      const Eigen::Vector3d place_of_led(kRing * std::cos(direction), kRing * std::sin(direction), kLedHeight);
+      // the wheels and the gripper lie low and can hide a LED from below only
+      const double clearance = clearanceOf(eye, place_of_led);
       if (eye.z() > 0.1 && std::abs(clearance) > 1e-4) {
         EXPECT_EQ(seen.count({0, led}), clearance > 0.0 ? 1U : 0U) << "trial " << trial << ", LED " << led;
         ++(clearance > 0.0 ? visible : hidden);

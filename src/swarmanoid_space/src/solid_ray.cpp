@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-// A lamp this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
+// A LED this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
 constexpr double kSameDepth = 1e-6;
 
 /// The part of a segment that is inside something: from `enter` to `leave`, as fractions.
@@ -77,10 +77,10 @@ Inside insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, c
   return inside;
 }
 
-/// Adds the lamps that one shape hides. @param shape where its joint has turned it
-void addHidden(const CollisionShape& shape, const EntityModel& model, const Eigen::Vector3d& eye, const Lamps& asked,
-               Lamps& hidden) {
-  const Eigen::Vector3d half_extent = (shape.half_extent.array() - kLampHeight).max(0.5 * shape.half_extent.array());
+/// Adds the LEDs that one shape hides. @param shape where its joint has turned it
+void addHidden(const CollisionShape& shape, const EntityModel& model, const Eigen::Vector3d& eye, const LedSet& asked,
+               LedSet& hidden) {
+  const Eigen::Vector3d half_extent = (shape.half_extent.array() - kLedHeight).max(0.5 * shape.half_extent.array());
   const Eigen::Matrix3d to_shape = shape.orientation.conjugate().toRotationMatrix();
   const Eigen::Vector3d start = to_shape * (eye - shape.position);
   for (std::size_t k = 0; k < std::min(model.led_positions.size(), asked.size()); ++k) {
@@ -89,7 +89,7 @@ void addHidden(const CollisionShape& shape, const EntityModel& model, const Eige
     }
     const Eigen::Vector3d step = to_shape * (model.led_positions[k] - eye);
     const Inside inside = insideOf(shape.kind, half_extent, start, step);
-    // what goes on behind the lamp is a hull around it, or does not stand before it
+    // what goes on behind the LED is a hull around it, or does not stand before it
     hidden[k] = inside.enter <= inside.leave && inside.leave >= 0.0 && inside.leave <= 1.0 + kSameDepth;
   }
 }
@@ -111,8 +111,8 @@ double firstMeeting(const Segment& segment, const EntityModel& model, const Pose
   return first;
 }
 
-Lamps hiddenLamps(const EntityModel& model, const JointState* joints, const Eigen::Vector3d& eye, const Lamps& asked) {
-  Lamps hidden;
+LedSet hiddenLeds(const EntityModel& model, const JointState* joints, const Eigen::Vector3d& eye, const LedSet& asked) {
+  LedSet hidden;
   for (const CollisionShape& shape : model.shapes) {
     if (shape.joint < 0) {
       addHidden(shape, model, eye, asked, hidden);

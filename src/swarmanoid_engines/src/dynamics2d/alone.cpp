@@ -11,22 +11,27 @@ constexpr double kClose = 1e-3;    // m: contacts begin before surfaces touch
 constexpr double kFastWay = 0.14;  // m in a tick: for so few, others need not look around each time
 }  // namespace
 
-void Dynamics2d::measureWay(BodyIndex index, double tick, double jump) {
+Dynamics2d::Rates Dynamics2d::highestRates(BodyIndex index) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
-  // as fast as it is now or is told to be; and who is hit may be twice as fast as who hits it
-  const double turn = std::max(std::abs(its.spinNow()), std::abs(body.turn_rate));
-  const double speed = std::sqrt(std::max(its.velocityNow().squaredNorm(), body.velocity.squaredNorm()));
-  its.way = 2.0 * (speed + turn * its.arm.norm()) * tick + jump + kClose;
-  its.is_reached = false;
-  const bool was_fast = its.is_fast;
-  its.is_fast = its.way > kFastWay;
-  if (was_fast && !its.is_fast) {
+  const RigidBody& rigid_body = rigid(index);
+  return {std::sqrt(std::max(rigid_body.velocityNow().squaredNorm(), body.velocity.squaredNorm())),
+          std::max(std::abs(rigid_body.spinNow()), std::abs(body.turn_rate))};
+}
+
+void Dynamics2d::measureWay(BodyIndex index, double tick, double jump) {
+  RigidBody& rigid_body = rigid(index);
+  const Rates most = highestRates(index);
+  // who is hit may be twice as fast as who hits it
+  rigid_body.way = 2.0 * (most.speed + most.turn * rigid_body.arm.norm()) * tick + jump + kClose;
+  rigid_body.is_reached = false;
+  const bool was_fast = rigid_body.is_fast;
+  rigid_body.is_fast = rigid_body.way > kFastWay;
+  if (was_fast && !rigid_body.is_fast) {
     travelled_ += kLookAhead;  // those who have looked around since then have not minded it
   }
-  longest_way_ = std::max(longest_way_, its.way);
-  if (!its.is_fast) {
-    longest_slow_way_ = std::max(longest_slow_way_, its.way);
+  longest_way_ = std::max(longest_way_, rigid_body.way);
+  if (!rigid_body.is_fast) {
+    longest_slow_way_ = std::max(longest_slow_way_, rigid_body.way);
   }
 }
 
@@ -40,13 +45,14 @@ void Dynamics2d::sortOut() {
   }
   present_.clear();
   for (const BodyIndex index : movers_) {
-    RigidBody& its = rigid(index);
-    bool may_leave = !its.is_reached && its.isFree() && (its.drive != Drive::kNone || its.isAtRest());
-    if (may_leave && !its.is_fast) {
-      if (travelled_ + longest_slow_way_ > its.free_until) {
+    RigidBody& rigid_body = rigid(index);
+    bool may_leave =
+        !rigid_body.is_reached && rigid_body.isFree() && (rigid_body.drive != Drive::kNone || rigid_body.isAtRest());
+    if (may_leave && !rigid_body.is_fast) {
+      if (travelled_ + longest_slow_way_ > rigid_body.free_until) {
         lookAround(index);
       }
-      may_leave = travelled_ + longest_slow_way_ <= its.free_until;
+      may_leave = travelled_ + longest_slow_way_ <= rigid_body.free_until;
     }
     if (may_leave) {
       leaveBox2d(index);
@@ -60,20 +66,20 @@ void Dynamics2d::sortOut() {
 
 void Dynamics2d::warnOthers(BodyIndex index) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
+  RigidBody& rigid_body = rigid(index);
   const Eigen::Vector2d& centre = body.pose.position;
-  bodies_.visitNear(centre, body.model->radius + its.way + longest_way_, [&](BodyIndex other_index) {
+  bodies_.visitNear(centre, body.model->radius + rigid_body.way + longest_way_, [&](BodyIndex other_index) {
     const Body& other = bodies_[other_index];
     RigidBody& reached = rigid(other_index);
     const double gap = bodies_.distanceTo(other_index, centre) - body.model->radius;
-    if (other_index != index && gap <= its.way + reached.way &&
+    if (other_index != index && gap <= rigid_body.way + reached.way &&
         body.model->band.meets(other.model->band, body.along, other.along)) {
-      its.is_reached = true;
+      rigid_body.is_reached = true;
       const bool is_news = !reached.is_reached;
       reached.is_reached = true;
       if (is_news && !reached.is_fast && other.is_movable && other.role == Role::kMove) {
         reached.is_fast = true;  // if it is hit
-        reached.way = its.way;
+        reached.way = rigid_body.way;
         warnOthers(other_index);
       }
     }
@@ -97,33 +103,33 @@ void Dynamics2d::lookAround(BodyIndex index) {
 }
 
 void Dynamics2d::enterBox2d(BodyIndex index) {
-  RigidBody& its = rigid(index);
-  if (its.is_alone) {
-    its.is_alone = false;
-    its.writeTransform();
-    its.setVelocity(its.velocity, its.spin);
-    its.body->SetEnabled(true);
+  RigidBody& rigid_body = rigid(index);
+  if (rigid_body.is_alone) {
+    rigid_body.is_alone = false;
+    rigid_body.writeTransform();
+    rigid_body.setVelocity(rigid_body.velocity, rigid_body.spin);
+    rigid_body.body->SetEnabled(true);
   }
 }
 
 void Dynamics2d::leaveBox2d(BodyIndex index) {
-  RigidBody& its = rigid(index);
-  if (!its.is_alone) {
-    its.velocity = its.velocityNow();
-    its.spin = its.spinNow();
-    its.is_alone = true;
-    dropBelt(its);
-    its.body->SetEnabled(false);
+  RigidBody& rigid_body = rigid(index);
+  if (!rigid_body.is_alone) {
+    rigid_body.velocity = rigid_body.velocityNow();
+    rigid_body.spin = rigid_body.spinNow();
+    rigid_body.is_alone = true;
+    dropBelt(rigid_body);
+    rigid_body.body->SetEnabled(false);
   }
 }
 
 void Dynamics2d::moveAlone(double tick) {
   const double step = tick / subclock_;
   for (const BodyIndex index : movers_) {
-    RigidBody& its = rigid(index);
-    if (its.is_alone && its.drive != Drive::kNone) {
+    RigidBody& rigid_body = rigid(index);
+    if (rigid_body.is_alone && rigid_body.drive != Drive::kNone) {
       for (int i = 0; i < subclock_; ++i) {
-        driveAlone(its, step, i);
+        driveAlone(rigid_body, step, i);
       }
     }
   }
@@ -138,10 +144,10 @@ void Dynamics2d::moveAlone(double tick) {
 
 const b2World& Dynamics2d::world() {
   for (const BodyIndex index : movers_) {
-    RigidBody& its = rigid(index);
-    if (its.is_alone) {
-      its.writeTransform();
-      its.setVelocity(its.velocity, its.spin);
+    RigidBody& rigid_body = rigid(index);
+    if (rigid_body.is_alone) {
+      rigid_body.writeTransform();
+      rigid_body.setVelocity(rigid_body.velocity, rigid_body.spin);
     }
   }
   return *world_;

@@ -13,11 +13,11 @@ void Dynamics2d::draw(EngineDrawing& drawing) const {
   PlanarEngine::draw(drawing);
   drawContacts(drawing);
   for (const BodyIndex index : movers_) {
-    const RigidBody& its = rigid(index);
-    if (its.grip.joint != nullptr) {
+    const RigidBody& rigid_body = rigid(index);
+    if (rigid_body.grip.joint != nullptr) {
       const Eigen::Vector2d tip = planar::gripperTip(bodies_, index).position;
       planar::drawLine(bodies_, index, Kind::kJoint, bodies_[index].pose.position, tip, drawing);
-      planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[its.grip.gripped].pose.position, drawing);
+      planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[rigid_body.grip.gripped].pose.position, drawing);
     }
     drawForces(index, drawing);
   }
@@ -41,17 +41,17 @@ void Dynamics2d::drawContacts(EngineDrawing& drawing) const {
 }
 
 void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
-  const RigidBody& its = rigid(index);
+  const RigidBody& rigid_body = rigid(index);
   const auto line = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& force) {
     planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * force, drawing);
   };
-  if (its.belt.body == nullptr) {
-    if (its.drive != Drive::kNone) {
-      line(its.centre, its.last_push);
+  if (rigid_body.belt.body == nullptr) {
+    if (rigid_body.drive != Drive::kNone) {
+      line(rigid_body.centre, rigid_body.last_push);
     }
     return;
   }
-  for (b2FrictionJoint* treel : its.belt.treels) {
+  for (b2FrictionJoint* treel : rigid_body.belt.treels) {
     line(toMetres(treel->GetAnchorB()), toMetres(treel->GetReactionForce(static_cast<float>(1.0 / last_step_))));
   }
 }

@@ -30,25 +30,25 @@ Eigen::Vector2d treelPosition(const Body& body, double side) {
 /// What treels push with that cannot all do what is asked of them: each with what the ground holds, against its slip.
 /// One after the other, again and again, until none changes.
 /// @param velocity, turn_rate of the centre of mass, beyond what is asked for; without any push
-std::array<Eigen::Vector2d, 2> slippingTreels(const RigidBody& its, Eigen::Vector2d velocity, double turn_rate,
+std::array<Eigen::Vector2d, 2> slippingTreels(const RigidBody& rigid_body, Eigen::Vector2d velocity, double turn_rate,
                                               double step) {
   constexpr int kMostSweeps = 100;
   constexpr double kSettled = 1e-7;  // of the traction
   std::array<Eigen::Vector2d, 2> forces{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   double change = 1.0;
-  for (int sweep = 0; sweep < kMostSweeps && change > kSettled * its.traction; ++sweep) {
+  for (int sweep = 0; sweep < kMostSweeps && change > kSettled * rigid_body.traction; ++sweep) {
     change = 0.0;
     for (std::size_t i = 0; i < forces.size(); ++i) {
-      const Eigen::Vector2d place = (i == 0 ? 0.5 : -0.5) * its.axle - its.arm;
+      const Eigen::Vector2d place = (i == 0 ? 0.5 : -0.5) * rigid_body.axle - rigid_body.arm;
       const Eigen::Vector2d across(-place.y(), place.x());
       const Eigen::Matrix2d yield =
-          step * (Eigen::Matrix2d::Identity() / its.mass + across * across.transpose() / its.inertia);
+          step * (Eigen::Matrix2d::Identity() / rigid_body.mass + across * across.transpose() / rigid_body.inertia);
       const Eigen::Vector2d slip = velocity + turn_rate * across;
-      const Eigen::Vector2d force = coulombFriction(yield, slip - yield * forces[i], its.traction);
+      const Eigen::Vector2d force = coulombFriction(yield, slip - yield * forces[i], rigid_body.traction);
       const Eigen::Vector2d added = force - forces[i];
       forces[i] = force;
-      velocity += step / its.mass * added;
-      turn_rate += step / its.inertia * across.dot(added);
+      velocity += step / rigid_body.mass * added;
+      turn_rate += step / rigid_body.inertia * across.dot(added);
       change = std::max(change, added.norm());
     }
   }
@@ -56,142 +56,147 @@ std::array<Eigen::Vector2d, 2> slippingTreels(const RigidBody& its, Eigen::Vecto
 }
 
 /// @param velocity of the centre of mass at heading 0, @param spin before the step
-Push treelPush(const RigidBody& its, const Eigen::Vector2d& velocity, double spin, double step) {
-  const Eigen::Vector2d excess = velocity - its.centre_advance / step;
-  const double turn_excess = spin - its.turn_rate;
-  const Eigen::Vector2d force = -its.mass / step * excess;
-  const double torque = -its.inertia / step * turn_excess;
+Push treelPush(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, double spin, double step) {
+  const Eigen::Vector2d excess = velocity - rigid_body.centre_advance / step;
+  const double turn_excess = spin - rigid_body.turn_rate;
+  const Eigen::Vector2d force = -rigid_body.mass / step * excess;
+  const double torque = -rigid_body.inertia / step * turn_excess;
   // both treels carry half of it, and push in opposite directions to turn
-  const Eigen::Vector2d opposite = (torque + planar::cross(its.arm, force)) / its.track * its.ahead;
+  const Eigen::Vector2d opposite =
+      (torque + planar::cross(rigid_body.arm, force)) / rigid_body.track * rigid_body.ahead;
   Eigen::Vector2d left = 0.5 * force + opposite;
   Eigen::Vector2d right = 0.5 * force - opposite;
-  if (std::max(left.squaredNorm(), right.squaredNorm()) > its.traction * its.traction) {
-    const auto slipping = slippingTreels(its, excess, turn_excess, step);
+  if (std::max(left.squaredNorm(), right.squaredNorm()) > rigid_body.traction * rigid_body.traction) {
+    const auto slipping = slippingTreels(rigid_body, excess, turn_excess, step);
     left = slipping[0];
     right = slipping[1];
   }
   const Eigen::Vector2d held = left + right;
   // the treels lie left and right of the origin, by half the track
-  return {held, 0.5 * planar::cross(its.axle, left - right) - planar::cross(its.arm, held)};
+  return {held, 0.5 * planar::cross(rigid_body.axle, left - right) - planar::cross(rigid_body.arm, held)};
 }
 
 /// Likewise.
-Push flightPush(const RigidBody& its, const Eigen::Vector2d& velocity, double spin, double step) {
-  const double most = its.inertia * kFlightTurnAcceleration;
-  return {limited(its.mass / step * (its.centre_advance / step - velocity), its.mass * kFlightAcceleration),
-          std::clamp(its.inertia / step * (its.turn_rate - spin), -most, most)};
+Push flightPush(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, double spin, double step) {
+  const double most = rigid_body.inertia * kFlightTurnAcceleration;
+  return {limited(rigid_body.mass / step * (rigid_body.centre_advance / step - velocity),
+                  rigid_body.mass * kFlightAcceleration),
+          std::clamp(rigid_body.inertia / step * (rigid_body.turn_rate - spin), -most, most)};
 }
 
-Push pushOf(const RigidBody& its, const Eigen::Vector2d& velocity, double spin, double step) {
-  return its.drive == Drive::kTreels ? treelPush(its, velocity, spin, step) : flightPush(its, velocity, spin, step);
+Push pushOf(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, double spin, double step) {
+  return rigid_body.drive == Drive::kTreels ? treelPush(rigid_body, velocity, spin, step)
+                                            : flightPush(rigid_body, velocity, spin, step);
 }
 
 }  // namespace
 
 void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
+  RigidBody& rigid_body = rigid(index);
   const planar::PlacedPose end = planar::integrate(planar::PlacedPose{}, body.velocity, body.turn_rate, step);
-  its.origin_advance = end.position;
-  its.centre_advance = end.position + end.rotated(its.arm) - its.arm;
-  its.turn_rate = body.turn_rate;
-  its.drive = body.wheels != nullptr ? Drive::kTreels : Drive::kFlight;
+  rigid_body.origin_advance = end.position;
+  rigid_body.centre_advance = end.position + end.rotated(rigid_body.arm) - rigid_body.arm;
+  rigid_body.turn_rate = body.turn_rate;
+  rigid_body.drive = body.wheels != nullptr ? Drive::kTreels : Drive::kFlight;
   if (body.wheels != nullptr) {
     const PlanarModel& model = *body.model;
-    its.ahead = model.ahead;
-    its.axle = body.entity->wheels->separation * model.left;
-    its.track = body.entity->wheels->separation * planar::cross(model.left, model.ahead);
-    its.traction = 0.5 * material_.treel_friction * its.mass * material_.gravity;
+    rigid_body.ahead = model.ahead;
+    rigid_body.axle = body.entity->wheels->separation * model.left;
+    rigid_body.track = body.entity->wheels->separation * planar::cross(model.left, model.ahead);
+    rigid_body.traction = 0.5 * material_.treel_friction * rigid_body.mass * material_.gravity;
   }
 }
 
 void Dynamics2d::drive(BodyIndex index, double step, int step_number) {
-  RigidBody& its = rigid(index);
-  if (its.drive == Drive::kNone) {
+  RigidBody& rigid_body = rigid(index);
+  if (rigid_body.drive == Drive::kNone) {
     return;
   }
-  if (its.drive == Drive::kTreels && !its.isFree() && its.belt.body == nullptr) {
-    makeBelt(bodies_[index], its);
+  if (rigid_body.drive == Drive::kTreels && !rigid_body.isFree() && rigid_body.belt.body == nullptr) {
+    makeBelt(bodies_[index], rigid_body);
   }
-  if (its.belt.body != nullptr) {
-    moveBelt(its, step);
+  if (rigid_body.belt.body != nullptr) {
+    moveBelt(rigid_body, step);
     return;
   }
-  const b2Rot& turn = its.body->GetTransform().q;
-  const Push push =
-      pushOf(its, toMetres(b2MulT(turn, its.body->GetLinearVelocity())), its.body->GetAngularVelocity(), step);
+  const b2Rot& turn = rigid_body.body->GetTransform().q;
+  const Push push = pushOf(rigid_body, toMetres(b2MulT(turn, rigid_body.body->GetLinearVelocity())),
+                           rigid_body.body->GetAngularVelocity(), step);
   const b2Vec2 force = b2Mul(turn, toUnits(push.force));
   const auto torque = static_cast<float>(push.torque * kSquareUnits);
-  its.last_push = toMetres(force);
-  its.body->ApplyForceToCenter(force, false);
-  its.body->ApplyTorque(torque, false);
-  recordPush(its, step_number, force, torque);
+  rigid_body.last_push = toMetres(force);
+  rigid_body.body->ApplyForceToCenter(force, false);
+  rigid_body.body->ApplyTorque(torque, false);
+  recordPush(rigid_body, step_number, force, torque);
 }
 
-void Dynamics2d::driveAlone(RigidBody& its, double step, int step_number) {
-  const planar::PlacedPose pose = planar::PlacedPose::at(its.centre, its.heading);
-  const Push push = pushOf(its, pose.unrotated(its.velocity), its.spin, step);
-  its.last_push = pose.rotated(push.force);
-  its.velocity += step / its.mass * its.last_push;
-  its.spin += step / its.inertia * push.torque;
-  its.centre += step * its.velocity;
-  its.heading = planar::wrapAngle(its.heading + step * its.spin);
-  for (int i = 0; i < pieces_; ++i) {
-    recordPush(its, step_number * pieces_ + i, toUnits(its.last_push), static_cast<float>(push.torque * kSquareUnits));
+void Dynamics2d::driveAlone(RigidBody& rigid_body, double step, int step_number) {
+  const planar::PlacedPose pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading);
+  const Push push = pushOf(rigid_body, pose.unrotated(rigid_body.velocity), rigid_body.spin, step);
+  rigid_body.last_push = pose.rotated(push.force);
+  rigid_body.velocity += step / rigid_body.mass * rigid_body.last_push;
+  rigid_body.spin += step / rigid_body.inertia * push.torque;
+  rigid_body.centre += step * rigid_body.velocity;
+  rigid_body.heading = planar::wrapAngle(rigid_body.heading + step * rigid_body.spin);
+  for (int i = 0; recording_ != nullptr && i < pieces_; ++i) {
+    recordPush(rigid_body, step_number * pieces_ + i, toUnits(rigid_body.last_push),
+               static_cast<float>(push.torque * kSquareUnits));
   }
 }
 
-void Dynamics2d::recordPush(const RigidBody& its, int step_number, const b2Vec2& force, float torque) {
+void Dynamics2d::recordPush(const RigidBody& rigid_body, int step_number, const b2Vec2& force, float torque) {
   if (recording_ != nullptr) {
-    recording_->of(step_number, its.ordinal) = {force, torque};
+    recording_->of(step_number, rigid_body.ordinal) = {force, torque};
   }
 }
 
-void Dynamics2d::makeBelt(const Body& body, RigidBody& its) {
+void Dynamics2d::makeBelt(const Body& body, RigidBody& rigid_body) {
   b2BodyDef definition;
   definition.type = b2_kinematicBody;
-  definition.position = its.body->GetPosition();
-  definition.angle = its.body->GetAngle();
-  its.belt.body = world_->CreateBody(&definition);
-  for (std::size_t i = 0; i < its.belt.treels.size(); ++i) {
+  definition.position = rigid_body.body->GetPosition();
+  definition.angle = rigid_body.body->GetAngle();
+  rigid_body.belt.body = world_->CreateBody(&definition);
+  for (std::size_t i = 0; i < rigid_body.belt.treels.size(); ++i) {
     b2FrictionJointDef treel;
-    treel.bodyA = its.belt.body;
-    treel.bodyB = its.body;
+    treel.bodyA = rigid_body.belt.body;
+    treel.bodyB = rigid_body.body;
     treel.localAnchorA = toUnits(treelPosition(body, i == 0 ? 1.0 : -1.0));
     treel.localAnchorB = treel.localAnchorA;
-    treel.maxForce = static_cast<float>(its.traction * kUnitsPerMetre);
-    its.belt.treels[i] = makeJoint<TreelJoint, b2FrictionJoint>(*world_, treel);
+    treel.maxForce = static_cast<float>(rigid_body.traction * kUnitsPerMetre);
+    rigid_body.belt.treels[i] = makeJoint<TreelJoint, b2FrictionJoint>(*world_, treel);
   }
 }
 
-void Dynamics2d::moveBelt(RigidBody& its, double step) {
-  its.belt.body->SetTransform(its.body->GetPosition(), its.body->GetAngle());
-  its.belt.body->SetLinearVelocity(b2Mul(its.body->GetTransform().q, toUnits(its.origin_advance / step)));
-  its.belt.body->SetAngularVelocity(static_cast<float>(its.turn_rate));
+void Dynamics2d::moveBelt(RigidBody& rigid_body, double step) {
+  rigid_body.belt.body->SetTransform(rigid_body.body->GetPosition(), rigid_body.body->GetAngle());
+  rigid_body.belt.body->SetLinearVelocity(
+      b2Mul(rigid_body.body->GetTransform().q, toUnits(rigid_body.origin_advance / step)));
+  rigid_body.belt.body->SetAngularVelocity(static_cast<float>(rigid_body.turn_rate));
 }
 
 void Dynamics2d::recordBelts(double step, int step_number) {
   const auto frequency = static_cast<float>(1.0 / step);
   for (const BodyIndex index : present_) {
-    const RigidBody& its = rigid(index);
-    if (its.belt.body == nullptr) {
+    const RigidBody& rigid_body = rigid(index);
+    if (rigid_body.belt.body == nullptr) {
       continue;
     }
     b2Vec2 pushed(0.0F, 0.0F);
     float turned = 0.0F;
-    for (b2FrictionJoint* treel : its.belt.treels) {
+    for (b2FrictionJoint* treel : rigid_body.belt.treels) {
       const b2Vec2 force = treel->GetReactionForce(frequency);
       pushed += force;
       turned += b2Cross(treel->GetAnchorB() - treel->GetBodyB()->GetWorldCenter(), force);
     }
-    recordPush(its, step_number, pushed, turned);
+    recordPush(rigid_body, step_number, pushed, turned);
   }
 }
 
-void Dynamics2d::dropBelt(RigidBody& its) {
-  if (its.belt.body != nullptr) {
-    world_->DestroyBody(its.belt.body);  // and its joints
-    its.belt = Belt{};
+void Dynamics2d::dropBelt(RigidBody& rigid_body) {
+  if (rigid_body.belt.body != nullptr) {
+    world_->DestroyBody(rigid_body.belt.body);  // and its joints
+    rigid_body.belt = Belt{};
   }
 }
 

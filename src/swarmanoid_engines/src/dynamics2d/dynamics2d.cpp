@@ -143,52 +143,52 @@ void Dynamics2d::add(Space& space, Row row, Role role) {
 
 void Dynamics2d::makeBody(BodyIndex index) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
+  RigidBody& rigid_body = rigid(index);
   b2BodyDef definition;
   definition.userData.pointer = static_cast<uintptr_t>(index);
   if (body.is_movable) {
     definition.type = body.role == Role::kMove ? b2_dynamicBody : b2_kinematicBody;
     definition.bullet = body.role == Role::kMove;  // or Box2D would look for impacts with what stands only
   }
-  its.body = world_->CreateBody(&definition);
+  rigid_body.body = world_->CreateBody(&definition);
   makeFixtures(index);
 }
 
 void Dynamics2d::makeFixtures(BodyIndex index) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
-  while (its.body->GetFixtureList() != nullptr) {
-    its.body->DestroyFixture(its.body->GetFixtureList());
+  RigidBody& rigid_body = rigid(index);
+  while (rigid_body.body->GetFixtureList() != nullptr) {
+    rigid_body.body->DestroyFixture(rigid_body.body->GetFixtureList());
   }
-  addFixtures(*its.body, *body.model, static_cast<float>(material_.contact_friction),
+  addFixtures(*rigid_body.body, *body.model, static_cast<float>(material_.contact_friction),
               static_cast<float>(material_.restitution));
-  if (its.body->GetType() != b2_dynamicBody) {
+  if (rigid_body.body->GetType() != b2_dynamicBody) {
     return;
   }
   const planar::Plane& plane = bodies_.plane();
   const Eigen::Matrix3d base = bodies_.details(index).base.toRotationMatrix();
-  its.mass = body.entity->mass;
-  its.inertia = plane.along(base * body.entity->inertia * base.transpose() * plane.normal());
-  its.arm = plane.toLocal(base * body.entity->centre_of_mass);
+  rigid_body.mass = body.entity->mass;
+  rigid_body.inertia = plane.along(base * body.entity->inertia * base.transpose() * plane.normal());
+  rigid_body.arm = plane.toLocal(base * body.entity->centre_of_mass);
   b2MassData mass;
-  mass.mass = static_cast<float>(its.mass);
-  mass.center = toUnits(its.arm);
-  mass.I = static_cast<float>((its.inertia + its.mass * its.arm.squaredNorm()) * kSquareUnits);
-  its.body->SetMassData(&mass);
+  mass.mass = static_cast<float>(rigid_body.mass);
+  mass.center = toUnits(rigid_body.arm);
+  mass.I = static_cast<float>((rigid_body.inertia + rigid_body.mass * rigid_body.arm.squaredNorm()) * kSquareUnits);
+  rigid_body.body->SetMassData(&mass);
 }
 
 void Dynamics2d::putBody(const Space& space, BodyIndex index) {
   const Body& body = bodies_[index];
-  RigidBody& its = rigid(index);
+  RigidBody& rigid_body = rigid(index);
   const planar::Plane& plane = bodies_.plane();
-  its.heading = body.pose.heading;
-  its.centre = body.pose.position + body.pose.rotated(its.arm);
-  its.writeTransform();
+  rigid_body.heading = body.pose.heading;
+  rigid_body.centre = body.pose.position + body.pose.rotated(rigid_body.arm);
+  rigid_body.writeTransform();
   const Twist& twist = space.entities.twist[static_cast<std::size_t>(body.row)];
   const double turn_rate = plane.along(twist.angular);
-  const Eigen::Vector2d arm = body.pose.rotated(its.arm);
+  const Eigen::Vector2d arm = body.pose.rotated(rigid_body.arm);
   const Eigen::Vector2d velocity = plane.toLocal(twist.linear) + turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
-  its.setVelocity(velocity, turn_rate);
+  rigid_body.setVelocity(velocity, turn_rate);
 }
 
 void Dynamics2d::takePose(const Space& space, BodyIndex index) {

@@ -105,14 +105,20 @@ class Dynamics2d final : public planar::PlanarEngine {
   // drive.cpp
   void prepareDrive(BodyIndex index, double step);
   void drive(BodyIndex index, double step, int step_number);
-  void driveAlone(RigidBody& its, double step, int step_number);
-  void recordPush(const RigidBody& its, int step_number, const b2Vec2& force, float torque);
-  void makeBelt(const Body& body, RigidBody& its);
-  static void moveBelt(RigidBody& its, double step);
-  void dropBelt(RigidBody& its);
+  void driveAlone(RigidBody& rigid_body, double step, int step_number);
+  void recordPush(const RigidBody& rigid_body, int step_number, const b2Vec2& force, float torque);
+  void makeBelt(const Body& body, RigidBody& rigid_body);
+  static void moveBelt(RigidBody& rigid_body, double step);
+  void dropBelt(RigidBody& rigid_body);
   void recordBelts(double step, int step_number);
 
   // alone.cpp
+  /// What a body may reach in this tick by itself: its own as it is, or its command if that is more.
+  struct Rates {
+    double speed;  ///< of its centre of mass [m/s]
+    double turn;   ///< rad/s
+  };
+  Rates highestRates(BodyIndex index);
   void measureWay(BodyIndex index, double tick, double jump);
   void sortOut();
   void warnOthers(BodyIndex index);

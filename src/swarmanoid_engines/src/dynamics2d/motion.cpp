@@ -22,14 +22,11 @@ void Dynamics2d::choosePieces(double step) {
   double rate = 0.0;     // of pieces [1/s]
   double fastest = 0.0;  // surface [m/s]
   const auto include = [&](BodyIndex index, bool is_held) {
-    const Body& body = bodies_[index];
-    const RigidBody& its = rigid(index);
-    const double turn = std::max(std::abs(its.spinNow()), std::abs(body.turn_rate));
-    const double speed = std::sqrt(std::max(its.velocityNow().squaredNorm(), body.velocity.squaredNorm()));
-    const double way_of_held = its.isConnected() ? kWayInGrip : kWayAtContact;
-    fastest = std::max(fastest, speed + turn * body.model->radius);
-    rate = is_held ? std::max({rate, speed / way_of_held, turn / kTurnOfHeld, 1.0 / kTimeOfHeld})
-                   : std::max({rate, speed / kMostWay, turn / kMostTurn});
+    const Rates most = highestRates(index);
+    const double way_of_held = rigid(index).isConnected() ? kWayInGrip : kWayAtContact;
+    fastest = std::max(fastest, most.speed + most.turn * bodies_[index].model->radius);
+    rate = is_held ? std::max({rate, most.speed / way_of_held, most.turn / kTurnOfHeld, 1.0 / kTimeOfHeld})
+                   : std::max({rate, most.speed / kMostWay, most.turn / kMostTurn});
   };
   for (const BodyIndex index : present_) {
     include(index, !rigid(index).isFree());
@@ -117,9 +114,9 @@ void Dynamics2d::startTick(const Space& space, double tick) {
   }
   sortOut();
   for (const BodyIndex index : present_) {
-    RigidBody& its = rigid(index);
-    if (its.belt.body != nullptr && its.isFree()) {
-      dropBelt(its);
+    RigidBody& rigid_body = rigid(index);
+    if (rigid_body.belt.body != nullptr && rigid_body.isFree()) {
+      dropBelt(rigid_body);
     }
   }
   const double nominal = tick / subclock_;
@@ -138,41 +135,41 @@ void Dynamics2d::startTick(const Space& space, double tick) {
 
 void Dynamics2d::meetGround(BodyIndex index) {
   const Body& body = bodies_[index];
-  const RigidBody& its = rigid(index);
+  const RigidBody& rigid_body = rigid(index);
   if (body.wheels != nullptr || body.flight != nullptr) {
     return;
   }
   b2FrictionJointDef definition;
   definition.bodyA = ground_;
-  definition.bodyB = its.body;
-  definition.localAnchorA = its.body->GetWorldCenter();
-  definition.localAnchorB = its.body->GetLocalCenter();
+  definition.bodyB = rigid_body.body;
+  definition.localAnchorA = rigid_body.body->GetWorldCenter();
+  definition.localAnchorB = rigid_body.body->GetLocalCenter();
   definition.collideConnected = true;
   rigid(index).ground = static_cast<b2FrictionJoint*>(world_->CreateJoint(&definition));
   setGroundFriction(index);
 }
 
 void Dynamics2d::setGroundFriction(BodyIndex index) {
-  const RigidBody& its = rigid(index);
-  if (its.ground == nullptr) {
+  const RigidBody& rigid_body = rigid(index);
+  if (rigid_body.ground == nullptr) {
     return;
   }
   // pressed evenly on a disc that is as wide as the body, friction resists turning on two thirds of its radius
-  const double force = material_.ground_friction * its.mass * material_.gravity;
+  const double force = material_.ground_friction * rigid_body.mass * material_.gravity;
   const double radius = bodies_[index].model->radius;
-  its.ground->SetMaxForce(static_cast<float>(force * kUnitsPerMetre));
-  its.ground->SetMaxTorque(static_cast<float>(force * 2.0 / 3.0 * radius * kSquareUnits));
+  rigid_body.ground->SetMaxForce(static_cast<float>(force * kUnitsPerMetre));
+  rigid_body.ground->SetMaxTorque(static_cast<float>(force * 2.0 / 3.0 * radius * kSquareUnits));
 }
 
 void Dynamics2d::finishTick(Space& space) {
   const planar::Plane& plane = bodies_.plane();
   for (const BodyIndex index : movers_) {
-    RigidBody& its = rigid(index);
-    const planar::PlacedPose pose = its.pose();
+    RigidBody& rigid_body = rigid(index);
+    const planar::PlacedPose pose = rigid_body.pose();
     Twist& twist = space.entities.twist[static_cast<std::size_t>(bodies_[index].row)];
-    const Eigen::Vector2d arm = pose.rotated(its.arm);
-    const double turn_rate = its.spinNow();
-    const Eigen::Vector2d velocity = its.velocityNow() - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
+    const Eigen::Vector2d arm = pose.rotated(rigid_body.arm);
+    const double turn_rate = rigid_body.spinNow();
+    const Eigen::Vector2d velocity = rigid_body.velocityNow() - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
     twist.linear = plane.toGlobal(velocity, 0.0);
     twist.angular = plane.normal() * turn_rate;
     const planar::PlacedPose before = bodies_[index].pose;

@@ -136,10 +136,10 @@ double Dynamics2d::separation(const Turret& turret, const PlanarModel& model) {
 }
 
 void Dynamics2d::turnGripper(const Turret& turret) {
-  RigidBody& its = rigid(turret.body);
+  RigidBody& rigid_body = rigid(turret.body);
   bodies_.turnShapes(turret, turret.state.angle);
-  turnFixtures(*its.body, *bodies_[turret.body].model, *bodies_[turret.body].entity, turret.joint);
-  its.writeTransform();  // Box2D looks anew where the fixtures are
+  turnFixtures(*rigid_body.body, *bodies_[turret.body].model, *bodies_[turret.body].entity, turret.joint);
+  rigid_body.writeTransform();  // Box2D looks anew where the fixtures are
 }
 
 b2Joint* Dynamics2d::makeTurretJoint(Turret& turret, BodyIndex gripped) {

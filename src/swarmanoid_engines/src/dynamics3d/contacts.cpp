@@ -172,12 +172,7 @@ void Contacts::meetRoughGround(Body& body, const Solid& solid) {
   SurfaceContacts contacts = dynamics3d::meetGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
   contacts.keepSpread(kMostUsed);
   for (const SurfaceContact& contact : contacts) {
-    dContactGeom geometry = {};
-    geometry.depth = contact.depth;
-    Eigen::Map<Eigen::Vector3d>(geometry.normal) = contact.normal;
-    Eigen::Map<Eigen::Vector3d>(geometry.pos) = contact.position;
-    geometry.g1 = solid.geom;
-    makeJoint(body, solid, nullptr, level_ground_, geometry);
+    makeJoint(body, solid, nullptr, level_ground_, geometryOf(contact, solid.geom, nullptr));
   }
 }
 
@@ -233,13 +228,8 @@ void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, con
   }
   const Eigen::Vector3d normal = toVector(contact.geom.normal);
   if (settings_.restitution > 0.0) {
-    dVector3 velocity_a = {};
-    dVector3 velocity_b = {};
-    dBodyGetPointVel(rigid_a, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_a);
-    if (rigid_b != nullptr) {
-      dBodyGetPointVel(rigid_b, geometry.pos[0], geometry.pos[1], geometry.pos[2], velocity_b);
-    }
-    const double approach = -normal.dot(toVector(velocity_a) - toVector(velocity_b));
+    const Eigen::Vector3d point = toVector(geometry.pos);
+    const double approach = -normal.dot(velocityAt(rigid_a, point) - velocityAt(rigid_b, point));
     if (approach > kBounceSpeed) {
       if (geometry.depth < 0.0) {
         return;  // slowed down to the gap it would not bounce as high

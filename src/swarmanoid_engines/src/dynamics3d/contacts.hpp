@@ -37,9 +37,9 @@ class Contacts {
   /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
   void make(const std::vector<Body*>& bodies, double step, int attempt);
   /// After the step was solved: whether friction is Coulomb's everywhere.
-  bool rubAsCoulombSays() { return friction_.isCoulombs(); }
-  /// Makes the joints once more, now with friction where it was found to point. @pre rubAsCoulombSays() was false; the
-  /// bodies are back in the state of the last make
+  bool isFrictionCoulombs() { return friction_.isCoulombs(); }
+  /// Makes the joints once more, now with friction where it was found to point. @pre isFrictionCoulombs() was false;
+  /// the bodies are back in the state of the last make
   void makeAgain(const std::vector<Body*>& bodies);
   /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
   /// 0: not at all. Who is near, is as of the last step. @pre a Turn is held

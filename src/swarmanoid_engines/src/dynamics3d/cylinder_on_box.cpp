@@ -13,7 +13,8 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// A face of a box and the disc of a cylinder that looks at it. Coordinates on the face are along its two edges.
+/// A face of a box and the disc of a cylinder that looks at it, in W [m]. Coordinates on the face are along its two
+/// edges.
 struct Faces {
   Vector3d out = Vector3d::UnitZ();    // of the box
   Vector3d middle = Vector3d::Zero();  // of the box's face
@@ -63,38 +64,50 @@ bool isInside(const Vector2d& point, const Vector2d& half) {
   return std::abs(point.x()) <= half.x() && std::abs(point.y()) <= half.y();
 }
 
-/// Visits the corners of what disc and face have in common: of the rim four points, where the rim crosses the face's
-/// edges, and the face's corners under the disc.
+/// The point of the disc's rim at an angle from the first spoke.
+Vector3d onRim(const Faces& faces, double angle) {
+  return faces.centre + std::cos(angle) * faces.spokes[0] + std::sin(angle) * faces.spokes[1];
+}
+
+/// Visits the four ends of the spokes, as far as they are over the box's face.
 template <class Visit>  // void visit(const Vector3d& point_of_disc)
-void visitCorners(const Faces& faces, Visit visit) {
-  const Vector2d centre = faces.onFace(faces.centre - faces.middle);
-  const std::array<Vector2d, 2> spokes = {faces.onFace(faces.spokes[0]), faces.onFace(faces.spokes[1])};
-  const auto visitRim = [&](double cosine, double sine) {
-    if (isInside(centre + cosine * spokes[0] + sine * spokes[1], faces.half)) {
-      visit(Vector3d(faces.centre + cosine * faces.spokes[0] + sine * faces.spokes[1]));
+void visitSpokes(const Faces& faces, Visit visit) {
+  for (const Vector3d& spoke : faces.spokes) {
+    for (const double side : {1.0, -1.0}) {
+      const Vector3d end = faces.centre + side * spoke;
+      if (isInside(faces.onFace(end - faces.middle), faces.half)) {
+        visit(end);
+      }
     }
-  };
-  visitRim(1.0, 0.0);
-  visitRim(-1.0, 0.0);
-  visitRim(0.0, 1.0);
-  visitRim(0.0, -1.0);
+  }
+}
+
+/// Visits where the rim crosses the edges of the box's face.
+template <class Visit>  // likewise
+void visitCrossings(const Faces& faces, Visit visit) {
+  const Vector2d centre = faces.onFace(faces.centre - faces.middle);
   for (int edge = 0; edge < 2; ++edge) {
-    const Vector2d swing(spokes[0][edge], spokes[1][edge]);
+    const Vector2d swing(faces.edges[edge].dot(faces.spokes[0]), faces.edges[edge].dot(faces.spokes[1]));
     for (const double side : {-1.0, 1.0}) {
       const double reach = (side * faces.half[edge] - centre[edge]) / swing.norm();
-      if (std::abs(reach) < 1.0) {
-        const double middle = std::atan2(swing.y(), swing.x());
-        const double spread = std::acos(reach);
-        for (const double angle : {middle - spread, middle + spread}) {
-          const double other =
-              centre[1 - edge] + std::cos(angle) * spokes[0][1 - edge] + std::sin(angle) * spokes[1][1 - edge];
-          if (std::abs(other) <= faces.half[1 - edge]) {
-            visit(Vector3d(faces.centre + std::cos(angle) * faces.spokes[0] + std::sin(angle) * faces.spokes[1]));
-          }
+      if (std::abs(reach) >= 1.0) {
+        continue;
+      }
+      const double middle = std::atan2(swing.y(), swing.x());
+      const double spread = std::acos(reach);
+      for (const double angle : {middle - spread, middle + spread}) {
+        const Vector3d point = onRim(faces, angle);
+        if (std::abs(faces.onFace(point - faces.middle)[1 - edge]) <= faces.half[1 - edge]) {
+          visit(point);
         }
       }
     }
   }
+}
+
+/// Visits the corners of the box's face that are under the disc.
+template <class Visit>  // likewise
+void visitCovered(const Faces& faces, Visit visit) {
   const Vector3d across = faces.spokes[0].cross(faces.spokes[1]);
   for (int corner = 0; corner < 4; ++corner) {
     const double u = (corner & 1) != 0 ? faces.half.x() : -faces.half.x();
@@ -133,22 +146,20 @@ int collideFaces(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
     return 0;  // they touch with their sides, if at all
   }
   SurfaceContacts contacts;
-  visitCorners(faces, [&](const Vector3d& point) {
-    const double its_depth = faces.depthOf(point);
-    if (its_depth > -kLookAhead) {
-      contacts.add({point, is_first ? faces.out : Vector3d(-faces.out), its_depth});
+  const auto meet = [&](const Vector3d& point) {
+    const double depth_there = faces.depthOf(point);
+    if (depth_there > -kLookAhead) {
+      contacts.add({point, is_first ? faces.out : Vector3d(-faces.out), depth_there});
     }
-  });
+  };
+  // the corners of what the two faces have in common
+  visitSpokes(faces, meet);
+  visitCrossings(faces, meet);
+  visitCovered(faces, meet);
   contacts.keepSpread(4);
   int count = 0;
   for (const SurfaceContact& contact : contacts) {
-    dContactGeom& geometry = found[count++];
-    geometry = {};
-    geometry.depth = contact.depth;
-    Eigen::Map<Vector3d>(geometry.normal) = contact.normal;
-    Eigen::Map<Vector3d>(geometry.pos) = contact.position;
-    geometry.g1 = geom_a;
-    geometry.g2 = geom_b;
+    found[count++] = geometryOf(contact, geom_a, geom_b);
   }
   return count;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics3d/settings.hpp"
+#include "dynamics3d/surface_contacts.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -57,13 +58,7 @@ int meetPlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
     const Eigen::Vector3d point = cylinder.centre + points[i];
     const double depth = equation[3] - normal.dot(point);
     if (depth > -kLookAhead) {
-      dContactGeom& contact = found[count++];
-      contact = {};
-      contact.depth = depth;
-      Eigen::Map<Eigen::Vector3d>(contact.normal) = normal;
-      Eigen::Map<Eigen::Vector3d>(contact.pos) = point;
-      contact.g1 = geom;
-      contact.g2 = plane;
+      found[count++] = geometryOf({point, normal, depth}, geom, plane);
     }
   }
   return count;
@@ -103,14 +98,10 @@ int collideSides(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
     if (distance >= reach || distance == 0.0) {
       continue;
     }
-    dContactGeom& contact = found[count++];
-    contact = {};
     const Eigen::Vector3d normal = way / distance;
-    contact.depth = reach - distance;
-    Eigen::Map<Eigen::Vector3d>(contact.normal) = normal;
-    Eigen::Map<Eigen::Vector3d>(contact.pos) = on_a - (a.radius - 0.5 * contact.depth) * normal;
-    contact.g1 = geom_a;
-    contact.g2 = geom_b;
+    const double depth = reach - distance;
+    const Eigen::Vector3d point = on_a - (a.radius - 0.5 * depth) * normal;
+    found[count++] = geometryOf({point, normal, depth}, geom_a, geom_b);
   }
   return count;
 }

@@ -29,7 +29,8 @@ void layAlong(const Vector3d& axis, const Vector3d& belt, dContact& contact) {
   contact.surface.motion2 = belt.dot(across);
 }
 
-Vector3d velocityAt(dBodyID rigid, const Vector3d& arm) {
+/// Of a point of a body that was so far from its centre of mass before the step.
+Vector3d velocityOf(dBodyID rigid, const Vector3d& arm) {
   if (rigid == nullptr) {
     return Vector3d::Zero();
   }
@@ -65,6 +66,13 @@ void Friction::startStep(double step, double gravity) {
 void Friction::startAgain() {
   next_ = 0;
   is_again_ = true;
+}
+
+void Friction::watch(dJointID joint) {
+  Rubbing& rubbing = rubbings_[next_ - 1];
+  if (!rubbing.keeps_axis) {
+    dJointSetFeedback(joint, &rubbing.feedback);
+  }
 }
 
 Friction::Rubbing& Friction::next() {
@@ -103,9 +111,10 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();
   const double holds = has_belt ? kSlips + changeOfBelt(rubbing) : kSlips;
-  rubbing.slips = speed > holds;
+  // a treel that begins to slip finds its direction in the steps that follow; in a crowd some treel always begins to
+  rubbing.keeps_axis = has_belt || speed > holds;
   rubbing.slip_per_force = 0.0;
-  if (rubbing.slips) {
+  if (speed > holds) {
     rubbing.axis = slip / speed;
     if (rubbing.coefficient > 0.0) {
       rubbing.slip_per_force = speed / (rubbing.coefficient * usualLoad(rubbing));
@@ -119,8 +128,6 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   } else {
     rubbing.axis = has_belt ? toVector(contact.fdir1) : ownAxis(rubbing.rigid_a, rubbing.normal);
   }
-  // a treel that begins to slip finds its direction in the steps that follow; in a crowd some treel always begins to
-  rubbing.slips = has_belt;
 }
 
 double Friction::changeOfBelt(const Rubbing& rubbing) const {
@@ -137,7 +144,7 @@ double Friction::usualLoad(const Rubbing& rubbing) const {
 
 Vector3d Friction::slipOf(const Rubbing& rubbing) {
   return alongSurface(
-      velocityAt(rubbing.rigid_a, rubbing.arm_a) - velocityAt(rubbing.rigid_b, rubbing.arm_b) - rubbing.belt,
+      velocityOf(rubbing.rigid_a, rubbing.arm_a) - velocityOf(rubbing.rigid_b, rubbing.arm_b) - rubbing.belt,
       rubbing.normal);
 }
 
@@ -159,8 +166,8 @@ bool Friction::isCoulombs() {
 bool Friction::isCoulombs(Rubbing& rubbing) {
   constexpr double kAstray = 0.01;      // of the force
   constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body
-  if (rubbing.slips) {
-    return true;  // the axis was known before, and follows the slip from step to step
+  if (rubbing.keeps_axis) {
+    return true;
   }
   const Vector3d force = toVector(rubbing.feedback.f1);
   const double load = rubbing.normal.dot(force);

@@ -21,6 +21,7 @@
 
 namespace swarmanoid::dynamics3d {
 
+/// Frame W. Between `startStep` and the last `isCoulombs` of a step, a Turn is held.
 class Friction {
  public:
   /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2]
@@ -32,7 +33,7 @@ class Friction {
   /// there is one, as motion1 along fdir1 @param b null: the ground
   void lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact);
   /// After `lay`: the joint that was made of the contact.
-  void watch(dJointID joint) { dJointSetFeedback(joint, &rubbings_[next_ - 1].feedback); }
+  void watch(dJointID joint);
 
   /// After the step was solved: whether friction is Coulomb's everywhere. If not, it is remembered where to lay axes.
   bool isCoulombs();
@@ -47,12 +48,12 @@ class Friction {
     Eigen::Vector3d arm_b = Eigen::Vector3d::Zero();    // likewise
     Eigen::Vector3d belt = Eigen::Vector3d::Zero();     // velocity that a would have without slip, against b [m/s]
     double coefficient = 0.0;
-    double mass = 0.0;  // of the lighter one that moves [kg]
-    dJointFeedback feedback = {};
+    double mass = 0.0;             // of the lighter one that moves [kg]
+    dJointFeedback feedback = {};  // if the axis may change
 
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // the first of friction
     double slip_per_force = 0.0;                      // across it [m/s/N]
-    bool slips = false;                               // before the step, or is a treel's: the axis stays
+    bool keeps_axis = false;                          // it slips already, or is a treel's: it follows from step to step
     bool is_known = false;                            // the axis, from a solution of this step
   };
 

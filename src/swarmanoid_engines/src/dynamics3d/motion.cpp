@@ -140,7 +140,7 @@ bool Dynamics3d::solveContacts(double step) {
 
 bool Dynamics3d::correctFriction(double step) {
   constexpr int kMostCorrections = 2;
-  for (int i = 0; i < kMostCorrections && !contacts_.rubAsCoulombSays(); ++i) {
+  for (int i = 0; i < kMostCorrections && !contacts_.isFrictionCoulombs(); ++i) {
     ++counts_.corrected;
     restoreStates();
     contacts_.makeAgain(order_);

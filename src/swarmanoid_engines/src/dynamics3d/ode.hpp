@@ -35,6 +35,15 @@ long solverFailures();
 inline Eigen::Vector3d toVector(const dReal* v) { return {v[0], v[1], v[2]}; }
 inline Eigen::Quaterniond toQuaternion(const dReal* q) { return {q[0], q[1], q[2], q[3]}; }
 
+/// Of a point of a body, in W [m/s]. @param rigid null: what does not move @param point in W
+inline Eigen::Vector3d velocityAt(dBodyID rigid, const Eigen::Vector3d& point) {
+  dVector3 velocity = {};
+  if (rigid != nullptr) {
+    dBodyGetPointVel(rigid, point.x(), point.y(), point.z(), velocity);
+  }
+  return toVector(velocity);
+}
+
 /// Of a body's centre of mass.
 inline void setBodyPose(dBodyID rigid, const Eigen::Vector3d& position, const Eigen::Quaterniond& orientation) {
   const dQuaternion q = {orientation.w(), orientation.x(), orientation.y(), orientation.z()};

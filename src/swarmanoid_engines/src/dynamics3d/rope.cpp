@@ -18,16 +18,11 @@ Vector3d anchorOf(const Rope& rope) {
 
 /// How fast a point of a body goes after a step if nothing but gravity acts on it.
 Vector3d speedAfter(dWorldID world, dBodyID rigid, const Vector3d& point, double step) {
-  if (rigid == nullptr) {
-    return Vector3d::Zero();
-  }
-  dVector3 speed;
-  dBodyGetPointVel(rigid, point.x(), point.y(), point.z(), speed);
   dVector3 gravity = {};
-  if (dBodyIsKinematic(rigid) == 0) {
+  if (rigid != nullptr && dBodyIsKinematic(rigid) == 0) {
     dWorldGetGravity(world, gravity);
   }
-  return toVector(speed) + step * toVector(gravity);
+  return velocityAt(rigid, point) + step * toVector(gravity);
 }
 
 }  // namespace
@@ -53,9 +48,8 @@ void dragRope(Body& robot, double drag) {
     return;
   }
   const Vector3d launcher = launcherOf(robot);
-  dVector3 speed;
-  dBodyGetPointVel(robot.rigid, launcher.x(), launcher.y(), launcher.z(), speed);
-  const Vector3d force = -drag * (toVector(speed) - rope.towards.dot(toVector(speed)) * rope.towards);
+  const Vector3d speed = velocityAt(robot.rigid, launcher);
+  const Vector3d force = -drag * (speed - rope.towards.dot(speed) * rope.towards);
   dBodyAddForceAtPos(robot.rigid, force.x(), force.y(), force.z(), launcher.x(), launcher.y(), launcher.z());
 }
 

@@ -5,6 +5,16 @@
 
 namespace swarmanoid::dynamics3d {
 
+dContactGeom geometryOf(const SurfaceContact& contact, dGeomID solid, dGeomID surface) {
+  dContactGeom geometry = {};
+  geometry.depth = contact.depth;
+  Eigen::Map<Eigen::Vector3d>(geometry.normal) = contact.normal;
+  Eigen::Map<Eigen::Vector3d>(geometry.pos) = contact.position;
+  geometry.g1 = solid;
+  geometry.g2 = surface;
+  return geometry;
+}
+
 void SurfaceContacts::add(const SurfaceContact& contact) {
   constexpr double kSame = 1e-6;  // m
   for (std::size_t i = 0; i < count_; ++i) {

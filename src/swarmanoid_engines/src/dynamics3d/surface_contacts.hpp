@@ -1,9 +1,11 @@
-/// Places where a solid touches something, of which the best few become contacts.
+/// Places where a solid touches something, of which the best few become contacts. Frame W.
 #pragma once
 
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
+
+#include "dynamics3d/ode.hpp"
 
 namespace swarmanoid::dynamics3d {
 
@@ -13,6 +15,9 @@ struct SurfaceContact {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< out of the surface
   double depth = 0.0;                                 ///< by which the solid is nearer than the margin [m]
 };
+
+/// As ODE has it. @param solid the one that touches @param surface null: ground that is not ODE's
+dContactGeom geometryOf(const SurfaceContact& contact, dGeomID solid, dGeomID surface);
 
 /// Those of one solid, each place once. Where there is no more room, the shallowest are left out.
 class SurfaceContacts {

@@ -37,6 +37,15 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
   }
   void expectNoOverlap(const char* when) { EXPECT_LE(deepest, kDeepest) << when; }
 
+  /// Drives towards what is ahead and goes on, which brings the tip of the gripper to its surface. @param radius [m]
+  void pushAhead(Row row, Row ahead, double radius) {
+    world.drive(row, speed());
+    run(3.0);
+    expectNoOverlap("at what is ahead");
+    const double way = world.pose(ahead).position.x() - world.pose(row).position.x();
+    EXPECT_NEAR(way - radius - kTip, 0.0, kNear);
+  }
+
   /// Turns on the spot, and then backs off from where it is. @param row who is at contact
   /// @param turn that is possible within a second [rad]
   void expectFreedom(Row row, double turn = 0.8) {
@@ -101,11 +110,7 @@ TEST_P(ApproachTest, APreyIsReachedPushedAndLeft) {
   const Row prey = world.addPrey(0.1, 0.12, 2.0, 2.0);
   const Row row = world.addFootbot(flatPose(2.0 - 0.1 - kTip - 0.0937, 2.0));
   rows = {prey, row};
-  world.drive(row, speed());
-  run(3.0);
-  expectNoOverlap("pushing");
-  const double gap = world.pose(prey).position.x() - world.pose(row).position.x() - 0.1 - kTip;
-  EXPECT_NEAR(gap, 0.0, kNear);
+  pushAhead(row, prey, 0.1);
   EXPECT_NEAR(world.pose(row).position.x(), 2.0 - 0.1 - kTip - 0.0937 + 3.0 * speed(), 0.05 * speed() + dt() * speed());
   expectFreedom(row);
 }
@@ -114,11 +119,7 @@ TEST_P(ApproachTest, ARobotThatStandsIsReachedAndLeft) {
   const Row standing = world.addFootbot(flatPose(2.0, 2.0));
   const Row row = world.addFootbot(flatPose(2.0 - 0.085 - kTip - 0.0937, 2.0));
   rows = {standing, row};
-  world.drive(row, speed());
-  run(3.0);
-  expectNoOverlap("at the robot");
-  const double gap = world.pose(standing).position.x() - world.pose(row).position.x() - 0.085 - kTip;
-  EXPECT_NEAR(gap, 0.0, kNear);
+  pushAhead(row, standing, 0.085);
   expectFreedom(row);
 }
 
