@@ -42,6 +42,9 @@ void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& rob
     resolve(*participant);
   }
   markCommanded();
+  if (run_ != space.run) {
+    given_up_.reset();
+  }
   run_ = space.run;
   tick_ = space.tick;
   seed_ = space.seed;
@@ -205,6 +208,11 @@ std::vector<std::string> Lockstep::lonelyRobots() const {
     }
   }
   return names;
+}
+
+void Lockstep::wake() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  changed_.notify_all();
 }
 
 void Lockstep::cancel() {

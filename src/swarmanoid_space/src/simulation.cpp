@@ -27,20 +27,23 @@ PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
   return *this;
 }
 
-void Simulation::tick() {
+bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   if (isFinished()) {
-    return;
+    return true;
   }
   Stopwatch stopwatch;
-  space_.events.assign(pending_events_.begin(), pending_events_.end());
-  pending_events_.clear();
-
   phases::sense(space_, cast_->groups, cast_->workers);
   stopwatch.lap(phase_times_.sense);
+  if (!cast_->lockstep.exchange(space_, cast_->drivers, pending_events_, log_sink_, is_disturbed)) {
+    return false;
+  }
+  space_.events.assign(pending_events_.begin(), pending_events_.end());
+  pending_events_.clear();
+  phases::report(space_, cast_->groups);
   if (supplied_.commands != nullptr) {
     phases::obeyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
   }
-  phases::control(space_, cast_->drivers, cast_->workers, cast_->lockstep, log_sink_);
+  phases::control(space_, cast_->drivers, cast_->workers);
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);
   noteFailures();
@@ -62,6 +65,7 @@ void Simulation::tick() {
   }
   finish_asked_ = phases::show(space_, cast_->visualisations);
   stopwatch.lap(phase_times_.show);
+  return true;
 }
 
 void Simulation::noteFailures() {

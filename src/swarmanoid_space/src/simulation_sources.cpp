@@ -40,6 +40,8 @@ Lockstep& Simulation::lockstep() { return cast_->lockstep; }
 
 void Simulation::interrupt() { cast_->lockstep.cancel(); }
 
+void Simulation::wake() { cast_->lockstep.wake(); }
+
 void Simulation::refuseUnlessReachable(const Driver& driver, CommandSource source) const {
   if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
     describe(driver);

@@ -36,9 +36,11 @@ void SimulationThread::enqueueAndWait(std::function<void()> action, bool is_chan
       throw std::runtime_error("the run has stopped: " + stop_reason_.value_or(""));
     }
     jobs_.push_back({std::move(action), is_change, {}});
+    has_jobs_ = true;
     done = jobs_.back().done.get_future();
   }
   wake_.notify_all();
+  simulation_->wake();
   done.get();
 }
 
@@ -186,6 +188,7 @@ void SimulationThread::runJobs(std::unique_lock<std::mutex>& lock) {
     }
     lock.lock();
   }
+  has_jobs_ = !jobs_.empty();
 }
 
 bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
@@ -197,7 +200,7 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
     wake_.wait(lock, isDisturbed);
     return false;
   }
-  if (options_.real_time_factor <= 0.0) {
+  if (options_.real_time_factor <= 0.0 || is_tick_given_up_) {
     return true;
   }
   const auto now = Clock::now();
@@ -219,8 +222,11 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
 
 void SimulationThread::makeTick(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
-  simulation_->tick();
+  is_tick_given_up_ = !simulation_->tick([this] { return has_jobs_.load(); });
   lock.lock();
+  if (is_tick_given_up_) {
+    return;
+  }
   const bool is_step_done = step_ && --step_->left == 0;
   if (simulation_->isFinished()) {
     state_ = State::kFinished;

@@ -6,7 +6,8 @@
 /// controllers are in process.
 ///
 /// Time     time-outs are wall time; nothing here needs simulated time to advance.
-/// Threads  join, answer, cancel, reports: any thread. The rest: the space's. A Send is called on the space's thread,
+/// Threads  join, answer, wake, cancel, reports: any thread. The rest: the space's. A Send is called on the space's
+/// thread,
 ///          without locks, and may answer at once.
 #pragma once
 
@@ -43,6 +44,7 @@ class Lockstep {
  public:
   using Seconds = std::chrono::duration<double>;
   using Send = std::function<void(const SensorFrame&)>;
+  using Disturbed = std::function<bool()>;
 
   struct Options {
     LatePolicy policy = LatePolicy::kWait;
@@ -85,12 +87,21 @@ class Lockstep {
   /// Between ticks, whenever robots, their devices or their commanders have changed.
   /// @param robots with the indices of their drivers
   void offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space);
-  /// Sends the readings to all participants.
-  void send(const Space& space, const std::vector<Driver>& drivers);
-  /// Waits for all answers, and makes them the commands of the robots.
+  /// Sends the readings to all participants, waits for their answers, and makes these the commands of the robots.
+  ///
+  /// Whoever asks for something in the meantime, between ticks, need not wait for a participant that is late, or for
+  /// one that never comes: the tick is given up and made again afterwards. Each participant is asked once a tick; one
+  /// that was asked before the tick was given up has decided, by what it saw then.
+  ///
+  /// @param events gets what is to be told of participants
+  /// @param is_disturbed asked before each wait, see `wake`; may be empty
+  /// @return false: it was disturbed, nothing has changed, call it again for the same tick
   /// @throws std::runtime_error naming who is late, by LatePolicy::kStop, or if it is cancelled
-  void receive(Space& space, std::vector<Driver>& drivers, const Robot::LogSink& log);
-  /// `receive` waits no more, now and later.
+  bool exchange(Space& space, std::vector<Driver>& drivers, std::vector<Event>& events, const Robot::LogSink& log,
+                const Disturbed& is_disturbed);
+  /// A waiting `exchange` asks again whether it is disturbed. From any thread.
+  void wake();
+  /// `exchange` waits no more, now and later.
   void cancel();
 
  private:
@@ -109,14 +120,16 @@ class Lockstep {
     Send send;
     LatePolicy policy = LatePolicy::kWait;
     Seconds timeout{1.0};
-    SensorFrame frame;  // the last one, filled on the space's thread
+    SensorFrame frame;             // the last one, filled on the space's thread
+    std::vector<bool> is_present;  // of the robots, in that frame
     CommandFrame answer;
     Clock::time_point sent;
     bool is_asked = false;     // this tick
     bool is_answered = false;  // this tick
     bool is_late = false;      // and that has been told
-    bool is_new = true;
-    bool has_obeyed = false;  // since it joined its robots have had commands of it
+    bool is_new = true;        // since it joined no frame was made for it
+    bool needs_frame = true;   // this tick's
+    bool has_obeyed = false;   // since it joined its robots have had commands of it
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
     std::uint64_t refused = 0;
@@ -133,6 +146,12 @@ class Lockstep {
   /// Drops its former self, and who is late with a robot of it. @return whether there was a former self
   bool replace(Participant& joined);
   void ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers);
+  /// @return those to whom a frame is to be sent
+  std::vector<std::shared_ptr<Participant>> askAll(const Space& space, const std::vector<Driver>& drivers);
+  /// Nobody waits for a participant that was asked for robots which it commands no more.
+  void forgetWhoHasGone(const std::vector<Driver>& drivers);
+  void startWaiting(const Space& space);
+  void finishWaiting(const Space& space);
   bool isDone() const;
   /// For its next answer: connections take their time before the first.
   Seconds timeoutOf(const Participant& participant) const;
@@ -140,8 +159,9 @@ class Lockstep {
   std::vector<std::string> lonelyRobots() const;
   Clock::time_point nextDeadline() const;
   void checkDeadlines(const Space& space);
-  void tell(const Note& note, Space& space, const Robot::LogSink& log) const;
-  void tellAll(Lock& lock, Space& space, const Robot::LogSink& log);
+  static void tell(const Note& note, std::vector<Event>& events, const Robot::LogSink& log);
+  void tellAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log);
+  static bool isCommandable(std::size_t driver, const std::vector<Driver>& drivers);
   static void obey(const Participant& participant, Space& space, std::vector<Driver>& drivers);
 
   mutable std::mutex mutex_;  // guards what follows
@@ -156,7 +176,8 @@ class Lockstep {
   std::uint64_t tick_ = 0;
   std::uint64_t seed_ = 1;
   Duration clocktick_{};
-  Clock::time_point started_;     // this tick's waiting
+  Clock::time_point started_;  // this tick's waiting, without the time since it was given up
+  std::optional<Clock::time_point> given_up_;
   bool are_lonely_told_ = false;  // robots without a participant
   bool is_cancelled_ = false;
 };

@@ -77,7 +77,10 @@ class Simulation {
   /// Shows the state before the first tick. Call once, before tick().
   void start();
   /// One tick (thesis 3.1), phases in the order of PhaseTimes. Does nothing once finished.
-  void tick();
+  /// @param is_disturbed while the tick waits for participants, and at each `wake`: whether somebody wants to act on
+  /// the simulation, between ticks
+  /// @return false: it was disturbed and given up before anything happened; it is to be made again, after that
+  bool tick(const std::function<bool()>& is_disturbed = nullptr);
   /// maxclock is reached, or a visualisation asked to finish.
   bool isFinished() const;
   /// Completes what visualisations write, all of them. Called by the destructor if it was not.
@@ -104,6 +107,8 @@ class Simulation {
   Lockstep& lockstep();
   /// A tick that waits for participants ends with an exception; later ticks do not wait. From any thread.
   void interrupt();
+  /// A tick that waits for participants asks again whether it is disturbed. From any thread.
+  void wake();
 
   /// One more who looks at the run. Before start(), or between ticks.
   void addVisualisation(std::shared_ptr<Visualisation> visualisation);

@@ -1,10 +1,12 @@
 /// Runs a simulation on a thread of its own, at a chosen pace; others pause it, step it and act on it between ticks.
 ///
 /// Threads  all functions from any thread but the simulation's own. They wait for the tick boundary, so when one
-///          returns, what it asked for is done and nobody sees a half-updated space.
+///          returns, what it asked for is done and nobody sees a half-updated space. A tick that waits for participants
+///          lets them through: see Simulation::tick.
 /// Time     paced by the wall clock; nothing here changes what a tick computes.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
@@ -105,11 +107,13 @@ class SimulationThread {
   mutable std::condition_variable wake_;
   mutable std::deque<Job> jobs_;
   State state_ = State::kPaused;
-  bool is_over_ = false;  // the thread takes no more jobs
+  bool is_over_ = false;                       // the thread takes no more jobs
+  mutable std::atomic<bool> has_jobs_{false};  // written under the mutex, read by a tick that waits
   std::optional<std::string> stop_reason_;
 
   // only used on the thread
   std::optional<Step> step_;
+  bool is_tick_given_up_ = false;  // it is due, however long the others took
   std::optional<std::chrono::steady_clock::time_point> next_tick_;
 
   std::thread thread_;

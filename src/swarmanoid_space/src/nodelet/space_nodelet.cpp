@@ -90,6 +90,8 @@ void SpaceNodelet::startUp(Experiment experiment) {
     auto simulation = build(std::move(experiment));
     Lockstep& lockstep = simulation->lockstep();
     lockstep.setOptions(options_.lockstep);
+    // before the first tick, which may wait for participants
+    lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_->experiment().name, lockstep);
     thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
     point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
     display_->serveNewcomers(thread_.get());
@@ -101,7 +103,6 @@ void SpaceNodelet::startUp(Experiment experiment) {
       engine_parameters_.push_back(std::make_unique<EngineParameters>(
           ros::NodeHandle(getMTPrivateNodeHandle(), "engines/" + engine), engine, std::move(live), *thread_));
     }
-    lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_->experiment().name, lockstep);
     if (robot_topics_ != nullptr) {
       robot_topics_->start(*thread_);
     }

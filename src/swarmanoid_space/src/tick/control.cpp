@@ -1,16 +1,17 @@
-// Phase 2: every controller turns readings into commands.
+// Phase 2: every controller of this process turns readings into commands.
 #include "swarmanoid_interface/step_controller.hpp"
 #include "tick.hpp"
 
 namespace swarmanoid::phases {
 
-void control(Space& space, std::vector<Driver>& drivers, const Workers& workers, Lockstep& lockstep,
-             const Robot::LogSink& log) {
-  lockstep.send(space, drivers);
+void control(Space& space, std::vector<Driver>& drivers, const Workers& workers) {
   constexpr std::size_t kGrain = 64;
   workers.forRanges(drivers.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       Driver& driver = drivers[i];
+      if (driver.source == CommandSource::kRemote) {
+        continue;  // its participant has said its word
+      }
       RobotWord& word = space.controllers[static_cast<std::size_t>(driver.row)].word;
       word = RobotWord::kNothing;
       if (!driver.has_failed && driver.controller != nullptr) {
@@ -20,7 +21,6 @@ void control(Space& space, std::vector<Driver>& drivers, const Workers& workers,
       }
     }
   });
-  lockstep.receive(space, drivers, log);
 }
 
 }  // namespace swarmanoid::phases

@@ -1,4 +1,5 @@
-// Part of phase 2: readings go to the participants, and their answers become commands.
+// Part of phase 2: readings go to the participants, and their answers become commands. Nothing but the participants'
+// frames is touched before all have answered, so a tick can be given up while it waits.
 #include <algorithm>
 #include <stdexcept>
 
@@ -9,8 +10,6 @@
 
 namespace swarmanoid {
 namespace {
-
-std::string toText(Lockstep::Seconds seconds) { return numberText(seconds.count()) + " s"; }
 
 void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver& driver) {
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
@@ -26,6 +25,18 @@ void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver
   }
 }
 
+/// What is said of a robot that has been deleted, or commanded by others, since the participant was asked.
+void skipAnswer(ByteReader& in, RobotWord word, const RemoteRobot& robot) {
+  if (word == RobotWord::kFailed) {
+    in.text();
+  } else if (word == RobotWord::kStepped) {
+    for (std::size_t i = 0; i < robot.actuators.size(); ++i) {
+      in.block();
+    }
+    readDebugValues(in);
+  }
+}
+
 ControllerState& stateOf(const Driver& driver, Space& space) {
   return space.controllers[static_cast<std::size_t>(driver.row)];
 }
@@ -38,31 +49,13 @@ void fail(Driver& driver, const std::string& reason, Space& space) {
 
 }  // namespace
 
-void Lockstep::send(const Space& space, const std::vector<Driver>& drivers) {
-  std::vector<std::shared_ptr<Participant>> asked;
-  {
-    const Lock lock(mutex_);
-    if (offered_.empty() && participants_.empty()) {
-      return;
-    }
-    run_ = space.run;
-    tick_ = space.tick;
-    seed_ = space.seed;
-    started_ = Clock::now();
-    for (const auto& participant : participants_) {
-      ask(*participant, space, drivers);
-      if (participant->is_asked) {
-        asked.push_back(participant);
-      }
-    }
-  }
-  for (const auto& participant : asked) {
-    participant->send(participant->frame);
-  }
+bool Lockstep::isCommandable(std::size_t driver, const std::vector<Driver>& drivers) {
+  return driver != kNowhere && !drivers[driver].has_failed;
 }
 
 void Lockstep::ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers) {
   participant.is_new = false;
+  participant.needs_frame = false;
   participant.is_answered = false;
   SensorFrame& frame = participant.frame;
   frame.stamp.run = space.run;
@@ -73,9 +66,11 @@ void Lockstep::ask(Participant& participant, const Space& space, const std::vect
   frame.data.clear();
   ByteWriter out(frame.data);
   participant.is_asked = false;
+  participant.is_present.assign(participant.robots.size(), false);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     const std::size_t driver = participant.drivers[i];
-    const bool is_present = driver != kNowhere && !drivers[driver].has_failed;
+    const bool is_present = isCommandable(driver, drivers);
+    participant.is_present[i] = is_present;
     out.number(static_cast<std::uint8_t>(is_present));
     if (is_present) {
       participant.is_asked = true;
@@ -85,103 +80,64 @@ void Lockstep::ask(Participant& participant, const Space& space, const std::vect
   participant.sent = Clock::now();
 }
 
-bool Lockstep::isDone() const {
-  const bool is_skipping = are_lonely_told_ && options_.policy == LatePolicy::kSkip;
-  return (is_skipping || !isAnybodyLonely()) &&
-         std::all_of(participants_.begin(), participants_.end(), [](const auto& participant) {
-           const bool is_skipped = participant->is_late && participant->policy == LatePolicy::kSkip;
-           return !participant->is_new && (!participant->is_asked || participant->is_answered || is_skipped);
-         });
-}
-
-Lockstep::Seconds Lockstep::timeoutOf(const Participant& participant) const {
-  return participant.has_obeyed ? participant.timeout : std::max(participant.timeout, options_.join_timeout);
-}
-
-Lockstep::Clock::time_point Lockstep::nextDeadline() const {
-  const auto after = [](Clock::time_point from, Seconds timeout) {
-    return from + std::chrono::duration_cast<Clock::duration>(timeout);
-  };
-  // who has been told of is waited for without an end, so this is the next moment at which something is to be told
-  Clock::time_point next = after(Clock::now(), Seconds(3600.0));
-  if (!are_lonely_told_ && isAnybodyLonely()) {
-    next = std::min(next, after(started_, options_.join_timeout));
-  }
+std::vector<std::shared_ptr<Lockstep::Participant>> Lockstep::askAll(const Space& space,
+                                                                     const std::vector<Driver>& drivers) {
+  std::vector<std::shared_ptr<Participant>> asked;
   for (const auto& participant : participants_) {
-    if (participant->is_asked && !participant->is_answered && !participant->is_late) {
-      next = std::min(next, after(participant->sent, timeoutOf(*participant)));
-    }
-  }
-  return next;
-}
-
-void Lockstep::checkDeadlines(const Space& space) {
-  const Clock::time_point now = Clock::now();
-  const std::string in_tick = " in tick " + std::to_string(space.tick);
-  const std::vector<std::string> lonely = lonelyRobots();
-  if (!lonely.empty() && !are_lonely_told_ && now - started_ >= options_.join_timeout) {
-    are_lonely_told_ = true;
-    const std::string text = "no participant has registered for " + joinNames(lonely) + in_tick + " (" +
-                             toText(options_.join_timeout) + "); policy " + toString(options_.policy);
-    notes_.push_back({Event::Kind::kParticipantLate, "", text});
-    if (options_.policy == LatePolicy::kStop && stop_reason_.empty()) {
-      stop_reason_ = text;
-    }
-  }
-  for (const auto& participant : participants_) {
-    if (!participant->is_asked || participant->is_answered || participant->is_late ||
-        now - participant->sent < timeoutOf(*participant)) {
-      continue;
-    }
-    participant->is_late = true;
-    ++participant->times_late;
-    const std::string text =
-        "no answer" + in_tick + " (" + toText(timeoutOf(*participant)) + "); policy " + toString(participant->policy);
-    notes_.push_back({Event::Kind::kParticipantLate, participant->name, text});
-    if (participant->policy == LatePolicy::kStop && stop_reason_.empty()) {
-      stop_reason_ = "participant '" + participant->name + "': " + text;
-    }
-  }
-}
-
-void Lockstep::receive(Space& space, std::vector<Driver>& drivers, const Robot::LogSink& log) {
-  Lock lock(mutex_);
-  if (participants_.empty() && offered_.empty()) {
-    return;
-  }
-  while (!isDone() && !is_cancelled_ && stop_reason_.empty()) {
-    tellAll(lock, space, log);
-    std::vector<std::shared_ptr<Participant>> newcomers;
-    for (const auto& participant : participants_) {
-      if (participant->is_new) {
-        ask(*participant, space, drivers);
-        if (participant->is_asked) {
-          newcomers.push_back(participant);
-        }
+    if (participant->needs_frame) {
+      ask(*participant, space, drivers);
+      if (participant->is_asked) {
+        asked.push_back(participant);
       }
     }
-    if (isDone() || !newcomers.empty()) {
+  }
+  return asked;
+}
+
+void Lockstep::forgetWhoHasGone(const std::vector<Driver>& drivers) {
+  for (const auto& participant : participants_) {
+    if (participant->needs_frame) {
+      continue;
+    }
+    participant->is_asked = false;
+    for (std::size_t i = 0; i < participant->robots.size(); ++i) {
+      participant->is_asked =
+          participant->is_asked || (participant->is_present[i] && isCommandable(participant->drivers[i], drivers));
+    }
+  }
+}
+
+bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<Event>& events,
+                        const Robot::LogSink& log, const Disturbed& is_disturbed) {
+  Lock lock(mutex_);
+  if (participants_.empty() && offered_.empty()) {
+    return true;
+  }
+  startWaiting(space);
+  forgetWhoHasGone(drivers);
+  while (!isDone() && !is_cancelled_ && stop_reason_.empty()) {
+    tellAll(lock, events, log);
+    const auto asked = askAll(space, drivers);
+    if (isDone() || !asked.empty()) {
       lock.unlock();
-      for (const auto& participant : newcomers) {
+      for (const auto& participant : asked) {
         participant->send(participant->frame);
       }
       lock.lock();
-      continue;
-    }
-    if (changed_.wait_until(lock, nextDeadline()) == std::cv_status::timeout) {
+    } else if (is_disturbed && is_disturbed()) {
+      given_up_ = Clock::now();
+      return false;
+    } else if (changed_.wait_until(lock, nextDeadline()) == std::cv_status::timeout) {
       checkDeadlines(space);
     }
   }
-  for (const auto& participant : participants_) {
-    if (participant->is_answered && participant->is_late) {
-      participant->is_late = false;
-      notes_.push_back(
-          {Event::Kind::kParticipantJoined, participant->name, "is back in tick " + std::to_string(space.tick)});
-    }
-  }
-  tellAll(lock, space, log);
+  finishWaiting(space);
+  tellAll(lock, events, log);
   if (!stop_reason_.empty() || is_cancelled_) {
     throw std::runtime_error(is_cancelled_ ? "stopped while waiting for participants" : stop_reason_);
+  }
+  for (const Offered& offered : offered_) {
+    stateOf(drivers[offered.driver], space).word = RobotWord::kNothing;
   }
   for (const auto& participant : participants_) {
     if (participant->is_asked && participant->is_answered) {
@@ -189,13 +145,14 @@ void Lockstep::receive(Space& space, std::vector<Driver>& drivers, const Robot::
       participant->has_obeyed = true;
     }
   }
+  return true;
 }
 
 void Lockstep::obey(const Participant& participant, Space& space, std::vector<Driver>& drivers) {
   ByteReader in(participant.answer.data);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     const std::size_t driver = participant.drivers[i];
-    const bool is_commanded = driver != kNowhere && !drivers[driver].has_failed;
+    const bool is_commanded = participant.is_present[i] && isCommandable(driver, drivers);
     if (is_commanded && !participant.has_obeyed) {
       ++stateOf(drivers[driver], space).starts;
     }
@@ -206,7 +163,9 @@ void Lockstep::obey(const Participant& participant, Space& space, std::vector<Dr
         stateOf(drivers[driver], space).word = RobotWord::kStepped;
       } else if (is_commanded && word == RobotWord::kFailed) {
         fail(drivers[driver], in.text(), space);
-      } else if (is_commanded || word != RobotWord::kNothing) {
+      } else if (participant.is_present[i] && (word == RobotWord::kStepped || word == RobotWord::kFailed)) {
+        skipAnswer(in, word, participant.robots[i]);
+      } else if (participant.is_present[i] || word != RobotWord::kNothing) {
         throw ByteError("found the word " + std::to_string(static_cast<int>(word)) + ", which does not fit");
       }
     } catch (const ByteError& error) {
@@ -222,25 +181,6 @@ void Lockstep::obey(const Participant& participant, Space& space, std::vector<Dr
       return;
     }
   }
-}
-
-void Lockstep::tell(const Note& note, Space& space, const Robot::LogSink& log) const {
-  space.events.push_back({note.kind, note.participant, "", note.text});
-  if (log) {
-    const bool is_good = note.kind == Event::Kind::kParticipantJoined;
-    log(is_good ? LogLevel::kInfo : LogLevel::kWarning,
-        note.participant.empty() ? "lockstep" : "participant '" + note.participant + "'", note.text);
-  }
-}
-
-void Lockstep::tellAll(Lock& lock, Space& space, const Robot::LogSink& log) {
-  std::vector<Note> notes;
-  notes.swap(notes_);
-  lock.unlock();
-  for (const Note& note : notes) {
-    tell(note, space, log);
-  }
-  lock.lock();
 }
 
 }  // namespace swarmanoid

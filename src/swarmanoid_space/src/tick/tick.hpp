@@ -8,17 +8,19 @@
 
 namespace swarmanoid::phases {
 
-/// Banks of sensors read the space.
-void sense(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
+/// Banks of sensors read the space and fill the readings. Again in the same tick they fill in the same.
+void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
+
+/// Sensors say what there is to say of the tick's readings.
+void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
 /// What has come over topics becomes the commands of the robots that are commanded so; who is told nothing for its
 /// time-out stops.
 void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log);
 
-/// Every controller turns readings into commands, those of participants at the same time as those of this process. An
-/// exception marks its driver as failed. @throws std::runtime_error if a participant is late and the run is to stop
-void control(Space& space, std::vector<Driver>& drivers, const Workers& workers, Lockstep& lockstep,
-             const Robot::LogSink& log);
+/// Every controller of this process turns readings into commands; those of participants have done so before, see
+/// Lockstep::exchange. An exception marks its driver as failed.
+void control(Space& space, std::vector<Driver>& drivers, const Workers& workers);
 
 /// Whoever is being stopped gets the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
 void stopSafely(Space& space, std::vector<Driver>& drivers);
