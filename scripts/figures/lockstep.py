@@ -15,6 +15,7 @@ from long_tests import rostest
 from table import ROOT, run
 
 SEEDS = range(1, 21)
+STARTS = 20  # of each experiment
 CONTROLLERS = {"fb_1": "footbot_retrieval", "fb_2": "footbot_retrieval", "fb_3": "footbot_retrieval",
                "eb": "eyebot_retrieval"}
 CROWD = [f"fb_{i}" for i in range(1, 21)]
@@ -137,6 +138,15 @@ def accidents(table):
               "as the policy says, no wait beyond the time-out", *rostest("lockstep_policies"))
 
 
+def starts(table):
+    """Each installed experiment at all paces: somebody registers and the run goes on."""
+    file = ROOT / "src/swarmanoid_experiments/rostest/lockstep_start_test.py"
+    done = subprocess.run([file], capture_output=True, text=True, env=dict(os.environ, LOCKSTEP_STARTS=str(STARTS)))
+    words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED"))]
+    table.add(f"a participant registers and runs, at factor 0, 1, 10, paused or not; all installed experiments, {STARTS} starts each",
+              "always; services answer while the first tick waits", "; ".join(words), done.returncode == 0)
+
+
 def two_hosts(table):
     add_row_of_hosts(table, "lockstep", "the eyebot's controller on another host (network namespaces): a slow link, and one "
                      "that is cut for 2 s; policies wait, skip, stop",
@@ -157,4 +167,5 @@ def lockstep(table):
     retrieval(table)
     crowd(table)
     accidents(table)
+    starts(table)
     two_hosts(table)

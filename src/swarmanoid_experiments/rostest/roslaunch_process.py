@@ -30,7 +30,8 @@ class RoslaunchTest(unittest.TestCase):
     def start(self, *command):
         """roslaunch, or a program that starts it, with a master on a port of its own."""
         port = free_port()
-        environment = dict(os.environ, ROS_HOME=self.folder.name + "/ros", ROS_MASTER_URI=f"http://localhost:{port}",
+        self.master = f"http://localhost:{port}"
+        environment = dict(os.environ, ROS_HOME=self.folder.name + "/ros", ROS_MASTER_URI=self.master,
                            ROS_HOSTNAME="localhost", PWD=self.folder.name, TMPDIR=self.folder.name)
         # in a session of its own, so that the signal goes to that process alone
         return subprocess.Popen([*command, "-p", str(port)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT,

@@ -1,0 +1,113 @@
+#!/usr/bin/python3
+"""A space whose robot is commanded from elsewhere waits in its first tick: whoever is to command it can register, however
+the run was started, and all services of the space answer meanwhile.
+
+LOCKSTEP_STARTS=20 starts each installed experiment as often, in turn at all paces; without it some of them once."""
+
+import contextlib
+import os
+import signal
+import threading
+import time
+import unittest
+
+import rosgraph
+import rospy
+from std_srvs.srv import Trigger
+from swarmanoid_msgs.srv import Delete, Reset, SetCommandSource, Step
+
+from participants import Participant
+from roslaunch_process import LAUNCH_FOLDER, RoslaunchTest
+
+STARTS = int(os.environ.get("LOCKSTEP_STARTS", 0))
+PATIENCE = 20.0  # [s] of wall time for each answer
+PACES = [(factor, paused) for factor in (0, 1, 10) for paused in ("false", "true")]
+# experiment: robot, its controller
+REMOTE = {"climbing": ("hb", "climbing"), "conformance": ("hb", "conformance"), "diffusion": ("fb_1", "diffusion"),
+          "gap": ("fb_3", "chain"), "group_pull": ("fb_7", "pulling"), "object_retrieval": ("eb", "eyebot_retrieval"),
+          "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb", "climbing")}
+QUICK = [("object_retrieval", 0, "false"), ("shelf_retrieval", 1, "false"), ("diffusion", 10, "true")]
+
+
+class LockstepStartTest(RoslaunchTest):
+    launch_file = LAUNCH_FOLDER / "run.launch"
+
+    @contextlib.contextmanager
+    def waiting_space(self, experiment, factor, paused):
+        robot = REMOTE[experiment][0]
+        setting = f"arena.{robot}.controller.source=remote"
+        if experiment == "diffusion":  # all of a distribution have one source
+            setting = "arena.distribute.quantity=1 arena.fb.controller.source=remote"
+        process = self.launch("rviz:=false", f"experiment:={experiment}", f"real_time_factor:={factor}",
+                              f"paused:={paused}", f"set:={setting}", "on_end:=stay")
+        os.environ.update(ROS_MASTER_URI=self.master, ROS_HOSTNAME="localhost")
+        try:
+            yield
+        finally:
+            process.send_signal(signal.SIGINT)
+            self.end_of(process)
+
+    def call(self, name, kind, **request):
+        """Of a service that is offered in time, and answers in time."""
+        until = time.monotonic() + PATIENCE
+        master = rosgraph.Master("/lockstep_start_test")
+        while not rosgraph.is_master_online() or name not in [service for service, _ in master.getSystemState()[2]]:
+            self.assertLess(time.monotonic(), until, f"{name} is not offered")
+            time.sleep(0.02)
+        answers = []
+        calling = threading.Thread(target=lambda: answers.append(rospy.ServiceProxy(name, kind)(**request)), daemon=True)
+        calling.start()
+        calling.join(PATIENCE)
+        self.assertTrue(answers, f"{name} does not answer")
+        return answers[0]
+
+    def ticks(self):
+        """How many were made; it is paused afterwards."""
+        self.assertTrue(self.call("/space/pause", Trigger).success)
+        return self.call("/space/step", Step, steps=1).tick
+
+    def participant_runs(self, experiment, factor, paused):
+        robot, controller = REMOTE[experiment]
+        with self.subTest(experiment=experiment, factor=factor, paused=paused), \
+                self.waiting_space(experiment, factor, paused):
+            self.call("/space/pause", Trigger)
+            self.assertTrue(self.call("/space/resume", Trigger).success)
+            participant = Participant(robot, controller)
+            try:
+                until = time.monotonic() + PATIENCE
+                while self.ticks() < 3:
+                    self.assertLess(time.monotonic(), until, "nothing moves")
+                    self.call("/space/resume", Trigger)
+            finally:
+                participant.end()
+
+    def test_a_participant_registers_and_runs(self):
+        starts = [(experiment, *PACES[i % len(PACES)]) for experiment in REMOTE for i in range(STARTS)]
+        for start in starts or QUICK:
+            self.participant_runs(*start)
+
+    def test_services_answer_while_the_first_tick_waits(self):
+        with self.waiting_space("object_retrieval", 0, "false"):
+            self.assertTrue(self.call("/space/pause", Trigger).success)
+            self.assertTrue(self.call("/space/resume", Trigger).success)
+            self.assertTrue(self.call("/space/reset", Reset, seed=5).success)
+            self.assertTrue(self.call("/space/delete", Delete, names=["fb_2"]).success)
+            answer = self.call("/space/set_command_source", SetCommandSource, names=["eb"], source="none")
+            self.assertTrue(answer.success, answer.message)
+            self.assertEqual(0, answer.tick)
+            until = time.monotonic() + PATIENCE
+            while self.ticks() < 2:
+                self.assertLess(time.monotonic(), until, "it waits on")
+                self.call("/space/resume", Trigger)
+
+    def test_a_source_that_nobody_fills_can_be_undone(self):
+        with self.waiting_space("object_retrieval", 0, "true"):
+            for source in ("controller", "remote", "none", "remote", "controller"):
+                answer = self.call("/space/set_command_source", SetCommandSource, names=["eb"], source=source)
+                self.assertTrue(answer.success, answer.message)
+                self.call("/space/resume", Trigger)
+            self.assertGreater(self.ticks(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main(warnings="ignore")  # of sockets in rospy
