@@ -1,6 +1,7 @@
 /// Robots whose controllers run elsewhere: a participant in this process, which answers as it is told to.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -55,9 +56,15 @@ class FakeParticipant {
     if (cuts_short) {
       answer.data.pop_back();
     }
+    if (mutate) {
+      mutate(answer);
+    }
     return answer;
   }
 
+  const SensorFrame& lastFrame() const { return last_frame_; }
+
+  std::function<void(CommandFrame&)> mutate;  // what it is about to answer
   std::optional<LatePolicy> policy;
   std::optional<Lockstep::Seconds> timeout;
   bool is_mute = false;

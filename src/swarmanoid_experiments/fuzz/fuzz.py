@@ -1,0 +1,107 @@
+#!/usr/bin/python3
+"""fuzz.py files|images: runs the program on inputs that nobody would write, and looks how it ends.
+
+No crash, no hang, no more memory than a machine has, an exit code that the pages know, and a reason for it. Inputs follow
+from seed and number of the case, so that any of them can be made again: what went wrong is kept in the folder."""
+
+import argparse
+import concurrent.futures
+import pathlib
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import grammar
+import images
+import mutations
+import program
+import sandbox
+
+PROCESSES = 2
+EXPERIMENTS = pathlib.Path(__file__).resolve().parents[1] / "experiments"
+
+
+class Files:
+    """Experiment files, mutated along their grammar."""
+
+    def __init__(self):
+        schema = subprocess.run(["swarmanoid", "schema"], check=True, capture_output=True, text=True).stdout
+        self._grammar = grammar.read_grammar(schema)
+        self._sources = {file.stem: file.read_text() for file in EXPERIMENTS.glob("*.xml")}
+
+    def run(self, numbers, folder):
+        done, data = mutations.Mutator(self._grammar, self._sources, numbers).make()
+        (folder / "case.xml").write_bytes(data)
+        for image in EXPERIMENTS.glob("*.png"):
+            shutil.copy(image, folder)
+        arguments = ["run", "case.xml", "--quiet", "--ticks", "10", "--out", folder / "out"]
+        return done, program.run(arguments, folder)
+
+
+class Images:
+    """Images of heightfields."""
+
+    def __init__(self):
+        self._good = next(EXPERIMENTS.glob("*.png")).read_bytes()
+
+    def run(self, numbers, folder):
+        done, data = images.make(numbers, self._good)
+        (folder / "image.png").write_bytes(data)
+        (folder / "case.xml").write_text(images.EXPERIMENT)
+        return done, program.run(["run", "case.xml", "--quiet", "--out", folder / "out"], folder)
+
+
+SUBJECTS = {"files": Files, "images": Images}
+
+
+def run_case(subject, seed, number, folder):
+    """@return what was wrong, or nothing"""
+    place = folder / f"case_{number}"
+    place.mkdir()
+    done, ending = subject.run(random.Random(f"{seed}/{number}"), place)
+    trouble = ending.trouble()
+    if trouble:
+        (place / "trouble.txt").write_text(f"{trouble}: {done}\n{ending.errors[-3000:]}\n")
+    else:
+        shutil.rmtree(place)
+    return ending.code, trouble and f"case {number}: {trouble}: {done}; {ending.errors[-300:].strip()}"
+
+
+def fuzz(subject, cases, seed, folder):
+    """@return exit codes and how often, and what was wrong"""
+    codes, troubles = {}, []
+    with concurrent.futures.ThreadPoolExecutor(PROCESSES) as pool:
+        for count, (code, trouble) in enumerate(pool.map(lambda n: run_case(subject, seed, n, folder), cases), 1):
+            codes[code] = codes.get(code, 0) + 1
+            if trouble:
+                troubles.append(trouble)
+                print(trouble, file=sys.stderr)
+            if sys.stderr.isatty():
+                print(f"\r{count} of {len(cases)}", end="", file=sys.stderr)
+    return codes, troubles
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("subject", choices=SUBJECTS)
+    parser.add_argument("--cases", type=int, default=300)
+    parser.add_argument("--first", type=int, default=0, help="number of the first case: to see one again")
+    parser.add_argument("--seed", default="1")
+    parser.add_argument("--folder", type=pathlib.Path, help="for what is written, and for cases that went wrong; default: a new one")
+    arguments = parser.parse_args()
+    folder = (arguments.folder or pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_fuzz_"))).resolve()
+    sandbox.confine(folder)
+    numbers = range(arguments.first, arguments.first + arguments.cases)
+    codes, troubles = fuzz(SUBJECTS[arguments.subject](), numbers, arguments.seed, folder)
+    counted = ", ".join(f"{code}: {count}" for code, count in sorted(codes.items()))
+    print(f"{arguments.cases} {arguments.subject}, seed {arguments.seed}, exit codes {counted}; {len(troubles)} went wrong"
+          + (f", kept in {folder}" if troubles else ""))
+    if not troubles:
+        shutil.rmtree(folder, ignore_errors=True)
+    return 1 if troubles else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,69 @@
+"""Runs the program `swarmanoid` once, within limits, and says what was wrong with how it ended."""
+
+import json
+import os
+import re
+import signal
+import subprocess
+import threading
+import time
+
+import sandbox
+
+LONGEST = 20.0  # [s]
+PATIENCE = 10.0  # [s] after which a run is interrupted: what is slow, but not stuck, ends then
+MOST_MEMORY = 2 * 2**30  # [bytes]
+FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
+REASON = re.compile(r"swarmanoid: .{8,}|.+: controller failed in tick \d+.*: .+")
+SANITIZER = re.compile(r"ERROR: AddressSanitizer|runtime error:|WARNING: ThreadSanitizer")
+
+
+class Ending:
+    """How a process ended."""
+
+    def __init__(self, code, seconds, memory, output, errors):
+        self.code, self.seconds, self.memory, self.output, self.errors = code, seconds, memory, output, errors
+
+    def trouble(self, allowed=(FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED)):
+        """What nobody should see, or nothing."""
+        if self.code < 0:
+            return f"signal {-self.code}, after {self.seconds:.0f} s"
+        if self.code not in allowed:
+            return f"exit code {self.code}"
+        if self.seconds > LONGEST:
+            return f"{self.seconds:.0f} s"
+        if self.memory > MOST_MEMORY:
+            return f"{self.memory / 2**30:.1f} GB"
+        if SANITIZER.search(self.errors):
+            return "a sanitizer reports"
+        if self.code not in (FINISHED, INTERRUPTED) and not REASON.search(self.errors):
+            return f"exit code {self.code} without a reason"
+        return self._trouble_of_summary() if self.code == FINISHED else ""
+
+    def _trouble_of_summary(self):
+        try:
+            summary = json.loads(self.output)
+        except ValueError:
+            return "no summary"
+        return "" if summary["finished"] else "a summary that is not finished"
+
+
+def run(arguments, folder, environment=None):
+    """@param arguments of `swarmanoid` @param folder where it runs"""
+    output, errors = folder / "output.txt", folder / "errors.txt"
+    start = time.monotonic()
+    with open(output, "wb") as standard_output, open(errors, "wb") as standard_error:
+        process = subprocess.Popen(["swarmanoid", *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
+                                   stdout=standard_output, stderr=standard_error, start_new_session=True,
+                                   preexec_fn=sandbox.limit_memory, env=dict(os.environ, **(environment or {})))
+        slow = threading.Timer(PATIENCE, process.send_signal, [signal.SIGINT])
+        stuck = threading.Timer(LONGEST, process.kill)
+        slow.start()
+        stuck.start()
+        _, status, usage = os.wait4(process.pid, 0)
+        slow.cancel()
+        stuck.cancel()
+        process.returncode = os.waitstatus_to_exitcode(status)
+    seconds = time.monotonic() - start
+    return Ending(process.returncode, seconds, usage.ru_maxrss * 1024, output.read_text(errors="replace"),
+                  errors.read_text(errors="replace"))

@@ -1,0 +1,67 @@
+"""Where fuzzed programs run: nothing but one folder can be written to.
+
+As root the process moves into a mount namespace of its own, in which every file system is read-only; only the folder, the
+temporary one of its children and /dev/shm lie in memory. Where that cannot be had root is refused. Other users are kept
+by their rights from what is not theirs."""
+
+import ctypes
+import os
+import pathlib
+import resource
+import subprocess
+import sys
+
+MARK = "SWARMANOID_FUZZ_SANDBOX"
+CLONE_NEWNS = 0x00020000
+MEMORY = 3 * 2**30  # [bytes] that one process may ask for; the machine is to survive
+
+
+def _mounts():
+    """Deepest first."""
+    lines = pathlib.Path("/proc/self/mountinfo").read_text().splitlines()
+    places = [line.split()[4].encode().decode("unicode_escape") for line in lines]
+    return sorted(set(places), key=lambda place: place.count("/"), reverse=True)
+
+
+def _run(*command):
+    return subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, check=False)
+
+
+def confine(folder):
+    """From here on this process and its children write below `folder` only. @raise SystemExit where that is not so"""
+    folder = pathlib.Path(folder).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    if os.geteuid() != 0:
+        return
+    if os.environ.get(MARK):
+        return
+    libc = ctypes.CDLL(None, use_errno=True)
+    if libc.unshare(CLONE_NEWNS) != 0 or _run("mount", "--make-rprivate", "/").returncode != 0:
+        sys.exit("fuzz: refused as root: found no way to make a mount namespace, allowed: another user, or a container that "
+                 "lets root make one")
+    results = _run("mount", "--bind", folder, folder)
+    for place in _mounts():
+        if place != str(folder) and not place.startswith(("/proc", "/sys", "/dev")):
+            _run("mount", "-o", "remount,bind,ro", place)
+    for place in ("/dev/shm", "/tmp"):
+        if not str(folder).startswith(place + "/"):
+            _run("mount", "-t", "tmpfs", "-o", "size=256m", "tmpfs", place)
+    if results.returncode != 0 or _can_write("/") or _can_write(pathlib.Path.home()) or not _can_write(folder):
+        sys.exit("fuzz: refused as root: the file systems cannot be made read-only here")
+    os.environ[MARK] = "1"
+
+
+def _can_write(folder):
+    probe = pathlib.Path(folder) / f"fuzz_probe_{os.getpid()}"
+    try:
+        probe.touch()
+        probe.unlink()
+        return True
+    except OSError:
+        return False
+
+
+def limit_memory():
+    """Called in the child, before the program starts."""
+    resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
