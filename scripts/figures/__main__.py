@@ -12,6 +12,7 @@ import engines
 import lockstep
 import long_tests
 import robots
+import robustness
 import simulation
 import under_ros
 from table import ROOT, Table, machine
@@ -33,6 +34,9 @@ FIGURES = {
     "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
     "start_up": lambda table, build: simulation.start_up(table),
+    "fuzzers": robustness.fuzzers,
+    "sanitizers": lambda table, build: robustness.sanitizers(table),
+    "coverage": lambda table, build: robustness.coverage(table),
     "sanitizer": lambda table, build: long_tests.sanitizer(table),
     "fresh_clone": lambda table, build: build_time.fresh_clone(table),
     "fresh_tests": lambda table, build: build_time.fresh_tests(table),

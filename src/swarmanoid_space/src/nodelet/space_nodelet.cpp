@@ -1,6 +1,8 @@
 // The space under ROS: reads the experiment, has the nodelets loaded that it names, ticks, and ends.
 #include <nodelet/nodelet.h>
 #include <ros/init.h>
+#include <ros/master.h>
+#include <ros/network.h>
 #include <pluginlib/class_list_macros.hpp>
 
 #include <cstdio>
@@ -10,6 +12,7 @@
 #include "engine_diagnostics.hpp"
 #include "engine_parameters.hpp"
 #include "exit_code.hpp"
+#include "exposure.hpp"
 #include "lockstep_server.hpp"
 #include "recorder.hpp"
 #include "robot_topics.hpp"
@@ -63,6 +66,10 @@ void SpaceNodelet::onInit() {
     options_.exit_code = readExitCodeFile(getPrivateNodeHandle());
     options_ = readSpaceOptions(getPrivateNodeHandle());
     Experiment experiment = readExperiment(options_);
+    const auto warning_of_others = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
+    if (warning_of_others) {
+      NODELET_WARN("%s", warning_of_others->c_str());
+    }
     for (const std::string& warning : takeExperimentWarnings()) {
       NODELET_WARN("%s", warning.c_str());
     }

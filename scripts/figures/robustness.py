@@ -1,0 +1,109 @@
+"""Figures of what attacks come to: inputs that nobody would write, by the thousand, and sanitizers and coverage of the tests."""
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+from table import ROOT
+
+EXPERIMENTS = ROOT / "src/swarmanoid_experiments"
+FILES, IMAGES, FRAMES, CALLS = 10_000, 1_200, 1_000, 2_000
+SANITIZERS = {"address,undefined": {"ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"},
+              "thread": {"TSAN_OPTIONS": f"suppressions={ROOT / 'scripts/figures/thread_sanitizer.supp'}"}}
+TICKS = 100  # of each experiment under a sanitizer
+REPORT = re.compile(r"ERROR: \w+Sanitizer|WARNING: ThreadSanitizer|runtime error: ")
+
+
+def _last_line(text):
+    lines = text.strip().splitlines()
+    return lines[-1] if lines else "did not run"
+
+
+def fuzzers(table, build):
+    for subject, count in (("files", FILES), ("images", IMAGES)):
+        done = subprocess.run([EXPERIMENTS / "fuzz/fuzz.py", subject, "--cases", str(count)], capture_output=True, text=True,
+                              check=False)
+        if done.returncode != 0:
+            print(done.stderr[-8000:], file=sys.stderr)
+        table.add(f"{count:,} fuzzed {subject}", "no crash, no hang over 20 s, at most 2 GB, an exit code of the page, a reason",
+                  _last_line(done.stdout or done.stderr), done.returncode == 0)
+    program = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_frame_fuzz_test"
+    done = subprocess.run([program], capture_output=True, text=True, env=dict(os.environ, FUZZED_FRAMES=str(FRAMES)), check=False)
+    table.add(f"{FRAMES:,} fuzzed frames each way", "the space goes on, robots stop with a reason", _last_line(done.stdout),
+              done.returncode == 0)
+    done = subprocess.run([EXPERIMENTS / "rostest/service_fuzz_test.py"], capture_output=True, text=True, check=False,
+                          env=dict(os.environ, FUZZED_CALLS=str(CALLS)))
+    if done.returncode != 0:
+        print(done.stdout[-4000:], done.stderr[-8000:], file=sys.stderr)
+    counts = [line for line in done.stdout.splitlines() if " refused, " in line]
+    table.add(f"{CALLS:,} fuzzed service calls", "each is answered within 20 s, with a reason if refused; the space lives on",
+              "; ".join(counts) or "did not run", done.returncode == 0)
+
+
+class InstrumentedBuild:
+    """The suite with all unit tests, built with other flags in a folder that goes again."""
+
+    def __init__(self, *options):
+        self._folder = tempfile.TemporaryDirectory(prefix="swarmanoid_instrumented_")
+        self.path = self._folder.name
+        launcher = ["-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"] if shutil.which("ccache") else []
+        for command in (["cmake", *launcher, *options, "-S", ROOT, "-B", self.path, "-G", "Ninja", "-DBUILD_TESTS_IN_ALL=ON"],
+                        ["cmake", "--build", self.path, "-j2"]):
+            done = subprocess.run(command, capture_output=True, text=True, check=False)
+            if done.returncode != 0:
+                raise RuntimeError(done.stdout[-3000:] + done.stderr[-3000:])
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._folder.cleanup()
+
+    def run(self, *command, environment=None):
+        """In its devel space. @return exit code and all output"""
+        shell = ["bash", "-c", f'source {self.path}/devel/setup.bash && exec "$@"', "bash", *map(str, command)]
+        done = subprocess.run(shell, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, errors="replace", cwd=self.path,
+                              env=dict(os.environ, **(environment or {})), check=False)
+        return done.returncode, done.stdout
+
+    def unit_tests(self, environment=None):
+        """All but those that count allocations, which sanitizers make too. @return the last words, and all output"""
+        _, output = self.run("ctest", "-R", "_gtest_", "-E", "allocation", "--verbose", "--timeout", "3600",
+                             environment=environment)
+        words = [line for line in output.splitlines() if "tests passed" in line]
+        return words[0] if words else "did not run", output
+
+
+def sanitizers(table):
+    experiments = sorted((EXPERIMENTS / "experiments").glob("*.xml")) + sorted((EXPERIMENTS / "rostest").glob("*.xml"))[:2]
+    for kind, environment in SANITIZERS.items():
+        with InstrumentedBuild(f"-DSWARMANOID_SANITIZE={kind}", "-DCMAKE_BUILD_TYPE=RelWithDebInfo") as build:
+            words, output = build.unit_tests(environment)
+            failed = 0
+            for experiment in experiments:
+                code, text = build.run("swarmanoid", "run", experiment, "--ticks", TICKS, "--threads", 2, "--quiet",
+                                       environment=environment)
+                failed += code != 0
+                output += text
+        reports = REPORT.findall(output)
+        if reports or failed:
+            print("\n".join(line for line in output.splitlines() if REPORT.search(line) or "SUMMARY" in line)[-8000:], file=sys.stderr)
+        table.add(f"unit tests, and {len(experiments)} experiments of {TICKS} ticks with two threads, under the sanitizers {kind}",
+                  "no report", f"{words}; {failed} experiments failed; {len(reports)} reports",
+                  not reports and failed == 0 and words.startswith("100%"))
+
+
+def coverage(table):
+    with InstrumentedBuild("-DCMAKE_CXX_FLAGS=--coverage", "-DCMAKE_BUILD_TYPE=Debug") as build:
+        words, _ = build.unit_tests()
+        code, text = build.run("gcovr", "--root", ROOT, "--filter", f"{ROOT}/src/.*/(src|include)/", "--exclude", ".*/test.*",
+                               "--json-summary-pretty", "--print-summary", build.path)
+        start = text.find("{")
+        facts = json.loads(text[start:text.rfind("}") + 1]) if code == 0 and start >= 0 else None
+    said = (f"{facts['line_percent']} % of {facts['line_total']:,} lines, {facts['function_percent']} % of functions; {words}"
+            if facts else f"not measured: {text[-200:]}")
+    table.add("lines that unit tests alone run, without those with a master", "reported", said, None)
