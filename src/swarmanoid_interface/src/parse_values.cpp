@@ -65,11 +65,11 @@ int editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string SourceLocation::toString() const {
-  if (file.empty()) {
-    return "(no file)";
-  }
-  return line > 0 ? file + ":" + std::to_string(line) : file;
+  return line > 0 && !file.empty() ? file + ":" + std::to_string(line) : file;
 }
+
+ConfigError::ConfigError(const SourceLocation& location, const std::string& message)
+    : std::runtime_error(location.file.empty() ? message : location.toString() + ": " + message), location_(location) {}
 
 std::string Range::toString() const {
   const bool has_minimum = std::isfinite(minimum);
@@ -126,20 +126,21 @@ Color parseColorOrThrow(const std::string& text, const std::string& what, const 
 }
 
 std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
-                                 const SourceLocation& location) {
+                                 const SourceLocation& location, Range range) {
   std::vector<double> values;
   std::istringstream parts(text);
   std::string part;
   while (std::getline(parts, part, ',')) {
     const auto value = readWhole<double>(trimmed(part));
-    if (!value || !std::isfinite(*value)) {
+    if (!value || !std::isfinite(*value) || !range.contains(*value)) {
       break;
     }
     values.push_back(*value);
   }
   const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
   if (values.size() != count || commas + 1 != count) {
-    refuse(what, trimmed(text), std::to_string(count) + " numbers separated by commas", location);
+    const std::string bounds = range.toString() == "any number" ? "" : ", each " + range.toString();
+    refuse(what, trimmed(text), std::to_string(count) + " numbers separated by commas" + bounds, location);
   }
   return values;
 }

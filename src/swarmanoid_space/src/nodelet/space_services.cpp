@@ -115,7 +115,7 @@ bool SpaceServices::reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_m
 
 bool SpaceServices::spawn(swarmanoid_msgs::Spawn::Request& request, swarmanoid_msgs::Spawn::Response& response) {
   return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& specification) {
-    simulation.spawn(toDescription(specification, simulation.experiment()), specification.engines);
+    simulation.spawn(toDescription(specification), specification.engines);
   });
 }
 
