@@ -20,9 +20,15 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+/// What somebody can read: of a text without end, how it begins.
+std::string readable(const std::string& text) {
+  constexpr std::size_t kLongest = 200;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
 [[noreturn]] void refuse(const std::string& what, const std::string& found, const std::string& allowed,
                          const SourceLocation& location) {
-  throw ConfigError(location, what + ": found '" + found + "', allowed: " + allowed);
+  throw ConfigError(location, what + ": found '" + readable(found) + "', allowed: " + allowed);
 }
 
 template <class Value>
@@ -119,8 +125,9 @@ bool parseBoolean(const std::string& text, const std::string& what, const Source
 Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location) {
   const auto color = parseColor(text);
   if (!color) {
-    throw ConfigError(location, what + ": found '" + trimmed(text) + "', allowed: " + joinNames(colorNames()) +
-                                    ", or three numbers from 0 to 255" + didYouMean(trimmed(text), colorNames()));
+    throw ConfigError(location, what + ": found '" + readable(trimmed(text)) +
+                                    "', allowed: " + joinNames(colorNames()) + ", or three numbers from 0 to 255" +
+                                    didYouMean(trimmed(text), colorNames()));
   }
   return *color;
 }
@@ -146,6 +153,10 @@ std::vector<double> parseNumbers(const std::string& text, std::size_t count, con
 }
 
 std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongestName = 200;
+  if (word.size() > kLongestName) {
+    return std::nullopt;
+  }
   std::optional<std::string> best;
   int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {
@@ -165,11 +176,12 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
 }
 
 std::string joinNames(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 200;  // names in a message that somebody shall read
   std::string result;
-  for (const std::string& name : names) {
-    result += (result.empty() ? "" : ", ") + name;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    result += (result.empty() ? "" : ", ") + names[i];
   }
-  return result;
+  return names.size() <= kMost ? result : result + " and " + std::to_string(names.size() - kMost) + " more";
 }
 
 }  // namespace swarmanoid

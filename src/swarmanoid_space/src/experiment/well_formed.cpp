@@ -38,6 +38,8 @@ class Walker {
   }
 
  private:
+  static constexpr int kMostAttributes = 1000;  // the library compares each with all others
+
   bool startsWith(const char* prefix) const {
     return text_.compare(at_, std::char_traits<char>::length(prefix), prefix) == 0;
   }
@@ -65,8 +67,13 @@ class Walker {
     if (std::isalpha(first) == 0 && first != '_' && first < 0x80U) {
       refuse("found '<' without a name, allowed: a tag, or &lt; for the sign");
     }
+    int attributes = 0;
     for (char quote = '\0'; at_ < text_.size() && (quote != '\0' || text_[at_] != '>'); ++at_) {
       const char c = text_[at_];
+      attributes += quote == '\0' && c == '=' ? 1 : 0;
+      if (attributes > kMostAttributes) {
+        refuse("found a tag with more than " + std::to_string(kMostAttributes) + " attributes, allowed: fewer");
+      }
       if (quote != '\0' && c == '<') {
         refuse("found '<' in an attribute, allowed: &lt;");
       }
