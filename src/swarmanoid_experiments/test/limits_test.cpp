@@ -5,12 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/experiment_tags.hpp"
-#include "swarmanoid_space/limits.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
@@ -21,6 +26,30 @@ class Idle final : public Controller {
  public:
   void init(Robot&, const Configuration&) override {}
   void step(Time, Duration) override {}
+};
+
+/// Commands numbers as large as there are, first one way, then the other.
+class Wild final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration&) override { robot_ = &robot; }
+  void step(Time, Duration) override {
+    value_ = -value_;
+    if (robot_->type() == "footbot") {
+      robot_->actuator<FootbotWheels>() = {value_, -value_};
+      FootbotTurret& turret = robot_->actuator<FootbotTurret>();
+      value_ > 0.0 ? turret.holdAngle(value_) : turret.turnAt(value_);
+    } else if (robot_->type() == "eyebot") {
+      robot_->actuator<EyebotVelocity>() = {Eigen::Vector3d::Constant(value_), value_};
+      robot_->actuator<EyebotLaser>() = {true, value_, value_};
+    } else if (robot_->hasActuator(HandbotArms::kType)) {
+      robot_->actuator<HandbotArms>() = {{value_, value_, value_}, {value_, value_, value_}};
+      robot_->actuator<HandbotRope>() = {value_ > 0.0, value_};
+    }
+  }
+
+ private:
+  Robot* robot_ = nullptr;
+  double value_ = std::numeric_limits<double>::max();
 };
 
 bool isNumeric(const Parameter& parameter) {
@@ -45,7 +74,8 @@ struct Number {
 
 class World {
  public:
-  explicit World(std::string engine) : engine_(std::move(engine)) {
+  explicit World(std::string engine, std::string controller = "idle")
+      : engine_(std::move(engine)), controller_(std::move(controller)) {
     loadBuiltInPlugins();
     for (const char* robot : {"footbot", "eyebot", "handbot"}) {
       text_ += controllerOf(robot);
@@ -71,11 +101,11 @@ class World {
   const std::vector<Number>& numbers() const { return numbers_; }
 
   /// What happens with that value: "" if it runs with finite poses, what was refused, or what went wrong.
-  std::string refusalOf(const std::string& path, const std::string& value) const {
+  std::string refusalOf(const std::string& path, const std::string& value, int ticks = 3) const {
     try {
       Simulation simulation(parseExperiment(text_, "world.xml", {{path, value}}));
       simulation.start();
-      for (int tick = 0; tick < 3; ++tick) {
+      for (int tick = 0; tick < ticks; ++tick) {
         simulation.tick();
       }
       for (const Pose& pose : simulation.space().entities.pose) {
@@ -127,8 +157,8 @@ class World {
   }
 
   std::string controllerOf(const std::string& robot) {
-    return "<idle id='" + robot + "_idle'>" + devicesOf(robot, PluginKind::kActuator, "actuators") +
-           devicesOf(robot, PluginKind::kSensor, "sensors") + "</idle>\n";
+    return "<" + controller_ + " id='" + robot + "_idle'>" + devicesOf(robot, PluginKind::kActuator, "actuators") +
+           devicesOf(robot, PluginKind::kSensor, "sensors") + "</" + controller_ + ">\n";
   }
 
   std::string entity(const std::string& type, const std::string& id, const std::string& position,
@@ -163,6 +193,7 @@ class World {
   }
 
   std::string engine_;
+  std::string controller_;
   std::string text_ =
       "<ahss-config><framework><clocktick>100</clocktick><maxclock>10</maxclock></framework>\n<controllers>\n";
   std::vector<Number> numbers_;
@@ -233,6 +264,10 @@ TEST_P(NumbersTest, WhateverTheyAreTheRunIsFiniteOrRefused) {
   }
 }
 
+TEST_P(NumbersTest, CommandsOfAnySizeAreLimitedToWhatTheDevicesDo) {
+  EXPECT_EQ(World(GetParam(), "wild").refusalOf("framework.maxclock", "50", 50), "");
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, NumbersTest, testing::Values("kinematics2d", "dynamics2d", "dynamics3d"),
                          [](const auto& engine) { return std::string(engine.param); });
 
@@ -269,3 +304,4 @@ TEST(NumbersTest, AllHaveBounds) {
 }  // namespace swarmanoid
 
 REGISTER_CONTROLLER(swarmanoid::Idle, "idle")
+REGISTER_CONTROLLER(swarmanoid::Wild, "wild")
