@@ -10,7 +10,7 @@ import rospy
 import rostest
 from geometry_msgs.msg import PoseStamped
 from rosgraph_msgs.msg import Clock
-from swarmanoid_msgs.msg import EntityPose, EntitySpecification, Event, RunResult, WorldState
+from swarmanoid_msgs.msg import EntityPose, EntitySpecification, Event, RunResult, TextParameter, WorldState
 from swarmanoid_msgs.srv import ResetRequest
 from visualization_msgs.msg import MarkerArray
 
@@ -119,12 +119,14 @@ class ServicesTest(unittest.TestCase):
 
     def test_an_empty_reset_keeps_the_seed(self):
         self.assertEqual("reset, seed 2", self.space.reset(scope=0, seed=2).message)
-        self.assertEqual("reset, seed 2", self.space.reset(ResetRequest()).message)
+        self.assertEqual("reset, seed 2 as before; zero_seed: true for the seed 0",
+                         self.space.reset(ResetRequest()).message)
         self.assertEqual("reset, seed 1", self.space.reset(scope=0, seed=1).message)
 
     def test_a_reset_to_seed_0_is_asked_for_in_its_own_field(self):
         self.assertEqual("reset, seed 0", self.space.reset(scope=0, zero_seed=True).message)
-        self.assertEqual("reset, seed 0", self.space.reset(ResetRequest()).message, "it is kept like any other")
+        self.assertEqual("reset, seed 0 as before; zero_seed: true for the seed 0",
+                         self.space.reset(ResetRequest()).message, "it is kept like any other")
         answer = self.space.reset(scope=0, zero_seed=True, seed=3)
         self.assertEqual((False, "zero_seed: found true beside seed 3, allowed: one of them"),
                          (answer.success, answer.message))
@@ -209,6 +211,22 @@ class ServicesTest(unittest.TestCase):
         self.assertIn("letters, digits and _", refusal(self.space.spawn([footbot("/a", 4.5, 4.5)])))
         self.assertIn("exists already", refusal(self.space.spawn([footbot("fb_1", 4.5, 4.5)])))
         self.assertIn("overlaps", refusal(self.space.spawn([footbot("a", 4.0, 1.5)])))
+        twice = footbot("a", 4.5, 4.5)
+        twice.engines = ["ground", "ground"]
+        self.assertEqual("spawned 'a': found the entity 'a' twice in the engine 'ground', allowed: once",
+                         refusal(self.space.spawn([twice])))
+        self.assertIn("position: found '4.5, 1e+40, 0', allowed: in the arena, from 0, 0, 0 to ",
+                      refusal(self.space.spawn([footbot("a", 4.5, 1e40)])))
+        self.assertIn("position: found '-1, 1, 0', allowed: in the arena",
+                      refusal(self.space.move([EntityPose("fb_1", pose(-1, 1))])))
+        prey = EntitySpecification(name="a", type="cylindric_prey", engines=["ground"], pose=pose(4.5, 4.5))
+        prey.parameters = [TextParameter("radius", "0.1"), TextParameter("height", "0.1"), TextParameter("mass", "1"),
+                           TextParameter("mass", "2")]
+        self.assertEqual("spawned 'a': found a second 'mass' of a cylindric_prey, allowed: one",
+                         refusal(self.space.spawn([prey])))
+        prey.parameters = [TextParameter("radius", "1e-9"), TextParameter("height", "0.1")]
+        self.assertEqual("spawned 'a': radius: found '1e-9', allowed: a number from 0.001 to 10000",
+                         refusal(self.space.spawn([prey])))
         self.assertIn("'map'", refusal(self.space.move([EntityPose("fb_1", pose(1, 1, "map"))])))
         self.assertIn("there is no entity 'nobody'", refusal(self.space.delete(["nobody"])))
         self.assertIn("does not have", refusal(self.space.spawn(

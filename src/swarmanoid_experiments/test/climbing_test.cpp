@@ -193,7 +193,7 @@ TEST(ClimbingTest, WhatTheRopeHoldsOnToMustBeThere) {
     FAIL() << "was accepted";
   } catch (const ConfigError& error) {
     EXPECT_EQ(std::string(error.what()),
-              "(no file): handbot 'hb' cannot be handed over to engine 'other': its rope holds on to 'ceiling', which "
+              "handbot 'hb' cannot be handed over to engine 'other': its rope holds on to 'ceiling', which "
               "is not in this engine");
   }
 }

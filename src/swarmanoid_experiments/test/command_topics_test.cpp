@@ -84,7 +84,7 @@ TEST_F(CommandTopicsTest, OnlyTheSourceTopicsTakesThem) {
     simulation_->setCommandSource("fb", CommandSource::kTopics);
     FAIL() << "nobody listens";
   } catch (const ConfigError& error) {
-    EXPECT_STREQ("(no file): 'fb' cannot be commanded by topics: its devices have no topics; name it in ~device_topics",
+    EXPECT_STREQ("'fb' cannot be commanded by topics: its devices have no topics; name it in ~device_topics",
                  error.what());
   }
   mailbox_->open("fb");
@@ -120,8 +120,7 @@ TEST_F(CommandTopicsTest, WithoutAMailboxNobodyCommandsIt) {
     simulation.setCommandSource("fb", CommandSource::kTopics);
     FAIL() << "nobody listens";
   } catch (const ConfigError& error) {
-    EXPECT_STREQ("(no file): 'fb' cannot be commanded by topics: nobody listens to topics here, that needs ROS",
-                 error.what());
+    EXPECT_STREQ("'fb' cannot be commanded by topics: nobody listens to topics here, that needs ROS", error.what());
   }
 }
 

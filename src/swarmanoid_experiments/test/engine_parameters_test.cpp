@@ -83,19 +83,18 @@ TEST(EngineParametersTest, ABadValueIsRefusedInWords) {
       "what may change while it runs: iterations, gravity, friction, treel_friction, restitution, "
       "grip_strength, suction_strength, rope_strength, rope_drag, magnet_strength";
   EXPECT_EQ(messageOf(*simulation, "dep", {{"gravity", "1"}}),
-            "(no file): engine 'dep' does not exist; there are: ground, flat, deep; did you mean 'deep'?");
+            "engine 'dep' does not exist; there are: ground, flat, deep; did you mean 'deep'?");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"gravty", "1"}}),
-            "(no file): dynamics3d 'deep' has no parameter 'gravty'; " + live + "; did you mean 'gravity'?");
+            "dynamics3d 'deep' has no parameter 'gravty'; " + live + "; did you mean 'gravity'?");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"subclock", "20"}}),
-            "(no file): dynamics3d 'deep': 'subclock' cannot change while it runs; " + live);
-  EXPECT_EQ(
-      messageOf(*simulation, "ground", {{"subclock", "2"}}),
-      "(no file): kinematics2d 'ground': 'subclock' cannot change while it runs; none of its parameters may change "
-      "while it runs");
+            "dynamics3d 'deep': 'subclock' cannot change while it runs; " + live);
+  EXPECT_EQ(messageOf(*simulation, "ground", {{"subclock", "2"}}),
+            "kinematics2d 'ground': 'subclock' cannot change while it runs; none of its parameters may change "
+            "while it runs");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"gravity", "-1"}}),
-            "(no file): gravity: found '-1', allowed: a number from 0 to 100");
+            "gravity: found '-1', allowed: a number from 0 to 100");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"gravity", "a lot"}}),
-            "(no file): gravity: found 'a lot', allowed: a number from 0 to 100");
+            "gravity: found 'a lot', allowed: a number from 0 to 100");
 }
 
 TEST(EngineParametersTest, OneBadValueAmongGoodOnesChangesNothing) {

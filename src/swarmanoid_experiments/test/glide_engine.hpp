@@ -11,7 +11,7 @@
 
 namespace swarmanoid::test {
 
-class GlideEngine final : public Engine {
+class GlideEngine : public Engine {
  public:
   static PluginDescription describe() {
     PluginDescription description;

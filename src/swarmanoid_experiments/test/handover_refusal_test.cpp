@@ -37,7 +37,7 @@ TEST_P(HandoverRefusalTest, LeavesEverythingAsItWas) {
     with->handover(GetParam().name, GetParam().engine);
     FAIL() << "was accepted";
   } catch (const ConfigError& error) {
-    EXPECT_EQ(std::string(error.what()), "(no file): " + std::string(GetParam().message));
+    EXPECT_EQ(std::string(error.what()), std::string(GetParam().message));
   }
   EXPECT_EQ(with->stateHash(), hash);
   EXPECT_EQ(moverOf(*with, "prey"), "ground");
@@ -95,10 +95,10 @@ TEST(HandoverDynamicsTest, GripsThatTheTargetCannotHoldAreRefused) {
   ASSERT_EQ(space.structure.grippedBy(space.entities.find("fb")), space.entities.find("gb"));
   ASSERT_EQ(space.structure.grippersOf(space.entities.find("prey")).size(), 2U);
   EXPECT_EQ(refusalOnGround(*simulation, "fb"),
-            "(no file): footbot 'fb' cannot be handed over to engine 'ground': grips the robot 'gb', which this engine "
+            "footbot 'fb' cannot be handed over to engine 'ground': grips the robot 'gb', which this engine "
             "cannot hold");
   EXPECT_EQ(refusalOnGround(*simulation, "prey"),
-            "(no file): cylindric_prey 'prey' cannot be handed over to engine 'ground': connected footbot 'left': is "
+            "cylindric_prey 'prey' cannot be handed over to engine 'ground': connected footbot 'left': is "
             "not alone in gripping 'prey', which this engine cannot hold");
   simulation->remove("right");
   EXPECT_EQ(refusalOnGround(*simulation, "prey"), "(accepted)");

@@ -20,9 +20,15 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
+/// What somebody can read: of a text without end, how it begins.
+std::string readable(const std::string& text) {
+  constexpr std::size_t kLongest = 200;
+  return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
+}
+
 [[noreturn]] void refuse(const std::string& what, const std::string& found, const std::string& allowed,
                          const SourceLocation& location) {
-  throw ConfigError(location, what + ": found '" + found + "', allowed: " + allowed);
+  throw ConfigError(location, what + ": found '" + readable(found) + "', allowed: " + allowed);
 }
 
 template <class Value>
@@ -65,11 +71,11 @@ int editDistance(std::string_view a, std::string_view b) {
 }  // namespace
 
 std::string SourceLocation::toString() const {
-  if (file.empty()) {
-    return "(no file)";
-  }
-  return line > 0 ? file + ":" + std::to_string(line) : file;
+  return line > 0 && !file.empty() ? file + ":" + std::to_string(line) : file;
 }
+
+ConfigError::ConfigError(const SourceLocation& location, const std::string& message)
+    : std::runtime_error(location.file.empty() ? message : location.toString() + ": " + message), location_(location) {}
 
 std::string Range::toString() const {
   const bool has_minimum = std::isfinite(minimum);
@@ -119,32 +125,38 @@ bool parseBoolean(const std::string& text, const std::string& what, const Source
 Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location) {
   const auto color = parseColor(text);
   if (!color) {
-    throw ConfigError(location, what + ": found '" + trimmed(text) + "', allowed: " + joinNames(colorNames()) +
-                                    ", or three numbers from 0 to 255" + didYouMean(trimmed(text), colorNames()));
+    throw ConfigError(location, what + ": found '" + readable(trimmed(text)) +
+                                    "', allowed: " + joinNames(colorNames()) + ", or three numbers from 0 to 255" +
+                                    didYouMean(trimmed(text), colorNames()));
   }
   return *color;
 }
 
 std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
-                                 const SourceLocation& location) {
+                                 const SourceLocation& location, Range range) {
   std::vector<double> values;
   std::istringstream parts(text);
   std::string part;
   while (std::getline(parts, part, ',')) {
     const auto value = readWhole<double>(trimmed(part));
-    if (!value || !std::isfinite(*value)) {
+    if (!value || !std::isfinite(*value) || !range.contains(*value)) {
       break;
     }
     values.push_back(*value);
   }
   const auto commas = static_cast<std::size_t>(std::count(text.begin(), text.end(), ','));
   if (values.size() != count || commas + 1 != count) {
-    refuse(what, trimmed(text), std::to_string(count) + " numbers separated by commas", location);
+    const std::string bounds = range.toString() == "any number" ? "" : ", each " + range.toString();
+    refuse(what, trimmed(text), std::to_string(count) + " numbers separated by commas" + bounds, location);
   }
   return values;
 }
 
 std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongestName = 200;
+  if (word.size() > kLongestName) {
+    return std::nullopt;
+  }
   std::optional<std::string> best;
   int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {
@@ -164,11 +176,12 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
 }
 
 std::string joinNames(const std::vector<std::string>& names) {
+  constexpr std::size_t kMost = 200;  // names in a message that somebody shall read
   std::string result;
-  for (const std::string& name : names) {
-    result += (result.empty() ? "" : ", ") + name;
+  for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
+    result += (result.empty() ? "" : ", ") + names[i];
   }
-  return result;
+  return names.size() <= kMost ? result : result + " and " + std::to_string(names.size() - kMost) + " more";
 }
 
 }  // namespace swarmanoid

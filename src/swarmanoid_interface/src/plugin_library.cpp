@@ -33,7 +33,17 @@ std::vector<std::string> prefixes() {
   return result;
 }
 
+/// The loader would wait for ever at the end of a pipe.
+bool isFolderOrRegular(const fs::path& file) {
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) || fs::is_directory(file, ignored);
+}
+
 void open(const std::string& file, const std::string& library, const SourceLocation& location) {
+  if (!isFolderOrRegular(file)) {
+    throw ConfigError(location, "library '" + library + "': found '" + file +
+                                    "', which is a pipe or a device; allowed: a regular file");
+  }
   // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
   if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
     throw ConfigError(location, "library '" + library + "' cannot be loaded: " + dlerror());

@@ -133,7 +133,20 @@ TEST(ConfigurationTest, AValueThatStandsTwiceIsRefusedAsThat) {
 TEST(SourceLocationTest, SaysAsMuchAsIsKnown) {
   EXPECT_EQ((SourceLocation{"a.xml", 3}).toString(), "a.xml:3");
   EXPECT_EQ((SourceLocation{"a.xml", 0}).toString(), "a.xml");
-  EXPECT_EQ(SourceLocation{}.toString(), "(no file)");
+  EXPECT_EQ(SourceLocation{}.toString(), "");
+}
+
+TEST(ConfigErrorTest, SaysTheValueAloneIfItStandsInNoFile) {
+  EXPECT_STREQ(ConfigError({"a.xml", 3}, "found x").what(), "a.xml:3: found x");
+  EXPECT_STREQ(ConfigError({}, "found x").what(), "found x");
+}
+
+TEST(ParseNumbersTest, EachIsInTheRange) {
+  EXPECT_EQ(parseNumbers("1, 2,3", 3, "size", {}, {1.0, 3.0}), (std::vector<double>{1.0, 2.0, 3.0}));
+  EXPECT_EQ(messageOf([] {
+              parseNumbers("1, 2, 1e40", 3, "size", {"a.xml", 3}, {1.0, 3.0});
+            }),
+            "a.xml:3: size: found '1, 2, 1e40', allowed: 3 numbers separated by commas, each from 1 to 3");
 }
 
 TEST(NearestNameTest, FindsWhatWasMeantAndGuessesNothingFarOff) {

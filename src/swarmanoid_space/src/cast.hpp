@@ -79,7 +79,8 @@ struct Simulation::Cast {
 
   Engine* findEngine(const std::string& id) const;
   ControllerGroup* findGroup(const std::string& id) const;
-  Driver* findDriver(Row row);
+  /// @return null for who has no controller, and for kNoRow
+  Driver* findDriver(const Entities& entities, Row row);
 };
 
 }  // namespace swarmanoid

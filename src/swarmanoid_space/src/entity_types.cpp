@@ -5,6 +5,7 @@
 #include <string>
 
 #include "swarmanoid_space/entity_type.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -17,15 +18,15 @@ Parameter parameter(const std::string& name, Parameter::Type type, const std::st
   result.unit = unit;
   result.description = description;
   result.value = std::move(value);
-  if (type == Parameter::Type::kNumber) {
-    result.range = {1e-6, 1e6};
+  if (type == Parameter::Type::kNumber || type == Parameter::Type::kVector3) {
+    result.range = limits::kLength;
   }
   return result;
 }
 
 Parameter mass(const std::string& value, double least, const std::string& description) {
   Parameter result = parameter("mass", Parameter::Type::kNumber, "kg", description, value);
-  result.range = {least, 1e6};
+  result.range = {least, limits::kMass.maximum};
   return result;
 }
 
@@ -100,6 +101,11 @@ class BlockType final : public EntityType {
                         "size: found '" + parameters.text("size") + "', allowed: three numbers greater than 0");
     }
     const double mass = parameters.number("mass", 0.0);
+    if (mass != 0.0 && !limits::kMass.contains(mass)) {
+      throw ConfigError(
+          parameters.find("mass")->location(),
+          "mass: found '" + parameters.text("mass") + "', allowed: 0, or a number " + limits::kMass.toString());
+    }
     const bool is_ferromagnetic = parameters.boolean("ferromagnetic", false);
     using Key = std::array<double, 5>;
     static std::map<Key, std::weak_ptr<const EntityModel>> known;
@@ -116,7 +122,7 @@ class CylindricPreyType final : public EntityType {
     description.summary = "A target object with a gripping strip. Its position is the middle of its lower face.";
     description.parameters = {parameter("radius", Parameter::Type::kNumber, "m", "Of the cylinder."),
                               parameter("height", Parameter::Type::kNumber, "m", "Of the cylinder."),
-                              mass("0.3", 1e-3, "Of the prey."),
+                              mass("0.3", limits::kMass.minimum, "Of the prey."),
                               parameter("color", Parameter::Type::kColor, "", "As cameras see it.", "white")};
     return description;
   }

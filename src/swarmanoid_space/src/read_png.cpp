@@ -5,6 +5,7 @@
 #include <array>
 #include <csetjmp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <stdexcept>
 
@@ -93,6 +94,10 @@ std::string complaint(const Reading& reading) {
 }  // namespace
 
 GreyImage readGreyPng(const std::string& name) {
+  std::error_code ignored;
+  if (std::filesystem::exists(name, ignored) && !std::filesystem::is_regular_file(name, ignored)) {
+    throw std::runtime_error("is no regular file");  // opening a pipe would wait for whoever writes to it
+  }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
   if (file == nullptr) {
     throw std::runtime_error("cannot be opened as '" + name + "'");

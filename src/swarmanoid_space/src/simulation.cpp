@@ -70,7 +70,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
 
 void Simulation::noteFailures() {
   for (const Row row : cast_->faulty) {
-    Driver* driver = cast_->findDriver(row);
+    Driver* driver = cast_->findDriver(space_.entities, row);
     if (!driver->has_failed) {
       driver->has_failed = true;
       driver->failure = kNotFinite;
@@ -182,13 +182,15 @@ ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {
   return nullptr;
 }
 
-Driver* Simulation::Cast::findDriver(Row row) {
-  for (Driver& driver : drivers) {
-    if (driver.row == row) {
-      return &driver;
-    }
+Driver* Simulation::Cast::findDriver(const Entities& entities, Row row) {
+  if (row == kNoRow) {
+    return nullptr;
   }
-  return nullptr;
+  const auto numberOf = [&](Row of) { return entities.number[static_cast<std::size_t>(of)]; };
+  const auto found =
+      std::lower_bound(drivers.begin(), drivers.end(), numberOf(row),
+                       [&](const Driver& driver, EntityNumber number) { return numberOf(driver.row) < number; });
+  return found != drivers.end() && found->row == row ? &*found : nullptr;
 }
 
 }  // namespace swarmanoid

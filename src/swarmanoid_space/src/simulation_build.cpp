@@ -1,20 +1,38 @@
 // From an experiment's description to its state before tick 0.
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 
-#include "cast.hpp"
+#include "door.hpp"
 #include "swarmanoid_space/entity_type.hpp"
+#include "swarmanoid_space/limits.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
 namespace {
 
-std::size_t entityCount(const Experiment& experiment) {
+/// @throws ConfigError if there are more than memory can be expected to hold
+std::size_t entityCount(const ArenaDescription& arena) {
   std::size_t count = 0;
-  for (const EntityDescription& entity : experiment.arena.entities) {
+  for (const EntityDescription& entity : arena.entities) {
     count += entity.distribution ? entity.distribution->quantity : 1;
   }
+  if (count > limits::kMostEntities) {
+    throw ConfigError(arena.location, "found " + std::to_string(count) + " entities, allowed: at most " +
+                                          std::to_string(limits::kMostEntities));
+  }
   return count;
+}
+
+/// @throws ConfigError if simulated time would not fit its numbers
+void refuseEndlessRun(const FrameworkDescription& framework) {
+  using Years = std::chrono::duration<double, std::ratio<31536000>>;
+  const double years = static_cast<double>(framework.max_clock) * Years(framework.clocktick).count();
+  if (years > Years(limits::kLongestRun).count()) {
+    throw ConfigError(framework.location, "maxclock: found " + std::to_string(framework.max_clock) + " ticks of " +
+                                              numberText(1e3 * toSeconds(framework.clocktick)) +
+                                              " ms, allowed: 100 years of simulated time");
+  }
 }
 
 }  // namespace
@@ -24,6 +42,7 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   context_.experiment = &experiment_;
   cast_ = std::make_unique<Cast>(experiment_.framework.threads);
   space_.seed = experiment_.framework.seed;
+  refuseEndlessRun(experiment_.framework);
   buildEngines();
   build();
   for (const VisualisationDescription& description : experiment_.visualisations) {
@@ -72,7 +91,7 @@ void Simulation::build() {
   space_.terrain = experiment_.arena.terrain;
   constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
   space_.events.reserve(kUsualEvents);
-  space_.index.configure(space_.size, experiment_.arena.optimization, entityCount(experiment_));
+  space_.index.configure(space_.size, experiment_.arena.optimization, entityCount(experiment_.arena));
   buildControllerGroups();
   buildBoundary();
   buildEntities();
@@ -122,8 +141,7 @@ void Simulation::buildBoundary() {
     wall.position = centre;
     wall.location = experiment_.arena.location;
     wall.parameters = Configuration("block", "", wall.location);
-    wall.parameters.set(
-        "size", std::to_string(extent.x()) + "," + std::to_string(extent.y()) + "," + std::to_string(extent.z()));
+    wall.parameters.set("size", numberText(extent.x()) + "," + numberText(extent.y()) + "," + numberText(extent.z()));
     addEntity(wall, everywhere);
   };
   const double half = 0.5 * kThickness;
@@ -137,45 +155,32 @@ void Simulation::buildBoundary() {
 }
 
 void Simulation::buildEntities() {
+  std::unordered_map<std::string, std::vector<door::Claim>> claims;  // by entity
+  for (const MappingDescription& mapping : experiment_.mappings) {
+    for (const MappingDescription::Member& member : mapping.members) {
+      claims[member.entity].push_back({mapping.engine, member.role, member.location});
+    }
+  }
   for (const EntityDescription& entity : experiment_.arena.entities) {
+    door::check(entity, experiment_);
+    const std::vector<Seat> seats = door::seats(entity.id, claims[entity.id], cast_->engines);
     if (entity.distribution) {
-      distribute(entity);
+      distribute(entity, seats);
     } else {
-      addEntity(entity, seatsOf(entity.id));
+      addEntity(entity, seats);
     }
   }
 }
 
-std::vector<Seat> Simulation::seatsOf(const std::string& entity) const {
-  std::vector<Seat> seats;
-  bool has_mover = false;
-  for (const MappingDescription& mapping : experiment_.mappings) {
-    for (const auto& member : mapping.members) {
-      has_mover = has_mover || (member.entity == entity && member.role == Role::kMove);
-    }
-  }
-  for (const MappingDescription& mapping : experiment_.mappings) {
-    for (const auto& member : mapping.members) {
-      if (member.entity == entity) {
-        // without a stated mover the first engine that lists the entity moves it
-        const Role role = member.role.value_or(has_mover ? Role::kMirror : Role::kMove);
-        has_mover = has_mover || role == Role::kMove;
-        seats.push_back({cast_->findEngine(mapping.engine), role});
-      }
-    }
-  }
-  return seats;
-}
-
-void Simulation::distribute(const EntityDescription& group) {
+void Simulation::distribute(const EntityDescription& group, const std::vector<Seat>& seats) {
   const Distribution& distribution = *group.distribution;
-  const std::vector<Seat> seats = seatsOf(group.id);
   const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, group.type));
   const auto model = type->makeModel(group.parameters);
   RandomStream random(space_.seed, "distribute", group.id);
   const Eigen::Vector3d extent = distribution.maximum - distribution.minimum;
-  const auto columns = static_cast<std::size_t>(std::max(
-      1.0, std::ceil(std::sqrt(static_cast<double>(distribution.quantity) * extent.x() / std::max(extent.y(), 1e-9)))));
+  const auto quantity = static_cast<double>(distribution.quantity);
+  const double side_by_side = std::ceil(std::sqrt(quantity * extent.x() / std::max(extent.y(), 1e-9)));
+  const auto columns = static_cast<std::size_t>(std::clamp(side_by_side, 1.0, quantity));
   const std::size_t rows = (distribution.quantity + columns - 1) / columns;
 
   EntityDescription entity = group;

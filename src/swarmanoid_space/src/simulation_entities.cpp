@@ -116,9 +116,7 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
 
 void Simulation::removeEntity(Row row) {
   const auto i = static_cast<std::size_t>(row);
-  const auto driver = std::find_if(cast_->drivers.begin(), cast_->drivers.end(),
-                                   [&](const Driver& candidate) { return candidate.row == row; });
-  if (driver != cast_->drivers.end()) {
+  if (Driver* driver = cast_->findDriver(space_.entities, row)) {
     if (driver->controller) {
       driver->controller->destroy();
     }
@@ -128,7 +126,7 @@ void Simulation::removeEntity(Row row) {
     for (const auto& actuator : driver->group->actuators) {
       actuator->remove(space_, row);
     }
-    cast_->drivers.erase(driver);
+    cast_->drivers.erase(cast_->drivers.begin() + (driver - cast_->drivers.data()));
   }
   space_.robots[i].reset();
   space_.controllers[i] = ControllerState{};

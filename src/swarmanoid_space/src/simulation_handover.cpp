@@ -1,23 +1,35 @@
 // Handover between engines (thesis chapter 5): asked for from outside, and the rules of the experiment file.
 #include <algorithm>
+#include <map>
 
 #include "handover.hpp"
 
 namespace swarmanoid {
 namespace {
 
-/// The names that a rule's entity stands for.
-std::vector<std::string> entitiesOf(const HandoverDescription& rule, const ArenaDescription& arena) {
+/// How many entities distributions make, by id.
+std::map<std::string, std::size_t> quantitiesIn(const ArenaDescription& arena) {
+  std::map<std::string, std::size_t> quantities;
   for (const EntityDescription& entity : arena.entities) {
-    if (entity.id == rule.entity && entity.distribution) {
-      std::vector<std::string> names;
-      for (std::size_t k = 1; k <= entity.distribution->quantity; ++k) {
-        names.push_back(entity.id + "_" + std::to_string(k));
-      }
-      return names;
+    if (entity.distribution) {
+      quantities[entity.id] = entity.distribution->quantity;
     }
   }
-  return {rule.entity};
+  return quantities;
+}
+
+/// The names that a rule's entity stands for.
+std::vector<std::string> entitiesOf(const HandoverDescription& rule,
+                                    const std::map<std::string, std::size_t>& quantities) {
+  const auto group = quantities.find(rule.entity);
+  if (group == quantities.end()) {
+    return {rule.entity};
+  }
+  std::vector<std::string> names;
+  for (std::size_t k = 1; k <= group->second; ++k) {
+    names.push_back(rule.entity + "_" + std::to_string(k));
+  }
+  return names;
 }
 
 std::vector<std::string> engineIds(const Space& space) {
@@ -61,19 +73,20 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
 }
 
 void Simulation::buildWatches() {
+  const std::map<std::string, std::size_t> quantities = quantitiesIn(experiment_.arena);
   for (const HandoverDescription& rule : experiment_.handovers) {
     Engine* engine = cast_->findEngine(rule.engine);
     if (engine == nullptr) {
       throw ConfigError(rule.location, "handover: engine '" + rule.engine + "' does not exist");
     }
-    for (const std::string& name : entitiesOf(rule, experiment_.arena)) {
+    for (const std::string& name : entitiesOf(rule, quantities)) {
       const Row row = space_.entities.find(name);
       if (row == kNoRow) {
         throw ConfigError(rule.location, "handover: there is no entity '" + name + "'");
       }
       const auto i = static_cast<std::size_t>(row);
       const EntityModel& model = *space_.entities.model[i];
-      Driver* driver = cast_->findDriver(row);
+      Driver* driver = cast_->findDriver(space_.entities, row);
       std::string problem =
           model.is_movable ? refusalOf(*engine, model, devicesOf(driver ? driver->group : nullptr), cast_->seats[i])
                            : "is fixed, no engine moves it";

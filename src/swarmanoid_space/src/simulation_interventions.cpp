@@ -1,67 +1,21 @@
 // What comes from outside, between ticks.
-#include <algorithm>
-
-#include "cast.hpp"
-#include "swarmanoid_space/entity_type.hpp"
+#include "door.hpp"
+#include "swarmanoid_space/limits.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
-namespace {
-
-[[noreturn]] void refuseUnknown(const EntityDescription& entity, const std::string& what, const std::string& name,
-                                const std::vector<std::string>& known) {
-  throw ConfigError(entity.location,
-                    what + " '" + name + "' does not exist; there are: " + joinNames(known) + didYouMean(name, known));
-}
-
-/// Every device that the controller uses must be one that such a robot has.
-void checkDevices(const EntityDescription& entity, PluginKind kind, const std::vector<DeviceDescription>& devices) {
-  for (const DeviceDescription& device : devices) {
-    const auto& robots = Registry::instance().find(kind, device.type, device.implementation)->description.robots;
-    if (!robots.empty() && std::find(robots.begin(), robots.end(), entity.type) == robots.end()) {
-      throw ConfigError(entity.location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
-                                             device.type + "', which a " + entity.type +
-                                             " does not have; it is for: " + joinNames(robots));
-    }
-  }
-}
-
-}  // namespace
-
-void Simulation::checkController(const EntityDescription& entity) const {
-  if (entity.controller.empty()) {
-    return;
-  }
-  const ControllerGroup* group = cast_->findGroup(entity.controller);
-  if (group == nullptr) {
-    std::vector<std::string> known;
-    for (const auto& candidate : cast_->groups) {
-      known.push_back(candidate->description->id);
-    }
-    refuseUnknown(entity, "controller", entity.controller, known);
-  }
-  checkDevices(entity, PluginKind::kActuator, group->description->actuators);
-  checkDevices(entity, PluginKind::kSensor, group->description->sensors);
-}
 
 void Simulation::spawn(const EntityDescription& entity, const std::vector<std::string>& engines) {
-  const Registry& registry = Registry::instance();
-  if (registry.find(PluginKind::kEntity, entity.type) == nullptr) {
-    refuseUnknown(entity, "entity type", entity.type, registry.labels(PluginKind::kEntity));
+  door::check(entity, experiment_);
+  std::vector<door::Claim> claims;
+  for (const std::string& engine : engines) {
+    claims.push_back({engine, std::nullopt, entity.location});
   }
-  std::vector<Seat> seats;
-  for (const std::string& id : engines) {
-    Engine* engine = cast_->findEngine(id);
-    if (engine == nullptr) {
-      std::vector<std::string> known;
-      for (const auto& candidate : cast_->engines) {
-        known.push_back(candidate->id());
-      }
-      refuseUnknown(entity, "engine", id, known);
-    }
-    seats.push_back({engine, seats.empty() ? Role::kMove : Role::kMirror});
+  const std::vector<Seat> seats = door::seats(entity.id, claims, cast_->engines);
+  if (space_.entities.size() >= limits::kMostEntities) {
+    throw ConfigError(entity.location, "found " + std::to_string(space_.entities.size()) +
+                                           " entities in the arena already, allowed: no more");
   }
-  checkController(entity);
   addEntity(entity, seats);
   offerRobots();
   space_.index.rebuild(space_.entities);
@@ -88,6 +42,7 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
     throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
   }
+  door::checkPosition("position", pose.position, *space_.entities.model[i], experiment_.arena, {});
   Pose target = pose;
   target.orientation.normalize();
   EntityDescription entity;

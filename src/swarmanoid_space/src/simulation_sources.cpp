@@ -68,7 +68,7 @@ void Simulation::offerRobots() {
 }
 
 void Simulation::setCommandSource(const std::string& robot, CommandSource source) {
-  Driver* driver = cast_->findDriver(space_.entities.find(robot));
+  Driver* driver = cast_->findDriver(space_.entities, space_.entities.find(robot));
   if (driver == nullptr) {
     throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
   }

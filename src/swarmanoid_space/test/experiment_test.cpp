@@ -221,13 +221,13 @@ TEST_F(ExperimentTest, OverridesReplaceValues) {
 
 TEST_F(ExperimentTest, OverridesReplaceAttributes) {
   const Experiment experiment = parse({{"arena.bounded", "true"},
-                                       {"arena.size", "5,5,5"},
+                                       {"arena.size", "10,9,5"},
                                        {"arena.distribute.quantity", "8"},
                                        {"arena.distribute.layout", "grid"},
                                        {"arena.prey.radius", "0.2"},
                                        {"arena_physics.ground.prey.role", "mirror"}});
   EXPECT_TRUE(experiment.arena.bounded);
-  EXPECT_EQ(experiment.arena.size, Eigen::Vector3d(5, 5, 5));
+  EXPECT_EQ(experiment.arena.size, Eigen::Vector3d(10, 9, 5));
   EXPECT_EQ(experiment.arena.entities[1].distribution->quantity, 8U);
   EXPECT_EQ(experiment.arena.entities[1].distribution->layout, Distribution::Layout::kGrid);
   EXPECT_EQ(experiment.arena.entities[1].parameters.number("radius"), 0.2);
@@ -260,7 +260,7 @@ TEST_F(ExperimentTest, MistakesInOverridesNameTheOverride) {
             "--set framework.maxclock: maxclock: found 'many', allowed: a whole number from 1 to 1e+15");
   EXPECT_EQ(refusal({{"arena.bounded", "yes"}}), "--set arena.bounded: bounded: found 'yes', allowed: true, false");
   EXPECT_EQ(refusal({{"arena.size", "1,1"}}),
-            "--set arena.size: size: found '1,1', allowed: 3 numbers separated by commas");
+            "--set arena.size: size: found '1,1', allowed: 3 numbers separated by commas, each from 0.1 to 10000");
   EXPECT_EQ(refusal({{"arena.fb.controller", "fast"}}),
             "--set arena.fb.controller: controller of a footbot: found the id 'fast', allowed: slow");
   EXPECT_EQ(refusal({{"framework.speed", "1"}}),

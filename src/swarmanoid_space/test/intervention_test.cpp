@@ -97,21 +97,20 @@ class InterventionTest : public testing::Test {
 
 TEST_F(InterventionTest, AnUnknownTypeIsRefusedAndTheRightOneNamed) {
   EXPECT_EQ(refusal(description("fotbot", "x")),
-            "a test: entity type 'fotbot' does not exist; there are: block, cylindric_prey, eyebot, footbot, handbot, "
-            "light; did you mean 'footbot'?");
+            "a test: type: found 'fotbot', allowed: block, cylindric_prey, eyebot, footbot, handbot, light; did you "
+            "mean 'footbot'?");
 }
 
 TEST_F(InterventionTest, AControllerForAnotherRobotIsRefused) {
   EXPECT_EQ(
       refusal(description("eyebot", "x", "tc")),
       "a test: controller 'tc' uses the actuator 'test_device', which a eyebot does not have; it is for: footbot");
-  EXPECT_EQ(refusal(description("light", "x", "tc")),
-            "a test: controller 'tc' uses the actuator 'test_device', which a light does not have; it is for: footbot");
+  EXPECT_EQ(refusal(description("light", "x", "tc")), "a test: a light has no controller, found 'tc'");
 }
 
 TEST_F(InterventionTest, AnUnknownControllerIsRefusedAndTheRightOneNamed) {
   EXPECT_EQ(refusal(description("footbot", "x", "tcc")),
-            "a test: controller 'tcc' does not exist; there are: tc; did you mean 'tc'?");
+            "a test: controller of a footbot: found the id 'tcc', allowed: tc; did you mean 'tc'?");
 }
 
 TEST_F(InterventionTest, ANameThatIsTakenIsRefused) {
@@ -154,7 +153,7 @@ TEST_F(InterventionTest, RemovingWhatIsNotThereIsRefused) {
     simulation->remove("nobody");
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_STREQ(error.what(), "(no file): there is no entity 'nobody'");
+    EXPECT_STREQ(error.what(), "there is no entity 'nobody'");
   }
 }
 

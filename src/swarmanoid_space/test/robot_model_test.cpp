@@ -161,7 +161,7 @@ TEST(RobotModelTest, NamesTheRobotsThatThereAre) {
     FAIL();
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(),
-                 "(no file): found no robot 'footbat', allowed are: eyebot, footbot, handbot; did you mean 'footbot'?");
+                 "found no robot 'footbat', allowed are: eyebot, footbot, handbot; did you mean 'footbot'?");
   }
 }
 

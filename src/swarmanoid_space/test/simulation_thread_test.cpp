@@ -120,7 +120,7 @@ TEST(SimulationThreadTest, ResetRewindsTimeWhenAskedTo) {
 
 TEST(SimulationThreadTest, HandsOnWhatACallThrows) {
   SimulationThread thread(test::smallWorld(), pausedAtFirst());
-  EXPECT_EQ("(no file): there is no entity 'nobody'",
+  EXPECT_EQ("there is no entity 'nobody'",
             messageOf([&] { thread.call([](Simulation& simulation) { simulation.remove("nobody"); }); }));
   EXPECT_TRUE(thread.step(1).is_complete);
 }

@@ -10,28 +10,29 @@
 #include "common/parameter.hpp"
 #include "common/turret.hpp"
 #include "dynamics2d/fixtures.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
 
-constexpr Range kForceRange{0.0, 1e6};
 constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kFractionRange{0.0, 1.0};
 constexpr Range kIterationsRange{1.0, 1000.0};
 
 std::vector<Parameter> materialParameters() {
   const Material standard;
-  return {makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations),
-                        "Of the solver of contacts and joints, in each step.", kIterationsRange),
-          makeNumber("gravity", "m/s2", standard.gravity, kForceRange, "Presses bodies on the plane."),
-          makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
-                     "Coefficient of what slides on the plane."),
-          makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
-                     "Coefficient of treels on the plane: beyond it they slip."),
-          makeNumber("contact_friction", "", standard.contact_friction, kFrictionRange, "Coefficient between bodies."),
-          makeNumber("restitution", "", standard.restitution, kFractionRange,
-                     "Part of the speed that bodies bounce back with."),
-          makeNumber("grip_strength", "N", standard.grip_strength, kForceRange, "A grip tears beyond this force.")};
+  return {
+      makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations),
+                    "Of the solver of contacts and joints, in each step.", kIterationsRange),
+      makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Presses bodies on the plane."),
+      makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
+                 "Coefficient of what slides on the plane."),
+      makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
+                 "Coefficient of treels on the plane: beyond it they slip."),
+      makeNumber("contact_friction", "", standard.contact_friction, kFrictionRange, "Coefficient between bodies."),
+      makeNumber("restitution", "", standard.restitution, kFractionRange,
+                 "Part of the speed that bodies bounce back with."),
+      makeNumber("grip_strength", "N", standard.grip_strength, limits::kStrength, "A grip tears beyond this force.")};
 }
 
 Material readMaterial(const Configuration& parameters) {
@@ -39,12 +40,12 @@ Material readMaterial(const Configuration& parameters) {
   Material result;
   result.iterations =
       static_cast<int>(parameters.integer("iterations", std::int64_t{standard.iterations}, kIterationsRange));
-  result.gravity = parameters.number("gravity", standard.gravity, kForceRange);
+  result.gravity = parameters.number("gravity", standard.gravity, limits::kGravity);
   result.ground_friction = parameters.number("ground_friction", standard.ground_friction, kFrictionRange);
   result.treel_friction = parameters.number("treel_friction", standard.treel_friction, kFrictionRange);
   result.contact_friction = parameters.number("contact_friction", standard.contact_friction, kFrictionRange);
   result.restitution = parameters.number("restitution", standard.restitution, kFractionRange);
-  result.grip_strength = parameters.number("grip_strength", standard.grip_strength, kForceRange);
+  result.grip_strength = parameters.number("grip_strength", standard.grip_strength, limits::kStrength);
   return result;
 }
 
@@ -114,6 +115,15 @@ std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std:
     return "has a cylinder on its turret that does not stand upright, which this engine cannot turn";
   }
   return problem.empty() ? problemWithModel(model) : problem;
+}
+
+std::string Dynamics2d::misplacement(const EntityModel& model, const Pose& pose) const {
+  const double farthest = bodies_.plane().toLocal(pose.position).cwiseAbs().maxCoeff();
+  if (farthest > limits::kFarthestInSinglePrecision) {
+    return "found at " + numberText(farthest) + " m from the origin, allowed: at most " +
+           numberText(limits::kFarthestInSinglePrecision) + " m along each axis, since Box2D has single precision";
+  }
+  return PlanarEngine::misplacement(model, pose);
 }
 
 void Dynamics2d::makeWorld() {

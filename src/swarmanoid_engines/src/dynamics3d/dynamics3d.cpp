@@ -85,12 +85,9 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   by_row_[i] = makeBody(world_, space, row, role);
   Body& body = *by_row_[i];
   // a mirror of an old entity may come late: the order is by number, not by arrival
-  order_.insert(std::upper_bound(order_.begin(), order_.end(), &body,
-                                 [](const Body* a, const Body* b) { return a->number < b->number; }),
-                &body);
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    order_[k]->rank = static_cast<int>(k);
-  }
+  const auto place = std::upper_bound(order_.begin(), order_.end(), &body,
+                                      [](const Body* a, const Body* b) { return a->number < b->number; });
+  rankFrom(order_.insert(place, &body));
   findTurret(body, space);
   takePose(space, body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
@@ -99,6 +96,12 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   takeOverGrips(space, body);
   takeOverAttachments(space, body);
   settling_ = body.is_dynamic ? kSettlingSteps : settling_;
+}
+
+void Dynamics3d::rankFrom(std::vector<Body*>::iterator first) {
+  for (auto body = first; body != order_.end(); ++body) {
+    (*body)->rank = static_cast<int>(body - order_.begin());
+  }
 }
 
 void Dynamics3d::takePose(const Space& space, Body& body) {
@@ -129,11 +132,8 @@ void Dynamics3d::remove(Space&, Row row) {
   forgetHolds(*body);
   contacts_.remove(*body);
   seen_.remove(body);
-  order_.erase(std::find(order_.begin(), order_.end(), body));
+  rankFrom(order_.erase(std::find(order_.begin(), order_.end(), body)));
   newcomers_.erase(std::remove(newcomers_.begin(), newcomers_.end(), body), newcomers_.end());
-  for (std::size_t k = 0; k < order_.size(); ++k) {
-    order_[k]->rank = static_cast<int>(k);
-  }
   by_row_[i].reset();
 }
 

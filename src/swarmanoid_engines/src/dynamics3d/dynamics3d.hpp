@@ -84,6 +84,8 @@ class Dynamics3d final : public Engine {
   }
   void makeWorld();
   void destroyWorld();
+  /// Ranks are places in `order_`; those before `first` have theirs.
+  void rankFrom(std::vector<Body*>::iterator first);
   void takePose(const Space& space, Body& body);
   void findLateDevices(const Space& space);
 

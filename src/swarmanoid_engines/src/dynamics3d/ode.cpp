@@ -3,6 +3,7 @@
 #include <cstdarg>
 #include <cstdio>
 #include <stdexcept>
+#include <string>
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -24,11 +25,22 @@ void takeMessage(int number, const char* text, va_list values) {
   std::fputc('\n', stderr);
 }
 
+/// ODE would end the process after these. What is thrown instead leaves a world that nobody may step again: the run
+/// stops.
+[[noreturn]] void throwMessage(int number, const char* text, va_list values) {
+  constexpr std::size_t kLongest = 500;
+  char message[kLongest];
+  std::vsnprintf(message, kLongest, text, values);
+  throw std::runtime_error("the ODE library gives up (" + std::to_string(number) + "): " + message);
+}
+
 /// @pre the process's mutex is held
 void startLibrary() {
   // never closed: worlds of static lifetime may outlive anything that could close it
   static const bool is_started = dInitODE2(0) != 0;
   dSetMessageHandler(&takeMessage);
+  dSetErrorHandler(&throwMessage);
+  dSetDebugHandler(&throwMessage);
   thread_local const bool has_thread_data = is_started && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
   if (!has_thread_data) {
     throw std::runtime_error("the ODE library does not start");

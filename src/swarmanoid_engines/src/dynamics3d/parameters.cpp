@@ -1,16 +1,15 @@
 // The values that the experiment file gives to the engine.
 #include "common/parameter.hpp"
 #include "dynamics3d/dynamics3d.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
 
 constexpr Range kSubclockRange{1.0, 10000.0};
 constexpr Range kIterationsRange{1.0, 10000.0};
-constexpr Range kGravityRange{0.0, 100.0};
 constexpr Range kFrictionRange{0.0, 10.0};
 constexpr Range kRestitutionRange{0.0, 1.0};
-constexpr Range kStrengthRange{0.0, 1e6};
 constexpr Range kDragRange{0.0, 10.0};  // beyond, steps of 10 ms would be too long for it
 
 Settings readSettings(const Configuration& parameters) {
@@ -24,17 +23,17 @@ Settings readSettings(const Configuration& parameters) {
     throw ConfigError(parameters.location(), "solver: found '" + solver + "', allowed: exact, iterative");
   }
   s.solver = solver == "exact" ? Settings::Solver::kExact : Settings::Solver::kIterative;
-  s.gravity = parameters.number("gravity", fallback.gravity, kGravityRange);
+  s.gravity = parameters.number("gravity", fallback.gravity, limits::kGravity);
   s.has_ground = parameters.boolean("ground", fallback.has_ground);
-  s.ground_height = parameters.number("ground_height", fallback.ground_height);
+  s.ground_height = parameters.number("ground_height", fallback.ground_height, limits::kCoordinate);
   s.friction = parameters.number("friction", fallback.friction, kFrictionRange);
   s.treel_friction = parameters.number("treel_friction", fallback.treel_friction, kFrictionRange);
   s.restitution = parameters.number("restitution", fallback.restitution, kRestitutionRange);
-  s.grip_strength = parameters.number("grip_strength", fallback.grip_strength, kStrengthRange);
-  s.suction_strength = parameters.number("suction_strength", fallback.suction_strength, kStrengthRange);
-  s.rope_strength = parameters.number("rope_strength", fallback.rope_strength, kStrengthRange);
+  s.grip_strength = parameters.number("grip_strength", fallback.grip_strength, limits::kStrength);
+  s.suction_strength = parameters.number("suction_strength", fallback.suction_strength, limits::kStrength);
+  s.rope_strength = parameters.number("rope_strength", fallback.rope_strength, limits::kStrength);
   s.rope_drag = parameters.number("rope_drag", fallback.rope_drag, kDragRange);
-  s.magnet_strength = parameters.number("magnet_strength", fallback.magnet_strength, kStrengthRange);
+  s.magnet_strength = parameters.number("magnet_strength", fallback.magnet_strength, limits::kStrength);
   return s;
 }
 
@@ -54,22 +53,23 @@ PluginDescription Dynamics3d::describe() {
       solver,
       live(makeParameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.",
                          kIterationsRange)),
-      live(makeNumber("gravity", "m/s2", standard.gravity, kGravityRange, "Downwards along z.")),
+      live(makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Downwards along z.")),
       makeParameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
-      makeNumber("ground_height", "m", standard.ground_height, {}, "Of the ground."),
+      makeNumber("ground_height", "m", standard.ground_height, limits::kCoordinate, "Of the ground."),
       live(makeNumber("friction", "", standard.friction, kFrictionRange, "Of all surfaces but the treels'.")),
       live(makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
                       "Of treels on what they stand on.")),
       live(makeNumber("restitution", "", standard.restitution, kRestitutionRange,
                       "How much of an impact's speed comes back.")),
-      live(makeNumber("grip_strength", "N", standard.grip_strength, kStrengthRange, "The force that opens a gripper.")),
-      live(makeNumber("suction_strength", "N", standard.suction_strength, kStrengthRange,
+      live(makeNumber("grip_strength", "N", standard.grip_strength, limits::kStrength,
+                      "The force that opens a gripper.")),
+      live(makeNumber("suction_strength", "N", standard.suction_strength, limits::kStrength,
                       "The force that pulls a handbot's hand off what it holds.")),
-      live(makeNumber("rope_strength", "N", standard.rope_strength, kStrengthRange,
+      live(makeNumber("rope_strength", "N", standard.rope_strength, limits::kStrength,
                       "The force that pulls the magnet of a handbot's rope off.")),
       live(makeNumber("rope_drag", "N s/m", standard.rope_drag, kDragRange,
                       "What brakes a handbot that hangs on its rope, for each m/s of its launcher across the rope.")),
-      live(makeNumber("magnet_strength", "N", standard.magnet_strength, kStrengthRange,
+      live(makeNumber("magnet_strength", "N", standard.magnet_strength, limits::kStrength,
                       "The force that pulls an eyebot's magnet off."))};
   return description;
 }

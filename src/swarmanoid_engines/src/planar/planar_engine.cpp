@@ -14,6 +14,7 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::planar {
 namespace {
@@ -33,7 +34,8 @@ std::vector<Parameter> PlanarEngine::placementParameters() {
                                  "The axis that the engine's plane is perpendicular to.");
   axis.choices = {"x", "y", "z"};
   return {makeParameter("subclock", Type::kInteger, "", "1", "Steps of the engine in each tick.", kSubclockRange), axis,
-          makeParameter("distance", Type::kNumber, "m", "0", "Signed distance of the plane from the origin.")};
+          makeParameter("distance", Type::kNumber, "m", "0", "Signed distance of the plane from the origin.",
+                        limits::kCoordinate)};
 }
 
 void PlanarEngine::configure(const std::string& id, const Configuration& parameters) {
@@ -43,7 +45,7 @@ void PlanarEngine::configure(const std::string& id, const Configuration& paramet
   if (axis != "x" && axis != "y" && axis != "z") {
     throw ConfigError(parameters.location(), "perpendicular_axis: found '" + axis + "', allowed: x, y, z");
   }
-  bodies_.configure(Plane(axis[0], parameters.number("distance", 0.0)));
+  bodies_.configure(Plane(axis[0], parameters.number("distance", 0.0, limits::kCoordinate)));
 }
 
 std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {

@@ -38,6 +38,22 @@ TEST(LifeTest, RefusalsNameWhatIsMissing) {
   EXPECT_EQ(world.engine.refusal(flat, {}), "has an inertia that no body has, so this engine cannot move it");
 }
 
+TEST(LifeTest, WhereTheLibraryGivesUpTheProcessDoesNot) {
+  World world;
+  world.add(cylindricPreyModel(0.1, 0.1), flatPose(1.0, 1.0));
+  const auto messageOf = [](auto give_up) {
+    std::string message;
+    try {
+      give_up();
+    } catch (const std::exception& error) {
+      message = error.what();
+    }
+    return message;
+  };
+  EXPECT_EQ(messageOf([] { dError(7, "%d bodies", 3); }), "the ODE library gives up (7): 3 bodies");
+  EXPECT_EQ(messageOf([] { dDebug(d_ERR_IASSERT, "bad"); }), "the ODE library gives up (1): bad");
+}
+
 TEST(LifeTest, NothingIsPlacedInTheGround) {
   const World world({{"ground_height", "0.5"}});
   const auto prey = cylindricPreyModel(0.1, 0.1);

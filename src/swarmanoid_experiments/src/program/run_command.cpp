@@ -57,7 +57,10 @@ Experiment readExperiment(const RunOptions& options) {
     std::cerr << "swarmanoid: warning: " << warning << '\n';
   }
   experiment.framework.seed = options.seed.value_or(experiment.framework.seed);
-  experiment.framework.max_clock = options.ticks.value_or(experiment.framework.max_clock);
+  if (options.ticks) {
+    experiment.framework.max_clock = *options.ticks;
+    experiment.framework.location = {"--ticks", 0};
+  }
   experiment.framework.threads = options.threads.value_or(experiment.framework.threads);
   return experiment;
 }

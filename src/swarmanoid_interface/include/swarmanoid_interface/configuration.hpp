@@ -26,15 +26,14 @@ struct SourceLocation {
   std::string file;
   int line = 0;
 
-  /// "file:line", "file", or "(no file)".
+  /// "file:line", "file", or "".
   std::string toString() const;
 };
 
-/// The user's mistake, found while loading: "file:line: what was found, what is allowed".
+/// The user's mistake: "file:line: what was found, what is allowed", without the place if it stands in no file.
 class ConfigError : public std::runtime_error {
  public:
-  ConfigError(const SourceLocation& location, const std::string& message)
-      : std::runtime_error(location.toString() + ": " + message), location_(location) {}
+  ConfigError(const SourceLocation& location, const std::string& message);
   const SourceLocation& location() const { return location_; }
 
  private:
@@ -115,9 +114,9 @@ bool parseBoolean(const std::string& text, const std::string& what, const Source
 Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location);
 /// The shortest text that is read as this number.
 std::string numberText(double value);
-/// `count` numbers separated by commas.
+/// `count` numbers separated by commas, each in the range.
 std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
-                                 const SourceLocation& location);
+                                 const SourceLocation& location, Range range = {});
 
 /// The candidate with the smallest edit distance to `word`; nothing if none is near (distance above a third of its
 /// length, at least 2).

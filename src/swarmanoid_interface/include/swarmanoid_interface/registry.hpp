@@ -40,7 +40,7 @@ struct Parameter {
   std::string description;           ///< one sentence
   std::string unit;                  ///< of numbers: "m", "rad/s", "" for none
   std::optional<std::string> value;  ///< the default, as it would stand in the file; none: must be given
-  Range range;
+  Range range;                       ///< of the number, or of each number of several
   std::vector<std::string> choices;
   bool is_live = false;  ///< engines: may change while an experiment runs
 };

@@ -27,6 +27,7 @@ struct FrameworkDescription {
   std::uint64_t seed = 1;
   int threads = 1;
   double real_time_factor = 0.0;  ///< 0: as fast as possible
+  SourceLocation location;        ///< of max_clock
 };
 
 /// One device in a controller's `<actuators>` or `<sensors>`.
@@ -58,6 +59,7 @@ struct Distribution {
   Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
   bool random_heading = true;  ///< uniform about z; otherwise the prototype's orientation
   int max_trials = 100;        ///< for each entity, before it is an error
+  SourceLocation location;
 };
 
 /// Who commands a robot.
@@ -82,6 +84,7 @@ struct EntityDescription {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Vector3d angles = Eigen::Vector3d::Zero();  ///< Euler angles [rad]
   std::string controller;                            ///< id of a controller; "" for none
+  SourceLocation controller_location;
   CommandSource source = CommandSource::kController;
   Duration command_timeout = kCommandTimeout;  ///< with kTopics: it stops when no command came for so long
   Color color;                                 ///< of the surface (preys, lights); black: not seen by cameras

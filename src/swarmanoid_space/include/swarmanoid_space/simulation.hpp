@@ -156,17 +156,15 @@ class Simulation {
   void buildEntities();
   void buildBoundary();
   void buildWatches();
-  void distribute(const EntityDescription& group);
+  void distribute(const EntityDescription& group, const std::vector<Seat>& seats);
   void noteFailures();
   void logNewOverflows();
   void unbuild();
   void restoreEngineParameters();
   /// Its place in the experiment. @throws ConfigError if there is none
   std::size_t engineIndex(const std::string& id) const;
-  std::vector<Seat> seatsOf(const std::string& entity) const;
   void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                       const std::vector<Seat>& seats) const;
-  void checkController(const EntityDescription& entity) const;
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
   void removeEntity(Row row);

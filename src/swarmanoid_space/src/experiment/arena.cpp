@@ -2,39 +2,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../door.hpp"
 #include "reader.hpp"
 #include "swarmanoid_space/entity_type.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
 
 constexpr double kRadPerDeg = M_PI / 180.0;
-
-const ControllerDescription& findController(const XmlElement& element, const std::string& type, const Reader& reader) {
-  std::vector<std::string> known;
-  for (const ControllerDescription& controller : reader.experiment.controllers) {
-    if (controller.id == element.text()) {
-      return controller;
-    }
-    known.push_back(controller.id);
-  }
-  element.refuse("controller of a " + type + ": " + unknownName("the id", element.text(), known));
-}
-
-/// Every device that the controller uses must be one that such a robot has.
-void checkDevices(const XmlElement& element, const std::string& type, const ControllerDescription& controller) {
-  const auto check = [&](PluginKind kind, const std::vector<DeviceDescription>& devices) {
-    for (const DeviceDescription& device : devices) {
-      const auto& robots = Registry::instance().find(kind, device.type, device.implementation)->description.robots;
-      if (!robots.empty() && std::find(robots.begin(), robots.end(), type) == robots.end()) {
-        element.refuse("controller '" + controller.id + "' uses the " + toString(kind) + " '" + device.type +
-                       "', which a " + type + " does not have; it is for: " + joinNames(robots));
-      }
-    }
-  };
-  check(PluginKind::kActuator, controller.actuators);
-  check(PluginKind::kSensor, controller.sensors);
-}
 
 std::vector<std::string> arenaTags() {
   std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
@@ -82,9 +58,11 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
       }
       entity.command_timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
     }
-    const ControllerDescription& found = findController(*controller, entity.type, reader);
-    checkDevices(*controller, entity.type, found);
-    entity.controller = found.id;
+    entity.controller = controller->text();
+    entity.controller_location = controller->location();
+    if (entity.controller.empty()) {
+      controller->refuse("controller: found '', allowed: the id of a controller");
+    }
   }
   return entity;
 }
@@ -98,6 +76,7 @@ void readDistribute(const XmlElement& element, Reader& reader) {
                                                                 element.attributeLocation("quantity"), kQuantityRange));
   const bool is_grid = readChoice(element, "layout", layouts(), layouts().front()) == "grid";
   distribution.layout = is_grid ? Distribution::Layout::kGrid : Distribution::Layout::kUniform;
+  distribution.location = element.location();
   distribution.minimum = values.vector3("minimum");
   distribution.maximum = values.vector3("maximum");
   if (!((distribution.maximum - distribution.minimum).minCoeff() >= 0.0)) {
@@ -122,9 +101,7 @@ void readDistribute(const XmlElement& element, Reader& reader) {
                                                   "' while random_heading is true, allowed: a third angle of 0");
   }
   prototypes[0].distribution = distribution;
-  for (std::size_t k = 1; k <= distribution.quantity; ++k) {
-    reader.takeId("entity", prototypes[0].id + "_" + std::to_string(k), element);
-  }
+  reader.takeNumberedIds(prototypes[0].id, distribution.quantity, element);
   reader.experiment.arena.entities.push_back(std::move(prototypes[0]));
 }
 
@@ -154,12 +131,9 @@ void readArena(const XmlElement& section, Reader& reader) {
   ArenaDescription& arena = reader.experiment.arena;
   arena.location = section.location();
   const std::string size = section.requireAttribute("size");
-  const std::vector<double> lengths = parseNumbers(size, 3, "size", section.attributeLocation("size"));
+  const std::vector<double> lengths =
+      parseNumbers(size, 3, "size", section.attributeLocation("size"), limits::kArenaSide);
   arena.size = {lengths[0], lengths[1], lengths[2]};
-  if (!(arena.size.minCoeff() > 0.0)) {
-    throw ConfigError(section.attributeLocation("size"),
-                      "size: found '" + size + "', allowed: three numbers greater than 0");
-  }
   const bool is_3d = readChoice(section, "optimization", optimizations(), std::nullopt) == "3D";
   arena.optimization = is_3d ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
   arena.bounded =
@@ -176,6 +150,10 @@ void readArena(const XmlElement& section, Reader& reader) {
     } else {
       arena.entities.push_back(readEntity(element, false, reader));
     }
+  }
+  // as whoever builds the space does, so that a mistake is told before anything is built
+  for (const EntityDescription& entity : arena.entities) {
+    door::check(entity, reader.experiment);
   }
 }
 

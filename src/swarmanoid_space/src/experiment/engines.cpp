@@ -1,8 +1,6 @@
 // <engines> and <arena_physics>: which engines there are, and which entity is in which.
-#include <algorithm>
-#include <set>
-
 #include "reader.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::experiment {
 
@@ -20,19 +18,22 @@ void readEngines(const XmlElement& section, Reader& reader) {
     engine.label = entry.description.label;
     engine.parameters = readParameters(element, entry.description.parameters);
     reader.experiment.engines.push_back(std::move(engine));
+    if (reader.experiment.engines.size() > limits::kMostEngines) {
+      element.refuse("found more than " + std::to_string(limits::kMostEngines) + " engines, allowed: at most as many");
+    }
   }
 }
 
 namespace {
 
-MappingDescription::Member readMember(const XmlElement& element, const std::vector<std::string>& entities) {
+MappingDescription::Member readMember(const XmlElement& element, const KnownNames& entities) {
   element.allowAttributes(attributesOf("arena_physics/engine/entity"));
   element.allowChildren({});
   MappingDescription::Member member;
   member.location = element.location();
   member.entity = element.requireAttribute("id");
-  if (std::find(entities.begin(), entities.end(), member.entity) == entities.end()) {
-    throw ConfigError(element.attributeLocation("id"), unknownName("the entity", member.entity, entities));
+  if (!entities.has(member.entity)) {
+    throw ConfigError(element.attributeLocation("id"), unknownName("the entity", member.entity, entities.all));
   }
   if (const auto role = element.attribute("role")) {
     Parameter choice = makeParameter("role", Parameter::Type::kChoice, "", std::nullopt, {}, "");
@@ -48,16 +49,14 @@ MappingDescription::Member readMember(const XmlElement& element, const std::vect
 void readArenaPhysics(const XmlElement& section, Reader& reader) {
   section.allowAttributes({});
   section.allowChildren(tagsIn("arena_physics"));
-  std::vector<std::string> engines;
+  KnownNames engines;
   for (const EngineDescription& engine : reader.experiment.engines) {
-    engines.push_back(engine.id);
+    engines.add(engine.id);
   }
-  std::vector<std::string> entities;
+  KnownNames entities;
   for (const EntityDescription& entity : reader.experiment.arena.entities) {
-    entities.push_back(entity.id);
+    entities.add(entity.id);
   }
-  std::set<std::string> moved;
-  std::set<std::string> mapped;
   for (const XmlElement& element : section.children()) {
     if (element.name() == "handover") {
       readHandover(element, entities, engines, reader);
@@ -68,8 +67,8 @@ void readArenaPhysics(const XmlElement& section, Reader& reader) {
     MappingDescription mapping;
     mapping.location = element.location();
     mapping.engine = element.requireAttribute("id");
-    if (std::find(engines.begin(), engines.end(), mapping.engine) == engines.end()) {
-      throw ConfigError(element.attributeLocation("id"), unknownName("the engine", mapping.engine, engines));
+    if (!engines.has(mapping.engine)) {
+      throw ConfigError(element.attributeLocation("id"), unknownName("the engine", mapping.engine, engines.all));
     }
     for (const MappingDescription& other : reader.experiment.mappings) {
       if (other.engine == mapping.engine) {
@@ -77,16 +76,7 @@ void readArenaPhysics(const XmlElement& section, Reader& reader) {
       }
     }
     for (const XmlElement& child : element.children()) {
-      mapping.members.push_back(readMember(child, entities));
-      const MappingDescription::Member& member = mapping.members.back();
-      if (!mapped.insert(mapping.engine + " " + member.entity).second) {
-        child.refuse("found the entity '" + member.entity + "' twice in the engine '" + mapping.engine +
-                     "', allowed: once");
-      }
-      if (member.role == Role::kMove && !moved.insert(member.entity).second) {
-        child.refuse("found a second role=\"move\" for the entity '" + member.entity +
-                     "', allowed: one engine moves it");
-      }
+      mapping.members.push_back(readMember(child, entities));  // twice or not is seen when it comes into the space
     }
     reader.experiment.mappings.push_back(std::move(mapping));
   }

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "reader.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -34,7 +35,13 @@ void readFramework(const XmlElement& section, Reader& reader) {
   framework.max_clock = static_cast<std::uint64_t>(values.integer("maxclock"));
   framework.seed = static_cast<std::uint64_t>(values.integer("random_seed"));
   framework.threads = static_cast<int>(values.integer("threads"));
+  framework.location = section.child("maxclock")->location();
   framework.real_time_factor = values.number("real_time_factor");
+  if (!limits::isRealTimeFactor(framework.real_time_factor)) {
+    section.child("real_time_factor")
+        ->refuse("real_time_factor: found '" + values.text("real_time_factor") +
+                 "', allowed: 0, or a number from 1e-06 to 1000000");
+  }
   framework.controller_path = splitPath(values.text("controller_path"));
   for (const std::string& folder : framework.controller_path) {
     std::error_code ignored;

@@ -56,18 +56,17 @@ void readCondition(const XmlElement& element, HandoverDescription& rule) {
 }
 
 std::string requireName(const XmlElement& element, const char* attribute, const std::string& what,
-                        const std::vector<std::string>& known) {
+                        const KnownNames& known) {
   std::string name = element.requireAttribute(attribute);
-  if (std::find(known.begin(), known.end(), name) == known.end()) {
-    throw ConfigError(element.attributeLocation(attribute), unknownName(what, name, known));
+  if (!known.has(name)) {
+    throw ConfigError(element.attributeLocation(attribute), unknownName(what, name, known.all));
   }
   return name;
 }
 
 }  // namespace
 
-void readHandover(const XmlElement& element, const std::vector<std::string>& entities,
-                  const std::vector<std::string>& engines, Reader& reader) {
+void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader) {
   element.allowAttributes(attributesOf(kRule));
   element.allowChildren(tagsIn(kRule));
   HandoverDescription rule;

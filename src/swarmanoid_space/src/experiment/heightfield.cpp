@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "reader.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::experiment {
 
@@ -14,9 +15,6 @@ void readHeightfield(const XmlElement& element, Reader& reader) {
   element.allowAttributes(attributesOf("arena/heightfield"));
   const Configuration values = readParameters(element, heightfieldParameters());
   const Eigen::Vector2d size = values.vector2("size");
-  if (!(size.minCoeff() > 0.0)) {
-    element.child("size")->refuse("size: found '" + values.text("size") + "', allowed: two numbers greater than 0");
-  }
   const std::string file = values.text("file");
   // an absolute name stays what it is
   const std::filesystem::path folder = std::filesystem::path(reader.experiment.file).parent_path();
@@ -26,6 +24,12 @@ void readHeightfield(const XmlElement& element, Reader& reader) {
   } catch (const std::runtime_error& error) {
     element.child("file")->refuse("file: found '" + file + "', which " + error.what() +
                                   "; allowed: a grey PNG image of 8 or 16 bits, 2 x 2 to 4096 x 4096 pixels");
+  }
+  const double least_x = limits::kLeastTerrainStep * (arena.terrain->columns() - 1);
+  const double least_y = limits::kLeastTerrainStep * (arena.terrain->rows() - 1);
+  if (!(size.x() >= least_x && size.y() >= least_y)) {
+    element.child("size")->refuse("size: found '" + values.text("size") + "', allowed: 1 mm a pixel, here at least " +
+                                  numberText(least_x) + ", " + numberText(least_y));
   }
 }
 

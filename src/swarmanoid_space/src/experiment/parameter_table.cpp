@@ -17,11 +17,11 @@ void checkValue(const Parameter& parameter, const std::string& text, const Sourc
       parseBoolean(text, parameter.name, location);
       break;
     case Parameter::Type::kVector2:
-      parseNumbers(text, 2, parameter.name, location);
+      parseNumbers(text, 2, parameter.name, location, parameter.range);
       break;
     case Parameter::Type::kVector3:
     case Parameter::Type::kAngles3:
-      parseNumbers(text, 3, parameter.name, location);
+      parseNumbers(text, 3, parameter.name, location, parameter.range);
       break;
     case Parameter::Type::kColor:
       parseColorOrThrow(text, parameter.name, location);
@@ -93,10 +93,10 @@ std::vector<Parameter> placementParameters(bool is_distributed) {
   using Type = Parameter::Type;
   const std::string turns = "Turns about the space's x, then y, then z axis.";
   if (is_distributed) {
-    return {makeParameter("orientation", Type::kAngles3, "deg", "0, 0, 0", {}, turns)};
+    return {makeParameter("orientation", Type::kAngles3, "deg", "0, 0, 0", limits::kTurn, turns)};
   }
-  return {makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the entity's origin."),
-          makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, {}, turns)};
+  return {makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, "Of the entity's origin."),
+          makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, limits::kTurn, turns)};
 }
 
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed) {
@@ -109,9 +109,9 @@ std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_d
 const std::vector<Parameter>& floorPatchParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{
-      makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of the patch's centre."),
-      makeParameter("radius", Type::kNumber, "m", "0", {0.0, 1e6}, "Of a disc; 0: a rectangle of <size>."),
-      makeParameter("size", Type::kVector2, "m", "0, 0", {}, "Of a rectangle along x and y."),
+      makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, "Of the patch's centre."),
+      makeParameter("radius", Type::kNumber, "m", "0", limits::kPatch, "Of a disc; 0: a rectangle of <size>."),
+      makeParameter("size", Type::kVector2, "m", "0, 0", limits::kPatch, "Of a rectangle along x and y."),
       makeParameter("color", Type::kColor, "", "gray", {}, "As cameras see it.")};
   return table;
 }
@@ -121,17 +121,20 @@ const std::vector<Parameter>& heightfieldParameters() {
   static const std::vector<Parameter> table{
       makeParameter("file", Type::kText, "", std::nullopt, {},
                     "A grey PNG image of 8 or 16 bits; its folder is relative to the experiment file's."),
-      makeParameter("position", Type::kVector3, "m", std::nullopt, {}, "Of its middle, at the height of black."),
-      makeParameter("size", Type::kVector2, "m", std::nullopt, {}, "Along x and y."),
-      makeParameter("height", Type::kNumber, "m", std::nullopt, {0.0, 1000.0}, "Of white over black.")};
+      makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
+                    "Of its middle, at the height of black."),
+      makeParameter("size", Type::kVector2, "m", std::nullopt, limits::kLength, "Along x and y."),
+      makeParameter("height", Type::kNumber, "m", std::nullopt, limits::kTerrainHeight, "Of white over black.")};
   return table;
 }
 
 const std::vector<Parameter>& distributeParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{
-      makeParameter("minimum", Type::kVector3, "m", std::nullopt, {}, "Smallest coordinates of the origins."),
-      makeParameter("maximum", Type::kVector3, "m", std::nullopt, {}, "Largest coordinates of the origins."),
+      makeParameter("minimum", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
+                    "Smallest coordinates of the origins."),
+      makeParameter("maximum", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
+                    "Largest coordinates of the origins."),
       makeParameter("random_heading", Type::kBoolean, "", "true", {},
                     "Headings uniform about z; otherwise all as <orientation> says."),
       makeParameter("max_trials", Type::kInteger, "", "100", {1.0, 1e6},
@@ -142,8 +145,10 @@ const std::vector<Parameter>& distributeParameters() {
 const std::vector<Parameter>& boxParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{
-      makeParameter("minimum", Type::kVector3, "m", std::nullopt, {}, "Smallest coordinates of the entity's origin."),
-      makeParameter("maximum", Type::kVector3, "m", std::nullopt, {}, "Largest coordinates of the entity's origin.")};
+      makeParameter("minimum", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
+                    "Smallest coordinates of the entity's origin."),
+      makeParameter("maximum", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
+                    "Largest coordinates of the entity's origin.")};
   return table;
 }
 

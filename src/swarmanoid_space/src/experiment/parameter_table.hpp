@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/limits.hpp"
 #include "xml_element.hpp"
 
 namespace swarmanoid::experiment {
@@ -39,7 +40,7 @@ const std::vector<Parameter>& boxParameters();
 
 // What attributes may be.
 constexpr Range kCommandTimeoutRange{0.001, 3600.0};  // s
-constexpr Range kQuantityRange{1.0, 1e7};
+constexpr Range kQuantityRange{1.0, static_cast<double>(limits::kMostEntities)};
 const std::vector<std::string>& layouts();
 const std::vector<std::string>& optimizations();
 const std::vector<std::string>& roles();

@@ -1,12 +1,13 @@
 // From a file or a text to an Experiment.
 #include "reader.hpp"
 
-#include <cctype>
+#include <charconv>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 
+#include "../door.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid {
 namespace experiment {
@@ -19,24 +20,55 @@ std::vector<std::string>& pendingWarnings() {
 
 }  // namespace
 
-void checkName(const std::string& id, const XmlElement& element) {
-  bool good = !id.empty() && std::isalpha(static_cast<unsigned char>(id[0])) != 0;
-  for (const char c : id) {
-    good = good && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_');
-  }
-  if (!good) {
-    throw ConfigError(element.attributeLocation("id"),
-                      "id: found '" + id + "', allowed: letters, digits and _, a letter first");
-  }
+namespace {
+
+/// 12 in "x_12"; 0 if the name does not end so.
+std::size_t numberOf(const std::string& name, const std::string& prefix) {
+  const char* first = name.data() + prefix.size() + 1;
+  const char* end = name.data() + name.size();
+  std::size_t number = 0;
+  const bool has_prefix = name.size() > prefix.size() + 1 && name.compare(0, prefix.size() + 1, prefix + "_") == 0;
+  const bool is_written_so = has_prefix && *first != '0' && std::from_chars(first, end, number).ptr == end;
+  return is_written_so ? number : 0;
+}
+
+}  // namespace
+
+void Reader::refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
+                         const XmlElement& element) {
+  throw ConfigError(element.attributeLocation("id"),
+                    "the " + kind + " id '" + id + "' is taken already, in " + by.toString());
 }
 
 void Reader::takeId(const std::string& kind, const std::string& id, const XmlElement& element) {
-  checkName(id, element);
+  if (!door::isName(id)) {
+    throw ConfigError(element.attributeLocation("id"), "id: found '" + id + "', allowed: " + door::kNamesAllowed);
+  }
   const auto [known, is_new] = ids.emplace(kind + " " + id, element.location());
   if (!is_new) {
-    throw ConfigError(element.attributeLocation("id"),
-                      "the " + kind + " id '" + id + "' is taken already, in " + known->second.toString());
+    refuseTaken(kind, id, known->second, element);
   }
+  const std::size_t underline = id.rfind('_');
+  const auto group =
+      kind == "entity" && underline != std::string::npos ? groups.find(id.substr(0, underline)) : groups.end();
+  if (group != groups.end()) {
+    const std::size_t number = numberOf(id, group->first);
+    if (number > 0 && number <= group->second.count) {
+      refuseTaken(kind, id, group->second.location, element);
+    }
+  }
+}
+
+void Reader::takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element) {
+  const std::string first = "entity " + prefix + "_";
+  for (auto known = ids.lower_bound(first); known != ids.end() && known->first.rfind(first, 0) == 0; ++known) {
+    const std::string id = known->first.substr(std::string("entity ").size());
+    const std::size_t number = numberOf(id, prefix);
+    if (number > 0 && number <= count) {
+      refuseTaken("entity", id, known->second, element);
+    }
+  }
+  groups[prefix] = {count, element.location()};
 }
 
 const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
@@ -147,9 +179,16 @@ Experiment readExperiment(const std::string& file, const std::vector<Override>& 
   if (!in || std::filesystem::is_directory(file, ignored)) {
     throw ConfigError({file, 0}, "cannot be read");
   }
-  std::ostringstream text;
-  text << in.rdbuf();
-  return parseExperiment(text.str(), file, overrides);
+  std::string text;
+  for (std::vector<char> part(std::size_t{1} << 16U); in;) {
+    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > limits::kLongestText) {
+      throw ConfigError({file, 0}, "found a file without an end in sight, allowed: at most " +
+                                       std::to_string(limits::kLongestText) + " characters");
+    }
+  }
+  return parseExperiment(text, file, overrides);
 }
 
 void loadBuiltInPlugins() {

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,38 @@ struct Reader {
   Experiment experiment;
   std::map<std::string, SourceLocation>
       ids;  ///< of controllers, entities, patches, engines, handovers, visualisations, by kind
+  /// Ids prefix_1 to prefix_count, which are taken by entities of a distribution.
+  struct Group {
+    std::size_t count = 0;
+    SourceLocation location;
+  };
+  std::map<std::string, Group> groups;  ///< by prefix
   std::vector<std::string> warnings;
 
-  /// @throws ConfigError if the id is taken within its kind ("controller", "entity", "engine", ...)
+  /// @throws ConfigError if it is no name, or is taken within its kind ("controller", "entity", "engine", ...)
   void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
+  /// Likewise the entities' ids prefix_1, prefix_2, ..., however many.
+  void takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element);
 
   /// The registry's entry for a tag; loads `library` first if it is not empty.
   /// @throws ConfigError naming what there is
   const Registry::Entry& requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library);
+
+ private:
+  [[noreturn]] static void refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
+                                       const XmlElement& element);
+};
+
+/// Names that there are, found fast however many they are.
+struct KnownNames {
+  std::vector<std::string> all;
+  std::set<std::string> lookup;
+
+  void add(const std::string& name) {
+    all.push_back(name);
+    lookup.insert(name);
+  }
+  bool has(const std::string& name) const { return lookup.count(name) != 0; }
 };
 
 void readFramework(const XmlElement& section, Reader& reader);
@@ -36,13 +61,8 @@ void readHeightfield(const XmlElement& element, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
 /// @param entities, engines the ids that there are
-void readHandover(const XmlElement& element, const std::vector<std::string>& entities,
-                  const std::vector<std::string>& engines, Reader& reader);
+void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader);
 void readVisualisations(const XmlElement& section, Reader& reader);
-
-/// Ids that end up in file names, topics and frames: letters, digits and _, a letter first.
-/// @throws ConfigError
-void checkName(const std::string& id, const XmlElement& element);
 
 /// Reads all sections. `start` has the experiment's name, file and text.
 Experiment readDocument(const XmlElement& root, Experiment start);

@@ -1,7 +1,8 @@
 // What is not well-formed XML though the XML library lets it pass.
 #include <algorithm>
 #include <cctype>
-#include <regex>
+#include <charconv>
+#include <iterator>
 
 #include "xml_element.hpp"
 
@@ -37,6 +38,8 @@ class Walker {
   }
 
  private:
+  static constexpr int kMostAttributes = 1000;  // the library compares each with all others
+
   bool startsWith(const char* prefix) const {
     return text_.compare(at_, std::char_traits<char>::length(prefix), prefix) == 0;
   }
@@ -51,7 +54,7 @@ class Walker {
     if (depth_ == 0 && std::string(" \t\r\n").find(c) == std::string::npos) {
       refuse("found text outside <ahss-config>, allowed: nothing");
     }
-    checkReference();
+    checkCharacter();
     ++at_;
   }
 
@@ -64,8 +67,13 @@ class Walker {
     if (std::isalpha(first) == 0 && first != '_' && first < 0x80U) {
       refuse("found '<' without a name, allowed: a tag, or &lt; for the sign");
     }
+    int attributes = 0;
     for (char quote = '\0'; at_ < text_.size() && (quote != '\0' || text_[at_] != '>'); ++at_) {
       const char c = text_[at_];
+      attributes += quote == '\0' && c == '=' ? 1 : 0;
+      if (attributes > kMostAttributes) {
+        refuse("found a tag with more than " + std::to_string(kMostAttributes) + " attributes, allowed: fewer");
+      }
       if (quote != '\0' && c == '<') {
         refuse("found '<' in an attribute, allowed: &lt;");
       }
@@ -74,21 +82,49 @@ class Walker {
       } else if (c == quote) {
         quote = '\0';
       }
-      checkReference();
+      checkCharacter();
     }
     const bool is_empty = text_[at_ - 1] == '/';
     depth_ += closes ? -1 : is_empty ? 0 : 1;
     ++at_;
   }
 
-  /// The library leaves what it does not know as it is.
-  void checkReference() const {
-    static const std::regex kReference("&(amp|lt|gt|quot|apos|#[0-9]+|#x[0-9a-fA-F]+);");
-    const auto begin = text_.begin() + static_cast<std::ptrdiff_t>(at_);
-    if (text_[at_] == '&' &&
-        !std::regex_search(begin, text_.end(), kReference, std::regex_constants::match_continuous)) {
+  /// The library leaves what it does not know as it is, and takes numbers that stand for no character.
+  void checkCharacter() const {
+    const auto c = static_cast<unsigned char>(text_[at_]);
+    if (c < 0x20U && c != '\t' && c != '\n' && c != '\r') {
+      refuse("found the control character " + std::to_string(c) + ", allowed: text");
+    }
+    if (c != '&') {
+      return;
+    }
+    constexpr std::size_t kLongest = 12;  // &#x0010FFFF; and some zeros
+    const std::size_t end = text_.find(';', at_);
+    const bool ends = end != std::string::npos && end - at_ <= kLongest;
+    const std::string name = ends ? text_.substr(at_ + 1, end - at_ - 1) : "";
+    const char* const kNames[] = {"amp", "lt", "gt", "quot", "apos"};
+    if (std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames)) {
+      return;
+    }
+    if (name.empty() || name[0] != '#') {
       refuse("found '&', allowed: &amp;, &lt;, &gt;, &quot;, &apos;");
     }
+    if (!isCharacter(name)) {
+      refuse("found '&" + name + ";', allowed: the number of a character of XML");
+    }
+  }
+
+  /// @param name "#65" or "#x41"
+  static bool isCharacter(const std::string& name) {
+    const bool is_hexadecimal = name.size() > 1 && name[1] == 'x';
+    const char* first = name.data() + (is_hexadecimal ? 2 : 1);
+    const char* end = name.data() + name.size();
+    std::uint32_t code = 0;
+    const auto [stop, error] = std::from_chars(first, end, code, is_hexadecimal ? 16 : 10);
+    const bool is_number = error == std::errc() && stop == end;
+    const bool is_text = code >= 0x20U || code == '\t' || code == '\n' || code == '\r';
+    const bool is_half = code >= 0xD800U && code <= 0xDFFFU;  // of a pair in UTF-16
+    return is_number && is_text && !is_half && code <= 0x10FFFFU && code != 0xFFFEU && code != 0xFFFFU;
   }
 
   [[noreturn]] void refuse(const std::string& message) const {

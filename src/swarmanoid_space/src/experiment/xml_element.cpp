@@ -1,6 +1,7 @@
 #include "xml_element.hpp"
 
 #include <algorithm>
+#include <set>
 
 namespace swarmanoid::experiment {
 namespace {
@@ -118,11 +119,14 @@ void XmlElement::refuseText() const {
 }
 
 void XmlElement::refuseDoubles() const {
+  std::set<std::string> names;
   for (const XmlElement& entry : children()) {
     if (element_->Attribute(entry.name().c_str()) != nullptr) {
       entry.refuse("found <" + entry.name() + "> beside the attribute of that name in <" + name() + ">, allowed: one");
     }
-    child(entry.name().c_str());
+    if (!names.insert(entry.name()).second) {
+      child(entry.name().c_str());  // says which one is the second
+    }
   }
 }
 

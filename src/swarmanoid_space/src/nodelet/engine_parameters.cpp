@@ -7,15 +7,6 @@
 #include "engine_config.hpp"
 
 namespace swarmanoid {
-namespace {
-
-/// A request stands in no file, so a message need not say so.
-std::string withoutPlace(const std::string& message) {
-  const std::string place = SourceLocation().toString() + ": ";
-  return message.rfind(place, 0) == 0 ? message.substr(place.size()) : message;
-}
-
-}  // namespace
 
 EngineParameters::EngineParameters(ros::NodeHandle own, const std::string& engine, std::vector<Parameter> live,
                                    SimulationThread& thread)
@@ -41,7 +32,7 @@ bool EngineParameters::set(dynamic_reconfigure::Reconfigure::Request& request,
     });
     response.config = toConfig(live_, values, problem);
   } catch (const std::exception& error) {
-    problem = withoutPlace(error.what());
+    problem = error.what();
   }
   {
     const std::lock_guard<std::mutex> lock(mutex_);

@@ -1,6 +1,7 @@
 /// How often something may be done, in wall time.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 
 namespace swarmanoid {
@@ -11,7 +12,8 @@ class Pace {
 
   /// @param rate at most so many times a second [Hz]; 0: always
   explicit Pace(double rate)
-      : interval_(rate > 0.0 ? std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(1.0 / rate))
+      : interval_(rate > 0.0 ? std::chrono::duration_cast<Clock::duration>(
+                                   std::chrono::duration<double>(std::min(1.0 / rate, kLongest)))
                              : Clock::duration::zero()) {}
 
   /// Whether it may be done now; counts as done then.
@@ -24,6 +26,8 @@ class Pace {
   }
 
  private:
+  static constexpr double kLongest = 1e9;  // s: more would not fit
+
   Clock::duration interval_;
   Clock::time_point next_ = Clock::time_point::min();
 };

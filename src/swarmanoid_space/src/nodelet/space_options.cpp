@@ -8,6 +8,7 @@
 
 #include "parameter_reader.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
+#include "swarmanoid_space/limits.hpp"
 #include "swarmanoid_space/override_text.hpp"
 
 namespace swarmanoid {
@@ -49,6 +50,10 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.max_ticks = reader.count("max_ticks", {1.0, 1e15});
   const double factor = reader.number("real_time_factor", -1.0, {0.0, 1e6});
   if (factor >= 0.0) {
+    if (!limits::isRealTimeFactor(factor)) {
+      throw ConfigError(reader.location(), "~real_time_factor: found " + numberText(factor) +
+                                               ", allowed: 0, or a number from 1e-06 to 1000000");
+    }
     options.real_time_factor = factor;
   }
   options.paused = reader.boolean("paused", false);
@@ -88,7 +93,10 @@ Experiment readExperiment(const SpaceOptions& options) {
   Experiment experiment = readExperiment(findExperiment(options.experiment), options.set);
   FrameworkDescription& framework = experiment.framework;
   framework.seed = options.seed.value_or(framework.seed);
-  framework.max_clock = options.max_ticks.value_or(framework.max_clock);
+  if (options.max_ticks) {
+    framework.max_clock = *options.max_ticks;
+    framework.location = {"~max_ticks", 0};
+  }
   framework.real_time_factor = options.real_time_factor.value_or(framework.real_time_factor);
   return experiment;
 }

@@ -102,12 +102,14 @@ bool SpaceServices::step(swarmanoid_msgs::Step::Request& request, swarmanoid_msg
 bool SpaceServices::reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_msgs::Reset::Response& response) {
   return answer(response, [&] {
     checkScope(request.scope);
-    thread_.reset(seedOf(request), (request.scope & swarmanoid_msgs::Reset::Request::TIME) != 0);
+    const std::optional<std::uint64_t> seed = seedOf(request);
+    thread_.reset(seed, (request.scope & swarmanoid_msgs::Reset::Request::TIME) != 0);
     std::string message;
     thread_.look([&](const Simulation& simulation) {
       response.run = simulation.space().run;
       response.stamp = stampOf(simulation.space());
-      message = "reset, seed " + std::to_string(simulation.space().seed);
+      message = "reset, seed " + std::to_string(simulation.space().seed) +
+                (seed ? "" : " as before; zero_seed: true for the seed 0");
     });
     return message;
   });
@@ -115,7 +117,7 @@ bool SpaceServices::reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_m
 
 bool SpaceServices::spawn(swarmanoid_msgs::Spawn::Request& request, swarmanoid_msgs::Spawn::Response& response) {
   return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& specification) {
-    simulation.spawn(toDescription(specification, simulation.experiment()), specification.engines);
+    simulation.spawn(toDescription(specification), specification.engines);
   });
 }
 

@@ -1,8 +1,28 @@
 // Phase 4: every engine moves what it is in charge of, engines beside each other.
+#include <cmath>
+#include <stdexcept>
+
 #include "../stopwatch.hpp"
 #include "tick.hpp"
 
 namespace swarmanoid::phases {
+namespace {
+
+/// An engine whose computation has broken down must not hand it on: to grips, the index, sensors, recordings.
+void refuseWhatIsNotFinite(const Space& space) {
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    const Pose& pose = space.entities.pose[i];
+    const double sum = pose.position.sum() + pose.orientation.coeffs().sum();
+    if (!std::isfinite(sum)) {  // the sum of finite numbers of this size is finite
+      const std::string who = space.mover[i] == nullptr ? "nobody" : "engine '" + space.mover[i]->id() + "'";
+      throw std::runtime_error(who + " has moved " + space.entities.model[i]->type + " '" + space.entities.name[i] +
+                               "' to a pose that is not finite");
+    }
+  }
+}
+
+}  // namespace
 
 void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers,
           std::vector<double>& seconds) {
@@ -19,6 +39,7 @@ void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, con
       stopwatch.lap(seconds[i]);
     }
   });
+  refuseWhatIsNotFinite(space);
 }
 
 }  // namespace swarmanoid::phases

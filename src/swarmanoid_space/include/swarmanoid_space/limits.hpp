@@ -1,0 +1,63 @@
+/// The bounds of what can be simulated, in one place: of every length, place, mass, angle and count that enters the
+/// space, by file, by --set, by service or from code. Within them engines and the index compute; beyond them single
+/// precision, integers or memory end. docs/reference/experiment_file.md has them as a table.
+///
+/// SI units; angles as files have them, in degrees.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid::limits {
+
+// Places and lengths [m].
+
+/// Of a side of the arena. Below, nobody has room; at 10 km a double still tells 2 pm apart, so contacts and rays are
+/// exact, and the grids of the look-ups have cells of 10 m at most.
+constexpr Range kArenaSide{0.1, 10000.0};
+/// Of any coordinate: of what stands around the arena, of planes, grounds and boxes. As far on either side as the arena
+/// may be long.
+constexpr Range kCoordinate{-10000.0, 10000.0};
+/// Of bodies and what lies on the floor. What is thinner than 1 mm is within the tolerances of contacts; what is longer
+/// fits into no arena.
+constexpr Range kLength{0.001, 10000.0};
+/// Of a floor patch; 0 where it is not used. Nothing collides with it, so it may be as thin as it likes.
+constexpr Range kPatch{0.0, 10000.0};
+/// Of a plane on which Box2D moves things: the farthest coordinate. It computes in single precision, which there tells
+/// 0.1 mm apart, as much as bodies overlap at rest.
+constexpr double kFarthestInSinglePrecision = 1000.0;
+/// Between neighbours of a heightfield's vertices: a robot stands on some ten thousand triangles then.
+constexpr double kLeastTerrainStep = 0.001;
+/// Of white over black in a heightfield.
+constexpr Range kTerrainHeight{0.0, 1000.0};
+
+/// Of a turn [deg]: a hundred times around. Beyond, degrees would lose digits that count.
+constexpr Range kTurn{-36000.0, 36000.0};
+
+/// Of what can move [kg]. Solvers add up masses that touch: a thousand tonnes beside a gram is the most that the
+/// fifteen digits of a double keep apart with forces in between.
+constexpr Range kMass{0.001, 1e6};
+/// Of gravity [m/s2]: ten times that of the Earth. Beyond, steps of 10 ms are too long for what rests.
+constexpr Range kGravity{0.0, 100.0};
+/// That a grip, a hand or a magnet holds [N].
+constexpr Range kStrength{0.0, 1e6};
+
+// Counts.
+
+/// Entities in one arena: a million robots take about 3 GB.
+constexpr std::size_t kMostEntities = 1000000;
+/// Engines in one experiment, each with a world of its own.
+constexpr std::size_t kMostEngines = 100;
+/// Characters of an experiment file; one with a million entities spelled out has half of them.
+constexpr std::size_t kLongestText = std::size_t{1} << 28U;
+
+/// How long a run may be, in simulated time: a hundred years of 365 days. Nanoseconds fit 292 years, ROS time 136.
+constexpr std::chrono::hours kLongestRun{24 * 365 * 100};
+
+/// Whether simulated time may go so many times as fast as real time: 0 stands for as fast as possible, and a factor
+/// below 1e-6 would wait for days between ticks.
+constexpr bool isRealTimeFactor(double factor) { return factor == 0.0 || (factor >= 1e-6 && factor <= 1e6); }
+
+}  // namespace swarmanoid::limits
