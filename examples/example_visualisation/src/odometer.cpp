@@ -1,9 +1,7 @@
 // How far an entity has gone: a line a tick in a file, a result of the run, and the end of the run at a goal.
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/out_file.hpp"
 
 using swarmanoid::Configuration;
 using swarmanoid::Parameter;
@@ -37,11 +35,7 @@ class Odometer final : public swarmanoid::Visualisation {
     id_ = id;
     entity_ = parameters.text("entity");
     goal_ = parameters.number("goal", 0.0);
-    path_ = std::filesystem::path(context.out_folder) / parameters.text("file");
-    file_.open(path_, std::ios::trunc);
-    if (!file_) {
-      throw swarmanoid::ConfigError(parameters.location(), "odometer '" + id + "': cannot write " + path_.string());
-    }
+    file_.open(context, parameters, id);
   }
 
   void draw(const Space& space) override {
@@ -62,18 +56,17 @@ class Odometer final : public swarmanoid::Visualisation {
   void addMetrics(swarmanoid::Metrics& metrics) const override { metrics[id_ + "_m"] = travelled_; }
 
   void reset() override {
-    file_.close();
-    file_.open(path_, std::ios::trunc);
+    file_.restart();
     travelled_ = 0.0;
     is_under_way_ = false;
   }
 
+  void flush() override { file_.flush(); }
   void finish() override { file_.flush(); }
 
  private:
   std::string entity_;
-  std::filesystem::path path_;
-  std::ofstream file_;
+  swarmanoid::OutFile file_;
   double goal_ = 0.0;       // [m]
   double travelled_ = 0.0;  // [m]
   Eigen::Vector3d last_position_ = Eigen::Vector3d::Zero();

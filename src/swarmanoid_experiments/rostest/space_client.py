@@ -46,7 +46,8 @@ def load(name, kind):
 def run_without_ros(test, experiment, seed):
     """The state hash of every tick, as lines."""
     with tempfile.NamedTemporaryFile("r") as hashes:
-        command = ["swarmanoid", "run", experiment, "--seed", str(seed), "--quiet", "--hashes", hashes.name]
+        command = ["swarmanoid", "run", experiment, "--seed", str(seed), "--quiet", "--force", "--hashes",
+                   hashes.name]
         done = subprocess.run(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
         test.assertEqual(0, done.returncode, done.stderr)
         return hashes.read().splitlines()

@@ -6,6 +6,8 @@ import subprocess
 import tempfile
 import unittest
 
+import rosbag
+
 WORLD = """<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>{maxclock}</maxclock></framework>
   <controllers>
@@ -52,11 +54,16 @@ class ProgramTest(unittest.TestCase):
                               check=False)
 
     def run_world(self, *arguments, code=FINISHED, **world):
-        """`run` on the small experiment. @return its summary"""
-        done = self.call("run", self.world(**world), "--quiet", "--out", self.out, *arguments)
+        """`run` on the small experiment, as often as a test likes. @return its summary"""
+        done = self.call("run", self.world(**world), "--quiet", "--force", "--out", self.out, *arguments)
         self.assertEqual(done.returncode, code, done.stderr)
         self.assertEqual(done.stdout.count("\n"), 1, "one line on standard output")
         return json.loads(done.stdout)
+
+    def ticks_in(self, bag):
+        """Of the states that a bag holds."""
+        with rosbag.Bag(str(bag)) as opened:
+            return [message.tick for _, message, _ in opened.read_messages("/space/world_state")]
 
     def assert_refused(self, message, *arguments):
         """The program says this, in one line, prints no summary, and leaves nothing behind."""

@@ -64,6 +64,9 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     space_.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
   finish_asked_ = phases::show(space_, cast_->visualisations);
+  if (std::chrono::steady_clock::now() >= next_flush_) {
+    flush();
+  }
   stopwatch.lap(phase_times_.show);
   return true;
 }
@@ -105,30 +108,48 @@ void Simulation::logNewOverflows() {
 }
 
 void Simulation::start() {
+  is_started_ = true;
   phases::index(space_);
   space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
   finish_asked_ = phases::show(space_, cast_->visualisations);
+  flush();
 }
 
 bool Simulation::isFinished() const {
   return finish_asked_ || finished_ || space_.tick >= experiment_.framework.max_clock;
 }
 
+namespace {
+
+/// One that cannot write its file must not keep the others from writing theirs.
+void callAll(const std::vector<std::shared_ptr<Visualisation>>& visualisations, void (Visualisation::*function)()) {
+  std::exception_ptr first_problem;
+  for (const auto& visualisation : visualisations) {
+    try {
+      (*visualisation.*function)();
+    } catch (...) {
+      first_problem = first_problem ? first_problem : std::current_exception();
+    }
+  }
+  if (first_problem) {
+    std::rethrow_exception(first_problem);
+  }
+}
+
+}  // namespace
+
+void Simulation::flush() {
+  next_flush_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  callAll(cast_->visualisations, &Visualisation::flush);
+}
+
 void Simulation::finish() {
   if (!finished_) {
     finished_ = true;
-    // one that cannot complete its file must not keep the others from completing theirs
-    std::exception_ptr first_problem;
-    for (const auto& visualisation : cast_->visualisations) {
-      try {
-        visualisation->finish();
-      } catch (...) {
-        first_problem = first_problem ? first_problem : std::current_exception();
-      }
-    }
-    if (first_problem) {
-      std::rethrow_exception(first_problem);
+    // a run that has not begun has nothing to complete, and may not touch the files of an older one
+    if (is_started_) {
+      callAll(cast_->visualisations, &Visualisation::finish);
     }
   }
 }

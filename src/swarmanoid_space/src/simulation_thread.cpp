@@ -197,6 +197,9 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
     return true;
   }
   if (state_ != State::kRunning) {
+    lock.unlock();
+    simulation_->flush();
+    lock.lock();
     wake_.wait(lock, isDisturbed);
     return false;
   }

@@ -1,69 +1,33 @@
-// `swarmanoid run` and `swarmanoid validate`.
-#include <charconv>
+// `swarmanoid run`.
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "commands.hpp"
+#include "experiment_options.hpp"
+#include "interruption.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_lookup.hpp"
 #include "swarmanoid_space/out_folder.hpp"
-#include "swarmanoid_space/override_text.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid::program {
 namespace {
 
-volatile std::sig_atomic_t interrupted = 0;
-
-void interrupt(int) { interrupted = 1; }
-
-struct RunOptions {
-  std::string file;
-  std::optional<std::uint64_t> seed;
-  std::optional<std::uint64_t> ticks;
-  std::optional<int> threads;
-  std::vector<std::string> settings;
-  std::string all_settings;
+struct RunOptions : ExperimentOptions {
   std::vector<std::string> overrides;  // the options above that were given, for the summary
   std::string out;
-  std::string bag;
+  bool force = false;
+  bool write_anywhere = false;
+  std::optional<std::string> bag;
   std::string record_controllers = "none";
-  std::string hashes;
+  std::optional<std::string> hashes;
   bool quiet = false;
   bool profile = false;
-  bool path = false;
 };
-
-std::vector<Override> settingsOf(const RunOptions& options) {
-  std::vector<Override> settings;
-  for (const std::string& setting : options.settings) {
-    settings.push_back(parseOverride(setting, "--set"));
-  }
-  const std::vector<Override> together = parseOverrides(options.all_settings, "--set-all");
-  settings.insert(settings.end(), together.begin(), together.end());
-  return settings;
-}
-
-Experiment readExperiment(const RunOptions& options) {
-  loadBuiltInPlugins();
-  Experiment experiment = swarmanoid::readExperiment(findExperiment(options.file), settingsOf(options));
-  for (const std::string& warning : takeExperimentWarnings()) {
-    std::cerr << "swarmanoid: warning: " << warning << '\n';
-  }
-  experiment.framework.seed = options.seed.value_or(experiment.framework.seed);
-  if (options.ticks) {
-    experiment.framework.max_clock = *options.ticks;
-    experiment.framework.location = {"--ticks", 0};
-  }
-  experiment.framework.threads = options.threads.value_or(experiment.framework.threads);
-  return experiment;
-}
 
 /// Nobody carries frames here.
 void refuseRobotsOfOthers(const Experiment& experiment) {
@@ -76,21 +40,18 @@ void refuseRobotsOfOthers(const Experiment& experiment) {
   }
 }
 
-/// A visualisation that the command line asks for, not the file.
-void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& label,
-                        const std::string& library, const std::string& file, const NamedValues& others = {}) {
-  if (!library.empty()) {
-    loadPluginLibrary(library, {}, {});
-  }
+/// A visualisation that an option of the command line asks for, not the file.
+void addFromCommandLine(Simulation& simulation, RunContext context, const std::string& option, const std::string& label,
+                        const std::string& file, const NamedValues& others = {}) {
   auto visualisation = makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, label));
   Configuration parameters(label, "", {});
-  parameters.set("file", std::filesystem::absolute(file).string());
+  parameters.set("file", file.empty() ? file : std::filesystem::absolute(file).lexically_normal().string());
   for (const auto& [name, value] : others) {
     parameters.set(name, value);
   }
-  RunContext own_context = context;
-  own_context.experiment = &simulation.experiment();
-  visualisation->configure("command_line_" + label, parameters, own_context);
+  context.experiment = &simulation.experiment();
+  context.asked_by = option;
+  visualisation->configure("command_line_" + label, parameters, context);
   simulation.addVisualisation(visualisation);
 }
 
@@ -122,7 +83,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
   const auto start = std::chrono::steady_clock::now();
   try {
     simulation.start();
-    while (!simulation.isFinished() && interrupted == 0) {
+    while (!simulation.isFinished() && !isInterrupted()) {
       simulation.tick();
       total += simulation.phaseTimes();
       facts.robot_ticks += static_cast<double>(simulation.robotCount());
@@ -137,7 +98,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
   if (options.profile) {
     printProfile(total, simulation.space());
   }
-  if (code == kFinished && interrupted != 0) {
+  if (code == kFinished && isInterrupted()) {
     code = kInterrupted;
   } else if (code == kFinished && !simulation.failures().empty()) {
     code = kControllerFailed;
@@ -153,21 +114,33 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
   return code;
 }
 
-int run(const RunOptions& options) {
-  RunContext context;
-  context.out_folder = options.out;
-  Experiment experiment = readExperiment(options);
-  OutFolder out(options.out, "--out");
-  refuseRobotsOfOthers(experiment);
-  Simulation simulation(std::move(experiment), context);
-  if (!options.hashes.empty()) {
-    addFromCommandLine(simulation, context, "hash_recorder", "", options.hashes);
+std::shared_ptr<OutFolder> outFolder(const RunOptions& options, const Experiment& experiment) {
+  const auto out =
+      std::make_shared<OutFolder>(options.out, "--", OutFolder::Rules{options.write_anywhere, options.force});
+  for (const std::string& file : experiment.files) {
+    out->protect(file);
   }
-  if (!options.bag.empty()) {
-    addFromCommandLine(simulation, context, "rosbag_recorder", "swarmanoid_recording", options.bag,
+  return out;
+}
+
+int run(const RunOptions& options) {
+  Experiment experiment = readExperiment(options);
+  RunContext context;
+  context.out = outFolder(options, experiment);
+  refuseRobotsOfOthers(experiment);
+  if (options.bag) {
+    loadPluginLibrary("swarmanoid_recording", {}, {});
+  }
+  context.out->protectLoadedLibraries();
+  Simulation simulation(std::move(experiment), context);
+  if (options.hashes) {
+    addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes);
+  }
+  if (options.bag) {
+    addFromCommandLine(simulation, context, "--bag", "rosbag_recorder", *options.bag,
                        {{"controllers", options.record_controllers}});
   }
-  out.keep();
+  context.out->keep();
   // shared with the sink, which controllers may still use while the simulation is taken down
   const FrameworkDescription& framework = simulation.experiment().framework;
   const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name, framework.max_clock,
@@ -177,17 +150,8 @@ int run(const RunOptions& options) {
       bar->print(robot + ": " + text);
     }
   });
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  noteInterruptions();
   return runToEnd(simulation, options, *bar);
-}
-
-/// The option parser would read -1 as the largest number there is, and a larger one as that too.
-std::string refuseWrappedNumber(const std::string& text) {
-  std::uint64_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_whole = error == std::errc() && stop == text.data() + text.size();
-  return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
 }
 
 /// What has been given for the options that replace what the file says.
@@ -201,23 +165,18 @@ std::vector<std::string> overridesOf(const CLI::App& command) {
   return overrides;
 }
 
-void addCommonOptions(CLI::App& command, RunOptions& options) {
-  command.add_option("file", options.file, "an experiment file, or the name of an installed experiment")->required();
-  command.add_option("--set", options.settings, "path=value: replaces what the file says (can be given again)");
-  command.add_option("--seed", options.seed, "random seed, instead of the file's")->check(refuseWrappedNumber);
-  command.add_option("--ticks", options.ticks, "ticks at the most, instead of maxclock")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
-}
-
 }  // namespace
 
 Command addRunCommand(CLI::App& app) {
   auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "run an experiment without ROS");
-  addCommonOptions(*command, *options);
+  addExperimentOptions(*command, *options);
   command->add_option("--threads", options->threads, "threads; results do not depend on it")
       ->check(CLI::Range(1, 1024));
   command->add_option("--out", options->out, "folder for the files that visualisations write");
+  command->add_flag("--force", options->force, "replace files that are there already");
+  command->add_flag("--write-anywhere", options->write_anywhere,
+                    "visualisations of the experiment file may write outside the folder");
   CLI::Option* bag = command->add_option("--bag", options->bag, "record a rosbag");
   command
       ->add_option("--record-controllers", options->record_controllers,
@@ -229,29 +188,6 @@ Command addRunCommand(CLI::App& app) {
   return [options, command] {
     options->overrides = overridesOf(*command);
     return run(*options);
-  };
-}
-
-Command addValidateCommand(CLI::App& app) {
-  auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("validate", "read and build an experiment, and say what is wrong");
-  addCommonOptions(*command, *options);
-  command->add_flag("--path", options->path, "only say the file's full name");
-  command->add_option("--set-all", options->all_settings,
-                      "several path=value in one text, as the launch argument set:= has them");
-  return [options] {
-    // outputs of visualisations must not be touched by a mere check
-    Experiment experiment = readExperiment(*options);
-    experiment.visualisations.clear();
-    const std::string file = experiment.file;
-    const Simulation simulation(std::move(experiment));
-    if (options->path) {
-      print(std::filesystem::absolute(file).string());
-      return static_cast<int>(kFinished);
-    }
-    print(file + ": valid, " + std::to_string(simulation.space().entities.size()) + " entities, " +
-          std::to_string(simulation.robotCount()) + " robots\n");
-    return static_cast<int>(kFinished);
   };
 }
 

@@ -179,7 +179,8 @@ struct VisualisationDescription {
 struct Experiment {
   std::string name;  ///< the file's name without folder and ending
   std::string file;
-  std::string text;  ///< the file as it was read, for recordings
+  std::string text;                ///< the file as it was read, for recordings
+  std::vector<std::string> files;  ///< that it was read from: its own, images
   FrameworkDescription framework;
   std::vector<ControllerDescription> controllers;
   ArenaDescription arena;

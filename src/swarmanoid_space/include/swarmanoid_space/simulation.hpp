@@ -5,6 +5,7 @@
 ///          and the command-line program both hold one of these.
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <map>
 #include <memory>
@@ -83,6 +84,9 @@ class Simulation {
   bool tick(const std::function<bool()>& is_disturbed = nullptr);
   /// maxclock is reached, or a visualisation asked to finish.
   bool isFinished() const;
+  /// What visualisations have written goes to the system: a process that is killed loses nothing of it. A tick does so
+  /// once a second of wall time; for whoever makes none for some time. @throws what visualisations throw
+  void flush();
   /// Completes what visualisations write, all of them. Called by the destructor if it was not.
   /// @throws what the first visualisation that fails throws
   void finish();
@@ -182,6 +186,8 @@ class Simulation {
   std::size_t logged_overflows_ = 0;
   std::vector<Event> pending_events_;
   Robot::LogSink log_sink_;
+  std::chrono::steady_clock::time_point next_flush_;
+  bool is_started_ = false;
   bool finish_asked_ = false;
   bool finished_ = false;
 };

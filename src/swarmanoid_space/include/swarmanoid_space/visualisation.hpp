@@ -4,10 +4,13 @@
 /// Phase   draw: `show`, once before the first tick and after each tick, on the simulation's thread.
 /// A visualisation sees the space const and changes nothing in it, so a run with it and one without are the same.
 ///
+/// One that writes a text has an OutFile (out_file.hpp).
+///
 /// To add one: derive, end with REGISTER_VISUALISATION.
 #pragma once
 
 #include <map>
+#include <memory>
 #include <string>
 #include <variant>
 
@@ -20,9 +23,12 @@ namespace swarmanoid {
 /// Named results of a run.
 using Metrics = std::map<std::string, std::variant<bool, double, std::string>>;
 
+class OutFolder;
+
 /// What a visualisation may want to know of the run it looks at.
 struct RunContext {
-  std::string out_folder;  ///< where relative file names go; "" is the current folder
+  std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: all, as code that has none likes
+  std::string asked_by;            ///< the option that asks for the visualisation, "--bag"; "": the experiment file
   bool headless = true;
   const Experiment* experiment = nullptr;
 };
@@ -44,6 +50,9 @@ class Visualisation {
   virtual std::optional<bool> success() const { return std::nullopt; }
   virtual void addMetrics(Metrics&) const {}
 
+  /// What was written so far goes to the system, which keeps it if this process is killed. Called once a second of wall
+  /// time, and when the run is paused. @throws std::exception (a full disk): the run stops, results kept
+  virtual void flush() {}
   /// The run is put back to its start; the next draw shows tick 0.
   virtual void reset() {}
   /// The run is over; files are completed.

@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "reader.hpp"
-#include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -30,16 +29,20 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
   device.location = element.location();
   const Registry::Entry* entry = &reader.requirePlugin(kind, element, device.library);
   device.type = entry->description.label;
-  if (const auto implementation = element.child("implementation")) {
+  const auto implementation = element.child("implementation");
+  if (implementation && !entry->description.free_parameters) {
     implementation->allowAttributes({});
     const std::string name = implementation->text();
     entry = name.empty() ? nullptr : Registry::instance().find(kind, device.type, name);
+    if (entry == nullptr && !reader.loads_libraries && !device.library.empty()) {
+      entry = &reader.standIn(kind, device.type);
+    }
     if (entry == nullptr) {
       implementation->refuse(unknownName("implementation", name, implementationsOf(kind, device.type)));
     }
   }
   device.implementation = entry->description.implementation;
-  device.parameters = readParameters(element, entry->description.parameters, valuesOf(path));
+  device.parameters = readPluginParameters(element, entry->description, valuesOf(path));
   return device;
 }
 
@@ -73,14 +76,13 @@ void readControllers(const XmlElement& section, Reader& reader) {
     const bool is_known = registry.find(PluginKind::kController, controller.label) != nullptr;
     controller.library = withoutAlias(element.attribute("library").value_or(is_known ? "" : controller.label));
     if (!controller.library.empty()) {
-      loadPluginLibrary(controller.library, reader.experiment.framework.controller_path,
-                        element.attributeLocation("library"));
+      reader.needLibrary(controller.library, element.attributeLocation("library"));
     }
     const Registry::Entry* entry = registry.find(PluginKind::kController, controller.label);
-    if (entry == nullptr) {
+    if (entry == nullptr && reader.loads_libraries) {
       element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
     }
-    controller.label = entry->description.label;
+    controller.label = entry != nullptr ? entry->description.label : controller.label;
     element.allowChildren(tagsIn("controllers/*"));
     if (const auto actuators = element.child("actuators")) {
       controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);

@@ -16,7 +16,7 @@ void readEngines(const XmlElement& section, Reader& reader) {
     reader.takeId("engine", engine.id, element);
     const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEngine, element, engine.library);
     engine.label = entry.description.label;
-    engine.parameters = readParameters(element, entry.description.parameters);
+    engine.parameters = readPluginParameters(element, entry.description);
     reader.experiment.engines.push_back(std::move(engine));
     if (reader.experiment.engines.size() > limits::kMostEngines) {
       element.refuse("found more than " + std::to_string(limits::kMostEngines) + " engines, allowed: at most as many");

@@ -7,6 +7,7 @@
 
 #include "../door.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/experiment_check.hpp"
 #include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid {
@@ -71,15 +72,38 @@ void Reader::takeNumberedIds(const std::string& prefix, std::size_t count, const
   groups[prefix] = {count, element.location()};
 }
 
+void Reader::needLibrary(const std::string& library, const SourceLocation& location) {
+  if (loads_libraries) {
+    loadPluginLibrary(library, experiment.framework.controller_path, location);
+  } else {
+    unloaded.insert(library);
+  }
+}
+
+const Registry::Entry& Reader::standIn(PluginKind kind, const std::string& label) {
+  unknown.push_back({kind, {}, nullptr});
+  unknown.back().description.label = label;
+  unknown.back().description.free_parameters = true;
+  return unknown.back();
+}
+
 const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
   if (!library.empty()) {
-    loadPluginLibrary(library, experiment.framework.controller_path, element.attributeLocation("library"));
+    needLibrary(library, element.attributeLocation("library"));
   }
   const Registry::Entry* entry = Registry::instance().find(kind, element.name());
+  if (entry == nullptr && !loads_libraries && !library.empty()) {
+    return standIn(kind, element.name());
+  }
   if (entry == nullptr) {
     element.refuse(unknownName(toString(kind), element.name(), Registry::instance().labels(kind)));
   }
   return *entry;
+}
+
+Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
+                                   const std::vector<std::string>& others) {
+  return plugin.free_parameters ? element.toConfiguration() : readParameters(element, plugin.parameters, others);
 }
 
 namespace {
@@ -134,19 +158,19 @@ std::string xmlProblem(const tinyxml2::XMLDocument& document) {
 }  // namespace experiment
 
 /// Reads and checks the document; what it warns of is kept for takeExperimentWarnings.
-Experiment experiment::readDocument(const XmlElement& root, Experiment start) {
-  Reader reader;
-  reader.experiment = std::move(start);
+void experiment::readDocument(const XmlElement& root, Reader& reader) {
   const auto& conflicts = Registry::instance().conflicts();
   const auto first_new = static_cast<std::ptrdiff_t>(conflicts.size());
   readSections(root, reader);
   auto& warnings = pendingWarnings();
   warnings.insert(warnings.end(), reader.warnings.begin(), reader.warnings.end());
   warnings.insert(warnings.end(), conflicts.begin() + first_new, conflicts.end());
-  return std::move(reader.experiment);
 }
 
-Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
+namespace {
+
+void readText(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+              experiment::Reader& reader) {
   using experiment::XmlElement;
   experiment::checkWellFormed(text, name);
   tinyxml2::XMLDocument document;
@@ -166,14 +190,14 @@ Experiment parseExperiment(const std::string& text, const std::string& name, con
         .refuse("found <" + std::string(second->Name()) + "> after the root element, allowed: nothing");
   }
   const auto marks = experiment::applyOverrides(document, overrides);
-  Experiment start;
-  start.file = name;
-  start.name = std::filesystem::path(name).stem().string();
-  start.text = text;
-  return experiment::readDocument(root_element, std::move(start));
+  reader.experiment.file = name;
+  reader.experiment.name = std::filesystem::path(name).stem().string();
+  reader.experiment.text = text;
+  reader.experiment.files = {name};
+  experiment::readDocument(root_element, reader);
 }
 
-Experiment readExperiment(const std::string& file, const std::vector<Override>& overrides) {
+std::string textOf(const std::string& file) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored)) {
@@ -188,7 +212,26 @@ Experiment readExperiment(const std::string& file, const std::vector<Override>& 
                                        std::to_string(limits::kLongestText) + " characters");
     }
   }
-  return parseExperiment(text, file, overrides);
+  return text;
+}
+
+}  // namespace
+
+Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
+  experiment::Reader reader;
+  readText(text, name, overrides, reader);
+  return std::move(reader.experiment);
+}
+
+Experiment readExperiment(const std::string& file, const std::vector<Override>& overrides) {
+  return parseExperiment(textOf(file), file, overrides);
+}
+
+UncheckedExperiment readWithoutLibraries(const std::string& file, const std::vector<Override>& overrides) {
+  experiment::Reader reader;
+  reader.loads_libraries = false;
+  readText(textOf(file), file, overrides, reader);
+  return {std::move(reader.experiment), {reader.unloaded.begin(), reader.unloaded.end()}};
 }
 
 void loadBuiltInPlugins() {

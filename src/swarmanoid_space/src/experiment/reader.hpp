@@ -26,11 +26,20 @@ struct Reader {
   };
   std::map<std::string, Group> groups;  ///< by prefix
   std::vector<std::string> warnings;
+  bool loads_libraries = true;
+  std::set<std::string> unloaded;       ///< libraries that were named, if it does not load them
+  std::deque<Registry::Entry> unknown;  ///< stand for what is in these
 
   /// @throws ConfigError if it is no name, or is taken within its kind ("controller", "entity", "engine", ...)
   void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
   /// Likewise the entities' ids prefix_1, prefix_2, ..., however many.
   void takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element);
+
+  /// Loads the library, or notes it. @throws ConfigError
+  void needLibrary(const std::string& library, const SourceLocation& location);
+
+  /// For a plugin that is in a library which was not loaded: reads whatever stands there.
+  const Registry::Entry& standIn(PluginKind kind, const std::string& label);
 
   /// The registry's entry for a tag; loads `library` first if it is not empty.
   /// @throws ConfigError naming what there is
@@ -64,8 +73,13 @@ void readArenaPhysics(const XmlElement& section, Reader& reader);
 void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader);
 void readVisualisations(const XmlElement& section, Reader& reader);
 
-/// Reads all sections. `start` has the experiment's name, file and text.
-Experiment readDocument(const XmlElement& root, Experiment start);
+/// Reads all sections. The reader's experiment has its name, file and text.
+void readDocument(const XmlElement& root, Reader& reader);
+
+/// What a plugin reads. Of one that is in a library which was not loaded, whatever stands there.
+/// @param others children that are no parameters
+Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
+                                   const std::vector<std::string>& others = {});
 
 /// Sets values in the document before it is read.
 /// @return what the document's elements point to, so it must live as long as they are read

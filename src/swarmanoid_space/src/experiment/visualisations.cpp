@@ -15,7 +15,7 @@ void readVisualisations(const XmlElement& section, Reader& reader) {
     reader.takeId("visualisation", visualisation.id, element);
     const Registry::Entry& entry = reader.requirePlugin(PluginKind::kVisualisation, element, visualisation.library);
     visualisation.label = entry.description.label;
-    visualisation.parameters = readParameters(element, entry.description.parameters);
+    visualisation.parameters = readPluginParameters(element, entry.description);
     reader.experiment.visualisations.push_back(std::move(visualisation));
   }
 }

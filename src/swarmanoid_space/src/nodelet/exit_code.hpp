@@ -9,7 +9,7 @@
 
 namespace swarmanoid {
 
-enum class ExitCode { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kStopped = 4 };
+enum class ExitCode { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kStopped = 4, kInterrupted = 130 };
 
 /// Takes effect when the process ends by itself. The first one that is not kFinished counts.
 void setExitCode(ExitCode code);

@@ -8,22 +8,16 @@ namespace swarmanoid {
 namespace {
 
 /// @param parameters named like the visualisation's label
-std::string attach(Simulation& simulation, const RunContext& context, const std::string& id,
-                   const Configuration& parameters) {
+void attach(Simulation& simulation, RunContext context, const std::string& id, const Configuration& parameters) {
   const auto* entry = Registry::instance().find(PluginKind::kVisualisation, parameters.name());
   auto visualisation = makePlugin<Visualisation>(*entry);
-  RunContext own_context = context;
-  own_context.experiment = &simulation.experiment();
-  visualisation->configure(id, parameters, own_context);
+  context.experiment = &simulation.experiment();
+  context.asked_by = "~" + id;
+  visualisation->configure(id, parameters, context);
   simulation.addVisualisation(visualisation);
-  return std::filesystem::absolute(std::filesystem::path(context.out_folder) / parameters.text("file")).string();
 }
 
-}  // namespace
-
-std::string record(Simulation& simulation, const RunContext& context, const SpaceOptions& options,
-                   const std::string& space) {
-  loadPluginLibrary("swarmanoid_recording", {}, {});
+Configuration bagParameters(const SpaceOptions& options, const std::string& space) {
   Configuration parameters("rosbag_recorder", "", {});
   parameters.set("file", options.record);
   parameters.set("node", space.substr(space.find_first_not_of('/')));
@@ -32,13 +26,41 @@ std::string record(Simulation& simulation, const RunContext& context, const Spac
     controllers += (controllers.empty() ? "" : " ") + robot;
   }
   parameters.set("controllers", controllers.empty() ? "none" : controllers);
-  return attach(simulation, context, "record", parameters);
+  return parameters;
 }
 
-std::string writeHashes(Simulation& simulation, const RunContext& context, const std::string& file) {
-  Configuration parameters("hash_recorder", "", {});
-  parameters.set("file", file);
-  return attach(simulation, context, "hashes", parameters);
+}  // namespace
+
+std::shared_ptr<OutFolder> openOutFolder(const SpaceOptions& options, const Experiment& experiment) {
+  if (!options.record.empty()) {
+    loadPluginLibrary("swarmanoid_recording", {}, {});
+  }
+  const auto out =
+      std::make_shared<OutFolder>(options.out, "~", OutFolder::Rules{options.write_anywhere, options.force});
+  for (const std::string& file : experiment.files) {
+    out->protect(file);
+  }
+  out->protectLoadedLibraries();
+  return out;
+}
+
+std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& context, const SpaceOptions& options,
+                                      const std::string& space) {
+  const auto fullName = [&](const std::string& file) {
+    return std::filesystem::absolute(std::filesystem::path(options.out) / file).string();
+  };
+  std::vector<std::string> said;
+  if (!options.record.empty()) {
+    attach(simulation, context, "record", bagParameters(options, space));
+    said.push_back("recording " + fullName(options.record));
+  }
+  if (!options.hashes.empty()) {
+    Configuration parameters("hash_recorder", "", {});
+    parameters.set("file", options.hashes);
+    attach(simulation, context, "hashes", parameters);
+    said.push_back("writing state hashes to " + fullName(options.hashes));
+  }
+  return said;
 }
 
 }  // namespace swarmanoid

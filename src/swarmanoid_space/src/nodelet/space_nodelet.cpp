@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <thread>
 
+#include "end_on_signals.hpp"
 #include "engine_diagnostics.hpp"
 #include "engine_parameters.hpp"
 #include "exit_code.hpp"
@@ -22,7 +23,6 @@
 #include "space_parts.hpp"
 #include "space_services.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
-#include "swarmanoid_space/out_folder.hpp"
 
 namespace swarmanoid {
 class SpaceNodelet final : public nodelet::Nodelet {
@@ -62,6 +62,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
 
 void SpaceNodelet::onInit() {
   try {
+    shutDownOnSignals();
     // before all others: one of those may be what is wrong
     options_.exit_code = readExitCodeFile(getPrivateNodeHandle());
     options_ = readSpaceOptions(getPrivateNodeHandle());
@@ -133,8 +134,7 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   }
   supplied.commands = commands_;
   RunContext context;
-  OutFolder out(options_.out, "~out");
-  context.out_folder = options_.out;
+  context.out = openOutFolder(options_, experiment);
   context.headless = false;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
   simulation_ = simulation.get();
@@ -146,15 +146,12 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
     robot_topics_->adopt(parts_);
     simulation->addVisualisation(robot_topics_);
   }
-  if (!options_.record.empty()) {
-    NODELET_INFO("recording %s", record(*simulation, context, options_, getName()).c_str());
-  }
-  if (!options_.hashes.empty()) {
-    NODELET_INFO("writing state hashes to %s", writeHashes(*simulation, context, options_.hashes).c_str());
+  for (const std::string& line : addRecorders(*simulation, context, options_, getName())) {
+    NODELET_INFO("%s", line.c_str());
   }
   NODELET_INFO("files go to %s, unless their names say otherwise",
                (std::filesystem::current_path() / options_.out).lexically_normal().c_str());
-  out.keep();
+  context.out->keep();
   simulation->setLogSink(logRobot);
   return simulation;
 }
@@ -183,12 +180,13 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   } else {
     NODELET_ERROR("%s", result.c_str());
   }
-  if (!ros::ok()) {
-    return;  // interrupted, so it has neither succeeded nor failed
-  }
   const ExitCode at_end = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
-  const ExitCode code = state == State::kFinished ? at_end : ExitCode::kStopped;
+  const ExitCode if_stopped = ros::ok() ? ExitCode::kStopped : ExitCode::kInterrupted;
+  const ExitCode code = state == State::kFinished ? at_end : if_stopped;
   tellExitCode(code);
+  if (!ros::ok()) {
+    return;  // it is ending already
+  }
   if (!options_.stays_at_end) {
     shutDownSoon(code);
   }

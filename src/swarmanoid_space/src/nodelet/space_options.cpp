@@ -66,6 +66,8 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.record_controllers = reader.words("record_controllers");
   options.hashes = reader.text("hashes", "");
   options.folder = reader.text("folder", "");
+  options.force = reader.boolean("force", false);
+  options.write_anywhere = reader.boolean("write_anywhere", false);
   options.out = inFolder(options.folder, reader.text("out", ""));
   options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
   reader.text("exit_code", "");  // it is known

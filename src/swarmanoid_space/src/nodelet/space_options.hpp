@@ -27,6 +27,8 @@ struct SpaceOptions {
   std::string hashes;                           ///< file of the state hash of every tick; "": none
   std::string folder;                           ///< where relative names begin; "": where the manager works
   std::string out;                              ///< folder of the files that are written, made if it is not there
+  bool force = false;                           ///< files that are there already are replaced
+  bool write_anywhere = false;                  ///< what the experiment file names may be outside `out`
   std::vector<Override> set;                    ///< instead of what the file says
   std::string exit_code;                        ///< file that gets the exit code of the run when it is over; "": none
   std::optional<TransformLevel> tf_level;       ///< nothing: by the number of robots

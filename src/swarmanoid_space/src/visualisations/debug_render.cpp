@@ -1,10 +1,8 @@
 // What controllers say with robot.debug, and the events of the run: one line a change, columns separated by tabs.
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <utility>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/out_file.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -24,11 +22,14 @@ class DebugRender final : public Visualisation {
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
     id_ = id;
-    path_ = std::filesystem::path(context.out_folder) / parameters.text("file");
-    open(parameters.location());
+    file_.open(context, parameters, id);
   }
 
   void draw(const Space& space) override {
+    if (!has_header_) {
+      has_header_ = true;
+      file_ << "#clock\tEntity id\tKey\tValue\n";
+    }
     for (const Event& event : space.events) {
       file_ << space.tick << '\t' << event.entity << '\t' << toString(event.kind) << '\t' << event.other
             << (event.other.empty() || event.text.empty() ? "" : " ") << event.text << '\n';
@@ -41,28 +42,16 @@ class DebugRender final : public Visualisation {
     }
   }
 
+  void flush() override { file_.flush(); }
+  void finish() override { file_.flush(); }
+
   void reset() override {
-    file_.close();
-    open({});
+    file_.restart();
+    has_header_ = false;
     known_.clear();
   }
 
-  void finish() override {
-    file_.flush();
-    if (!file_) {
-      throw std::runtime_error("debug_render '" + id_ + "': writing " + path_.string() + " failed");
-    }
-  }
-
  private:
-  void open(const SourceLocation& location) {
-    file_.open(path_, std::ios::trunc);
-    if (!file_) {
-      throw ConfigError(location, "debug_render '" + id_ + "': cannot write " + path_.string());
-    }
-    file_ << "#clock\tEntity id\tKey\tValue\n";
-  }
-
   void writeChanges(std::uint64_t tick, const Robot& robot) {
     for (const auto& [key, value] : robot.debugValues()) {
       std::string& known = known_[{robot.name(), key}];
@@ -73,8 +62,8 @@ class DebugRender final : public Visualisation {
     }
   }
 
-  std::filesystem::path path_;
-  std::ofstream file_;
+  OutFile file_;
+  bool has_header_ = false;
   std::map<std::pair<std::string, std::string>, std::string> known_;
 };
 

@@ -1,9 +1,7 @@
 // The state hash of every tick, for comparing runs.
-#include <filesystem>
-#include <fstream>
 #include <iomanip>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/out_file.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -23,8 +21,7 @@ class HashRecorder final : public Visualisation {
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
     id_ = id;
-    path_ = std::filesystem::path(context.out_folder) / parameters.text("file");
-    open(parameters.location());
+    file_.open(context, parameters, id);
   }
 
   void draw(const Space& space) override {
@@ -32,28 +29,12 @@ class HashRecorder final : public Visualisation {
           << '\n';
   }
 
-  void reset() override {
-    file_.close();
-    open({});
-  }
-
-  void finish() override {
-    file_.flush();
-    if (!file_) {
-      throw std::runtime_error("hash_recorder '" + id_ + "': writing " + path_.string() + " failed");
-    }
-  }
+  void flush() override { file_.flush(); }
+  void reset() override { file_.restart(); }
+  void finish() override { file_.flush(); }
 
  private:
-  void open(const SourceLocation& location) {
-    file_.open(path_, std::ios::trunc);
-    if (!file_) {
-      throw ConfigError(location, "hash_recorder '" + id_ + "': cannot write " + path_.string());
-    }
-  }
-
-  std::filesystem::path path_;
-  std::ofstream file_;
+  OutFile file_;
 };
 
 }  // namespace

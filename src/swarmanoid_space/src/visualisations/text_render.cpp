@@ -3,11 +3,9 @@
 // "clock". Here # is part of the first name, so that every column has its name and every cell its value.
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <iostream>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/out_file.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -44,10 +42,8 @@ class TextRender final : public Visualisation {
     id_ = id;
     precision_ = static_cast<int>(parameters.integer("precision", std::int64_t{6}));
     every_ = static_cast<std::uint64_t>(parameters.integer("every", std::int64_t{1}));
-    const std::string name = parameters.text("file", "");
-    if (!name.empty()) {
-      path_ = std::filesystem::path(context.out_folder) / name;
-      open(parameters.location());
+    if (!parameters.text("file", "").empty()) {
+      file_.open(context, parameters, id);
     }
   }
 
@@ -55,7 +51,7 @@ class TextRender final : public Visualisation {
     if (space.tick % every_ != 0) {
       return;
     }
-    std::ostream& out = path_.empty() ? std::cerr : file_;
+    std::ostream& out = file_.isOpen() ? static_cast<std::ostream&>(file_) : std::cerr;
     if (!has_header_) {
       has_header_ = true;
       out << "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n";
@@ -65,29 +61,15 @@ class TextRender final : public Visualisation {
     }
   }
 
+  void flush() override { file_.flush(); }
+  void finish() override { file_.flush(); }
+
   void reset() override {
-    if (!path_.empty()) {
-      file_.close();
-      open({});
-    }
+    file_.restart();
     has_header_ = false;
   }
 
-  void finish() override {
-    file_.flush();
-    if (!path_.empty() && !file_) {
-      throw std::runtime_error("text_render '" + id_ + "': writing " + path_.string() + " failed");
-    }
-  }
-
  private:
-  void open(const SourceLocation& location) {
-    file_.open(path_, std::ios::trunc);
-    if (!file_) {
-      throw ConfigError(location, "text_render '" + id_ + "': cannot write " + path_.string());
-    }
-  }
-
   void writeLine(std::ostream& out, const Space& space, std::size_t i) {
     const Entities& entities = space.entities;
     const Eigen::Vector3d& p = entities.pose[i].position;
@@ -105,8 +87,7 @@ class TextRender final : public Visualisation {
     return buffer_;
   }
 
-  std::filesystem::path path_;
-  std::ofstream file_;
+  OutFile file_;
   int precision_ = 6;
   std::uint64_t every_ = 1;
   bool has_header_ = false;

@@ -10,6 +10,7 @@
 
 #include "../small_world.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/out_folder.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -30,10 +31,11 @@ class RosbagRecorderTest : public testing::Test {
     parameters.set("file", "run.bag");
     parameters.set("every", every);
     RunContext context;
-    context.out_folder = folder_.string();
+    context.out = std::make_shared<OutFolder>(folder_.string(), "--", OutFolder::Rules{});
     context.experiment = &simulation.experiment();
     recorder->configure("recorder", parameters, context);
     simulation.addVisualisation(recorder);
+    context.out->keep();
   }
 
   template <class Message>
@@ -112,7 +114,7 @@ TEST_F(RosbagRecorderTest, GoesOnAfterAReset) {
 
 TEST_F(RosbagRecorderTest, SaysWhenItCannotWrite) {
   const auto simulation = test::smallWorld(10);
-  folder_ = "/nonexistent_folder";
+  std::filesystem::create_directory(folder_ / "run.bag");
   EXPECT_THROW(record(*simulation), ConfigError);
 }
 

@@ -1,59 +1,49 @@
-/// A rosbag that is written without a master, in simulated time.
+/// Messages into a bag, in simulated time.
 #pragma once
 
-#include <rosbag/bag.h>
+#include <ros/message_traits.h>
+#include <ros/serialization.h>
 
-#include <boost/make_shared.hpp>
 #include <string>
+
+#include "bag_file.hpp"
 
 namespace swarmanoid {
 
 class BagWriter {
  public:
-  /// @throws rosbag::BagException
-  void open(const std::string& file, rosbag::compression::CompressionType compression) {
-    file_ = file;
-    compression_ = compression;
-    bag_.open(file, rosbag::bagmode::Write);
-    bag_.setCompression(compression);
-  }
-
-  /// Goes on with a file that was closed. @throws rosbag::BagException
-  void reopen() {
-    if (!bag_.isOpen()) {
-      bag_.open(file_, rosbag::bagmode::Append);
-      bag_.setCompression(compression_);
-    }
-  }
-
-  /// Completes the file.
-  void close() {
-    if (bag_.isOpen()) {
-      bag_.close();
-    }
-  }
+  /// @throws std::runtime_error, as all functions here, see BagFile
+  void open(OutDescriptor file, BagFile::Compression compression) { file_.open(std::move(file), compression); }
+  void flush() { file_.flush(); }
+  /// Completes the bag; a later message goes on with it.
+  void complete() { file_.complete(); }
 
   template <class Message>
   void write(const std::string& topic, const ros::Time& time, const Message& message) {
-    bag_.write(topic, time, message);
+    writeTo(topic, time, message, false);
   }
 
   /// A player will latch the topic, as the space does.
   template <class Message>
   void writeLatched(const std::string& topic, const ros::Time& time, const Message& message) {
-    auto header = boost::make_shared<ros::M_string>();
-    (*header)["type"] = ros::message_traits::datatype(message);
-    (*header)["md5sum"] = ros::message_traits::md5sum(message);
-    (*header)["message_definition"] = ros::message_traits::definition(message);
-    (*header)["latching"] = "1";
-    (*header)["callerid"] = "/swarmanoid";
-    bag_.write(topic, time, message, header);
+    writeTo(topic, time, message, true);
   }
 
  private:
-  rosbag::Bag bag_;
-  std::string file_;
-  rosbag::compression::CompressionType compression_ = rosbag::compression::Uncompressed;
+  template <class Message>
+  void writeTo(const std::string& topic, const ros::Time& time, const Message& message, bool is_latched) {
+    namespace traits = ros::message_traits;
+    std::optional<std::uint32_t> number = file_.findTopic(topic);
+    if (!number) {
+      number = file_.addTopic(
+          topic, {traits::datatype(message), traits::md5sum(message), traits::definition(message), is_latched});
+    }
+    const std::uint32_t size = ros::serialization::serializationLength(message);
+    ros::serialization::OStream stream(file_.add(*number, time, size), size);
+    ros::serialization::serialize(stream, message);
+  }
+
+  BagFile file_;
 };
 
 }  // namespace swarmanoid

@@ -1,14 +1,12 @@
 // Records a run into a rosbag: no master, nothing is lost, and the stamps are simulated time.
 #include <std_msgs/String.h>
 
-#include <filesystem>
-
 #include "bag_writer.hpp"
 #include "controller_recorder.hpp"
+#include "swarmanoid_space/out_file.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
-#include "swarmanoid_space/visualisation.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -61,22 +59,16 @@ class RosbagRecorder final : public Visualisation {
     transforms_ = Transforms(parseTransformLevel(parameters.text("transforms", "auto")));
     topics_ = "/" + parameters.text("node", "space") + "/";
     const std::string compression = parameters.text("compression", "lz4");
-    const auto file = std::filesystem::path(context.out_folder) / parameters.text("file");
     controllers_ = ControllerRecorder(parameters.text("controllers", "none"), context.experiment);
-    try {
-      bag_.open(file.string(), compression == "lz4"   ? rosbag::compression::LZ4
-                               : compression == "bz2" ? rosbag::compression::BZ2
-                                                      : rosbag::compression::Uncompressed);
-    } catch (const rosbag::BagException& error) {
-      throw ConfigError(parameters.location(), "rosbag_recorder '" + id + "': cannot write: " + error.what());
-    }
+    bag_.open(openOutFile(context, parameters, id), compression == "lz4"   ? BagFile::Compression::kLz4
+                                                    : compression == "bz2" ? BagFile::Compression::kBz2
+                                                                           : BagFile::Compression::kNone);
     if (context.experiment != nullptr) {
       experiment_text_.data = context.experiment->text;
     }
   }
 
   void draw(const Space& space) override {
-    bag_.reopen();
     const ros::Time stamp = stampOf(space);
     transforms_.advance(space);
     for (const Event& event : space.events) {
@@ -103,7 +95,8 @@ class RosbagRecorder final : public Visualisation {
     }
   }
 
-  void finish() override { bag_.close(); }
+  void flush() override { bag_.flush(); }
+  void finish() override { bag_.complete(); }
 
  private:
   std::uint64_t every_ = 1;
