@@ -98,7 +98,7 @@ void readBeyondTheEndOfAFile() {
 [[gnu::noinline]] int recurse(int depth) {
   volatile char frame[4096];
   frame[static_cast<std::size_t>(depth) % sizeof frame] = 1;
-  return recurse(depth + 1) + frame[0];
+  return zero == 12345 ? 0 : recurse(depth + 1) + frame[0];
 }
 
 void freeTwice() {
@@ -200,7 +200,7 @@ void forkAndGoOn() {
 void takeAllMemory() {
   // more than any machine has: the attempt fails and harms nobody
   const std::size_t volatile size = std::numeric_limits<std::size_t>::max() / 4;
-  std::free(::operator new(size));
+  ::operator delete(::operator new(size));
 }
 
 using Deed = void (*)();
