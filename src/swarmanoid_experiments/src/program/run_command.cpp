@@ -1,12 +1,12 @@
 // `swarmanoid run` and `swarmanoid validate`.
 #include <charconv>
 #include <chrono>
-#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 
 #include "commands.hpp"
+#include "interruption.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
@@ -18,10 +18,6 @@
 
 namespace swarmanoid::program {
 namespace {
-
-volatile std::sig_atomic_t interrupted = 0;
-
-void interrupt(int) { interrupted = 1; }
 
 struct RunOptions {
   std::string file;
@@ -119,7 +115,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
   const auto start = std::chrono::steady_clock::now();
   try {
     simulation.start();
-    while (!simulation.isFinished() && interrupted == 0) {
+    while (!simulation.isFinished() && !isInterrupted()) {
       simulation.tick();
       total += simulation.phaseTimes();
       facts.robot_ticks += static_cast<double>(simulation.robotCount());
@@ -134,7 +130,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
   if (options.profile) {
     printProfile(total, simulation.space());
   }
-  if (code == kFinished && interrupted != 0) {
+  if (code == kFinished && isInterrupted()) {
     code = kInterrupted;
   } else if (code == kFinished && !simulation.failures().empty()) {
     code = kControllerFailed;
@@ -174,8 +170,7 @@ int run(const RunOptions& options) {
       bar->print(robot + ": " + text);
     }
   });
-  std::signal(SIGINT, interrupt);
-  std::signal(SIGTERM, interrupt);
+  noteInterruptions();
   return runToEnd(simulation, options, *bar);
 }
 
