@@ -7,6 +7,8 @@
 #include <fstream>
 #include <map>
 
+#include "swarmanoid_interface/user_code.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -33,10 +35,18 @@ std::vector<std::string> prefixes() {
   return result;
 }
 
-void open(const std::string& file, const std::string& library, const SourceLocation& location) {
+/// Its static constructors run meanwhile. What they throw cannot be caught: it ends the process, as a crash does.
+/// @return "", or why the system's loader does not find or like it
+std::string load(const std::string& file, const std::string& library) {
+  const std::string part = "library '" + library + "'";
+  const UserCall call({"loading", part, ""});
   // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
-  if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
-    throw ConfigError(location, "library '" + library + "' cannot be loaded: " + dlerror());
+  return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
+}
+
+void open(const std::string& file, const std::string& library, const SourceLocation& location) {
+  if (const std::string problem = load(file, library); !problem.empty()) {
+    throw ConfigError(location, "library '" + library + "' cannot be loaded: " + problem);
   }
 }
 
@@ -64,10 +74,10 @@ void loadPluginLibrary(const std::string& library, const std::vector<std::string
     }
     searched += (searched.empty() ? "" : ", ") + place;
   }
-  if (dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL) != nullptr) {
+  const std::string reason = load(name, library);
+  if (reason.empty()) {
     return;
   }
-  const std::string reason = dlerror();
   throw ConfigError(location, "library '" + library + "': found no " + name + " in " + searched +
                                   ", nor where the system's loader looks (" + reason + ")");
 }

@@ -7,10 +7,12 @@
 
 #include "commands.hpp"
 #include "interruption.hpp"
+#include "parent_process.hpp"
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
 #include "swarmanoid_space/out_folder.hpp"
 #include "swarmanoid_space/override_text.hpp"
@@ -34,6 +36,8 @@ struct RunOptions {
   bool quiet = false;
   bool profile = false;
   bool path = false;
+  bool end_with_parent = false;
+  double watchdog = 0.0;  // [s]
 };
 
 std::vector<Override> settingsOf(const RunOptions& options) {
@@ -107,12 +111,34 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
-int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar) {
+/// Files and summary of a run that ends in the middle of a controller's call.
+void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& end) {
+  try {
+    simulation.finish();
+  } catch (...) {
+    std::cerr << "swarmanoid: " << describeException() << '\n';
+  }
+  facts.state_hash = simulation.stateHash();
+  facts.failures = simulation.failures();
+  if (end.exit_code == kControllerFailed && !end.robot.empty()) {
+    facts.failures.push_back({end.robot, simulation.space().tick, end.reason});
+  }
+  print(toText(summarise(simulation, facts)) + "\n");
+}
+
+int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
   RunFacts facts;
   facts.overrides = options.overrides;
   PhaseTimes total;
   int code = kFinished;
   const auto start = std::chrono::steady_clock::now();
+  const auto passed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const UserCodeWatch::Closing closing(watch, [&](const UserCodeEnd& end) {
+    facts.wall_s = passed();
+    keepWhatIsThere(simulation, facts, end);
+  });
   try {
     simulation.start();
     while (!simulation.isFinished() && !isInterrupted()) {
@@ -121,32 +147,37 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
       facts.robot_ticks += static_cast<double>(simulation.robotCount());
       bar.show(simulation.space().tick);
     }
-  } catch (const std::exception& error) {
-    bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + error.what());
+  } catch (...) {
+    bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + describeException());
     code = kEngineStopped;
   }
-  facts.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  facts.wall_s = passed();
   bar.finish(simulation.space().tick);
   if (options.profile) {
     printProfile(total, simulation.space());
   }
   if (code == kFinished && isInterrupted()) {
     code = kInterrupted;
-  } else if (code == kFinished && !simulation.failures().empty()) {
-    code = kControllerFailed;
   }
   facts.finished = simulation.isFinished();
   try {
     simulation.finish();
-  } catch (const std::exception& error) {
-    std::cerr << "swarmanoid: " << error.what() << '\n';
+  } catch (...) {
+    std::cerr << "swarmanoid: " << describeException() << '\n';
     code = kEngineStopped;
+  }
+  facts.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
+  simulation.destroyControllers();
+  facts.failures = simulation.failures();
+  if (code == kFinished && !facts.failures.empty()) {
+    code = kControllerFailed;
   }
   print(toText(summarise(simulation, facts)) + "\n");
   return code;
 }
 
 int run(const RunOptions& options) {
+  UserCodeWatch watch({nullptr, options.watchdog});
   RunContext context;
   context.out_folder = options.out;
   Experiment experiment = readExperiment(options);
@@ -171,7 +202,7 @@ int run(const RunOptions& options) {
     }
   });
   noteInterruptions();
-  return runToEnd(simulation, options, *bar);
+  return runToEnd(simulation, options, *bar, watch);
 }
 
 /// The option parser would read -1 as the largest number there is, and a larger one as that too.
@@ -216,6 +247,8 @@ Command addRunCommand(CLI::App& app) {
                    "robots whose controllers can be replayed from the bag: names separated by spaces, all or none")
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
+  command->add_option("--watchdog", options->watchdog, "end the run when one call of a controller takes longer [s]")
+      ->check(CLI::Range(0.1, 1e9));
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options, command] {
@@ -229,9 +262,15 @@ Command addValidateCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("validate", "read and build an experiment, and say what is wrong");
   addCommonOptions(*command, *options);
   command->add_flag("--path", options->path, "only say the file's full name");
+  command->add_flag("--end-with-parent", options->end_with_parent,
+                    "end when the process does that has started it, as the launch file asks for");
   command->add_option("--set-all", options->all_settings,
                       "several path=value in one text, as the launch argument set:= has them");
   return [options] {
+    if (options->end_with_parent) {
+      endWithParent();
+    }
+    const UserCodeWatch watch({nullptr, options->watchdog});
     // outputs of visualisations must not be touched by a mere check
     Experiment experiment = readExperiment(*options);
     experiment.visualisations.clear();

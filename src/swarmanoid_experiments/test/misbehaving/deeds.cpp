@@ -1,6 +1,6 @@
 #include "deeds.hpp"
 
-#include <fcntl.h>
+#include <cxxabi.h>
 #include <pthread.h>
 #include <signal.h>
 #include <sys/mman.h>
@@ -85,7 +85,10 @@ void callNowhere() {
   function();
 }
 
-void divideByZero() { zero = 1 / zero; }
+void divideByZero() {
+  const volatile int number = 12;
+  zero = number / zero;
+}
 
 void readBeyondTheEndOfAFile() {
   char name[] = "/tmp/misbehaving_XXXXXX";
@@ -118,21 +121,6 @@ void spoilTheHeap() {
     std::free(std::malloc(size));
   }
 }
-
-class Abstract {
- public:
-  Abstract() { call(); }
-  virtual ~Abstract() = default;
-  virtual void doIt() = 0;
-
- private:
-  [[gnu::noinline]] void call() { doIt(); }
-};
-
-class Concrete : public Abstract {
- public:
-  void doIt() override { zero = 1; }
-};
 
 // what never ends
 
@@ -240,7 +228,7 @@ const std::map<std::string, Deed>& table() {
       {"abort", [] { std::abort(); }},
       {"free_twice", freeTwice},
       {"spoil_heap", spoilTheHeap},
-      {"pure_virtual", [] { Concrete(); }},
+      {"pure_virtual", [] { abi::__cxa_pure_virtual(); }},
       {"exit_0", [] { std::exit(0); }},
       {"exit_7", [] { std::exit(7); }},
       {"quick_exit_0", [] { std::quick_exit(0); }},
