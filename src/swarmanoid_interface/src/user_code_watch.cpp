@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -96,9 +97,14 @@ class Watch {
   Watch(const Watch&) = delete;
   Watch& operator=(const Watch&) = delete;
 
-  void setClose(std::function<void(const UserCodeEnd&)> close) {
-    const std::lock_guard<std::mutex> lock(close_mutex_);
-    close_ = std::move(close);
+  std::uint64_t addClosing(std::function<void(const UserCodeEnd&)> close) {
+    const std::lock_guard<std::mutex> lock(closings_mutex_);
+    closings_.emplace(++last_closing_, std::move(close));
+    return last_closing_;
+  }
+  void removeClosing(std::uint64_t number) {
+    const std::lock_guard<std::mutex> lock(closings_mutex_);
+    closings_.erase(number);
   }
 
   std::optional<LateCall> late() const {
@@ -119,8 +125,9 @@ class Watch {
   CarefulReader reader_;
   std::vector<Sight> sights_;  // as the notes
   double asked_seconds_ = 0.0;
-  std::mutex close_mutex_;
-  std::function<void(const UserCodeEnd&)> close_;
+  std::mutex closings_mutex_;
+  std::map<std::uint64_t, std::function<void(const UserCodeEnd&)>> closings_;
+  std::uint64_t last_closing_ = 0;
   mutable std::mutex late_mutex_;
   std::optional<LateCall> late_;
   std::atomic<bool> is_over_{false};
@@ -129,6 +136,7 @@ class Watch {
 
 std::mutex the_watch_mutex;
 std::unique_ptr<Watch> the_watch;
+int watch_count = 0;
 
 void Watch::run() {
   user_code_end::beWatch();
@@ -238,10 +246,10 @@ void Watch::endWith(const std::string& deed, const UserCode* code, int exit_code
     std::fprintf(stderr, "swarmanoid: %s\n", reason.c_str());
   }
   if (code != nullptr) {  // else others may be at work on what is to be closed
-    const std::lock_guard<std::mutex> lock(close_mutex_);
-    if (close_) {
+    const std::lock_guard<std::mutex> lock(closings_mutex_);
+    for (const auto& [number, close] : closings_) {
       try {
-        close_({std::string(code->robot), reason, exit_code});
+        close({std::string(code->robot), reason, exit_code});
       } catch (...) {
         std::fprintf(stderr, "swarmanoid: %s\n", describeException().c_str());
       }
@@ -255,26 +263,26 @@ void Watch::endWith(const std::string& deed, const UserCode* code, int exit_code
 
 UserCodeWatch::UserCodeWatch(Options options) {
   const std::lock_guard<std::mutex> lock(the_watch_mutex);
-  if (the_watch != nullptr) {
-    throw std::logic_error("users' code is watched already");
-  }
   static std::once_flag once;
   std::call_once(once, [] { sem_init(&wake, 0, 0); });
-  the_watch = std::make_unique<Watch>(std::move(options));
-  is_watched = true;
+  if (++watch_count == 1) {
+    the_watch = std::make_unique<Watch>(std::move(options));
+    is_watched = true;
+  }
 }
 
 UserCodeWatch::~UserCodeWatch() {
   const std::lock_guard<std::mutex> lock(the_watch_mutex);
-  is_watched = false;
-  the_watch.reset();
+  if (--watch_count == 0) {
+    is_watched = false;
+    the_watch.reset();
+  }
 }
 
-UserCodeWatch::Closing::Closing(UserCodeWatch&, std::function<void(const UserCodeEnd&)> close) {
-  the_watch->setClose(std::move(close));
-}
+UserCodeWatch::Closing::Closing(UserCodeWatch&, std::function<void(const UserCodeEnd&)> close)
+    : number_(the_watch->addClosing(std::move(close))) {}
 
-UserCodeWatch::Closing::~Closing() { the_watch->setClose(nullptr); }
+UserCodeWatch::Closing::~Closing() { the_watch->removeClosing(number_); }
 
 void UserCodeWatch::askToEndNow() {
   if (++ends_asked_for > 1 || !is_watched) {

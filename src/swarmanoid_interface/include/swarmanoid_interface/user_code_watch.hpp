@@ -36,14 +36,14 @@ class UserCodeWatch {
     double watchdog = 0.0;                         ///< [s] of wall time for one call; 0: any time
   };
 
-  /// Takes over the signals of crashes. One at a time in a process. @throws std::logic_error if there is one
+  /// Takes over the signals of crashes. While there are several in a process the options of the first hold.
   explicit UserCodeWatch(Options options);
-  /// Gives them back.
+  /// The last one gives them back.
   ~UserCodeWatch();
   UserCodeWatch(const UserCodeWatch&) = delete;
   UserCodeWatch& operator=(const UserCodeWatch&) = delete;
 
-  /// While it lives, this is done before the process ends. One at a time.
+  /// While it lives, this is done before the process ends.
   class Closing {
    public:
     Closing(UserCodeWatch& watch, std::function<void(const UserCodeEnd&)> close);
@@ -51,6 +51,9 @@ class UserCodeWatch {
     ~Closing();
     Closing(const Closing&) = delete;
     Closing& operator=(const Closing&) = delete;
+
+   private:
+    std::uint64_t number_;
   };
 
   /// The end is asked for once more. If users' code is under way the process ends with 130 after `close`; else it has
