@@ -37,6 +37,7 @@ ControllerHost::ControllerHost(Registration registration, Factory make, Robot::L
       hosted_(registration_.robots.size()) {
   for (std::size_t i = 0; i < hosted_.size(); ++i) {
     const RemoteRobot& description = registration_.robots[i];
+    hosted_[i].part = controllerPart(description.controller, description.label);
     for (const DeviceLayout& device : description.sensors) {
       hosted_[i].sensors.push_back({requireType(device, description.name), nullptr, {}});
     }
@@ -65,17 +66,16 @@ void ControllerHost::give(Hosted& hosted, const RemoteRobot& description) {
     device.data = device.type->make();
     robot->provideActuator(device.type->type, device.data.get());
   }
-  auto controller = make_();
-  controller->init(*robot, description.parameters);
+  hosted.controller = startController(make_, hosted.part, *robot, description.parameters);
   hosted.robot = std::move(robot);
-  hosted.controller = std::move(controller);
 }
 
 void ControllerHost::take(Hosted& hosted) {
-  if (hosted.controller != nullptr) {
-    hosted.controller->destroy();
+  const std::string failure =
+      hosted.robot == nullptr ? "" : endController(hosted.controller, hosted.part, *hosted.robot);
+  if (!failure.empty() && log_) {
+    log_(LogLevel::kError, hosted.robot->name(), "controller failed: " + failure);
   }
-  hosted.controller.reset();
   hosted.robot.reset();
   hosted.failure.clear();
 }
@@ -97,7 +97,8 @@ const CommandFrame& ControllerHost::answer(const SensorFrame& frame) {
   ByteWriter out(answer_.data);
   for (Hosted& hosted : hosted_) {
     if (hosted.is_present && hosted.failure.empty()) {
-      hosted.failure = stepController(*hosted.controller, *hosted.robot, frame.stamp.tick, frame.time, frame.clocktick);
+      hosted.failure =
+          stepController(*hosted.controller, hosted.part, *hosted.robot, frame.stamp.tick, frame.time, frame.clocktick);
     }
     write(hosted, out);
   }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <map>
 
+#include "swarmanoid_interface/user_code.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -39,14 +41,22 @@ bool isFolderOrRegular(const fs::path& file) {
   return fs::is_regular_file(file, ignored) || fs::is_directory(file, ignored);
 }
 
+/// Its static constructors run meanwhile. What they throw cannot be caught: it ends the process, as a crash does.
+/// @return "", or why the system's loader does not find or like it
+std::string load(const std::string& file, const std::string& library) {
+  const std::string part = "library '" + library + "'";
+  const UserCall call({"loading", part, ""});
+  // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
+  return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
+}
+
 void open(const std::string& file, const std::string& library, const SourceLocation& location) {
   if (!isFolderOrRegular(file)) {
     throw ConfigError(location, "library '" + library + "': found '" + file +
                                     "', which is a pipe or a device; allowed: a regular file");
   }
-  // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
-  if (dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr) {
-    throw ConfigError(location, "library '" + library + "' cannot be loaded: " + dlerror());
+  if (const std::string problem = load(file, library); !problem.empty()) {
+    throw ConfigError(location, "library '" + library + "' cannot be loaded: " + problem);
   }
 }
 
@@ -74,10 +84,10 @@ void loadPluginLibrary(const std::string& library, const std::vector<std::string
     }
     searched += (searched.empty() ? "" : ", ") + place;
   }
-  if (dlopen(name.c_str(), RTLD_NOW | RTLD_LOCAL) != nullptr) {
+  const std::string reason = load(name, library);
+  if (reason.empty()) {
     return;
   }
-  const std::string reason = dlerror();
   throw ConfigError(location, "library '" + library + "': found no " + name + " in " + searched +
                                   ", nor where the system's loader looks (" + reason + ")");
 }

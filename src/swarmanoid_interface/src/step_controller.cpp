@@ -1,19 +1,43 @@
 #include "swarmanoid_interface/step_controller.hpp"
 
-#include <exception>
+#include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
 
-std::string stepController(Controller& controller, Robot& robot, std::uint64_t tick, Time time, Duration dt) {
+std::string stepController(Controller& controller, std::string_view part, Robot& robot, std::uint64_t tick, Time time,
+                           Duration dt) {
   robot.startTick(tick, time);
+  return failureOf({"step", part, robot.name(), tick}, [&] { controller.step(time, dt); });
+}
+
+std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<Controller>()>& make,
+                                            std::string_view part, Robot& robot, const Configuration& parameters) {
+  std::shared_ptr<Controller> controller = callUserCode({"construction", part, robot.name()}, make);
   try {
-    controller.step(time, dt);
-  } catch (const std::exception& error) {
-    return *error.what() == '\0' ? "threw an exception without a text" : error.what();
+    callUserCode({"init", part, robot.name()}, [&] { controller->init(robot, parameters); });
   } catch (...) {
-    return "threw something that is no std::exception";
+    // it is not destroyed, for it was never ready
+    const UserCall call({"destruction", part, robot.name()});
+    controller.reset();
+    throw;
   }
-  return "";
+  return controller;
+}
+
+std::string endController(std::shared_ptr<Controller>& controller, std::string_view part, const Robot& robot) {
+  if (controller == nullptr) {
+    return "";
+  }
+  const std::string failure = failureOf({"destroy", part, robot.name()}, [&] { controller->destroy(); });
+  const UserCall call({"destruction", part, robot.name()});
+  controller.reset();
+  return failure.empty() ? "" : "destroy: " + failure;
+}
+
+std::string controllerPart(const std::string& id, const std::string& label) {
+  const Registry::Entry* entry = Registry::instance().find(PluginKind::kController, label);
+  const std::string library = entry == nullptr ? "" : libraryOf(&entry->make.target_type());
+  return "controller '" + id + "'" + (library.empty() ? "" : " of " + library);
 }
 
 }  // namespace swarmanoid

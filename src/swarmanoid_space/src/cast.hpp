@@ -25,6 +25,7 @@ struct ControllerGroup {
   std::vector<std::shared_ptr<Sensor>> sensors;
   std::vector<std::shared_ptr<Actuator>> actuators;
   std::function<std::shared_ptr<Controller>()> make;
+  std::string part;  ///< what `make` makes, as UserCode has it
 };
 
 /// Types of its devices; none without a group.

@@ -4,6 +4,8 @@
 #include <unordered_map>
 
 #include "door.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/entity_type.hpp"
 #include "swarmanoid_space/limits.hpp"
 #include "swarmanoid_space/simulation.hpp"
@@ -59,7 +61,11 @@ Simulation::~Simulation() {
   } catch (...) {
     // a recorder that cannot complete its file must not end the program; finish() called by hand reports it
   }
-  unbuild();
+  try {
+    unbuild();
+  } catch (...) {
+    // what a plugin throws when it is let go harms nobody any more
+  }
 }
 
 void Simulation::buildEngines() {
@@ -113,6 +119,7 @@ void Simulation::buildControllerGroups() {
       group->actuators.push_back(makePlugin<Actuator>(*entry));
       group->actuators.back()->configure(device.parameters);
     }
+    group->part = controllerPart(description.id, description.label);
     const auto supplied = supplied_.controllers.find(description.id);
     if (supplied != supplied_.controllers.end()) {
       group->make = supplied->second;

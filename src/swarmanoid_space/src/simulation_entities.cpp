@@ -3,10 +3,21 @@
 
 #include "cast.hpp"
 #include "handover.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/entity_type.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid {
+namespace {
+
+[[noreturn]] void refuseStart(const ControllerDescription& controller, const std::string& robot,
+                              const std::string& why) {
+  throw ConfigError(controller.location,
+                    "controller '" + controller.id + "' of '" + robot + "' does not start: " + why);
+}
+
+}  // namespace
 
 std::vector<std::string> devicesOf(const ControllerGroup* group) {
   std::vector<std::string> devices;
@@ -102,24 +113,40 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
       driver.robot->provideActuator(actuator->type(), actuator->add(space_, row));
     }
     if (driver.source == CommandSource::kController) {
-      driver.controller = group->make();
-      driver.controller->init(*driver.robot, group->description->parameters);
+      driver.controller = startController(group->make, group->part, *driver.robot, group->description->parameters);
     }
     refuseUnlessReachable(driver, driver.source);
-  } catch (const ConfigError&) {
-    throw;
-  } catch (const std::exception& error) {
-    throw ConfigError(group->description->location, "controller '" + group->description->id + "' of '" + entity.id +
-                                                        "' does not start: " + error.what());
+  } catch (const ConfigError& error) {
+    if (!error.location().file.empty()) {
+      throw;
+    }
+    refuseStart(*group->description, entity.id, describeException());
+  } catch (...) {
+    refuseStart(*group->description, entity.id, describeException());
+  }
+}
+
+void Simulation::destroyController(Driver& driver) {
+  const std::string failure = endController(driver.controller, driver.group->part, *driver.robot);
+  if (!failure.empty()) {
+    failures_.push_back({driver.robot->name(), space_.tick, failure});
+    pending_events_.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", failure});
+    if (log_sink_) {
+      log_sink_(LogLevel::kError, driver.robot->name(), "controller failed: " + failure);
+    }
+  }
+}
+
+void Simulation::destroyControllers() {
+  for (Driver& driver : cast_->drivers) {
+    destroyController(driver);
   }
 }
 
 void Simulation::removeEntity(Row row) {
   const auto i = static_cast<std::size_t>(row);
   if (Driver* driver = cast_->findDriver(space_.entities, row)) {
-    if (driver->controller) {
-      driver->controller->destroy();
-    }
+    destroyController(*driver);
     for (const auto& sensor : driver->group->sensors) {
       sensor->remove(space_, row);
     }
@@ -144,9 +171,7 @@ void Simulation::removeEntity(Row row) {
 
 void Simulation::unbuild() {
   for (Driver& driver : cast_->drivers) {
-    if (driver.controller) {
-      driver.controller->destroy();
-    }
+    destroyController(driver);
   }
   cast_->drivers.clear();
   for (const auto& engine : cast_->engines) {

@@ -2,6 +2,8 @@
 #include <set>
 
 #include "cast.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/controller_frames.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
@@ -78,8 +80,8 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
   std::shared_ptr<Controller> controller;
   try {
     if (source == CommandSource::kController) {
-      controller = driver->group->make();
-      controller->init(*driver->robot, driver->group->description->parameters);
+      controller = startController(driver->group->make, driver->group->part, *driver->robot,
+                                   driver->group->description->parameters);
     }
     refuseUnlessReachable(*driver, source);
     if (source == CommandSource::kTopics && supplied_.commands == nullptr) {
@@ -88,12 +90,10 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
     if (source == CommandSource::kTopics && !supplied_.commands->isOpen(robot)) {
       throw std::runtime_error("its devices have no topics; name it in ~device_topics");
     }
-  } catch (const std::exception& error) {
-    throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + error.what());
+  } catch (...) {
+    throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + describeException());
   }
-  if (driver->controller) {
-    driver->controller->destroy();
-  }
+  destroyController(*driver);
   driver->controller = std::move(controller);
   ++space_.controllers[static_cast<std::size_t>(driver->row)].starts;
   pending_events_.push_back(

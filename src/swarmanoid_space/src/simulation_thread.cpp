@@ -1,11 +1,31 @@
 #include "swarmanoid_space/simulation_thread.hpp"
 
+#include <algorithm>
 #include <chrono>
-#include <stdexcept>
+
+#include "swarmanoid_interface/user_code_watch.hpp"
 
 namespace swarmanoid {
 
 using Clock = std::chrono::steady_clock;
+
+namespace {
+
+/// @param let_go of what is waited for @return whether that can be
+/// @throws SimulationBusy
+template <class Result, class LetGo>
+Result waitUnlessLate(std::future<Result>& result, LetGo let_go) {
+  constexpr auto kInterval = std::chrono::milliseconds(200);
+  while (result.wait_for(kInterval) == std::future_status::timeout) {
+    const std::string late = lateUserCall();
+    if (!late.empty() && let_go()) {
+      throw SimulationBusy(late);
+    }
+  }
+  return result.get();
+}
+
+}  // namespace
 
 SimulationThread::SimulationThread(std::unique_ptr<Simulation> simulation, Options options)
     : simulation_(std::move(simulation)), options_(std::move(options)) {
@@ -28,61 +48,95 @@ std::string SimulationThread::stopReason() const {
   return state_ == State::kStopped ? stop_reason_.value_or("") : "";
 }
 
-void SimulationThread::enqueueAndWait(std::function<void()> action, bool is_change) const {
+void SimulationThread::enqueueAndWait(std::function<void()> action, JobKind kind) const {
   std::future<void> done;
+  std::uint64_t number = 0;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (is_over_) {
       throw std::runtime_error("the run has stopped: " + stop_reason_.value_or(""));
     }
-    jobs_.push_back({std::move(action), is_change, {}});
+    number = ++last_job_;
+    jobs_.push_back({std::move(action), kind, number, {}});
     has_jobs_ = true;
     done = jobs_.back().done.get_future();
   }
   wake_.notify_all();
   simulation_->wake();
-  done.get();
+  waitUnlessLate(done, [&] { return letGo(number, kind); });
+}
+
+/// @return false: it has begun, and uses what belongs to whoever waits
+bool SimulationThread::letGo(std::uint64_t job, JobKind kind) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const auto found =
+      std::find_if(jobs_.begin(), jobs_.end(), [job](const Job& candidate) { return candidate.number == job; });
+  if (found != jobs_.end()) {
+    jobs_.erase(found);
+    has_jobs_ = !jobs_.empty();
+    return true;
+  }
+  return kind.owns_all;
 }
 
 void SimulationThread::call(const std::function<void(Simulation&)>& action) {
-  enqueueAndWait([&] { action(*simulation_); });
+  enqueueAndWait([&] { action(*simulation_); }, {});
+}
+
+void SimulationThread::callUsers(const std::function<void(Simulation&)>& action) {
+  JobKind kind;
+  kind.owns_all = true;
+  enqueueAndWait([this, action] { action(*simulation_); }, kind);
 }
 
 void SimulationThread::look(const std::function<void(const Simulation&)>& action) const {
-  constexpr bool kChange = true;
-  enqueueAndWait([&] { action(*simulation_); }, !kChange);
+  JobKind kind;
+  kind.is_change = false;
+  enqueueAndWait([&] { action(*simulation_); }, kind);
 }
 
 void SimulationThread::reset(std::optional<std::uint64_t> seed, bool rewind) {
-  enqueueAndWait([&] {
+  JobKind kind;
+  kind.owns_all = true;
+  const auto act = [this, seed, rewind] {
+    std::unique_lock<std::mutex> lock(mutex_);
     endStep("reset before all of them were made");
+    lock.unlock();
     try {
       simulation_->reset(seed, rewind);
-    } catch (const std::exception& error) {
-      stop_reason_ = std::string("the reset failed: ") + error.what();  // the space is half built
+    } catch (...) {
+      lock.lock();
+      if (!stop_reason_) {
+        stop_reason_ = "the reset failed: " + describeException();  // the space is half built
+      }
       throw;
     }
+    lock.lock();
     state_ = options_.paused ? State::kPaused : State::kRunning;
     next_tick_.reset();
-  });
+  };
+  enqueueAndWait(act, kind);
 }
 
 bool SimulationThread::pause() {
   bool is_change = false;
-  enqueueAndWait([&] {
+  const auto act = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
     is_change = state_ == State::kRunning || state_ == State::kStepping;
     options_.paused = true;
     if (is_change) {
       state_ = State::kPaused;
       endStep("paused before all of them were made");
     }
-  });
+  };
+  enqueueAndWait(act, {});
   return is_change;
 }
 
 bool SimulationThread::resume() {
   bool is_change = false;
-  enqueueAndWait([&] {
+  const auto act = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (state_ == State::kFinished) {
       throw std::runtime_error("the run is finished; only a reset goes on from here");
     }
@@ -93,13 +147,15 @@ bool SimulationThread::resume() {
       state_ = State::kRunning;
       next_tick_.reset();
     }
-  });
+  };
+  enqueueAndWait(act, {});
   return is_change;
 }
 
 SimulationThread::StepResult SimulationThread::step(std::uint64_t ticks) {
   std::future<StepResult> result;
-  enqueueAndWait([&] {
+  const auto act = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
     if (step_) {
       throw std::runtime_error("another step is under way");
     }
@@ -114,8 +170,9 @@ SimulationThread::StepResult SimulationThread::step(std::uint64_t ticks) {
     } else {
       state_ = State::kStepping;
     }
-  });
-  return result.get();
+  };
+  enqueueAndWait(act, {});
+  return waitUnlessLate(result, [] { return true; });
 }
 
 void SimulationThread::stop(const std::string& reason) {
@@ -130,7 +187,7 @@ void SimulationThread::stop(const std::string& reason) {
 
 void SimulationThread::run() {
   std::unique_lock<std::mutex> lock(mutex_);
-  const auto stopOn = [&](const std::exception& error) {
+  const auto stopOn = [&](const std::string& why) {
     // a job or a tick threw on this thread; the lock may be held or not
     if (!lock.owns_lock()) {
       lock.lock();
@@ -138,7 +195,7 @@ void SimulationThread::run() {
     if (stop_reason_) {
       return;  // stopped meanwhile, which may be why it threw
     }
-    stop_reason_ = "tick " + std::to_string(simulation_->space().tick) + ": " + error.what();
+    stop_reason_ = "tick " + std::to_string(simulation_->space().tick) + ": " + why;
   };
   try {
     simulation_->start();
@@ -149,15 +206,15 @@ void SimulationThread::run() {
         makeTick(lock);
       }
     }
-  } catch (const std::exception& error) {
-    stopOn(error);
+  } catch (...) {
+    stopOn(describeException());
   }
   state_ = State::kStopped;
   endStep("the run has stopped: " + *stop_reason_);
   try {
     complete();
-  } catch (const std::exception& error) {
-    *stop_reason_ += std::string("; ") + error.what();
+  } catch (...) {
+    *stop_reason_ += "; " + describeException();
   }
   is_over_ = true;
   for (Job& job : jobs_) {
@@ -172,13 +229,14 @@ void SimulationThread::runJobs(std::unique_lock<std::mutex>& lock) {
   while (!jobs_.empty() && !stop_reason_) {
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
-    // held by nobody else: state_ is only written on this thread, and read by others under the lock
+    lock.unlock();  // users' code may take long, and others may be told so meanwhile
     try {
       job.action();
-      if (job.is_change) {
+      if (job.kind.is_change) {
+        lock.lock();
         announce();
+        lock.unlock();
       }
-      lock.unlock();
       job.done.set_value();
     } catch (...) {
       if (lock.owns_lock()) {

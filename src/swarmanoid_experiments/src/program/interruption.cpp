@@ -2,12 +2,19 @@
 
 #include <csignal>
 
+#include "swarmanoid_interface/user_code_watch.hpp"
+
 namespace swarmanoid::program {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void note(int) { interrupted = 1; }
+void note(int) {
+  if (interrupted != 0) {
+    UserCodeWatch::askToEndNow();
+  }
+  interrupted = 1;
+}
 
 bool isIgnored(int signal) {
   struct sigaction current {};

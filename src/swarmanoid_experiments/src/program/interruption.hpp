@@ -1,4 +1,5 @@
-/// Signals that ask a run to end. The first one ends it at the next tick boundary, with results, files and summary.
+/// Signals that ask a run to end. The first one ends it at the next tick boundary, with results, files and summary. The
+/// second one ends it where it is (user_code_watch.hpp).
 #pragma once
 
 namespace swarmanoid::program {

@@ -9,6 +9,7 @@
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "version.hpp"
 
 namespace swarmanoid::program {
@@ -55,6 +56,9 @@ int main(int argc, char** argv) {
     return kBadInput;
   } catch (const std::exception& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
+    return kEngineStopped;
+  } catch (...) {
+    std::cerr << "swarmanoid: " << swarmanoid::describeException() << '\n';
     return kEngineStopped;
   }
 }

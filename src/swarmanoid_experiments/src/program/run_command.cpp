@@ -11,6 +11,7 @@
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
 #include "swarmanoid_space/out_folder.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
@@ -27,6 +28,7 @@ struct RunOptions : ExperimentOptions {
   std::optional<std::string> hashes;
   bool quiet = false;
   bool profile = false;
+  double watchdog = 0.0;  // [s]
 };
 
 /// Nobody carries frames here.
@@ -75,12 +77,34 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
-int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar) {
+/// Files and summary of a run that ends in the middle of a controller's call.
+void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& end) {
+  try {
+    simulation.finish();
+  } catch (...) {
+    std::cerr << "swarmanoid: " << describeException() << '\n';
+  }
+  facts.state_hash = simulation.stateHash();
+  facts.failures = simulation.failures();
+  if (end.exit_code == kControllerFailed && !end.robot.empty()) {
+    facts.failures.push_back({end.robot, simulation.space().tick, end.reason});
+  }
+  print(toText(summarise(simulation, facts)) + "\n");
+}
+
+int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
   RunFacts facts;
   facts.overrides = options.overrides;
   PhaseTimes total;
   int code = kFinished;
   const auto start = std::chrono::steady_clock::now();
+  const auto passed = [start] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+  const UserCodeWatch::Closing closing(watch, [&](const UserCodeEnd& end) {
+    facts.wall_s = passed();
+    keepWhatIsThere(simulation, facts, end);
+  });
   try {
     simulation.start();
     while (!simulation.isFinished() && !isInterrupted()) {
@@ -89,26 +113,30 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
       facts.robot_ticks += static_cast<double>(simulation.robotCount());
       bar.show(simulation.space().tick);
     }
-  } catch (const std::exception& error) {
-    bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + error.what());
+  } catch (...) {
+    bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + describeException());
     code = kEngineStopped;
   }
-  facts.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  facts.wall_s = passed();
   bar.finish(simulation.space().tick);
   if (options.profile) {
     printProfile(total, simulation.space());
   }
   if (code == kFinished && isInterrupted()) {
     code = kInterrupted;
-  } else if (code == kFinished && !simulation.failures().empty()) {
-    code = kControllerFailed;
   }
   facts.finished = simulation.isFinished();
   try {
     simulation.finish();
-  } catch (const std::exception& error) {
-    std::cerr << "swarmanoid: " << error.what() << '\n';
+  } catch (...) {
+    std::cerr << "swarmanoid: " << describeException() << '\n';
     code = kEngineStopped;
+  }
+  facts.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
+  simulation.destroyControllers();
+  facts.failures = simulation.failures();
+  if (code == kFinished && !facts.failures.empty()) {
+    code = kControllerFailed;
   }
   print(toText(summarise(simulation, facts)) + "\n");
   return code;
@@ -124,6 +152,7 @@ std::shared_ptr<OutFolder> outFolder(const RunOptions& options, const Experiment
 }
 
 int run(const RunOptions& options) {
+  UserCodeWatch watch({nullptr, options.watchdog});
   Experiment experiment = readExperiment(options);
   RunContext context;
   context.out = outFolder(options, experiment);
@@ -151,7 +180,7 @@ int run(const RunOptions& options) {
     }
   });
   noteInterruptions();
-  return runToEnd(simulation, options, *bar);
+  return runToEnd(simulation, options, *bar, watch);
 }
 
 /// What has been given for the options that replace what the file says.
@@ -183,6 +212,8 @@ Command addRunCommand(CLI::App& app) {
                    "robots whose controllers can be replayed from the bag: names separated by spaces, all or none")
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
+  command->add_option("--watchdog", options->watchdog, "end the run when one call of a controller takes longer [s]")
+      ->check(CLI::Range(0.1, 1e9));
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options, command] {

@@ -33,11 +33,11 @@ ordered_json summarise(const Simulation& simulation, const RunFacts& facts) {
     std::visit([&, &key = name](const auto& held) { metrics[key] = held; }, value);
   }
   ordered_json failures = ordered_json::array();
-  for (const ControllerFailure& failure : simulation.failures()) {
+  for (const ControllerFailure& failure : facts.failures) {
     failures.push_back({{"robot", failure.robot}, {"tick", failure.tick}, {"reason", failure.reason}});
   }
   char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(simulation.stateHash()));
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(facts.state_hash));
 
   ordered_json summary;
   summary["version"] = version();

@@ -18,6 +18,8 @@ struct RunFacts {
   bool finished = false;
   double wall_s = 0.0;       ///< spent in ticks [s]
   double robot_ticks = 0.0;  ///< robots times ticks, summed over the run
+  std::uint64_t state_hash = 0;
+  std::vector<ControllerFailure> failures;  ///< of controllers
 };
 
 nlohmann::ordered_json summarise(const Simulation& simulation, const RunFacts& facts);

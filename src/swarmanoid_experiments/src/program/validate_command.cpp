@@ -5,10 +5,12 @@
 
 #include "commands.hpp"
 #include "experiment_options.hpp"
+#include "parent_process.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
@@ -18,6 +20,7 @@ namespace {
 struct ValidateOptions : ExperimentOptions {
   bool path = false;
   bool no_libraries = false;
+  bool end_with_parent = false;
 };
 
 /// Stands for a controller whose library is not loaded.
@@ -97,9 +100,15 @@ Command addValidateCommand(CLI::App& app) {
   command->add_flag(
       "--no-libraries", options->no_libraries,
       "load no library that the file names, and so run no code of others; what they bring is not checked");
+  command->add_flag("--end-with-parent", options->end_with_parent,
+                    "end when the process does that has started it, as the launch file asks for");
   command->add_option("--set-all", options->all_settings,
                       "several path=value in one text, as the launch argument set:= has them");
   return [options] {
+    if (options->end_with_parent) {
+      endWithParent();
+    }
+    const UserCodeWatch watch({});
     const std::string found = options->no_libraries ? validateWithoutLibraries(*options) : validate(*options);
     print(options->path ? std::filesystem::absolute(findExperiment(options->file)).string() : found + "\n");
     return static_cast<int>(kFinished);

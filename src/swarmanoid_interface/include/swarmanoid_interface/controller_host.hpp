@@ -44,6 +44,7 @@ class ControllerHost {
     std::vector<Device> sensors;
     std::vector<Device> actuators;
     std::shared_ptr<Controller> controller;
+    std::string part;  // of it, as UserCode has it
     std::string failure;
     bool is_present = false;
   };

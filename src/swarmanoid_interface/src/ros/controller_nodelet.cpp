@@ -1,10 +1,13 @@
 #include "swarmanoid_interface/ros/controller_nodelet.hpp"
 
+#include <ros/console.h>
+
 #include <stdexcept>
 
 #include "swarmanoid_interface/ros/participant.hpp"
 #include "swarmanoid_interface/ros/process.hpp"
 #include "swarmanoid_interface/ros/robot_host.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -31,6 +34,9 @@ bool ControllerNodelet::runAlone() {
   const std::string& name = getName();
   const bool is_standalone = process::isStandalone(name);
   const auto provider = own.param("provider", std::string("lockstep"));
+  UserCodeWatch::Options options;
+  options.tell = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  watch_ = std::make_unique<UserCodeWatch>(options);
   try {
     if (provider == "topics") {
       refuse(own, "parameters", "none with provider:=topics; the configuration has those of the controller");
@@ -43,12 +49,13 @@ bool ControllerNodelet::runAlone() {
       throw std::runtime_error("provider: found '" + provider + "', allowed: lockstep, topics" +
                                didYouMean(provider, {"lockstep", "topics"}));
     }
-  } catch (const std::exception& error) {
-    NODELET_FATAL("%s: %s", name.c_str(), error.what());
+  } catch (...) {
+    const std::string reason = describeException();
+    NODELET_FATAL("%s: %s", name.c_str(), reason.c_str());
     if (is_standalone) {
       process::endWith(process::kBadInput);
     }
-    throw;  // the nodelet does not load
+    throw std::runtime_error(reason);  // the nodelet does not load
   }
   return true;
 }

@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "swarmanoid_interface/user_code.hpp"
+
 namespace swarmanoid {
 
 PartNodelet::~PartNodelet() {
@@ -28,13 +30,14 @@ void PartNodelet::onInit() {
     try {
       point->attach(kind_, id_, makePart(point->request(kind_, id_)));
       point_ = std::move(point);
-    } catch (const std::exception& error) {
-      point->refuse(kind_, id_, error.what());
+    } catch (...) {
+      point->refuse(kind_, id_, describeException());
       throw;
     }
-  } catch (const std::exception& error) {
-    NODELET_FATAL("%s: %s", getName().c_str(), error.what());
-    throw;  // the manager reports the nodelet as not loaded
+  } catch (...) {
+    const std::string reason = describeException();
+    NODELET_FATAL("%s: %s", getName().c_str(), reason.c_str());
+    throw std::runtime_error(reason);  // the manager reports the nodelet as not loaded
   }
 }
 

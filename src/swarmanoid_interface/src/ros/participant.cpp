@@ -9,6 +9,7 @@
 #include "swarmanoid_interface/ros/log.hpp"
 #include "swarmanoid_interface/ros/parameters.hpp"
 #include "swarmanoid_interface/ros/process.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
 
@@ -50,9 +51,9 @@ void Participant::run() {
       }
       was_there = is_there;
     }
-  } catch (const std::exception& error) {
+  } catch (...) {
     if (!isOver()) {
-      ROS_FATAL("participant '%s': %s", name_.c_str(), error.what());
+      ROS_FATAL("participant '%s': %s", name_.c_str(), describeException().c_str());
       if (is_standalone_) {
         process::endWith(process::kStopped);
       }

@@ -39,7 +39,7 @@ struct PhaseTimes {
 /// Names of parameters, and values as they would stand in the experiment file.
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
-/// A robot whose controller threw, or commanded a number that is none.
+/// A robot whose controller threw in a step (or in destroy), or commanded a number that is none.
 struct ControllerFailure {
   std::string robot;
   std::uint64_t tick = 0;
@@ -87,6 +87,9 @@ class Simulation {
   /// What visualisations have written goes to the system: a process that is killed loses nothing of it. A tick does so
   /// once a second of wall time; for whoever makes none for some time. @throws what visualisations throw
   void flush();
+  /// Nobody controls the robots any more: what their controllers throw now is in failures() too. For whoever wants to
+  /// know it; the destructor does it otherwise. Afterwards there are no ticks.
+  void destroyControllers();
   /// Completes what visualisations write, all of them. Called by the destructor if it was not.
   /// @throws what the first visualisation that fails throws
   void finish();
@@ -171,6 +174,7 @@ class Simulation {
                       const std::vector<Seat>& seats) const;
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
+  void destroyController(Driver& driver);
   void removeEntity(Row row);
   void refuseUnlessReachable(const Driver& driver, CommandSource source) const;
   void offerRobots();

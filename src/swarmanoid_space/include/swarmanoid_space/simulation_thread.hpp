@@ -15,6 +15,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <thread>
 
@@ -22,6 +23,15 @@
 
 namespace swarmanoid {
 
+/// The simulation's thread is in users' code, and has been for too long to wait for it (user_code_watch.hpp).
+class SimulationBusy : public std::runtime_error {
+ public:
+  /// @param call as lateUserCall() says it
+  explicit SimulationBusy(const std::string& call) : std::runtime_error("busy in " + call) {}
+};
+
+/// Whoever waits for the simulation's thread gets a SimulationBusy instead when that is late in users' code: what was
+/// asked for is not done then, unless it has begun.
 class SimulationThread {
  public:
   enum class State {
@@ -69,6 +79,10 @@ class SimulationThread {
   /// @throws std::runtime_error if stopped
   void call(const std::function<void(Simulation&)>& action);
 
+  /// The same for an action that calls users' code. It owns what it uses, for it may go on after this has thrown a
+  /// SimulationBusy.
+  void callUsers(const std::function<void(Simulation&)>& action);
+
   /// The same for who only looks; nobody is told of it.
   void look(const std::function<void(const Simulation&)>& action) const;
 
@@ -80,9 +94,14 @@ class SimulationThread {
   void stop(const std::string& reason);
 
  private:
+  struct JobKind {
+    bool is_change = true;
+    bool owns_all = false;  ///< nobody has to wait for its end
+  };
   struct Job {
     std::function<void()> action;
-    bool is_change = true;
+    JobKind kind;
+    std::uint64_t number;
     std::promise<void> done;
   };
   struct Step {
@@ -98,7 +117,8 @@ class SimulationThread {
   void endStep(const std::string& problem);
   void complete();
   void announce();
-  void enqueueAndWait(std::function<void()> action, bool is_change = true) const;
+  void enqueueAndWait(std::function<void()> action, JobKind kind) const;
+  bool letGo(std::uint64_t job, JobKind kind) const;
 
   std::unique_ptr<Simulation> simulation_;
   Options options_;
@@ -106,6 +126,7 @@ class SimulationThread {
   mutable std::mutex mutex_;  // guards what follows
   mutable std::condition_variable wake_;
   mutable std::deque<Job> jobs_;
+  mutable std::uint64_t last_job_ = 0;
   State state_ = State::kPaused;
   bool is_over_ = false;                       // the thread takes no more jobs
   mutable std::atomic<bool> has_jobs_{false};  // written under the mutex, read by a tick that waits

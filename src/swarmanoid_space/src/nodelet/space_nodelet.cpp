@@ -5,6 +5,7 @@
 #include <ros/network.h>
 #include <pluginlib/class_list_macros.hpp>
 
+#include <atomic>
 #include <cstdio>
 #include <filesystem>
 #include <thread>
@@ -19,10 +20,12 @@
 #include "robot_topics.hpp"
 #include "roslaunch_parent.hpp"
 #include "run_result.hpp"
+#include "second_signal.hpp"
 #include "space_diagnostics.hpp"
 #include "space_parts.hpp"
 #include "space_services.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
 
 namespace swarmanoid {
 class SpaceNodelet final : public nodelet::Nodelet {
@@ -37,16 +40,20 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::unique_ptr<Simulation> build(Experiment experiment);
   void onChange(State state, const std::string& stop_reason);
   void onLoss(PluginKind kind, const std::string& id);
+  void watchUsersCode();
+  void keepWhatIsThere(const UserCodeEnd& end);
   void tellExitCode(ExitCode code);
   void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
+  std::unique_ptr<UserCodeWatch> watch_;  // to the end: controllers are destroyed with thread_
+  std::unique_ptr<UserCodeWatch::Closing> closing_;
   const std::shared_ptr<CommandMailbox> commands_ = std::make_shared<CommandMailbox>();
   std::vector<AttachmentPoint::Request> parts_;
   std::shared_ptr<AttachmentPoint> point_;
   std::unique_ptr<NodeletLoader> loader_;
   std::thread starter_;  // inside onInit the manager would not answer
-  const Simulation* simulation_ = nullptr;
+  std::atomic<Simulation*> simulation_{nullptr};
   std::shared_ptr<SpaceDisplay> display_;
   RobotTopics::Selection with_topics_;
   std::shared_ptr<RobotTopics> robot_topics_;  // null: this process is no manager
@@ -66,6 +73,7 @@ void SpaceNodelet::onInit() {
     // before all others: one of those may be what is wrong
     options_.exit_code = readExitCodeFile(getPrivateNodeHandle());
     options_ = readSpaceOptions(getPrivateNodeHandle());
+    watchUsersCode();
     Experiment experiment = readExperiment(options_);
     const auto warning_of_others = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
     if (warning_of_others) {
@@ -82,10 +90,42 @@ void SpaceNodelet::onInit() {
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
-  } catch (const std::exception& error) {
-    NODELET_FATAL("%s", error.what());
+  } catch (...) {
+    const std::string reason = describeException();
+    NODELET_FATAL("%s", reason.c_str());
     tellExitCode(ExitCode::kBadInput);
-    throw;  // the manager reports the nodelet as not loaded
+    throw std::runtime_error(reason);  // the manager reports the nodelet as not loaded
+  }
+}
+
+void SpaceNodelet::watchUsersCode() {
+  UserCodeWatch::Options options;
+  options.tell = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  options.watchdog = options_.watchdog;
+  watch_ = std::make_unique<UserCodeWatch>(options);
+  closing_ =
+      std::make_unique<UserCodeWatch::Closing>(*watch_, [this](const UserCodeEnd& end) { keepWhatIsThere(end); });
+  passOnSecondSignal();
+}
+
+/// The process is about to end in the middle of users' code, and the simulation's thread stands still.
+void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
+  NODELET_FATAL("%s", end.reason.c_str());
+  if (end.exit_code == static_cast<int>(ExitCode::kControllerFailed)) {
+    tellExitCode(ExitCode::kControllerFailed);
+  }
+  Simulation* simulation = simulation_;
+  if (simulation == nullptr) {
+    return;
+  }
+  simulation->finish();
+  if (last_state_ != State::kFinished && last_state_ != State::kStopped) {
+    swarmanoid_msgs::RunResult message = runResult(*simulation, false, end.reason, display_->wallTime());
+    message.failed_robots.push_back(end.robot);
+    display_->publish(message);
+    NODELET_ERROR("%s", describe(message).c_str());
+    constexpr double kOnTheWay = 0.3;  // [s] for the last messages
+    ros::WallDuration(kOnTheWay).sleep();
   }
 }
 
@@ -103,11 +143,11 @@ void SpaceNodelet::startUp(Experiment experiment) {
     thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
     point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
     display_->serveNewcomers(thread_.get());
-    diagnostics_ = std::make_unique<SpaceDiagnostics>(getMTPrivateNodeHandle(), simulation_->experiment().name,
+    diagnostics_ = std::make_unique<SpaceDiagnostics>(getMTPrivateNodeHandle(), simulation_.load()->experiment().name,
                                                       *display_, *thread_);
-    engine_diagnostics_ =
-        std::make_unique<EngineDiagnostics>(getMTPrivateNodeHandle(), simulation_->experiment(), *display_, *thread_);
-    for (auto& [engine, live] : liveParameters(simulation_->experiment())) {
+    engine_diagnostics_ = std::make_unique<EngineDiagnostics>(getMTPrivateNodeHandle(),
+                                                              simulation_.load()->experiment(), *display_, *thread_);
+    for (auto& [engine, live] : liveParameters(simulation_.load()->experiment())) {
       engine_parameters_.push_back(std::make_unique<EngineParameters>(
           ros::NodeHandle(getMTPrivateNodeHandle(), "engines/" + engine), engine, std::move(live), *thread_));
     }
@@ -115,9 +155,9 @@ void SpaceNodelet::startUp(Experiment experiment) {
       robot_topics_->start(*thread_);
     }
     services_ = std::make_unique<SpaceServices>(getMTPrivateNodeHandle(), *thread_);
-  } catch (const std::exception& error) {
+  } catch (...) {
     if (ros::ok()) {
-      NODELET_FATAL("%s", error.what());
+      NODELET_FATAL("%s", describeException().c_str());
       tellExitCode(ExitCode::kBadInput);
       shutDownSoon(ExitCode::kBadInput);  // also if it is to stay at the end: there is nothing to look at
     }
@@ -164,13 +204,13 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   last_state_ = state;
   display_->flush();
   if (robot_topics_ != nullptr) {
-    robot_topics_->follow(simulation_->space());
+    robot_topics_->follow(simulation_.load()->space());
   }
   if (!is_news || (state != State::kFinished && state != State::kStopped)) {
     return;
   }
   const swarmanoid_msgs::RunResult message =
-      runResult(*simulation_, state == State::kFinished, stop_reason, display_->wallTime());
+      runResult(*simulation_.load(), state == State::kFinished, stop_reason, display_->wallTime());
   display_->publish(message);
   const std::string result = describe(message);
   if (!ros::ok()) {

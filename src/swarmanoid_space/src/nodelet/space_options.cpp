@@ -80,6 +80,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.device_topics = reader.words("device_topics");
   options.stays_at_end = reader.choice("on_end", {"shutdown", "stay"}) == "stay";
   options.timeout = reader.number("timeout", options.timeout, {0.1, 3600.0});
+  options.watchdog = reader.number("watchdog", options.watchdog, {0.0, 1e9});
   const Range waiting{0.001, 3600.0};
   options.lockstep.policy = *parseLatePolicy(reader.choice("lockstep/policy", {"wait", "skip", "stop"}));
   options.lockstep.timeout =

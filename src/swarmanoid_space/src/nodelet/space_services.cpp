@@ -4,36 +4,59 @@
 
 #include "../ros/entity_specification.hpp"
 #include "swarmanoid_interface/ros/device_messages.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
 namespace {
 
-/// Answers with what `action` returns, or with what it throws.
+/// Answers with what `action` returns, or with what it throws, whatever that is.
 template <class Response, class Action>
 bool answer(Response& response, Action action) {
   try {
     response.message = action();
     response.success = 1;
-  } catch (const std::exception& error) {
-    response.message = error.what();
+  } catch (...) {
+    response.message = describeException();
     response.success = 0;
   }
   return true;
 }
 
-/// Does `act` for one item after the other, all between the same two ticks.
+/// Of controllers that have failed in destroy() since there were `known` failures.
+std::string failuresSince(std::size_t known, const Simulation& simulation) {
+  std::string text;
+  const auto& failures = simulation.failures();
+  for (std::size_t i = known; i < failures.size(); ++i) {
+    text += "; the controller of '" + failures[i].robot + "' failed: " + failures[i].reason;
+  }
+  return text;
+}
+
+/// Does `act` for one item after the other, all between the same two ticks. `act` owns what it uses.
 template <class Response, class Items, class Act>
 bool intervene(SimulationThread& thread, const Items& items, Response& response, Act act) {
   return answer(response, [&] {
-    thread.call([&](Simulation& simulation) {
-      response.tick = simulation.space().tick;
-      for (const auto& item : items) {
-        act(simulation, item);
-        ++response.count;
-      }
-    });
-    return std::to_string(response.count) + " done";
+    // belongs to the action, which may go on when nobody waits for it any more
+    const auto done = std::make_shared<Response>();
+    try {
+      thread.callUsers([items, act, done](Simulation& simulation) {
+        done->tick = simulation.space().tick;
+        const std::size_t known = simulation.failures().size();
+        for (const auto& item : items) {
+          act(simulation, item);
+          ++done->count;
+        }
+        done->message = std::to_string(done->count) + " done" + failuresSince(known, simulation);
+      });
+    } catch (const SimulationBusy&) {
+      throw;
+    } catch (...) {
+      response = *done;
+      throw;
+    }
+    response = *done;
+    return response.message;
   });
 }
 
@@ -109,7 +132,7 @@ bool SpaceServices::reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_m
       response.run = simulation.space().run;
       response.stamp = stampOf(simulation.space());
       message = "reset, seed " + std::to_string(simulation.space().seed) +
-                (seed ? "" : " as before; zero_seed: true for the seed 0");
+                (seed ? "" : " as before; zero_seed: true for the seed 0") + failuresSince(0, simulation);
     });
     return message;
   });
@@ -134,9 +157,10 @@ bool SpaceServices::move(swarmanoid_msgs::Move::Request& request, swarmanoid_msg
 
 bool SpaceServices::handover(swarmanoid_msgs::Handover::Request& request,
                              swarmanoid_msgs::Handover::Response& response) {
-  return intervene(thread_, request.names, response, [&request](Simulation& simulation, const std::string& name) {
-    simulation.handover(name, request.engine);
-  });
+  return intervene(thread_, request.names, response,
+                   [engine = request.engine](Simulation& simulation, const std::string& name) {
+                     simulation.handover(name, engine);
+                   });
 }
 
 bool SpaceServices::setCommandSource(swarmanoid_msgs::SetCommandSource::Request& request,

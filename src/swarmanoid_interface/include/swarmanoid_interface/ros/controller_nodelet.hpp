@@ -16,6 +16,7 @@ namespace swarmanoid {
 
 class Participant;
 class RobotHost;
+class UserCodeWatch;
 
 class ControllerNodelet : public PartNodelet {
  public:
@@ -28,6 +29,7 @@ class ControllerNodelet : public PartNodelet {
   bool runAlone() override;
 
   std::string label_;
+  std::unique_ptr<UserCodeWatch> watch_;  ///< without a space in this process, which has one
   std::unique_ptr<Participant> participant_;
   std::unique_ptr<RobotHost> robot_host_;
 };

@@ -8,6 +8,7 @@
 #include "../../replay/report.hpp"
 #include "read_bag.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid::replay {
 namespace {
@@ -146,8 +147,8 @@ int main(int argc, char** argv) {
   }
   try {
     return replay(options);
-  } catch (const std::exception& error) {
-    std::cerr << "replay: " << error.what() << '\n';
+  } catch (...) {
+    std::cerr << "replay: " << swarmanoid::describeException() << '\n';
     return kBadInput;
   }
 }

@@ -1,0 +1,17 @@
+#include "parent_process.hpp"
+
+#include <signal.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+namespace swarmanoid::program {
+
+void endWithParent() {
+  const pid_t parent = getppid();
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) {
+    raise(SIGKILL);  // it has ended meanwhile
+  }
+}
+
+}  // namespace swarmanoid::program

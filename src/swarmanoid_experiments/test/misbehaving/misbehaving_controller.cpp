@@ -1,0 +1,92 @@
+// For tests of the boundary between the suite and users' code: a controller that misbehaves in a phase of its life, in
+// a way, that parameters name.
+//
+//     phase   init, step, reset, destroy, destructor, or several in one text: they are tried in turn; "never"
+//     deed    one of deeds.cpp
+//     tick    counted by itself, in which `step` misbehaves (3)
+//     only    a robot's name; the others behave (all misbehave)
+//
+// Before there are parameters the environment says what to do: MISBEHAVING="PHASE DEED", with the phases `load` (the
+// library's static constructor), `factory` (the controller's constructor) and `unload` (the static destructor).
+#include <cstdlib>
+#include <sstream>
+#include <string>
+
+#include "deeds.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+void commitIfToldTo(const std::string& phase) {
+  const char* told = std::getenv("MISBEHAVING");
+  std::istringstream words(told == nullptr ? "" : told);
+  std::string asked;
+  std::string deed;
+  if (words >> asked >> deed && asked == phase) {
+    commit(deed);
+  }
+}
+
+struct WhileLoaded {
+  WhileLoaded() { commitIfToldTo("load"); }
+  ~WhileLoaded() noexcept(false) { commitIfToldTo("unload"); }
+};
+
+const WhileLoaded kWhileLoaded;
+
+class Misbehaving final : public Controller {
+ public:
+  Misbehaving() { commitIfToldTo("factory"); }
+  ~Misbehaving() override { tryIn("destructor"); }
+
+  void init(Robot& robot, const Configuration& parameters) override {
+    wheels_ = robot.hasActuator(FootbotWheels::kType) ? &robot.actuator<FootbotWheels>() : nullptr;
+    phase_ = parameters.text("phase", "never");
+    deed_ = parameters.text("deed", "nothing");
+    tick_ = parameters.integer("tick", std::int64_t{3});
+    const std::string only = parameters.text("only", "");
+    parameters.refuseUnread({"phase", "deed", "tick", "only"});
+    is_meant_ = only.empty() || only == robot.name();
+    tryIn("init");
+  }
+
+  void step(Time, Duration) override {
+    if (wheels_ != nullptr) {
+      wheels_->setAngularVelocity(1.0, 1.0);
+    }
+    if (steps_++ == tick_) {
+      tryIn("step");
+    }
+  }
+
+  void reset() override {
+    steps_ = 0;
+    tryIn("reset");
+  }
+
+  void destroy() override { tryIn("destroy"); }
+
+ private:
+  void tryIn(const std::string& phase) const {
+    std::istringstream phases(phase_);
+    for (std::string word; is_meant_ && phases >> word;) {
+      if (word == phase) {
+        commit(deed_);
+      }
+    }
+  }
+
+  FootbotWheels* wheels_ = nullptr;
+  std::string phase_;
+  std::string deed_;
+  bool is_meant_ = false;
+  std::int64_t tick_ = 0;
+  std::int64_t steps_ = 0;
+};
+
+}  // namespace
+}  // namespace swarmanoid::test
+
+REGISTER_CONTROLLER(swarmanoid::test::Misbehaving, "misbehaving")

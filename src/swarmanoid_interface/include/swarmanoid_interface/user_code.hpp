@@ -1,0 +1,85 @@
+/// The boundary between the suite and users' code. Whose code is called is noted for as long as the call lasts, and
+/// whatever it throws is caught: every call of a controller, and the loading of every library, goes through here.
+///
+/// The notes are for whoever has to name the robot when a call does not return: handlers of crashes, and the watch that
+/// reports calls that take too long (user_code_watch.hpp).
+///
+/// Threads  all functions from any thread; each thread has its own notes.
+/// Cost     a note is some stores into memory that is the thread's own: no allocation, lock or system call, but for the
+///          first one of a thread.
+#pragma once
+
+#include <cstdint>
+#include <exception>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace swarmanoid {
+
+/// A call of users' code. What it refers to outlives the call.
+struct UserCode {
+  static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
+
+  const char* phase = nullptr;  ///< "step", "init", "loading", ...; a literal
+  std::string_view part;        ///< "controller 'drive' of libdiffusion.so", "library 'diffusion'"
+  std::string_view robot;       ///< its name; "" if the call is for no robot
+  std::uint64_t tick = kNoTick;
+};
+
+/// "step of robot 'fb_3' (controller 'drive' of libdiffusion.so), tick 17", "loading of library 'diffusion'"
+std::string describe(const UserCode& code);
+
+/// While it lives, its thread is in users' code. They may be nested; the innermost counts.
+class UserCall {
+ public:
+  explicit UserCall(const UserCode& code) noexcept;
+  ~UserCall();
+  UserCall(const UserCall&) = delete;
+  UserCall& operator=(const UserCall&) = delete;
+
+ private:
+  UserCode outer_;
+};
+
+/// What was thrown, for people, whether it is a std::exception or not; never empty, and of a bounded length. Only
+/// inside a `catch (...)`. Does not return if the thread is being ended (pthread_exit): that ends the process, as a
+/// crash does.
+std::string describeException();
+
+/// Calls users' code. @return "", or what it threw
+template <class Action>
+std::string failureOf(const UserCode& code, Action action) {
+  const UserCall call(code);
+  std::string failure;
+  try {
+    try {
+      action();
+    } catch (...) {
+      failure = describeException();
+    }
+  } catch (...) {
+    failure = describeException();  // what was thrown throws when it goes
+  }
+  return failure;
+}
+
+/// Calls users' code. @return what it returns
+/// @throws std::exceptions that it throws, as they are; std::runtime_error that says what else it threw
+template <class Action>
+auto callUserCode(const UserCode& code, Action action) {
+  const UserCall call(code);
+  try {
+    return action();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    throw std::runtime_error(describeException());
+  }
+}
+
+/// File name, without folders, of the library that something of static storage duration is in, such as a function or a
+/// type's description; "" if that is not known.
+std::string libraryOf(const void* address);
+
+}  // namespace swarmanoid

@@ -1,0 +1,162 @@
+#include "user_code_end.hpp"
+
+#include <signal.h>
+#include <sys/uio.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstdlib>
+#include <cstring>
+#include <initializer_list>
+#include <mutex>
+
+#include "user_calls.hpp"
+
+namespace swarmanoid::user_code_end {
+namespace {
+
+struct Crash {
+  int signal;
+  const char* deed;
+};
+constexpr std::array<Crash, 5> kCrashes{{{SIGSEGV, "crashed: SIGSEGV"},
+                                         {SIGBUS, "crashed: SIGBUS"},
+                                         {SIGFPE, "crashed: SIGFPE"},
+                                         {SIGILL, "crashed: SIGILL"},
+                                         {SIGABRT, "crashed: SIGABRT"}}};
+
+std::array<struct sigaction, kCrashes.size()> before;
+std::atomic<void (*)()> wake_watch{nullptr};
+std::atomic<pid_t> watched_process{0};
+std::atomic<bool> is_ordered{false};
+std::atomic<bool> is_order_ready{false};
+std::atomic<int> last_exit_code{kControllerFailed};
+Order the_order;
+__attribute__((tls_model("initial-exec"))) thread_local bool is_watch = false;
+
+/// In one piece, if that is possible. Memory that is not there makes the kernel refuse, but does not crash.
+void say(std::initializer_list<std::string_view> words) {
+  std::array<iovec, 16> pieces{};
+  int count = 0;
+  for (const std::string_view word : words) {
+    pieces[static_cast<std::size_t>(count++)] = {const_cast<char*>(word.data()), word.size()};
+  }
+  if (writev(STDERR_FILENO, pieces.data(), count) < 0) {
+    constexpr std::string_view kLess = "swarmanoid: users' code has failed, and its name is lost\n";
+    [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, kLess.data(), kLess.size());
+  }
+}
+
+/// As describe() has it.
+void say(const char* deed, const UserCode& code) {
+  std::array<char, 21> digits{};
+  std::size_t first = digits.size();
+  for (std::uint64_t rest = code.tick; first == digits.size() || rest > 0; rest /= 10) {
+    digits[--first] = static_cast<char>('0' + rest % 10);
+  }
+  const bool has_robot = !code.robot.empty();
+  const bool has_tick = code.tick != UserCode::kNoTick;
+  say({"swarmanoid: ", deed, " in ", code.phase, " of ", has_robot ? "robot '" : "", code.robot, has_robot ? "' (" : "",
+       code.part, has_robot ? ")" : "", has_tick ? ", tick " : "",
+       has_tick ? std::string_view(&digits[first], digits.size() - first) : "", "\n"});
+}
+
+bool isWatchedProcess() { return getpid() == watched_process; }  // not a child that has come of a fork
+
+[[noreturn]] void standStill() {
+  for (;;) {
+    constexpr timespec kLong{3600, 0};
+    nanosleep(&kLong, nullptr);
+  }
+}
+
+[[noreturn]] void order(const char* deed, const UserCode& code) {
+  if (!is_ordered.exchange(true)) {
+    say(deed, code);
+    the_order = {deed, code};
+    is_order_ready = true;
+    endSoon(kControllerFailed);
+    if (const auto wake = wake_watch.load()) {
+      wake();
+    } else {
+      _exit(kControllerFailed);
+    }
+  }
+  standStill();
+}
+
+void endByDefault(int signal) {
+  struct sigaction action {};
+  action.sa_handler = SIG_DFL;
+  sigaction(signal, &action, nullptr);
+  raise(signal);  // which comes when the handler is left
+}
+
+void onCrash(int signal) {
+  const char* deed = "";
+  for (const Crash& crash : kCrashes) {
+    deed = crash.signal == signal ? crash.deed : deed;
+  }
+  const UserCode code = ownUserCode();
+  if (!isWatchedProcess()) {
+    endByDefault(signal);
+  } else if (is_watch && is_order_ready) {
+    say({"swarmanoid: ", deed, " while files were completed\n"});
+    _exit(last_exit_code);
+  } else if (code.phase == nullptr) {
+    say({"swarmanoid: ", deed, " in the simulator (this thread is not in users' code)\n"});
+    endByDefault(signal);
+  } else {
+    order(deed, code);
+  }
+}
+
+void onExit(const char* deed) {
+  const UserCode code = ownUserCode();
+  if (code.phase != nullptr && isWatchedProcess()) {
+    order(deed, code);
+  }
+}
+
+void onLastResort(int) { _exit(last_exit_code); }
+
+}  // namespace
+
+void install(void (*wake)()) {
+  static std::once_flag once;
+  std::call_once(once, [] { std::at_quick_exit([] { onExit("called quick_exit"); }); });
+  wake_watch = wake;
+  watched_process = getpid();
+  setUserCodeEnder(onExit);
+  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
+    struct sigaction action {};
+    action.sa_handler = onCrash;
+    action.sa_flags = SA_ONSTACK;
+    sigaction(kCrashes[i].signal, &action, &before[i]);
+  }
+}
+
+void uninstall() {
+  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
+    sigaction(kCrashes[i].signal, &before[i], nullptr);
+  }
+  setUserCodeEnder(nullptr);
+  watched_process = 0;
+  wake_watch = nullptr;
+}
+
+void beWatch() { is_watch = true; }
+
+const Order* order() { return is_order_ready ? &the_order : nullptr; }
+
+void endSoon(int exit_code) {
+  last_exit_code = exit_code;
+  struct sigaction action {};
+  action.sa_handler = onLastResort;
+  sigaction(SIGALRM, &action, nullptr);
+  constexpr unsigned kPatience = 10;  // [s]
+  alarm(kPatience);
+}
+
+}  // namespace swarmanoid::user_code_end
