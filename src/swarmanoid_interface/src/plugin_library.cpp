@@ -35,12 +35,6 @@ std::vector<std::string> prefixes() {
   return result;
 }
 
-/// The loader would wait for ever at the end of a pipe.
-bool isFolderOrRegular(const fs::path& file) {
-  std::error_code ignored;
-  return fs::is_regular_file(file, ignored) || fs::is_directory(file, ignored);
-}
-
 /// Its static constructors run meanwhile. What they throw cannot be caught: it ends the process, as a crash does.
 /// @return "", or why the system's loader does not find or like it
 std::string load(const std::string& file, const std::string& library) {
@@ -51,7 +45,8 @@ std::string load(const std::string& file, const std::string& library) {
 }
 
 void open(const std::string& file, const std::string& library, const SourceLocation& location) {
-  if (!isFolderOrRegular(file)) {
+  std::error_code ignored;
+  if (fs::is_other(fs::status(file, ignored))) {  // the loader would wait for ever at the end of a pipe
     throw ConfigError(location, "library '" + library + "': found '" + file +
                                     "', which is a pipe or a device; allowed: a regular file");
   }

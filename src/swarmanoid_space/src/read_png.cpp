@@ -95,8 +95,9 @@ std::string complaint(const Reading& reading) {
 
 GreyImage readGreyPng(const std::string& name) {
   std::error_code ignored;
-  if (std::filesystem::exists(name, ignored) && !std::filesystem::is_regular_file(name, ignored)) {
-    throw std::runtime_error("is no regular file");  // opening a pipe would wait for whoever writes to it
+  const std::filesystem::file_status status = std::filesystem::status(name, ignored);
+  if (std::filesystem::is_other(status)) {
+    throw std::runtime_error("is a pipe or a device");  // opening a pipe would wait for whoever writes to it
   }
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(name.c_str(), "rb"), &std::fclose);
   if (file == nullptr) {
