@@ -25,7 +25,11 @@ const ControllerDescription& findController(const XmlElement& element, const std
 void checkDevices(const XmlElement& element, const std::string& type, const ControllerDescription& controller) {
   const auto check = [&](PluginKind kind, const std::vector<DeviceDescription>& devices) {
     for (const DeviceDescription& device : devices) {
-      const auto& robots = Registry::instance().find(kind, device.type, device.implementation)->description.robots;
+      const Registry::Entry* entry = Registry::instance().find(kind, device.type, device.implementation);
+      if (entry == nullptr) {
+        continue;  // its library is not loaded
+      }
+      const auto& robots = entry->description.robots;
       if (!robots.empty() && std::find(robots.begin(), robots.end(), type) == robots.end()) {
         element.refuse("controller '" + controller.id + "' uses the " + toString(kind) + " '" + device.type +
                        "', which a " + type + " does not have; it is for: " + joinNames(robots));
