@@ -2,6 +2,7 @@
 """What roslaunch itself does: bad arguments are refused before anything starts, ends are told of as what they are, files
 land where they are looked for, and Ctrl-C leaves a complete bag; and what `swarmanoid launch` returns."""
 
+import os
 import pathlib
 import signal
 import time
@@ -119,12 +120,31 @@ class LaunchTest(RoslaunchTest):
         (here / "mine.xml").write_text(text)
         arguments = ("experiment:=mine.xml", "max_ticks:=10", "real_time_factor:=0", "hashes:=hashes.txt",
                      "record:=run.bag")
-        for out, folder in ((), here), (("out:=deep/er",), here / "deep/er"):
+        for out, folder in ((), here), (("out:=deep/er",), here / "deep/er"), (("out:=deep/er", "force:=true"), here / "deep/er"):
             code, output = self.output_of(*arguments, *out)
             self.assertEqual(0, code, output)
             self.assertIn(f"files go to {folder}", output)
             for name in ("table.txt", "hashes.txt", "run.bag"):
                 self.assertTrue((folder / name).exists(), f"{name} is not in {folder}")
+
+    def test_no_file_is_replaced_and_none_is_written_elsewhere(self):
+        here = pathlib.Path(self.folder.name)
+        for name in ("run.bag", "hashes.txt"):
+            (here / name).write_text("mine")
+        for argument, file in (("record", "run.bag"), ("hashes", "hashes.txt")):
+            _, output = self.output_of(f"{argument}:={file}", *QUICK[1:])
+            self.assertIn(f"~{argument}: found '{file}', which is there already, allowed: another name, or ~force to replace it",
+                          output)
+            self.assertEqual((here / file).read_text(), "mine")
+        world = (LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()
+        table = '<visualisations><text_render id="t"><file>../table.txt</file></text_render></visualisations>'
+        (here / "mine.xml").write_text(world.replace("</ahss-config>", table + "</ahss-config>"))
+        _, output = self.output_of("experiment:=mine.xml", "out:=out", *QUICK[1:])
+        self.assertIn(f"text_render 't': file: found '../table.txt', allowed: a file in {here}/out, or ~write_anywhere", output)
+        self.assertFalse((here / "out").exists())
+        code, output = self.output_of("experiment:=mine.xml", "out:=out", "write_anywhere:=true", "max_ticks:=3", *QUICK[1:])
+        self.assertEqual(0, code, output)
+        self.assertTrue((here / "table.txt").exists())
 
     def test_out_is_taken_away_again_if_nothing_starts(self):
         _, output = self.output_of("out:=new", "record:=nowhere/run.bag")
@@ -144,15 +164,45 @@ class LaunchTest(RoslaunchTest):
             self.assertIn(reason, output)
             self.assertNotIn("process[", output, "something was started")
 
-    def test_an_interrupt_leaves_a_complete_bag(self):
+    def start_recording(self, *arguments):
+        """@return the process, once it has recorded something; bag; hashes"""
         bag = pathlib.Path(self.folder.name, "run.bag")
         hashes = pathlib.Path(self.folder.name, "hashes.txt")
-        process = self.launch(f"record:={bag}", f"hashes:={hashes}", "real_time_factor:=5")
+        process = self.launch(f"record:={bag}", f"hashes:={hashes}", "real_time_factor:=5", *arguments)
         until = time.monotonic() + TIMEOUT
         while (not bag.exists() or bag.stat().st_size < 10**5) and time.monotonic() < until:
             time.sleep(0.1)
+        return process, bag, hashes
+
+    def test_an_interrupt_leaves_a_complete_bag(self):
+        process, bag, hashes = self.start_recording()
         process.send_signal(signal.SIGINT)
         output, _ = process.communicate(timeout=TIMEOUT)
+        self.assert_complete(bag, hashes, output)
+
+    def test_signals_to_the_manager_leave_a_complete_bag_and_the_result(self):
+        for number in (signal.SIGTERM, signal.SIGHUP):
+            process, bag, hashes = self.start_recording("force:=true", "exit_code:=code.txt")
+            os.kill(self.manager_of(process.pid), number)
+            output, _ = process.communicate(timeout=TIMEOUT)
+            self.assertRegex(output, r"object_retrieval, seed 1: stopped after \d+ ticks in .* \(shut down\)")
+            self.assertEqual("130\n", pathlib.Path(self.folder.name, "code.txt").read_text())
+            self.assert_complete(bag, hashes, output)
+            bag.unlink()
+
+    def manager_of(self, roslaunch):
+        """The process of the nodelet manager that this roslaunch has started."""
+        for folder in pathlib.Path("/proc").glob("[0-9]*"):
+            try:
+                parent = int((folder / "stat").read_text().rpartition(")")[2].split()[1])
+                words = (folder / "cmdline").read_bytes().split(b"\0")
+            except OSError:  # it has ended
+                continue
+            if parent == roslaunch and b"manager" in words:
+                return int(folder.name)
+        self.fail("there is no manager")
+
+    def assert_complete(self, bag, hashes, output):
         last = int(hashes.read_text().splitlines()[-1].split()[0])
         self.assertGreater(last, 0, output)
         with rosbag.Bag(str(bag)) as reader:  # throws if it were not indexed

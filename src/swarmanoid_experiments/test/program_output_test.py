@@ -99,7 +99,8 @@ class InterruptTest(ProgramTest):
         bag = self.folder / "run.bag"
         arguments = ["swarmanoid", "run", self.world(maxclock=10**9), "--quiet", "--out", str(self.out), "--bag", str(bag)]
         table = self.out / "table.txt"
-        table.unlink(missing_ok=True)
+        for file in (table, bag):
+            file.unlink(missing_ok=True)
         with subprocess.Popen(arguments, stdout=subprocess.PIPE, encoding="utf-8") as process:
             deadline = time.monotonic() + 30
             while not (table.exists() and table.stat().st_size > 100000) and time.monotonic() < deadline:

@@ -47,7 +47,7 @@ class StreamsTest(ProgramTest):
         self.assertEqual([path.name for path in self.folder.iterdir()], ["world.xml"])
 
     def test_no_file_takes_the_place_of_other_closed_streams(self):
-        arguments = ["run", self.world(fail_at=3), "--hashes", "hashes.txt"]
+        arguments = ["run", self.world(fail_at=3), "--force", "--hashes", "hashes.txt"]
         self.shell(*arguments, redirection="> summary.txt")
         expected = (self.folder / "hashes.txt").read_text()
         for redirection in ("<&- 2>&- > summary.txt", "2>&- > summary.txt", "<&- > summary.txt 2> errors.txt"):

@@ -180,6 +180,34 @@ class OtherCommandsTest(ProgramTest):
         self.assert_refused(file + ":11: block 'wall' in engine 'ground': overlaps 'fb'",
                             "validate", file, "--set", "arena.wall.position=2,3,0.25")
 
+    def test_validate_without_libraries_runs_no_code_of_others(self):
+        library = str(self.folder / "libthere_is_none.so")
+        odometer = f'<odometer id="o" library="{library}"><what>it likes</what></odometer>'
+        file = self.world(text=WORLD.replace("failing_controller\"", library + "\""), visualisations=odometer)
+        self.assertEqual(self.call("validate", file).returncode, BAD_INPUT, "it is not there")
+        valid = f"{file}: valid as far as can be told without {library}"
+        self.assertEqual(self.call("validate", "--no-libraries", file).stdout, valid + ", 2 entities, 1 robots\n")
+        # what needs no library is checked all the same
+        self.assert_refused(file + ":11: block 'wall' in engine 'ground': overlaps 'fb'", "validate", "--no-libraries", file,
+                            "--set", "arena.wall.position=2,3,0.25")
+        file = self.world(text=WORLD.replace("<footbot_wheels/>", "<footbot_wheel/>"), visualisations=odometer)
+        done = self.call("validate", "--no-libraries", file)
+        self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
+        self.assertIn("did you mean 'footbot_wheels'?", done.stderr)
+
+    def test_validate_without_libraries_builds_what_it_can(self):
+        library = str(self.folder / "libthere_is_none.so")
+        for old, new in (("<kinematics2d ", f'<carousel library="{library}" '),
+                         ("</actuators>", f'</actuators><sensors><compass library="{library}"/></sensors>'),
+                         ("<footbot_wheels/>", f'<footbot_wheels library="{library}"><implementation>slow</implementation>'
+                                               "</footbot_wheels>")):
+            file = self.world(text=WORLD.replace(old, new), visualisations="")
+            done = self.call("validate", "--no-libraries", file)
+            self.assertEqual(done.returncode, FINISHED, done.stderr)
+            self.assertTrue(done.stdout.startswith(f"{file}: valid as far as can be told without {library}, failing_controller"))
+        self.assertEqual(self.call("validate", "--no-libraries", self.world(text=WORLD.replace(
+            'failing_controller id="fc" library="failing_controller"', 'failing_controller id="fc"'))).returncode, FINISHED)
+
     def test_schema_is_xml_and_names_the_devices(self):
         done = self.call("schema")
         self.assertEqual(done.returncode, FINISHED)

@@ -20,7 +20,7 @@ def replay_program():
 
 class ReplayTest(ProgramTest):
     def record(self, experiment, *options, robots="all", code=FINISHED):
-        done = self.call("run", experiment, "--quiet", "--bag", "run.bag", "--record-controllers", robots, *options)
+        done = self.call("run", experiment, "--quiet", "--force", "--bag", "run.bag", "--record-controllers", robots, *options)
         self.assertEqual(done.returncode, code, done.stderr)
         return json.loads(done.stdout)
 
@@ -88,7 +88,7 @@ class ReplayTest(ProgramTest):
                          "replay: --from, --to: found no tick in this range, allowed: 0 to 4\n")
         self.assert_refused(str(self.folder / "world.xml") + ": controllers of rosbag_recorder: found 'fa', allowed: "
                             "all, none, fb; did you mean 'fb'?",
-                            "run", self.folder / "world.xml", "--quiet", "--bag", "no.bag", "--record-controllers", "fa")
+                            "run", self.folder / "world.xml", "--quiet", "--force", "--bag", "no.bag", "--record-controllers", "fa")
 
     def test_a_wrong_parameter_is_blamed_on_where_it_was_given(self):
         self.record(self.world(), "--ticks", 5)

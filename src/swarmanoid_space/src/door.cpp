@@ -65,7 +65,11 @@ void checkValues(const EntityDescription& entity, const PluginDescription& type)
 void checkDevices(const SourceLocation& location, const EntityDescription& entity, PluginKind kind,
                   const std::vector<DeviceDescription>& devices) {
   for (const DeviceDescription& device : devices) {
-    const auto& robots = Registry::instance().find(kind, device.type, device.implementation)->description.robots;
+    const Registry::Entry* entry = Registry::instance().find(kind, device.type, device.implementation);
+    if (entry == nullptr) {
+      continue;  // its library is not loaded: `swarmanoid validate --no-libraries`
+    }
+    const auto& robots = entry->description.robots;
     if (!robots.empty() && std::find(robots.begin(), robots.end(), entity.type) == robots.end()) {
       throw ConfigError(location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
                                       device.type + "', which a " + entity.type +

@@ -5,6 +5,7 @@
 #include <atomic>
 #include <chrono>
 #include <stdexcept>
+#include <thread>
 
 #include "small_world.hpp"
 
@@ -151,6 +152,46 @@ TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
 }
 
 /// Throws in the tick that it is told.
+/// Counts how often it is asked to hand over what it has written, and at which tick it was last.
+class Flushed final : public Visualisation {
+ public:
+  void configure(const std::string&, const Configuration&, const RunContext&) override {}
+  void draw(const Space& space) override { drawn_ = space.tick; }
+  void flush() override {
+    flushed_ = drawn_;
+    ++times_;
+  }
+  std::uint64_t flushed() const { return flushed_; }
+  int times() const { return times_; }
+
+ private:
+  std::uint64_t drawn_ = 0;
+  std::atomic<std::uint64_t> flushed_{0};
+  std::atomic<int> times_{0};
+};
+
+TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhenItPauses) {
+  auto simulation = test::smallWorld(kEndless);
+  const auto flushed = std::make_shared<Flushed>();
+  simulation->addVisualisation(flushed);
+  SimulationThread thread(std::move(simulation), pausedAtFirst());
+  thread.step(7);
+  while (flushed->flushed() != 7U) {  // for ever, if it does not
+    std::this_thread::yield();
+  }
+}
+
+TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhileItRuns) {
+  auto simulation = test::smallWorld(kEndless);
+  const auto flushed = std::make_shared<Flushed>();
+  simulation->addVisualisation(flushed);
+  SimulationThread thread(std::move(simulation), {});
+  while (flushed->times() < 3) {
+    std::this_thread::yield();
+  }
+  EXPECT_LT(static_cast<std::uint64_t>(flushed->times()), tickOf(thread)) << "not after each tick";
+}
+
 class Thrower final : public Visualisation {
  public:
   void configure(const std::string&, const Configuration&, const RunContext&) override {}

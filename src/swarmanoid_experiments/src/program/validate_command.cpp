@@ -79,7 +79,7 @@ std::string validateWithoutLibraries(const ValidateOptions& options) {
   const std::string file = experiment.file;
   const std::string unloaded = libraries.empty() ? "" : " as far as can be told without " + joined(libraries);
   if (!canBeBuilt(experiment)) {
-    return file + ": valid" + unloaded + ", where it is not built without these";
+    return file + ": valid" + unloaded + "; not built, for these have an engine or a device of it";
   }
   return file + ": valid" + unloaded + ", " + build(std::move(experiment), std::move(idle));
 }

