@@ -3,6 +3,7 @@
 
 #include "bag_writer.hpp"
 #include "controller_recorder.hpp"
+#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_space/out_file.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
@@ -63,6 +64,7 @@ class RosbagRecorder final : public Visualisation {
     bag_.open(openOutFile(context, parameters, id), compression == "lz4"   ? BagFile::Compression::kLz4
                                                     : compression == "bz2" ? BagFile::Compression::kBz2
                                                                            : BagFile::Compression::kNone);
+    math_library_.data = mathLibrary();
     if (context.experiment != nullptr) {
       experiment_text_.data = context.experiment->text;
     }
@@ -79,6 +81,7 @@ class RosbagRecorder final : public Visualisation {
       bag_.writeLatched("/tf_static", stamp, transforms_.fixed(space));
       bag_.writeLatched(topics_ + "markers_static", stamp, arenaMarkers(space));
       bag_.writeLatched(topics_ + "experiment", stamp, experiment_text_);
+      bag_.writeLatched(topics_ + "math_library", stamp, math_library_);
     }
     controllers_.record(space, bag_);
     if (space.tick % every_ != 0) {
@@ -103,6 +106,7 @@ class RosbagRecorder final : public Visualisation {
   std::uint64_t markers_every_ = 1;
   std::string topics_;
   std_msgs::String experiment_text_;
+  std_msgs::String math_library_;
   BagWriter bag_;
   Transforms transforms_;
   MovingMarkers markers_;
