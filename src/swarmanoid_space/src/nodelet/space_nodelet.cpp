@@ -76,7 +76,8 @@ void SpaceNodelet::onInit() {
     options_ = readSpaceOptions(getPrivateNodeHandle());
     watchUsersCode();
     Experiment experiment = readExperiment(options_);
-    const auto warning_of_others = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
+    const auto warning_of_others =
+        exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
     if (warning_of_others) {
       NODELET_WARN("%s", warning_of_others->c_str());
     }
@@ -146,7 +147,8 @@ void SpaceNodelet::startUp(Experiment experiment) {
     Lockstep& lockstep = simulation->lockstep();
     lockstep.setOptions(options_.lockstep);
     // before the first tick, which may wait for participants
-    lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_->experiment().name, lockstep);
+    lockstep_ =
+        std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_.load()->experiment().name, lockstep);
     thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
     point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
     display_->serveNewcomers(thread_.get());
