@@ -88,7 +88,7 @@ class BlockType final : public EntityType {
     description.summary = "A brick: a wall, an obstacle, a table. Its position is its centre.";
     description.parameters = {
         parameter("size", Parameter::Type::kVector3, "m", "Lengths along the brick's own x, y, z."),
-        mass("0", 0.0, "Of the brick; 0: it is fixed to the ground."),
+        mass("0", 0.0, "Of the brick, at least 0.001; 0: it is fixed to the ground."),
         parameter("ferromagnetic", Parameter::Type::kBoolean, "", "Whether magnets of ropes and eyebots hold on it.",
                   "false")};
     return description;

@@ -54,6 +54,12 @@ Origins loadPlugins() {
   return origins;
 }
 
+/// "two numbers, each from 0 to 1"
+std::string several(const std::string& numbers, const Range& range) {
+  const std::string bounds = range.toString();
+  return bounds == Range().toString() ? numbers : numbers + ", each " + bounds;
+}
+
 std::string withRange(const Parameter& parameter) {
   switch (parameter.type) {
     case Parameter::Type::kChoice:
@@ -67,10 +73,10 @@ std::string withRange(const Parameter& parameter) {
     case Parameter::Type::kColor:
       return "a colour";
     case Parameter::Type::kVector2:
-      return "two numbers";
+      return several("two numbers", parameter.range);
     case Parameter::Type::kVector3:
     case Parameter::Type::kAngles3:
-      return "three numbers";
+      return several("three numbers", parameter.range);
     case Parameter::Type::kText:
       return "text";
   }

@@ -1,6 +1,7 @@
 // The program `swarmanoid`: experiments from the command line, without a ROS master.
 #include <exception>
 #include <iostream>
+#include <new>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -56,6 +57,9 @@ int main(int argc, char** argv) {
   } catch (const swarmanoid::ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return kBadInput;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "swarmanoid: found no memory left, allowed: fewer entities, or a machine with more\n";
+    return kEngineStopped;
   } catch (const std::exception& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return kEngineStopped;
