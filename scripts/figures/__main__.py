@@ -19,6 +19,7 @@ from table import ROOT, Table, machine
 FIGURES = {
     "retrieval": lambda table, build: simulation.retrieval(table),
     "same_bits": lambda table, build: simulation.same_bits(table),
+    "any_processor": lambda table, build: simulation.any_processor(table),
     "ros_speed": lambda table, build: under_ros.speed(table),
     "ros_recording": lambda table, build: under_ros.recording(table),
     "ros_same_bits": lambda table, build: under_ros.same_bits(table),

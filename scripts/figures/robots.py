@@ -1,14 +1,16 @@
 """Figures of controllers on robots: their providers, their stops, and what they did, once more."""
 
+import os
 import subprocess
 
 from long_tests import last_word, rostest
 from table import ROOT
 
 
-def last_words_of(command):
-    """@return those of a test in Python, and whether it passed"""
-    done = subprocess.run(command, capture_output=True, text=True)
+def last_words_of(command, **variables):
+    """@param variables of its environment
+    @return those of a test in Python, and whether it passed"""
+    done = subprocess.run(command, capture_output=True, text=True, env=dict(os.environ, **variables))
     words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED"))]
     return "; ".join(words) or "did not run", done.returncode == 0 and "skipped" not in done.stderr
 

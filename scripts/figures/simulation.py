@@ -5,6 +5,7 @@ import pathlib
 import sys
 import tempfile
 
+from robots import last_words_of
 from table import ROOT, run
 
 MOST_TICKS = 6000
@@ -45,6 +46,13 @@ def same_bits(table):
     same = [name for name, text in variants.items() if text == first]
     table.add("same seed: again, on 2 threads, recording a bag", "equal state hash each tick",
               f"equal over {ticks} states: {', '.join(same)}", len(same) == len(variants))
+
+
+def any_processor(table):
+    """The long form of a test: all installed experiments, with and without fused multiply-add."""
+    test = ROOT / "src/swarmanoid_experiments/test/program_same_bits_test.py"
+    table.add("all installed experiments, seeds 1-10, 1,000 ticks, fused multiply-add of the processor seen or hidden",
+              "equal state hash", *last_words_of([test], SWARMANOID_LONG_TESTS="1"))
 
 
 def start_up(table):

@@ -65,10 +65,10 @@ class Collector:
             self._messages.append(message)
             self._changed.notify_all()
 
-    def wait_for_publisher(self):
-        """From now on nothing is missed."""
+    def wait_for_publisher(self, count=1):
+        """From now on nothing is missed of so many."""
         until = time.monotonic() + TIMEOUT
-        while self._subscriber.get_num_connections() == 0 and time.monotonic() < until:
+        while self._subscriber.get_num_connections() < count and time.monotonic() < until:
             time.sleep(0.01)
         time.sleep(0.1)  # the publisher's side of it
 

@@ -9,8 +9,8 @@ import xml.etree.ElementTree
 
 from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, STOPPED, WORLD, ProgramTest
 
-FIELDS = ["version", "experiment", "overrides", "seed", "ticks", "finished", "success", "metrics", "failed_controllers",
-          "overflows", "wall_s", "real_time_factor", "robot_ticks_per_s", "state_hash"]
+FIELDS = ["version", "math_library", "experiment", "overrides", "seed", "ticks", "finished", "success", "metrics",
+          "failed_controllers", "overflows", "wall_s", "real_time_factor", "robot_ticks_per_s", "state_hash"]
 PAGE = pathlib.Path(__file__).resolve().parents[3] / "docs/reference/program.md"
 CROWD = "".join(f'<cylindric_prey id="prey_{i}"><position>3, {3 + 0.5 * i}, 0</position><orientation>0, 0, 0</orientation>'
                 "<radius>0.05</radius><height>0.1</height></cylindric_prey>" for i in range(3))

@@ -9,6 +9,7 @@
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/math_library.hpp"
 #include "version.hpp"
 
 namespace swarmanoid::program {
@@ -44,6 +45,7 @@ int call(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace swarmanoid::program;
+  swarmanoid::fixMathLibrary(argv);
   const bool is_output_open = fillStandardStreams();
   try {
     if (!is_output_open) {

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "swarmanoid_interface/math_library.hpp"
 #include "version.hpp"
 
 namespace swarmanoid::program {
@@ -41,6 +42,7 @@ ordered_json summarise(const Simulation& simulation, const RunFacts& facts) {
 
   ordered_json summary;
   summary["version"] = version();
+  summary["math_library"] = mathLibrary();
   summary["experiment"] = simulation.experiment().name;
   summary["overrides"] = facts.overrides;
   summary["seed"] = space.seed;

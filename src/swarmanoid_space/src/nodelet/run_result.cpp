@@ -3,6 +3,7 @@
 #include <sstream>
 #include <type_traits>
 
+#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -59,6 +60,9 @@ std::string describe(const swarmanoid_msgs::RunResult& result) {
   }
   for (const std::string& robot : result.failed_robots) {
     text << "; the controller of " << robot << " failed";
+  }
+  if (!isMathLibraryFixed()) {
+    text << "; calculated with " << mathLibrary();
   }
   return text.str();
 }

@@ -18,6 +18,7 @@
 #include "space_diagnostics.hpp"
 #include "space_parts.hpp"
 #include "space_services.hpp"
+#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
 #include "swarmanoid_space/out_folder.hpp"
 
@@ -65,6 +66,12 @@ void SpaceNodelet::onInit() {
     Experiment experiment = readExperiment(options_);
     for (const std::string& warning : takeExperimentWarnings()) {
       NODELET_WARN("%s", warning.c_str());
+    }
+    if (!isMathLibraryFixed()) {
+      NODELET_WARN(
+          "this process calculates with %s: on another computer, and without ROS, the run may end in another "
+          "state. Start it with GLIBC_TUNABLES=%s, as setup.bash and run.launch do",
+          mathLibrary().c_str(), tunablesOfFixedMathLibrary("").c_str());
     }
     const std::vector<std::string> with_topics = robotsWithTopics(options_, experiment);
     with_topics_.is_all = options_.device_topics == std::vector<std::string>{"all"};

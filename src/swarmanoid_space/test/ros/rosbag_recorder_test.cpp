@@ -3,12 +3,14 @@
 #include <rosbag/bag.h>
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
+#include <std_msgs/String.h>
 #include <swarmanoid_msgs/WorldState.h>
 #include <tf2_msgs/TFMessage.h>
 
 #include <filesystem>
 
 #include "../small_world.hpp"
+#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid {
@@ -84,6 +86,17 @@ TEST_F(RosbagRecorderTest, BagTimeIsSimulatedTime) {
   rosbag::View view(bag);
   EXPECT_EQ(ros::Time(1, 0), view.getBeginTime());
   EXPECT_EQ(ros::Time(2, 0), view.getEndTime());
+}
+
+TEST_F(RosbagRecorderTest, SaysWhichMathematicsTheRunWasCalculatedWith) {
+  const auto simulation = test::smallWorld(1);
+  record(*simulation);
+  simulation->start();
+  runToEnd(*simulation);
+  simulation->finish();
+  const auto texts = read<std_msgs::String>("/space/math_library");
+  ASSERT_EQ(1U, texts.size());
+  EXPECT_EQ(mathLibrary(), texts[0]->data);
 }
 
 TEST_F(RosbagRecorderTest, RecordsEverySoManyTicks) {

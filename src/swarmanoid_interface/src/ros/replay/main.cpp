@@ -7,6 +7,7 @@
 
 #include "../../replay/report.hpp"
 #include "read_bag.hpp"
+#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::replay {
@@ -123,6 +124,7 @@ int replay(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace swarmanoid::replay;
+  swarmanoid::fixMathLibrary(argv);  // that of the run, where it was fixed too
   Options options;
   CLI::App app{"Feeds controllers with the readings of a bag, and compares what they command with what was recorded.",
                "replay"};

@@ -5,6 +5,7 @@
 
 #include "bag_writer.hpp"
 #include "controller_recorder.hpp"
+#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
@@ -70,6 +71,7 @@ class RosbagRecorder final : public Visualisation {
     } catch (const rosbag::BagException& error) {
       throw ConfigError(parameters.location(), "rosbag_recorder '" + id + "': cannot write: " + error.what());
     }
+    math_library_.data = mathLibrary();
     if (context.experiment != nullptr) {
       experiment_text_.data = context.experiment->text;
     }
@@ -87,6 +89,7 @@ class RosbagRecorder final : public Visualisation {
       bag_.writeLatched("/tf_static", stamp, transforms_.fixed(space));
       bag_.writeLatched(topics_ + "markers_static", stamp, arenaMarkers(space));
       bag_.writeLatched(topics_ + "experiment", stamp, experiment_text_);
+      bag_.writeLatched(topics_ + "math_library", stamp, math_library_);
     }
     controllers_.record(space, bag_);
     if (space.tick % every_ != 0) {
@@ -110,6 +113,7 @@ class RosbagRecorder final : public Visualisation {
   std::uint64_t markers_every_ = 1;
   std::string topics_;
   std_msgs::String experiment_text_;
+  std_msgs::String math_library_;
   BagWriter bag_;
   Transforms transforms_;
   MovingMarkers markers_;
