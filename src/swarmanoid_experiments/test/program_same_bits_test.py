@@ -27,7 +27,7 @@ def run(*arguments, tunables=None):
     environment = {name: value for name, value in os.environ.items() if name != TUNABLES}
     if tunables is not None:
         environment[TUNABLES] = tunables
-    done = subprocess.run(["swarmanoid", "run", *map(str, arguments), "--quiet"], timeout=60, stdout=subprocess.PIPE,
+    done = subprocess.run(["swarmanoid", "run", *map(str, arguments), "--quiet"], timeout=300, stdout=subprocess.PIPE,
                           stderr=subprocess.PIPE, encoding="utf-8", env=environment, check=False)
     if done.returncode != 0:
         raise RuntimeError(f"{arguments}: exit {done.returncode}: {done.stderr}")
