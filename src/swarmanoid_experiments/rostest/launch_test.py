@@ -82,6 +82,7 @@ class LaunchTest(RoslaunchTest):
                                 (2, ("object_retrieval", "device_topics:=fb_9")),
                                 (2, ("object_retrieval", "record:=/nowhere/run.bag", "on_end:=stay")),
                                 (3, (FAILING,)),
+                                (4, ("object_retrieval", "record:=/dev/full")),
                                 (4, ("object_retrieval", "set:=arena.eb.controller.source=remote",
                                      "lockstep_policy:=stop", "lockstep_join_timeout:=0.2"))):
             with self.subTest(code=code, arguments=arguments):

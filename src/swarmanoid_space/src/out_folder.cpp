@@ -94,7 +94,7 @@ fs::path OutFolder::placeOf(const std::string& name, const Writer& writer) const
   if (name.empty()) {
     refuse(writer, name, "allowed: a file");
   }
-  const fs::path path = folder_ / name;
+  fs::path path = folder_ / name;
   const fs::path last = path.filename();
   const bool is_name = !last.empty() && last != "." && last != "..";
   const fs::path root = realFolder(folder_);

@@ -35,8 +35,7 @@ std::shared_ptr<OutFolder> openOutFolder(const SpaceOptions& options, const Expe
   if (!options.record.empty()) {
     loadPluginLibrary("swarmanoid_recording", {}, {});
   }
-  const auto out =
-      std::make_shared<OutFolder>(options.out, "~", OutFolder::Rules{options.write_anywhere, options.force});
+  auto out = std::make_shared<OutFolder>(options.out, "~", OutFolder::Rules{options.write_anywhere, options.force});
   for (const std::string& file : experiment.files) {
     out->protect(file);
   }

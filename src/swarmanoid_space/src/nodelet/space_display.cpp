@@ -101,7 +101,7 @@ void SpaceDisplay::draw(const Space& space) {
   measure(space, now);
 }
 
-void SpaceDisplay::flush() {
+void SpaceDisplay::publishAll() {
   const Space& space = simulation_->space();
   const Moment moment{space.run, space.tick};
   const bool has_changed = publishFixed(space);

@@ -31,7 +31,7 @@ class SpaceDisplay final : public Visualisation {
   void follow(const Simulation& simulation) { simulation_ = &simulation; }
   void serveNewcomers(SimulationThread* thread);
   /// Publishes what is not up to date, whatever the rates.
-  void flush();
+  void publishAll();
   /// At the end of a run.
   void publish(const swarmanoid_msgs::RunResult& result) { result_publisher_.publish(result); }
   /// No more publishing.

@@ -211,7 +211,7 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
     return;  // what was finished stays so
   }
   last_state_ = state;
-  display_->flush();
+  display_->publishAll();
   if (robot_topics_ != nullptr) {
     robot_topics_->follow(simulation_.load()->space());
   }
