@@ -7,6 +7,7 @@
 
 #include "cast.hpp"
 #include "stopwatch.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 #include "tick/tick.hpp"
 
@@ -41,6 +42,7 @@ void Simulation::tick() {
     phases::obeyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
   }
   phases::control(space_, cast_->drivers, cast_->workers, cast_->lockstep, log_sink_);
+  restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);
   noteFailures();

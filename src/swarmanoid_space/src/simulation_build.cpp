@@ -129,8 +129,7 @@ void Simulation::buildBoundary() {
     wall.position = centre;
     wall.location = experiment_.arena.location;
     wall.parameters = Configuration("block", "", wall.location);
-    wall.parameters.set(
-        "size", std::to_string(extent.x()) + "," + std::to_string(extent.y()) + "," + std::to_string(extent.z()));
+    wall.parameters.set("size", numberText(extent.x()) + "," + numberText(extent.y()) + "," + numberText(extent.z()));
     addEntity(wall, everywhere);
   };
   const double half = 0.5 * kThickness;
