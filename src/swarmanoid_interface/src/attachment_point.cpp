@@ -1,4 +1,5 @@
 #include "swarmanoid_interface/attachment_point.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 
 #include <algorithm>
 #include <sstream>
@@ -119,7 +120,7 @@ void AttachmentPoint::waitForAll(std::chrono::milliseconds timeout) {
     }
   }
   if (!missing.empty()) {
-    std::ostringstream message;
+    PlainTextStream message;
     message << "still missing after " << static_cast<double>(timeout.count()) * 1e-3 << " s: " << joinNames(missing);
     throw std::runtime_error(message.str());
   }

@@ -3,11 +3,11 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <iomanip>
 #include <numeric>
 #include <sstream>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -48,9 +48,7 @@ std::optional<Value> readWhole(const std::string& text) {
 
 std::string shortNumber(double value) {
   constexpr int kAllDigits = 15;
-  std::ostringstream out;
-  out << std::setprecision(kAllDigits) << value;
-  return out.str();
+  return swarmanoid::shortNumber(value, kAllDigits);
 }
 
 int editDistance(std::string_view a, std::string_view b) {

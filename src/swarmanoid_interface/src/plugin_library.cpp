@@ -7,6 +7,7 @@
 #include <fstream>
 #include <map>
 
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
@@ -41,7 +42,9 @@ std::string load(const std::string& file, const std::string& library) {
   const std::string part = "library '" + library + "'";
   const UserCall call({"loading", part, ""});
   // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
-  return dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
+  const std::string problem = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
+  restoreLocale();
+  return problem;
 }
 
 void open(const std::string& file, const std::string& library, const SourceLocation& location) {

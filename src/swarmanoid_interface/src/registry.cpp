@@ -4,11 +4,20 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "swarmanoid_interface/user_code.hpp"
+
 namespace swarmanoid {
 namespace {
 
 bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// " (liba.so, libb.so)", if they are two.
+std::string whereTwice(const Registry::Entry& first, const Registry::Factory& second) {
+  const std::string one = libraryOf(&first.make.target_type());
+  const std::string other = libraryOf(&second.target_type());
+  return one == other ? "" : " (" + one + ", " + other + ")";
 }
 
 }  // namespace
@@ -42,7 +51,7 @@ void Registry::add(PluginKind kind, PluginDescription description, Factory make)
         entry->description.implementation == description.implementation) {
       conflicts_.push_back(std::string(toString(kind)) + " '" + description.label +
                            (description.implementation.empty() ? "" : " " + description.implementation) +
-                           "' is registered twice; the first is used");
+                           "' is registered twice" + whereTwice(*entry, make) + "; the first is used");
       return;
     }
   }

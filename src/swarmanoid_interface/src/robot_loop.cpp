@@ -1,9 +1,10 @@
 #include "swarmanoid_interface/robot_loop.hpp"
 
-#include <cstdio>
+#include <iomanip>
 #include <stdexcept>
 
 #include "swarmanoid_interface/frame_parts.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -145,9 +146,9 @@ std::string RobotLoop::lost(Duration now) const {
   std::string what;
   for (const Sensor& sensor : sensors_) {
     if (isLost(sensor, now)) {
-      char text[64];
-      std::snprintf(text, sizeof text, " is silent for %.2f s", toSeconds(now - *sensor.heard));
-      append(what, "; ", sensor.device.type + " (" + sensor.device.topic + ")" + text);
+      PlainTextStream text;
+      text << " is silent for " << std::fixed << std::setprecision(2) << toSeconds(now - *sensor.heard) << " s";
+      append(what, "; ", sensor.device.type + " (" + sensor.device.topic + ")" + text.str());
     }
   }
   return what;

@@ -1,5 +1,6 @@
 #include "swarmanoid_interface/step_controller.hpp"
 
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
@@ -19,8 +20,10 @@ std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<
     // it is not destroyed, for it was never ready
     const UserCall call({"destruction", part, robot.name()});
     controller.reset();
+    restoreLocale();
     throw;
   }
+  restoreLocale();
   return controller;
 }
 
@@ -31,6 +34,7 @@ std::string endController(std::shared_ptr<Controller>& controller, std::string_v
   const std::string failure = failureOf({"destroy", part, robot.name()}, [&] { controller->destroy(); });
   const UserCall call({"destruction", part, robot.name()});
   controller.reset();
+  restoreLocale();
   return failure.empty() ? "" : "destroy: " + failure;
 }
 

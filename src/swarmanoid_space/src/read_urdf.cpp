@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -45,7 +46,7 @@ class ErrorListener : public console_bridge::OutputHandler {
 
 std::string readText(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  std::ostringstream text;
+  PlainTextStream text;
   if (!(text << stream.rdbuf())) {
     throw ConfigError({file}, "the file cannot be read, or is empty");
   }
@@ -103,7 +104,7 @@ Mount inverse(const Mount& frame) {
 }
 
 std::string coordinates(const Eigen::Vector3d& v) {
-  std::ostringstream stream;
+  PlainTextStream stream;
   stream << v.x() << " " << v.y() << " " << v.z();
   return stream.str();
 }

@@ -7,6 +7,7 @@
 
 #include "cast.hpp"
 #include "stopwatch.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 #include "tick/tick.hpp"
 
@@ -44,6 +45,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     phases::obeyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
   }
   phases::control(space_, cast_->drivers, cast_->workers);
+  restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);
   noteFailures();

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -21,7 +22,7 @@ inline void reportGrip(Space& space, Event::Kind kind, Row gripper, Row gripped,
 
 /// The text of the event in which a grip ends that was pulled too hard. @param strength [N]
 inline std::string tornText(double strength) {
-  std::ostringstream text;
+  PlainTextStream text;
   text << "torn off: pulled with more than " << strength << " N";
   return text.str();
 }

@@ -4,6 +4,7 @@
 #include <sstream>
 #include <string>
 
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid {
@@ -23,7 +24,7 @@ inline Parameter makeParameter(const std::string& name, Parameter::Type type, co
 /// One whose default is the value that the engine's settings start with.
 inline Parameter makeNumber(const std::string& name, const std::string& unit, double value, Range range,
                             const std::string& description) {
-  std::ostringstream text;
+  PlainTextStream text;
   text << value;
   return makeParameter(name, Parameter::Type::kNumber, unit, text.str(), description, range);
 }

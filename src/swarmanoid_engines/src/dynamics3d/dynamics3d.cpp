@@ -4,13 +4,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 #include "common/device_refusal.hpp"
 #include "dynamics3d/convex_overlap.hpp"
 #include "dynamics3d/ground_contacts.hpp"
 #include "dynamics3d/solids.hpp"
 #include "dynamics3d/treels.hpp"
+
+#include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid::dynamics3d {
 
@@ -19,7 +20,7 @@ std::string Dynamics3d::clocktickRefusal(Duration clocktick) const {
   if (step <= kLongestStep * (1.0 + 1e-9)) {
     return "";
   }
-  std::ostringstream text;
+  PlainTextStream text;
   text << "subclock: found " << settings_.subclock << " with ticks of " << 1e3 * toSeconds(clocktick)
        << " ms, which makes steps of " << 1e3 * step << " ms; allowed: steps of at most " << 1e3 * kLongestStep
        << " ms, here a subclock from " << std::ceil(toSeconds(clocktick) / kLongestStep - 1e-9);
@@ -47,7 +48,7 @@ std::string Dynamics3d::misplacement(const EntityModel& model, const Pose& pose)
   if (!model.is_movable || model.shapes.empty()) {
     return "";
   }
-  std::ostringstream text;
+  PlainTextStream text;
   const Eigen::AlignedBox3d bounds = boundsOf(model, pose);
   if (ground_.isRoughAt(bounds)) {
     const double rise = riseOut(ground_, shapesOnGround(model), pose);

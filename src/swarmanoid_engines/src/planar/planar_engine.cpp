@@ -14,6 +14,7 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/limits.hpp"
 
 namespace swarmanoid::planar {
@@ -79,7 +80,7 @@ std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pos
   // what has its origin above its base stands on the plane
   const double height = model.origin_height * plane.along(pose.orientation * Eigen::Vector3d::UnitZ());
   if (model.is_movable && std::abs(along - height - plane.distance()) > kInPlane) {
-    std::ostringstream text;
+    PlainTextStream text;
     text << "found at " << plane.axisName() << " = " << along << ", allowed: in the engine's plane, "
          << plane.axisName() << " = " << plane.distance() + height;
     return text.str();

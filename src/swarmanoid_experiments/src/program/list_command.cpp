@@ -7,6 +7,7 @@
 #include "commands.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment.hpp"
@@ -157,7 +158,7 @@ int list(const std::string& heading) {
                       "found '" + heading + "', allowed: " + joinNames(allowed) + didYouMean(heading, allowed));
   }
   const Origins origins = loadPlugins();
-  std::ostringstream out;
+  PlainTextStream out;
   for (const std::string& name : all ? allowed : std::vector<std::string>{heading}) {
     writeHeading(name, origins, out);
   }

@@ -183,6 +183,16 @@ int run(const RunOptions& options) {
   return runToEnd(simulation, options, *bar, watch);
 }
 
+/// The option parser would take "nan".
+std::string refuseBadWatchdog(const std::string& text) {
+  try {
+    parseNumber(text, "--watchdog", {}, {0.1, 1e9});
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 /// What has been given for the options that replace what the file says.
 std::vector<std::string> overridesOf(const CLI::App& command) {
   std::vector<std::string> overrides;
@@ -213,7 +223,7 @@ Command addRunCommand(CLI::App& app) {
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_option("--watchdog", options->watchdog, "end the run when one call of a controller takes longer [s]")
-      ->check(CLI::Range(0.1, 1e9));
+      ->check(refuseBadWatchdog);
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options, command] {

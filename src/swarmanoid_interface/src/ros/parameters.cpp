@@ -1,4 +1,5 @@
 #include "swarmanoid_interface/ros/parameters.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 
 #include <sstream>
 
@@ -24,7 +25,7 @@ std::string textOf(const Value& value) {
       return text;
     }
     default: {
-      std::ostringstream text;
+      PlainTextStream text;
       text << copy;
       return text.str();
     }

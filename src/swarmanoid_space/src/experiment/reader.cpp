@@ -87,6 +87,24 @@ const Registry::Entry& Reader::standIn(PluginKind kind, const std::string& label
   return unknown.back();
 }
 
+namespace {
+
+/// Which of two libraries is meant must not depend on which was loaded first. @param library that is asked for
+void refuseSecond(const Registry::Entry& entry, const XmlElement& element, const std::string& library) {
+  const std::filesystem::path path(library);
+  const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
+  const std::string title = std::string(toString(entry.kind)) + " '" + entry.description.label;
+  for (const std::string& conflict : Registry::instance().conflicts()) {
+    if (conflict.rfind(title, 0) == 0 && conflict.find(", " + file + ")") != std::string::npos) {
+      element.refuse("found the label '" + entry.description.label + "' in two libraries " +
+                     conflict.substr(conflict.find('('), conflict.find(')') - conflict.find('(') + 1) +
+                     ", allowed: one in a process");
+    }
+  }
+}
+
+}  // namespace
+
 const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
   if (!library.empty()) {
     needLibrary(library, element.attributeLocation("library"));
@@ -97,6 +115,9 @@ const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& 
   }
   if (entry == nullptr) {
     element.refuse(unknownName(toString(kind), element.name(), Registry::instance().labels(kind)));
+  }
+  if (!library.empty()) {
+    refuseSecond(*entry, element, library);
   }
   return *entry;
 }

@@ -1,7 +1,9 @@
 #include "schema_writer.hpp"
 
 #include <cmath>
-#include <cstdio>
+#include <iomanip>
+
+#include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -34,9 +36,13 @@ std::string typeOf(const Parameter& parameter) {
 }
 
 std::string numberText(double value, bool is_whole) {
-  char buffer[400];
-  std::snprintf(buffer, sizeof buffer, is_whole ? "%.0f" : "%.15g", value);
-  return buffer;
+  PlainTextStream text;
+  text << std::setprecision(is_whole ? 0 : 15);
+  if (is_whole) {
+    text << std::fixed;
+  }
+  text << value;
+  return text.str();
 }
 
 std::string documentationOf(const Parameter& parameter) {

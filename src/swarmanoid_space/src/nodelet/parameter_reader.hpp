@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid {
 
@@ -25,7 +26,7 @@ class ParameterReader {
     if (!own_.getParam(name, value)) {
       return fallback;
     }
-    std::ostringstream text;
+    PlainTextStream text;
     switch (value.getType()) {
       case XmlRpc::XmlRpcValue::TypeString:
         text << static_cast<std::string&>(value);

@@ -4,13 +4,14 @@
 #include <type_traits>
 
 #include "swarmanoid_interface/math_library.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
 namespace {
 
 std::string toText(const Metrics::mapped_type& value) {
-  std::ostringstream text;
+  PlainTextStream text;
   text.precision(17);
   std::visit([&](const auto& held) { text << std::boolalpha << held; }, value);
   return text.str();
@@ -46,7 +47,7 @@ swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished
 }
 
 std::string describe(const swarmanoid_msgs::RunResult& result) {
-  std::ostringstream text;
+  PlainTextStream text;
   text << result.experiment << ", seed " << result.seed << ": " << (result.finished ? "finished" : "stopped")
        << " after " << result.ticks << " ticks in " << result.wall_s << " s";
   if (!result.message.empty()) {

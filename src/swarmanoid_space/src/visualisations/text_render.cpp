@@ -1,8 +1,8 @@
 // The text table of thesis 3.6.1 and figure 3.11: one line an entity and tick, columns separated by tabs. As printed,
 // the figure has the mark # of its header in a column of its own, under which the ticks stand, and nothing stands under
 // "clock". Here # is part of the first name, so that every column has its name and every cell its value.
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <iostream>
 
 #include "swarmanoid_space/out_file.hpp"
@@ -83,7 +83,8 @@ class TextRender final : public Visualisation {
 
   /// As figure 3.11 has it: "9", "0.25", "45.5", "0.455".
   const char* shortened(double value) {
-    std::snprintf(buffer_, sizeof buffer_, "%.*g", precision_, value + 0.0);
+    *std::to_chars(std::begin(buffer_), std::end(buffer_) - 1, value + 0.0, std::chars_format::general, precision_)
+         .ptr = '\0';
     return buffer_;
   }
 

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""Controllers that misbehave under roslaunch: the robot is named, what can be kept is kept, services answer."""
+
+import os
+import pathlib
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import rosbag
+
+from roslaunch_process import LAUNCH_FOLDER, RoslaunchTest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "test"))
+from misbehaving_world import NAME, world
+
+LIMIT = 60.0  # [s]
+
+
+class MisbehavingTest(RoslaunchTest):
+    launch_file = LAUNCH_FOLDER / "run.launch"
+
+    def start(self, *command):
+        process = super().start(*command)
+        self.port = process.args[-1]
+        self.addCleanup(process.stdout.close)
+        self.addCleanup(process.kill)
+        return process
+
+    def begin(self, phase, deed, *arguments, **more):
+        """roslaunch of the world, which records a bag."""
+        self.path = pathlib.Path(self.folder.name)
+        (self.path / "world.xml").write_text(world(phase, deed, maxclock=10**6, **more))
+        return self.start("swarmanoid", "launch", str(self.path / "world.xml"), "rviz:=false", "record:=run.bag",
+                          *arguments)
+
+    def call(self, service, request="{}"):
+        """Calls a service when it is there. @return its answer as text"""
+        environment = dict(os.environ, ROS_MASTER_URI=f"http://localhost:{self.port}", ROS_HOSTNAME="localhost")
+        deadline = time.monotonic() + LIMIT
+        while True:
+            done = subprocess.run(["rosservice", "call", "/space/" + service, request], env=environment, timeout=LIMIT,
+                                  stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
+                                  check=False)
+            if done.returncode == 0 or time.monotonic() > deadline:
+                return " ".join(done.stdout.replace("\\", "").split())
+            time.sleep(0.2)
+
+    def wait_for(self, service, text):
+        """Calls the service until it answers so."""
+        deadline = time.monotonic() + LIMIT
+        answer = self.call(service)
+        while text not in answer:
+            self.assertLess(time.monotonic(), deadline, answer)
+            time.sleep(0.5)
+            answer = self.call(service)
+        return answer
+
+    def assert_bag(self, ticks):
+        with rosbag.Bag(str(self.path / "run.bag")) as bag:
+            states = [message.tick for _, message, _ in bag.read_messages(topics=["/space/world_state"])]
+        self.assertEqual(list(range(ticks + 1)), states)
+
+    def test_a_crash_names_the_robot_and_keeps_the_bag(self):
+        for deed, what in (("segv_write", "crashed: SIGSEGV"), ("stack_overflow", "crashed: SIGSEGV"),
+                           ("abort", "crashed: SIGABRT"), ("exit_0", "called exit")):
+            with self.subTest(deed=deed):
+                code, output = self.end_of(self.begin("step", deed))
+                self.assertEqual(3, code, output)
+                self.assertIn(f"swarmanoid: {what} in step of {NAME}, tick 3\n", output)
+                self.assert_bag(3)
+
+    def test_an_endless_step_is_told_of_and_services_answer(self):
+        process = self.begin("step", "loop")
+        answer = self.wait_for("pause", "busy in")
+        self.assertRegex(answer, r"success: False message: \"busy in step of robot 'fb_4' .*, tick 3 since \d+ s\"")
+        for service, request in (("reset", "{}"), ("delete", "names: [fb_1]"), ("step", "steps: 1"),
+                                 ("set_command_source", "{names: [fb_1], source: none}")):
+            self.assertIn("busy in step of robot 'fb_4'", self.call(service, request))
+        process.send_signal(signal.SIGINT)  # roslaunch interrupts, then it terminates
+        code, output = self.end_of(process)
+        self.assertEqual(130, code, output)
+        self.assertIn(f"late: step of {NAME}, tick 3 has taken 5 s so far", output)
+        self.assertIn(f"swarmanoid: interrupted in step of {NAME}, tick 3\n", output)
+        self.assert_bag(3)
+
+    def test_the_watchdog_ends_the_run(self):
+        code, output = self.end_of(self.begin("step", "loop", "watchdog:=2"))
+        self.assertEqual(3, code, output)
+        self.assertIn(f"swarmanoid: watchdog: more than 2 s in step of {NAME}, tick 3\n", output)
+        self.assert_bag(3)
+
+    def test_what_is_thrown_in_destroy_is_answered_and_the_run_goes_on(self):
+        process = self.begin("destroy", "throw_int")
+        self.assertIn("reset, seed 1; the controller of 'fb_4' failed: destroy: threw the number 7", self.call("reset"))
+        self.assertIn("1 done; the controller of 'fb_4' failed: destroy: threw the number 7",
+                      self.call("set_command_source", "{names: [fb_4], source: none}"))
+        self.assertIn("1 done", self.call("set_command_source", "{names: [fb_4], source: controller}"))
+        self.assertIn("1 done; the controller of 'fb_4' failed: destroy: threw the number 7",
+                      self.call("delete", "names: [fb_4]"))
+        self.assertIn("paused", self.call("pause"))
+        process.send_signal(signal.SIGINT)
+        self.end_of(process)
+
+    def test_what_is_thrown_in_init_is_answered_and_the_run_goes_on(self):
+        process = self.begin("init", "throw_null", only="fb_5")
+
+        def spawn(name):
+            return self.call("spawn", "{entities: [{name: %s, type: footbot, controller: mc, engines: [ground], "
+                                      "pose: {pose: {orientation: {w: 1.0}, position: {x: 5.0, y: 5.0}}}}]}" % name)
+        self.assertIn("controller 'mc' of 'fb_5' does not start: threw a null pointer", spawn("fb_5"))
+        self.assertIn("1 done", spawn("fb_6"))
+        self.assertIn("there is no entity 'fb_5'", self.call("delete", "names: [fb_5]"))
+        process.send_signal(signal.SIGINT)
+        self.end_of(process)
+
+    def test_an_experiment_that_does_not_start_is_refused_and_leaves_nothing(self):
+        code, output = self.end_of(self.begin("init", "throw_null"))
+        self.assertEqual(2, code, output)
+        self.assertIn("controller 'mc' of 'fb_4' does not start: threw a null pointer", output)
+        process = self.begin("init", "loop_deaf")
+        time.sleep(6.0)
+        os.kill(int(subprocess.check_output(["pgrep", "-P", str(process.pid)])), signal.SIGKILL)  # roslaunch
+        self.end_of(process)
+        self.assertNotIn(str(self.path), subprocess.check_output(["ps", "-eo", "args"], universal_newlines=True))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[pathlib.Path(__file__).name, "-v"])

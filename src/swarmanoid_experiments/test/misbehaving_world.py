@@ -1,0 +1,29 @@
+"""What the tests of misbehaving controllers share: four footbots, of which the last one misbehaves."""
+
+ROBOTS = ("fb_1", "fb_2", "fb_3", "fb_4")
+WORLD = """<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>{maxclock}</maxclock><threads>{threads}</threads></framework>
+  <controllers>
+    <misbehaving id="mc" library="misbehaving_controllers">
+      <actuators><footbot_wheels/></actuators>
+      <parameters><phase>{phase}</phase><deed>{deed}</deed><tick>{tick}</tick><only>{only}</only></parameters>
+    </misbehaving>
+  </controllers>
+  <arena size="10,10,3" optimization="2D">
+    {robots}
+  </arena>
+  <engines><kinematics2d id="ground"/></engines>
+  <arena_physics><engine id="ground">{members}</engine></arena_physics>
+  <visualisations><text_render id="table"><file>table.txt</file></text_render></visualisations>
+</ahss-config>
+"""
+NAME = "robot 'fb_4' (controller 'mc' of libmisbehaving_controllers.so)"
+
+
+def world(phase="never", deed="nothing", tick=3, maxclock=20, threads=1, only="fb_4"):
+    """The text of an experiment file."""
+    robots = "\n".join(f'<footbot id="{name}"><position>1, {1 + i}, 0</position><orientation>0, 0, 0</orientation>'
+                       '<controller>mc</controller></footbot>' for i, name in enumerate(ROBOTS))
+    members = "".join(f'<entity id="{name}"/>' for name in ROBOTS)
+    return WORLD.format(phase=phase, deed=deed, tick=tick, maxclock=maxclock, threads=threads, robots=robots,
+                        members=members, only=only)

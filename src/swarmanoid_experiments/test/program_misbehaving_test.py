@@ -1,0 +1,279 @@
+#!/usr/bin/python3
+"""The program and controllers that misbehave: the robot is named, files and summary are kept, the exit code says it."""
+
+import json
+import os
+import pathlib
+import signal
+import subprocess
+import time
+import unittest
+
+import rosbag
+
+from misbehaving_world import NAME, ROBOTS, world
+from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, HEADER, ProgramTest
+
+TIMEOUT = 60.0  # [s]
+
+OTHER = ", which is no std::exception"
+THROWN = {
+    "throw_runtime_error": "told to",
+    "throw_derived": "a derived exception",
+    "throw_bad_alloc": "std::bad_alloc",
+    "throw_int": "threw the number 7" + OTHER,
+    "throw_string": "threw the text 'a string'" + OTHER,
+    "throw_text": "threw the text 'a text'" + OTHER,
+    "throw_null": "threw a null pointer" + OTHER,
+    "throw_nullptr": "threw a null pointer" + OTHER,
+    "throw_thing": "threw a 'swarmanoid::test::(anonymous namespace)::Thing'" + OTHER,
+    "throw_pointer": "threw a 'std::runtime_error*'" + OTHER,
+    "throw_without_text": "threw an exception without a text",
+    "throw_null_text": "threw an exception without a text",
+    "throw_nested": "the outer one",
+}
+CRASHES = {
+    "segv_read": "crashed: SIGSEGV", "segv_write": "crashed: SIGSEGV", "segv_call": "crashed: SIGSEGV",
+    "segv_raise": "crashed: SIGSEGV", "stack_overflow": "crashed: SIGSEGV", "bus": "crashed: SIGBUS",
+    "fpe": "crashed: SIGFPE", "ill": "crashed: SIGILL", "abort": "crashed: SIGABRT", "terminate": "crashed: SIGABRT",
+    "pure_virtual": "crashed: SIGABRT", "throw_through_noexcept": "crashed: SIGABRT",
+    "exit_0": "called exit", "exit_7": "called exit", "quick_exit_0": "called quick_exit",
+    "thread_exit": "called pthread_exit",
+}
+
+
+class MisbehavingTest(ProgramTest):
+    def misbehave(self, phase, deed, *arguments, environment="", **more):
+        """Runs the experiment to its end. @return exit code, summary or None, error stream"""
+        (self.folder / "world.xml").write_text(world(phase, deed, **more))
+        done = subprocess.run(["swarmanoid", "run", "world.xml", "--quiet", *arguments], cwd=self.folder,
+                              env=dict(os.environ, MISBEHAVING=environment), timeout=TIMEOUT, stdout=subprocess.PIPE,
+                              stderr=subprocess.PIPE, encoding="utf-8", errors="replace", check=False)
+        return done.returncode, json.loads(done.stdout) if done.stdout else None, done.stderr
+
+    def start(self, phase, deed, *arguments, **more):
+        (self.folder / "world.xml").write_text(world(phase, deed, **more))
+        # Python starts children with SIGINT as it has it itself; the shell of a test may ignore it
+        process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", *arguments], cwd=self.folder,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+        for clean_up in (process.wait, process.stderr.close, process.stdout.close, process.kill):
+            self.addCleanup(clean_up)
+        return process
+
+    def assert_table(self, ticks):
+        """The table has the state before the first tick, and after each of these."""
+        lines = (self.folder / "table.txt").read_text().splitlines(keepends=True)
+        self.assertEqual(lines[0], HEADER)
+        self.assertEqual(len(lines), 1 + (ticks + 1) * len(ROBOTS))
+        self.assertTrue(lines[-1].endswith("\n"))
+
+    def assert_bag(self, ticks):
+        with rosbag.Bag(str(self.folder / "run.bag")) as bag:
+            states = [message.tick for _, message, _ in bag.read_messages(topics=["/space/world_state"])]
+        self.assertEqual(states, list(range(ticks + 1)))
+
+
+class ExceptionTest(MisbehavingTest):
+    def test_whatever_a_step_throws_stops_the_robot_alone(self):
+        for deed, reason in {**THROWN, "throw_that_throws": "threw the number 8" + OTHER}.items():
+            with self.subTest(deed=deed):
+                code, summary, errors = self.misbehave("step", deed)
+                self.assertEqual((code, summary["ticks"]), (CONTROLLER_FAILED, 20), errors)
+                self.assertEqual(summary["failed_controllers"], [{"robot": "fb_4", "tick": 3, "reason": reason}])
+
+    def test_a_long_text_is_cut(self):
+        code, summary, _ = self.misbehave("step", "throw_long_text")
+        self.assertEqual((code, summary["failed_controllers"][0]["reason"]), (CONTROLLER_FAILED, 1000 * "x" + " ..."))
+
+    def test_what_does_not_start_is_bad_input(self):
+        for deed, reason in THROWN.items():
+            with self.subTest(deed=deed):
+                message = f"swarmanoid: world.xml:4: controller 'mc' of 'fb_4' does not start: {reason}\n"
+                self.assertEqual(self.misbehave("init", deed), (BAD_INPUT, None, message))
+                self.assertEqual(self.misbehave("never", "", environment="factory " + deed),
+                                 (BAD_INPUT, None, message.replace("fb_4", "fb_1")))
+
+    def test_a_mistake_in_its_parameters_names_the_robot(self):
+        code, _, errors = self.misbehave("init", "throw_config_error")
+        self.assertEqual(code, BAD_INPUT)
+        self.assertRegex(errors, "^swarmanoid: world.xml:4: controller 'mc' of 'fb_4' does not start: .*"
+                                 "told to, as a configuration error\n$")
+
+    def test_who_fails_at_the_end_has_failed(self):
+        for deed, reason in THROWN.items():
+            with self.subTest(deed=deed):
+                code, summary, errors = self.misbehave("destroy", deed)
+                self.assertEqual((code, errors), (CONTROLLER_FAILED, f"fb_4: controller failed: destroy: {reason}\n"))
+                self.assertTrue(summary["finished"])
+                self.assertEqual(summary["failed_controllers"],
+                                 [{"robot": "fb_4", "tick": 20, "reason": "destroy: " + reason}])
+                self.assert_table(20)
+
+
+class CrashTest(MisbehavingTest):
+    def test_a_crash_in_a_step_is_told_of_and_the_ticks_before_are_kept(self):
+        for deed, what in CRASHES.items():
+            with self.subTest(deed=deed):
+                code, summary, errors = self.misbehave("step", deed, "--bag", "run.bag")
+                self.assertEqual(code, CONTROLLER_FAILED, errors)
+                self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {what} in step of {NAME}, tick 3")
+                self.assertEqual((summary["ticks"], summary["finished"]), (3, False))
+                self.assertEqual(summary["failed_controllers"],
+                                 [{"robot": "fb_4", "tick": 3, "reason": f"{what} in step of {NAME}, tick 3"}])
+                self.assert_table(3)
+                self.assert_bag(3)
+                (self.folder / "run.bag").unlink()
+
+    def test_on_any_thread(self):
+        for deed in ("segv_write", "stack_overflow", "abort", "exit_0", "thread_exit"):
+            with self.subTest(deed=deed):
+                code, summary, errors = self.misbehave("step", deed, threads=3)
+                self.assertEqual((code, summary["ticks"]), (CONTROLLER_FAILED, 3))
+                self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {CRASHES[deed]} in step of {NAME}, tick 3")
+
+    def test_in_every_phase(self):
+        for deed, what in CRASHES.items():
+            for phase, named in (("init", "init"), ("destroy", "destroy"), ("destructor", "destruction")):
+                if (deed, phase) == ("thread_exit", "destructor"):
+                    what = "crashed: SIGABRT"  # nothing leaves a destructor
+                with self.subTest(deed=deed, phase=phase):
+                    code, summary, errors = self.misbehave(phase, deed)
+                    self.assertEqual(code, CONTROLLER_FAILED, errors)
+                    self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {what} in {named} of {NAME}")
+                    self.assertEqual(summary is None, phase == "init")
+                    if summary is not None:
+                        self.assertEqual(summary["failed_controllers"][0]["robot"], "fb_4")
+                        self.assert_table(20)
+
+    def test_while_a_library_is_loaded(self):
+        for deed, what in (("segv_write", "crashed: SIGSEGV"), ("exit_0", "called exit"),
+                           ("throw_int", "crashed: SIGABRT")):
+            with self.subTest(deed=deed):
+                code, summary, errors = self.misbehave("never", "", environment="load " + deed)
+                self.assertEqual((code, summary), (CONTROLLER_FAILED, None))
+                self.assertEqual(errors.splitlines()[-1],
+                                 f"swarmanoid: {what} in loading of library 'misbehaving_controllers'")
+
+    def test_a_crash_that_is_in_no_call_is_the_simulator_s(self):
+        code, _, errors = self.misbehave("step", "segv_on_another_thread")
+        self.assertEqual(code, -signal.SIGSEGV)
+        self.assertEqual(errors, "swarmanoid: crashed: SIGSEGV in the simulator (this thread is not in users' code)\n")
+
+    def test_memory_that_is_spoilt_ends_in_time(self):
+        for deed in ("free_twice", "spoil_heap"):
+            with self.subTest(deed=deed):
+                code, _, errors = self.misbehave("step", deed)
+                self.assertIn(code, (CONTROLLER_FAILED, -signal.SIGABRT, -signal.SIGSEGV))
+                self.assertIn("swarmanoid: crashed: SIG", errors)
+
+
+class EndlessTest(MisbehavingTest):
+    def read_until(self, process, text):
+        lines = []
+        for line in process.stderr:
+            lines.append(line)
+            if text in line:
+                return line
+        self.fail(f"not found: {text} in {lines}")
+
+    def test_the_second_signal_ends_it(self):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            for deed in ("loop", "loop_deaf", "sleep_for_ever", "wait_for_itself"):
+                with self.subTest(number=number, deed=deed):
+                    process = self.start("step", deed, "--bag", "run.bag")
+                    self.read_until(process, f"late: step of {NAME}, tick 3 has taken 5 s so far")
+                    process.send_signal(number)
+                    with self.assertRaises(subprocess.TimeoutExpired):
+                        process.wait(timeout=0.5)
+                    process.send_signal(number)
+                    output, errors = process.communicate(timeout=TIMEOUT)
+                    self.assertEqual(process.returncode, INTERRUPTED, errors)
+                    self.assertEqual(errors, f"swarmanoid: interrupted in step of {NAME}, tick 3\n")
+                    self.assertEqual(json.loads(output)["ticks"], 3)
+                    self.assert_table(3)
+                    self.assert_bag(3)
+                    (self.folder / "run.bag").unlink()
+
+    def test_also_in_destroy(self):
+        process = self.start("destroy", "loop")
+        self.read_until(process, f"late: destroy of {NAME} has taken 5 s so far")
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        output, errors = process.communicate(timeout=TIMEOUT)
+        self.assertEqual(process.returncode, INTERRUPTED, errors)
+        self.assertTrue(json.loads(output)["finished"])
+
+    def test_the_first_signal_ends_init(self):
+        process = self.start("init", "loop")
+        self.read_until(process, f"late: init of {NAME} has taken 5 s so far")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(timeout=TIMEOUT), -signal.SIGINT)
+
+    def test_the_watchdog_ends_it(self):
+        code, summary, errors = self.misbehave("step", "loop", "--watchdog", "1")
+        self.assertEqual((code, errors), (CONTROLLER_FAILED,
+                                          f"swarmanoid: watchdog: more than 1 s in step of {NAME}, tick 3\n"))
+        self.assertEqual(summary["failed_controllers"][0]["robot"], "fb_4")
+        self.assert_table(3)
+        for watchdog in ("0", "-1", "nan", "x"):
+            self.assertEqual(self.misbehave("never", "nothing", "--watchdog", watchdog)[0], BAD_INPUT, watchdog)
+
+    def test_who_is_only_slow_is_told_of_once_and_goes_on(self):
+        code, summary, errors = self.misbehave("step", "sleep_7", "--watchdog", "30")
+        self.assertEqual((code, summary["ticks"]), (FINISHED, 20))
+        self.assertEqual(errors, f"swarmanoid: late: step of {NAME}, tick 3 has taken 5 s so far\n")
+
+    def test_validate_ends_with_who_has_started_it(self):
+        (self.folder / "world.xml").write_text(world("init", "loop_deaf"))
+        script = "swarmanoid validate world.xml --end-with-parent & echo $!; sleep 1000"
+        parent = subprocess.Popen(["bash", "-c", script], cwd=self.folder, stdout=subprocess.PIPE,
+                                  stderr=subprocess.DEVNULL, encoding="utf-8", start_new_session=True)
+        child = pathlib.Path("/proc") / parent.stdout.readline().strip()
+        time.sleep(2.0)
+        self.assertIn("validate", (child / "cmdline").read_text())
+        parent.kill()
+        parent.wait()
+        parent.stdout.close()
+        deadline = time.monotonic() + TIMEOUT
+        while child.exists() and "Z" not in (child / "stat").read_text().split()[2]:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.1)
+
+
+class SurroundingsTest(MisbehavingTest):
+    def outputs(self, phase, deed, environment=""):
+        """Exit code, summary without times, table and hashes of a run."""
+        code, summary, errors = self.misbehave(phase, deed, "--hashes", "hashes.txt", "--profile", maxclock=1200,
+                                               environment=environment)
+        for name in ("wall_s", "real_time_factor", "robot_ticks_per_s"):
+            summary.pop(name)
+        files = [(self.folder / name).read_text() for name in ("table.txt", "hashes.txt")]
+        (self.folder / "hashes.txt").unlink()
+        return [code, summary, *files], errors
+
+    def test_numbers_are_as_before_whatever_locale_a_controller_sets(self):
+        good, _ = self.outputs("never", "nothing")
+        self.assertEqual(good[0], FINISHED)
+        for deed in ("global_locale", "setlocale"):
+            for phase in ("init", "step", "destroy", "load"):
+                with self.subTest(deed=deed, phase=phase):
+                    outputs, errors = self.outputs(phase, deed, f"{phase} {deed}")
+                    self.assertEqual(outputs, good)
+                    if deed == "global_locale":
+                        self.assertEqual(errors.count("users' code has changed the locale; it is put back"), 1)
+
+    def test_two_libraries_with_one_label(self):
+        library = next(file for prefix in os.environ["CMAKE_PREFIX_PATH"].split(":")
+                       for file in (pathlib.Path(prefix) / "lib").glob("libmisbehaving_controllers.so"))
+        (self.folder / "libtwin.so").write_bytes(library.read_bytes())
+        twin = '<misbehaving id="twin" library="./libtwin.so"><actuators><footbot_wheels/></actuators></misbehaving>'
+        text = world()
+        file = self.world(text=text.replace("</controllers>", twin + "</controllers>").replace("{", "{{"))
+        self.assert_refused(f"{file}:8: <misbehaving>: found the label 'misbehaving' in two libraries "
+                            "(libmisbehaving_controllers.so, libtwin.so), allowed: one in a process", "run", file)
+        file = self.world(text=text.replace("misbehaving_controllers", "./libtwin.so").replace("{", "{{"))
+        self.assertEqual(self.call("run", file, "--quiet").returncode, FINISHED)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[pathlib.Path(__file__).name, "-v"])

@@ -1,0 +1,52 @@
+#include "swarmanoid_interface/plain_text.hpp"
+
+#include <locale.h>
+
+#include <array>
+#include <atomic>
+#include <charconv>
+#include <clocale>
+#include <cstdio>
+
+namespace swarmanoid {
+namespace {
+
+const std::string& ownLocale() {
+  static const std::string name = std::setlocale(LC_ALL, nullptr);
+  return name;
+}
+
+const std::string& noted_when_loaded = ownLocale();
+
+void tellOnce() {
+  static std::atomic<bool> is_told{false};
+  if (!is_told.exchange(true)) {
+    std::fprintf(stderr, "swarmanoid: warning: users' code has changed the locale; it is put back\n");
+  }
+}
+
+}  // namespace
+
+std::string shortNumber(double value, int digits) {
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, digits);
+  return {text.data(), end.ptr};
+}
+
+void restoreLocale() {
+  if (uselocale(nullptr) != LC_GLOBAL_LOCALE) {
+    tellOnce();
+    uselocale(LC_GLOBAL_LOCALE);
+  }
+  // first that of C++, which may set the other one too
+  if (std::locale() != std::locale::classic()) {
+    tellOnce();
+    std::locale::global(std::locale::classic());
+  }
+  if (noted_when_loaded != std::setlocale(LC_ALL, nullptr)) {
+    tellOnce();
+    std::setlocale(LC_ALL, noted_when_loaded.c_str());
+  }
+}
+
+}  // namespace swarmanoid
