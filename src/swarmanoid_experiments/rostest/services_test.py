@@ -225,7 +225,7 @@ class ServicesTest(unittest.TestCase):
         self.assertEqual("spawned 'a': found a second 'mass' of a cylindric_prey, allowed: one",
                          refusal(self.space.spawn([prey])))
         prey.parameters = [TextParameter("radius", "1e-9"), TextParameter("height", "0.1")]
-        self.assertEqual("spawned 'a': radius: found '1e-9', allowed: a number from 0.001 to 10000",
+        self.assertEqual("spawned 'a': radius: found '1e-9', allowed: a number from 0.0001 to 10000",
                          refusal(self.space.spawn([prey])))
         self.assertIn("'map'", refusal(self.space.move([EntityPose("fb_1", pose(1, 1, "map"))])))
         self.assertIn("there is no entity 'nobody'", refusal(self.space.delete(["nobody"])))

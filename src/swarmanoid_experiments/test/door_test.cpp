@@ -115,9 +115,9 @@ TEST(DoorTest, NumbersThatNoEngineCanHoldAreRefusedByTheirBounds) {
     return messageOf([&] { simulation->spawn(prey({3.0, 3.0, 0.0}, values), {"e"}); });
   };
   EXPECT_EQ(refusal({{"radius", "1e-6"}, {"height", "0.1"}}),
-            "a test: radius: found '1e-6', allowed: a number from 0.001 to 10000");
+            "a test: radius: found '1e-6', allowed: a number from 0.0001 to 10000");
   EXPECT_EQ(refusal({{"radius", "0.1"}, {"height", "1e40"}}),
-            "a test: height: found '1e40', allowed: a number from 0.001 to 10000");
+            "a test: height: found '1e40', allowed: a number from 0.0001 to 10000");
   EXPECT_EQ(refusal({{"radius", "0.1"}, {"height", "0.1"}, {"mass", "nan"}}),
             "a test: mass: found 'nan', allowed: a number from 0.001 to 1000000");
   EXPECT_EQ(refusal({{"radius", "0.1"}, {"height", "0.1"}, {"radius", "0.2"}}),

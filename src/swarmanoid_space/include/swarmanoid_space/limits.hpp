@@ -20,9 +20,9 @@ constexpr Range kArenaSide{0.1, 10000.0};
 /// Of any coordinate: of what stands around the arena, of planes, grounds and boxes. As far on either side as the arena
 /// may be long.
 constexpr Range kCoordinate{-10000.0, 10000.0};
-/// Of bodies and what lies on the floor. What is thinner than 1 mm is within the tolerances of contacts; what is longer
-/// fits into no arena.
-constexpr Range kLength{0.001, 10000.0};
+/// Of bodies and heightfields. A sheet of paper is as thin as the least; what is longer than the most fits into no
+/// arena. Engines with coarser tolerances refuse what is too thin for them.
+constexpr Range kLength{0.0001, 10000.0};
 /// Of a floor patch; 0 where it is not used. Nothing collides with it, so it may be as thin as it likes.
 constexpr Range kPatch{0.0, 10000.0};
 /// Of a plane on which Box2D moves things: the farthest coordinate. It computes in single precision, which there tells
