@@ -147,6 +147,17 @@ class LaunchTest(RoslaunchTest):
         self.assertEqual(0, code, output)
         self.assertTrue((here / "table.txt").exists())
 
+    def test_the_exit_code_replaces_an_exit_code_only(self):
+        world = (LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()
+        here = pathlib.Path(self.folder.name)
+        (here / "mine.xml").write_text(world)
+        (here / "code.txt").write_text("130\n")
+        for file, expected in (("mine.xml", world), ("code.txt", "0\n")):
+            _, output = self.output_of("experiment:=mine.xml", "max_ticks:=3", *QUICK[1:], f"exit_code:={file}")
+            self.assertEqual(expected, (here / file).read_text())
+            self.assertEqual(file == "mine.xml", f"~exit_code: found '{here / file}', which is there and holds no exit code, "
+                             "allowed: another name" in output, output)
+
     def test_out_is_taken_away_again_if_nothing_starts(self):
         _, output = self.output_of("out:=new", "record:=nowhere/run.bag")
         self.assertIn("cannot write", output)

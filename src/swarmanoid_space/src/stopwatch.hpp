@@ -14,6 +14,9 @@ class Stopwatch {
     last_ = now;
   }
 
+  /// When the last lap ended.
+  std::chrono::steady_clock::time_point last() const { return last_; }
+
  private:
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };

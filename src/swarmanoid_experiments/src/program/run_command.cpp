@@ -143,8 +143,7 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
 }
 
 std::shared_ptr<OutFolder> outFolder(const RunOptions& options, const Experiment& experiment) {
-  const auto out =
-      std::make_shared<OutFolder>(options.out, "--", OutFolder::Rules{options.write_anywhere, options.force});
+  auto out = std::make_shared<OutFolder>(options.out, "--", OutFolder::Rules{options.write_anywhere, options.force});
   for (const std::string& file : experiment.files) {
     out->protect(file);
   }

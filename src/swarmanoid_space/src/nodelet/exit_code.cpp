@@ -21,6 +21,22 @@ void endWithCode() {
   }
 }
 
+/// Whether nothing is lost if the file is replaced.
+bool holdsExitCode(const std::filesystem::path& file) {
+  std::error_code ignored;
+  const auto status = std::filesystem::symlink_status(file, ignored);
+  if (!std::filesystem::exists(status)) {
+    return true;
+  }
+  constexpr std::size_t kLongest = 4;  // "130", and the end of the line
+  std::ifstream in(file);
+  std::string text(kLongest + 1, ' ');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return std::filesystem::is_regular_file(status) && text.size() <= kLongest &&
+         text.find_first_not_of("0123456789\n") == std::string::npos;
+}
+
 }  // namespace
 
 void setExitCode(ExitCode code) {
@@ -33,6 +49,10 @@ void setExitCode(ExitCode code) {
 void writeExitCode(const std::string& file, ExitCode code) {
   if (file.empty()) {
     return;
+  }
+  if (!holdsExitCode(file)) {
+    throw std::runtime_error("~exit_code: found '" + file +
+                             "', which is there and holds no exit code, allowed: another name");
   }
   const std::string unfinished = file + ".new";
   {

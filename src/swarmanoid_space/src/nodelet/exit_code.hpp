@@ -15,7 +15,7 @@ enum class ExitCode { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kStop
 void setExitCode(ExitCode code);
 
 /// Writes the number to a file, which is replaced as a whole. Nothing happens if the name is empty.
-/// @throws std::runtime_error if it cannot be written
+/// @throws std::runtime_error if it cannot be written, or a file is there that holds anything else
 void writeExitCode(const std::string& file, ExitCode code);
 
 }  // namespace swarmanoid
