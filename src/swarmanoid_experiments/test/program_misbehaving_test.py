@@ -269,7 +269,7 @@ class SurroundingsTest(MisbehavingTest):
         twin = '<misbehaving id="twin" library="./libtwin.so"><actuators><footbot_wheels/></actuators></misbehaving>'
         text = world()
         file = self.world(text=text.replace("</controllers>", twin + "</controllers>").replace("{", "{{"))
-        self.assert_refused(f"{file}:8: <misbehaving>: found the label 'misbehaving' in two libraries "
+        self.assert_refused(f"{file}:8: found the label 'misbehaving' in two libraries "
                             "(libmisbehaving_controllers.so, libtwin.so), allowed: one in a process", "run", file)
         file = self.world(text=text.replace("misbehaving_controllers", "./libtwin.so").replace("{", "{{"))
         self.assertEqual(self.call("run", file, "--quiet").returncode, FINISHED)

@@ -80,6 +80,7 @@ void readControllers(const XmlElement& section, Reader& reader) {
     if (entry == nullptr) {
       element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
     }
+    refuseSecondLibrary(*entry, element, controller.library);
     controller.label = entry->description.label;
     element.allowChildren(tagsIn("controllers/*"));
     if (const auto actuators = element.child("actuators")) {

@@ -28,6 +28,11 @@ struct Reader {
   const Registry::Entry& requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library);
 };
 
+/// Which of two libraries with one label is meant must not depend on which was loaded first.
+/// @param library that the element asks for; "": any
+/// @throws ConfigError if it is not the one that has the plugin, for another with that label was first
+void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library);
+
 void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
 void readArena(const XmlElement& section, Reader& reader);
