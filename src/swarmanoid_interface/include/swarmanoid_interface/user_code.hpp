@@ -39,7 +39,8 @@ class UserCall {
   UserCall& operator=(const UserCall&) = delete;
 
  private:
-  UserCode outer_;
+  UserCode code_;
+  const UserCode* outer_ = nullptr;
 };
 
 /// What was thrown, for people, whether it is a std::exception or not; never empty, and of a bounded length. Only
