@@ -12,7 +12,7 @@ import unittest
 import rosbag
 
 from misbehaving_world import NAME, ROBOTS, world
-from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, HEADER, ProgramTest
+from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, HEADER, STOPPED, ProgramTest
 
 TIMEOUT = 60.0  # [s]
 
@@ -238,6 +238,29 @@ class EndlessTest(MisbehavingTest):
         while child.exists() and "Z" not in (child / "stat").read_text().split()[2]:
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.1)
+
+
+class VisualisationTest(MisbehavingTest):
+    def run_with(self, phase, deed):
+        more = (f'<misbehaving_visualisation id="bad" library="misbehaving_controllers"><phase>{phase}</phase>'
+                f'<deed>{deed}</deed></misbehaving_visualisation></visualisations>')
+        file = self.world(text=world().replace("</visualisations>", more).replace("{", "{{"))
+        done = self.call("run", file, "--quiet")
+        return done.returncode, done.stderr, done.stdout
+
+    def test_whatever_it_throws_stops_the_run_and_names_it(self):
+        for deed, reason in THROWN.items():
+            with self.subTest(deed=deed):
+                code, errors, output = self.run_with("configure", deed)
+                self.assertEqual((code, output), (BAD_INPUT, ""))
+                self.assertIn(f":17: visualisation 'bad' cannot be configured: {reason}\n", errors)
+                named = f"visualisation 'bad' {reason}" if OTHER in reason else reason
+                code, errors, output = self.run_with("draw", deed)
+                self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {named}\n"))
+                self.assertEqual(json.loads(output)["ticks"], 3)
+                code, errors, output = self.run_with("finish", deed)
+                self.assertEqual((code, errors), (STOPPED, f"swarmanoid: {named}\n"))
+                self.assert_table(20)
 
 
 class SurroundingsTest(MisbehavingTest):

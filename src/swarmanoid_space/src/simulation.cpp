@@ -9,6 +9,7 @@
 #include "stopwatch.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "tick/tick.hpp"
 
 namespace swarmanoid {
@@ -120,7 +121,7 @@ void Simulation::finish() {
     std::exception_ptr first_problem;
     for (const auto& visualisation : cast_->visualisations) {
       try {
-        visualisation->finish();
+        callPlugin("visualisation", visualisation->id(), [&] { visualisation->finish(); });
       } catch (...) {
         first_problem = first_problem ? first_problem : std::current_exception();
       }

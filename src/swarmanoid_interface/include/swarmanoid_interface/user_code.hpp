@@ -79,6 +79,19 @@ auto callUserCode(const UserCode& code, Action action) {
   }
 }
 
+/// Calls a plugin that is no controller; its calls are not noted. std::exceptions pass, for they say who throws them.
+/// @throws std::runtime_error "engine 'ground' threw the number 7, ..." for whatever else is thrown
+template <class Action>
+auto callPlugin(const char* kind, const std::string& id, Action action) {
+  try {
+    return action();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    throw std::runtime_error(std::string(kind) + " '" + id + "' " + describeException());
+  }
+}
+
 /// File name, without folders, of the library that something of static storage duration is in, such as a function or a
 /// type's description; "" if that is not known.
 std::string libraryOf(const void* address);
