@@ -12,7 +12,7 @@ import unittest
 import rosbag
 
 from misbehaving_world import NAME, ROBOTS, world
-from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, HEADER, ProgramTest
+from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, HEADER, STOPPED, ProgramTest
 
 TIMEOUT = 60.0  # [s]
 
@@ -240,6 +240,29 @@ class EndlessTest(MisbehavingTest):
             time.sleep(0.1)
 
 
+class VisualisationTest(MisbehavingTest):
+    def run_with(self, phase, deed):
+        more = (f'<misbehaving_visualisation id="bad" library="misbehaving_controllers"><phase>{phase}</phase>'
+                f'<deed>{deed}</deed></misbehaving_visualisation></visualisations>')
+        file = self.world(text=world().replace("</visualisations>", more).replace("{", "{{"))
+        done = self.call("run", file, "--quiet")
+        return done.returncode, done.stderr, done.stdout
+
+    def test_whatever_it_throws_stops_the_run_and_names_it(self):
+        for deed, reason in THROWN.items():
+            with self.subTest(deed=deed):
+                code, errors, output = self.run_with("configure", deed)
+                self.assertEqual((code, output), (BAD_INPUT, ""))
+                self.assertIn(f":17: visualisation 'bad' cannot be configured: {reason}\n", errors)
+                named = f"visualisation 'bad' {reason}" if OTHER in reason else reason
+                code, errors, output = self.run_with("draw", deed)
+                self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {named}\n"))
+                self.assertEqual(json.loads(output)["ticks"], 3)
+                code, errors, output = self.run_with("finish", deed)
+                self.assertEqual((code, errors), (STOPPED, f"swarmanoid: {named}\n"))
+                self.assert_table(20)
+
+
 class SurroundingsTest(MisbehavingTest):
     def outputs(self, phase, deed, environment=""):
         """Exit code, summary without times, table and hashes of a run."""
@@ -269,7 +292,7 @@ class SurroundingsTest(MisbehavingTest):
         twin = '<misbehaving id="twin" library="./libtwin.so"><actuators><footbot_wheels/></actuators></misbehaving>'
         text = world()
         file = self.world(text=text.replace("</controllers>", twin + "</controllers>").replace("{", "{{"))
-        self.assert_refused(f"{file}:8: <misbehaving>: found the label 'misbehaving' in two libraries "
+        self.assert_refused(f"{file}:8: found the label 'misbehaving' in two libraries "
                             "(libmisbehaving_controllers.so, libtwin.so), allowed: one in a process", "run", file)
         file = self.world(text=text.replace("misbehaving_controllers", "./libtwin.so").replace("{", "{{"))
         self.assertEqual(self.call("run", file, "--quiet").returncode, FINISHED)

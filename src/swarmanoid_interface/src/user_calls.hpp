@@ -5,7 +5,6 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <string>
 
 #include "swarmanoid_interface/user_code.hpp"
 
@@ -13,15 +12,10 @@ namespace swarmanoid {
 
 /// The call that one thread is in. Only that thread writes it. It lies where it is for as long as the process lives;
 /// what it points to goes with the call.
-struct alignas(128) UserCallNote {
-  std::atomic<bool> is_taken{false};        ///< by a thread
-  std::atomic<std::uint64_t> changes{0};    ///< counts calls and returns
-  std::atomic<const char*> phase{nullptr};  ///< null: no call
-  std::atomic<const char*> part{nullptr};
-  std::atomic<std::size_t> part_size{0};
-  std::atomic<const char*> robot{nullptr};
-  std::atomic<std::size_t> robot_size{0};
-  std::atomic<std::uint64_t> tick{0};
+struct alignas(64) UserCallNote {
+  std::atomic<bool> is_taken{false};           ///< by a thread
+  std::atomic<std::uint64_t> changes{0};       ///< counts calls and returns
+  std::atomic<const UserCode*> call{nullptr};  ///< the innermost one; null: none
 };
 
 /// More threads than this are not watched.

@@ -72,10 +72,10 @@ class OwnNote {
     }
     // exit() ends what is thread-local first; a thread that ends otherwise has left its calls
     const UserCodeEnder end = ender;
-    if (own_note->phase.load(std::memory_order_relaxed) != nullptr && end != nullptr) {
+    if (own_note->call.load(std::memory_order_relaxed) != nullptr && end != nullptr) {
       end("called exit");
     }
-    own_note->phase = nullptr;
+    own_note->call = nullptr;
     own_note->is_taken = false;
     own_note = nullptr;
   }
@@ -88,17 +88,10 @@ class OwnNote {
 
 [[gnu::noinline]] void takeNote() { thread_local OwnNote own; }
 
-void write(UserCallNote& note, const UserCode& code) {
+void write(UserCallNote& note, const UserCode* call) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
-  note.phase.store(nullptr, kRelaxed);
   std::atomic_signal_fence(std::memory_order_seq_cst);
-  note.part.store(code.part.data(), kRelaxed);
-  note.part_size.store(code.part.size(), kRelaxed);
-  note.robot.store(code.robot.data(), kRelaxed);
-  note.robot_size.store(code.robot.size(), kRelaxed);
-  note.tick.store(code.tick, kRelaxed);
-  std::atomic_signal_fence(std::memory_order_seq_cst);
-  note.phase.store(code.phase, kRelaxed);
+  note.call.store(call, kRelaxed);
   note.changes.store(note.changes.load(kRelaxed) + 1, std::memory_order_release);
 }
 
@@ -127,15 +120,8 @@ UserCallNotes& userCallNotes() { return notes; }
 const UserCallNote* ownUserCallNote() { return own_note; }
 
 UserCode ownUserCode() {
-  UserCode code;
-  if (const UserCallNote* note = own_note) {
-    constexpr auto kRelaxed = std::memory_order_relaxed;
-    code.phase = note->phase.load(kRelaxed);
-    code.part = {note->part.load(kRelaxed), note->part_size.load(kRelaxed)};
-    code.robot = {note->robot.load(kRelaxed), note->robot_size.load(kRelaxed)};
-    code.tick = note->tick.load(kRelaxed);
-  }
-  return code;
+  const UserCode* call = own_note == nullptr ? nullptr : own_note->call.load(std::memory_order_relaxed);
+  return call == nullptr ? UserCode{} : *call;
 }
 
 void setUserCodeEnder(UserCodeEnder new_ender) { ender = new_ender; }
@@ -153,13 +139,13 @@ std::string describe(const UserCode& code) {
   return text;
 }
 
-UserCall::UserCall(const UserCode& code) noexcept {
+UserCall::UserCall(const UserCode& code) noexcept : code_(code) {
   if (own_note == nullptr) {
     takeNote();
   }
   if (own_note != nullptr) {
-    outer_ = ownUserCode();
-    write(*own_note, code);
+    outer_ = own_note->call.load(std::memory_order_relaxed);
+    write(*own_note, &code_);
   }
 }
 

@@ -8,13 +8,14 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <ctime>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 #include <thread>
+#include <type_traits>
 #include <vector>
 
 #include "user_calls.hpp"
@@ -71,11 +72,12 @@ struct Sight {
 };
 
 struct OwnedCode {
-  std::string phase;
   std::string part;
   std::string robot;
   UserCode code;  ///< refers to the texts
 };
+
+static_assert(std::is_trivially_copyable_v<UserCode>, "it is read from another thread's stack");
 
 struct LateCall {
   std::string text;
@@ -177,7 +179,7 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
   const UserCallNote& note = userCallNotes()[i];
   Sight& sight = sights_[i];
   const std::uint64_t changes = note.changes.load(std::memory_order_acquire);
-  if (changes != sight.changes || note.phase.load() == nullptr) {
+  if (changes != sight.changes || note.call.load() == nullptr) {
     sight = Sight{};
     sight.changes = changes;
     return;
@@ -203,18 +205,17 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
 
 /// @return false: the call is over, so it may be the next one's texts that were read
 bool Watch::copy(const UserCallNote& note, const Sight& sight, OwnedCode& owned) const {
-  const char* phase = note.phase;
-  if (phase == nullptr) {
+  const auto is_over = [&] { return note.changes.load(std::memory_order_acquire) != sight.changes; };
+  const std::string bytes = reader_.read(reinterpret_cast<const char*>(note.call.load()), sizeof(UserCode));
+  if (bytes.size() != sizeof(UserCode) || is_over()) {
     return false;
   }
-  owned.phase = phase;  // a literal
-  owned.part = reader_.read(note.part, note.part_size);
-  owned.robot = reader_.read(note.robot, note.robot_size);
-  owned.code.phase = owned.phase.c_str();
+  std::memcpy(&owned.code, bytes.data(), sizeof(UserCode));
+  owned.part = reader_.read(owned.code.part.data(), owned.code.part.size());
+  owned.robot = reader_.read(owned.code.robot.data(), owned.code.robot.size());
   owned.code.part = owned.part;
   owned.code.robot = owned.robot;
-  owned.code.tick = note.tick;
-  return note.changes.load(std::memory_order_acquire) == sight.changes;
+  return !is_over();
 }
 
 void Watch::tell(const std::string& text) const {

@@ -9,6 +9,7 @@
 #include "stopwatch.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "tick/tick.hpp"
 
 namespace swarmanoid {
@@ -132,7 +133,7 @@ void callAll(const std::vector<std::shared_ptr<Visualisation>>& visualisations, 
   std::exception_ptr first_problem;
   for (const auto& visualisation : visualisations) {
     try {
-      (*visualisation.*function)();
+      callPlugin("visualisation", visualisation->id(), [&] { (*visualisation.*function)(); });
     } catch (...) {
       first_problem = first_problem ? first_problem : std::current_exception();
     }

@@ -13,6 +13,18 @@
 namespace swarmanoid {
 namespace {
 
+/// @throws ConfigError for whatever the plugin throws
+template <class Part, class... Arguments>
+void configure(Part& part, const std::string& title, const SourceLocation& location, const Arguments&... arguments) {
+  try {
+    part.configure(arguments...);
+  } catch (const ConfigError&) {
+    throw;
+  } catch (...) {
+    throw ConfigError(location, title + " cannot be configured: " + describeException());
+  }
+}
+
 /// @throws ConfigError if there are more than memory can be expected to hold
 std::size_t entityCount(const ArenaDescription& arena) {
   std::size_t count = 0;
@@ -50,7 +62,8 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   for (const VisualisationDescription& description : experiment_.visualisations) {
     const auto* entry = Registry::instance().find(PluginKind::kVisualisation, description.label);
     auto visualisation = makePlugin<Visualisation>(*entry);
-    visualisation->configure(description.id, description.parameters, context_);
+    configure(*visualisation, "visualisation '" + description.id + "'", description.location, description.id,
+              description.parameters, context_);
     cast_->visualisations.push_back(std::move(visualisation));
   }
 }
@@ -75,7 +88,8 @@ void Simulation::buildEngines() {
       cast_->engines.push_back(supplied->second);
     } else {
       auto engine = makePlugin<Engine>(*Registry::instance().find(PluginKind::kEngine, description.label));
-      engine->configure(description.id, description.parameters);
+      configure(*engine, "engine '" + description.id + "'", description.location, description.id,
+                description.parameters);
       cast_->engines.push_back(std::move(engine));
     }
     const std::string problem = cast_->engines.back()->clocktickRefusal(experiment_.framework.clocktick);
@@ -112,12 +126,12 @@ void Simulation::buildControllerGroups() {
     for (const DeviceDescription& device : description.sensors) {
       const auto* entry = Registry::instance().find(PluginKind::kSensor, device.type, device.implementation);
       group->sensors.push_back(makePlugin<Sensor>(*entry));
-      group->sensors.back()->configure(device.parameters);
+      configure(*group->sensors.back(), "sensor '" + device.type + "'", device.location, device.parameters);
     }
     for (const DeviceDescription& device : description.actuators) {
       const auto* entry = Registry::instance().find(PluginKind::kActuator, device.type, device.implementation);
       group->actuators.push_back(makePlugin<Actuator>(*entry));
-      group->actuators.back()->configure(device.parameters);
+      configure(*group->actuators.back(), "actuator '" + device.type + "'", device.location, device.parameters);
     }
     group->part = controllerPart(description.id, description.label);
     const auto supplied = supplied_.controllers.find(description.id);

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "small_world.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -212,6 +213,50 @@ TEST(SimulationThreadTest, ATickThatThrowsStopsTheRunAndKeepsResults) {
   EXPECT_EQ("the run has stopped: tick 5: the disk is full", thread.step(10).message);
   thread.stop("");
   EXPECT_TRUE(*thrower->finished);
+}
+
+TEST(SimulationThreadTest, WhoWaitsForUsersCodeThatIsLateIsToldSo) {
+  UserCodeWatch::Options quiet;
+  quiet.tell = [](const std::string&) {};
+  const UserCodeWatch watch(quiet);
+  SimulationThread thread(test::smallWorld(), pausedAtFirst());
+  std::promise<void> end;
+  const std::shared_future<void> ended = end.get_future();
+  const std::string begin = "busy in init of robot 'fb_9' (controller 'c' of libc.so) since ";
+  const auto isBusy = [&](const std::function<void()>& call) { return messageOf(call).rfind(begin, 0) == 0; };
+  EXPECT_TRUE(isBusy([&] {
+    thread.callUsers([ended](Simulation&) {
+      const UserCall call({"init", "controller 'c' of libc.so", "fb_9"});
+      ended.wait();
+    });
+  }));
+  bool has_acted = false;
+  EXPECT_TRUE(isBusy([&] { thread.pause(); }));
+  EXPECT_TRUE(isBusy([&] { thread.step(1); }));
+  EXPECT_TRUE(isBusy([&] { thread.call([&](Simulation&) { has_acted = true; }); }));
+  EXPECT_TRUE(isBusy([&] { thread.reset(std::nullopt, false); }));
+  EXPECT_EQ(State::kPaused, thread.state());
+  end.set_value();
+  EXPECT_EQ(0U, tickOf(thread));
+  EXPECT_FALSE(has_acted);
+  EXPECT_TRUE(thread.step(1).is_complete);
+}
+
+TEST(SimulationThreadTest, WhateverATickThrowsStopsTheRun) {
+  class NumberThrower final : public Visualisation {
+   public:
+    void configure(const std::string&, const Configuration&, const RunContext&) override {}
+    void draw(const Space& space) override {
+      if (space.tick == 2) {
+        throw 7;
+      }
+    }
+  };
+  auto simulation = test::smallWorld();
+  simulation->addVisualisation(std::make_shared<NumberThrower>());
+  SimulationThread thread(std::move(simulation), pausedAtFirst());
+  EXPECT_EQ("the run has stopped: tick 2: visualisation '' threw the number 7, which is no std::exception",
+            thread.step(10).message);
 }
 
 TEST(SimulationThreadTest, KeepsToTheRealTimeFactor) {

@@ -39,7 +39,8 @@ class UserCall {
   UserCall& operator=(const UserCall&) = delete;
 
  private:
-  UserCode outer_;
+  UserCode code_;
+  const UserCode* outer_ = nullptr;
 };
 
 /// What was thrown, for people, whether it is a std::exception or not; never empty, and of a bounded length. Only
@@ -75,6 +76,19 @@ auto callUserCode(const UserCode& code, Action action) {
     throw;
   } catch (...) {
     throw std::runtime_error(describeException());
+  }
+}
+
+/// Calls a plugin that is no controller; its calls are not noted. std::exceptions pass, for they say who throws them.
+/// @throws std::runtime_error "engine 'ground' threw the number 7, ..." for whatever else is thrown
+template <class Action>
+auto callPlugin(const char* kind, const std::string& id, Action action) {
+  try {
+    return action();
+  } catch (const std::exception&) {
+    throw;
+  } catch (...) {
+    throw std::runtime_error(std::string(kind) + " '" + id + "' " + describeException());
   }
 }
 

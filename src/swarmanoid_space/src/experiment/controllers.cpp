@@ -82,7 +82,10 @@ void readControllers(const XmlElement& section, Reader& reader) {
     if (entry == nullptr && reader.loads_libraries) {
       element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
     }
-    controller.label = entry != nullptr ? entry->description.label : controller.label;
+    if (entry != nullptr) {
+      refuseSecondLibrary(*entry, element, controller.library);
+      controller.label = entry->description.label;
+    }
     element.allowChildren(tagsIn("controllers/*"));
     if (const auto actuators = element.child("actuators")) {
       controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);

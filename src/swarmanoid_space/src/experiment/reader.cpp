@@ -87,10 +87,10 @@ const Registry::Entry& Reader::standIn(PluginKind kind, const std::string& label
   return unknown.back();
 }
 
-namespace {
-
-/// Which of two libraries is meant must not depend on which was loaded first. @param library that is asked for
-void refuseSecond(const Registry::Entry& entry, const XmlElement& element, const std::string& library) {
+void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library) {
+  if (library.empty()) {
+    return;
+  }
   const std::filesystem::path path(library);
   const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
   const std::string title = std::string(toString(entry.kind)) + " '" + entry.description.label;
@@ -103,8 +103,6 @@ void refuseSecond(const Registry::Entry& entry, const XmlElement& element, const
   }
 }
 
-}  // namespace
-
 const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
   if (!library.empty()) {
     needLibrary(library, element.attributeLocation("library"));
@@ -116,9 +114,7 @@ const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& 
   if (entry == nullptr) {
     element.refuse(unknownName(toString(kind), element.name(), Registry::instance().labels(kind)));
   }
-  if (!library.empty()) {
-    refuseSecond(*entry, element, library);
-  }
+  refuseSecondLibrary(*entry, element, library);
   return *entry;
 }
 

@@ -62,6 +62,11 @@ struct KnownNames {
   bool has(const std::string& name) const { return lookup.count(name) != 0; }
 };
 
+/// Which of two libraries with one label is meant must not depend on which was loaded first.
+/// @param library that the element asks for; "": any
+/// @throws ConfigError if it is not the one that has the plugin, for another with that label was first
+void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library);
+
 void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
 void readArena(const XmlElement& section, Reader& reader);

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "../stopwatch.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "tick.hpp"
 
 namespace swarmanoid::phases {
@@ -29,13 +30,13 @@ void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, con
   seconds.resize(engines.size());
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      engines[i]->readMirrors(space);
+      callPlugin("engine", engines[i]->id(), [&] { engines[i]->readMirrors(space); });
     }
   });
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       Stopwatch stopwatch;
-      engines[i]->move(space, space.clocktick);
+      callPlugin("engine", engines[i]->id(), [&] { engines[i]->move(space, space.clocktick); });
       stopwatch.lap(seconds[i]);
     }
   });

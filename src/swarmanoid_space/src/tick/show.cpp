@@ -1,4 +1,5 @@
 // Phase 7: visualisations, recorders and metrics look at the space; is the run finished?
+#include "swarmanoid_interface/user_code.hpp"
 #include "tick.hpp"
 
 namespace swarmanoid::phases {
@@ -6,8 +7,10 @@ namespace swarmanoid::phases {
 bool show(const Space& space, const std::vector<std::shared_ptr<Visualisation>>& visualisations) {
   bool finish_asked = false;
   for (const auto& visualisation : visualisations) {
-    visualisation->draw(space);
-    finish_asked = visualisation->terminate() || finish_asked;
+    callPlugin("visualisation", visualisation->id(), [&] {
+      visualisation->draw(space);
+      finish_asked = visualisation->terminate() || finish_asked;
+    });
   }
   return finish_asked;
 }
