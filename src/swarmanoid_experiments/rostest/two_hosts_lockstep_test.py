@@ -24,7 +24,7 @@ class TwoHostsLockstepTest(TwoHostsCase):
 
     def start(self, policy):
         self.hashes = self.folder / "hashes.txt"
-        self.launch(self.hosts.a, "run.launch", seed=1, max_ticks=TICKS, hashes=self.hashes, rviz="false",
+        self.launch(self.hosts.a, "run.launch", seed=1, allow_remote_files="true", max_ticks=TICKS, hashes=self.hashes, rviz="false",
                     paused="true", real_time_factor=0, on_end="stay", set="arena.eb.controller.source=remote")
         self.space = Space()
         self.events = Collector("/space/events", Event)

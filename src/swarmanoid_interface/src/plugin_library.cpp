@@ -2,6 +2,7 @@
 
 #include <dlfcn.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -14,6 +15,8 @@ namespace swarmanoid {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::atomic<bool> are_paths_allowed{true};
 
 std::vector<std::string> prefixes() {
   std::vector<std::string> result;
@@ -63,13 +66,18 @@ void open(const std::string& file, const std::string& library, const SourceLocat
 void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
                        const SourceLocation& location) {
   const bool is_file = library.find('/') != std::string::npos || fs::path(library).extension() == ".so";
+  if (is_file && !are_paths_allowed) {
+    throw ConfigError(location, "library '" + library +
+                                    "': found a file, allowed, as other computers reach the master: the name of an "
+                                    "installed library; or allow_remote_libraries:=true at start");
+  }
   std::error_code ignored;
   if (is_file && fs::exists(library, ignored)) {
     open(fs::absolute(library, ignored).string(), library, location);
     return;
   }
   const std::string name = is_file ? fs::path(library).filename().string() : "lib" + library + ".so";
-  std::vector<std::string> places = folders;
+  std::vector<std::string> places = are_paths_allowed ? folders : std::vector<std::string>();
   for (const std::string& prefix : prefixes()) {
     places.push_back(prefix + "/lib");
   }
@@ -89,6 +97,8 @@ void loadPluginLibrary(const std::string& library, const std::vector<std::string
   throw ConfigError(location, "library '" + library + "': found no " + name + " in " + searched +
                                   ", nor where the system's loader looks (" + reason + ")");
 }
+
+void allowLibrariesByPath(bool is_allowed) { are_paths_allowed = is_allowed; }
 
 std::vector<std::string> shareFolders() {
   std::vector<std::string> result;

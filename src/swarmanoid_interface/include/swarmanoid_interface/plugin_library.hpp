@@ -15,6 +15,10 @@ namespace swarmanoid {
 void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
                        const SourceLocation& location);
 
+/// Whether libraries may be named by their files, and be looked for in folders that an experiment file names; so it is
+/// at first. Else only what is installed is loaded. For the whole process, from now on.
+void allowLibrariesByPath(bool is_allowed);
+
 /// Folders that hold `share/` data of this installation, most important first: of the prefix that this library is in,
 /// then of every prefix of CMAKE_PREFIX_PATH. A devel space and an install space have the same layout.
 std::vector<std::string> shareFolders();

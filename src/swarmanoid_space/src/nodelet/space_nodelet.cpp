@@ -17,6 +17,7 @@
 #include "exposure.hpp"
 #include "lockstep_server.hpp"
 #include "recorder.hpp"
+#include "remote_rules.hpp"
 #include "robot_topics.hpp"
 #include "roslaunch_parent.hpp"
 #include "run_result.hpp"
@@ -25,6 +26,7 @@
 #include "space_parts.hpp"
 #include "space_services.hpp"
 #include "swarmanoid_interface/math_library.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/ros/log.hpp"
 #include "swarmanoid_interface/user_code_watch.hpp"
 
@@ -41,6 +43,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::unique_ptr<Simulation> build(Experiment experiment);
   void onChange(State state, const std::string& stop_reason);
   void onLoss(PluginKind kind, const std::string& id);
+  void guardAgainstOthers();
   void watchUsersCode();
   void keepWhatIsThere(const UserCodeEnd& end);
   void tellExitCode(ExitCode code);
@@ -75,12 +78,8 @@ void SpaceNodelet::onInit() {
     options_.exit_code = readExitCodeFile(getPrivateNodeHandle());
     options_ = readSpaceOptions(getPrivateNodeHandle());
     watchUsersCode();
+    guardAgainstOthers();
     Experiment experiment = readExperiment(options_);
-    const auto warning_of_others =
-        exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
-    if (warning_of_others) {
-      NODELET_WARN("%s", warning_of_others->c_str());
-    }
     for (const std::string& warning : takeExperimentWarnings()) {
       NODELET_WARN("%s", warning.c_str());
     }
@@ -104,6 +103,16 @@ void SpaceNodelet::onInit() {
     tellExitCode(ExitCode::kBadInput);
     throw std::runtime_error(reason);  // the manager reports the nodelet as not loaded
   }
+}
+
+void SpaceNodelet::guardAgainstOthers() {
+  const auto warning = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
+  const RemoteRules rules = remoteRules(warning.has_value());
+  if (warning) {
+    NODELET_WARN("%s", warning->c_str());
+  }
+  allowLibrariesByPath(rules.any_library);
+  checkFiles(options_, rules);
 }
 
 void SpaceNodelet::watchUsersCode() {

@@ -1,0 +1,71 @@
+#include "remote_rules.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/experiment_lookup.hpp"
+
+namespace swarmanoid {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// Links and dots are followed first, as far as there are such files.
+bool isIn(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path inner = fs::weakly_canonical(fs::absolute(file), error);
+  const fs::path outer = fs::weakly_canonical(folder, error);
+  return !error && std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
+}
+
+bool isInstalled(const std::string& experiment) {
+  const std::vector<std::string> folders = shareFolders();
+  const std::string file = findExperiment(experiment);
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) { return isIn(file, folder); });
+}
+
+}  // namespace
+
+RemoteRules remoteRules(bool is_reachable) {
+  RemoteRules rules;
+  rules.any_file = !is_reachable || environment("SWARMANOID_ALLOW_REMOTE_FILES") == "true";
+  rules.any_library = !is_reachable || environment("SWARMANOID_ALLOW_REMOTE_LIBRARIES") == "true";
+  rules.folder = environment("SWARMANOID_FOLDER");
+  return rules;
+}
+
+void checkFiles(const SpaceOptions& options, const RemoteRules& rules) {
+  if (rules.any_file) {
+    return;
+  }
+  const std::string here = rules.folder.empty() ? "" : "files in " + rules.folder;
+  const auto refuse = [](const std::string& parameter, const std::string& found, const std::string& allowed) {
+    throw ConfigError({}, "~" + parameter + ": found '" + found + "', allowed, as other computers reach the master: " +
+                              (allowed.empty() ? "nothing" : allowed) + "; or allow_remote_files:=true at start");
+  };
+  const auto check = [&](const std::string& parameter, const std::string& name, const std::string& folder) {
+    if (!name.empty() && (rules.folder.empty() || !isIn(fs::path(folder) / name, rules.folder))) {
+      refuse(parameter, name, here);
+    }
+  };
+  if (!isInstalled(options.experiment) &&
+      (rules.folder.empty() || !isIn(findExperiment(options.experiment), rules.folder))) {
+    refuse("experiment", options.experiment, "installed experiments" + (here.empty() ? "" : ", " + here));
+  }
+  check("out", options.out, "");
+  check("record", options.record, options.out);
+  check("hashes", options.hashes, options.out);
+  check("exit_code", options.exit_code, "");
+  if (options.write_anywhere) {
+    refuse("write_anywhere", "true", "false");
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,112 @@
+#include "../src/nodelet/remote_rules.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Two folders: the user started the process in one of them.
+class RemoteRulesTest : public testing::Test {
+ protected:
+  RemoteRulesTest() {
+    char name[] = "/tmp/remote_rules_XXXXXX";
+    folder = mkdtemp(name);
+    fs::create_directory(folder / "mine");
+    fs::create_directory(folder / "others");
+    std::ofstream(folder / "mine/experiment.xml") << "<ahss-config/>";
+    std::ofstream(folder / "others/experiment.xml") << "<ahss-config/>";
+    setenv("SWARMANOID_FOLDER", (folder / "mine").c_str(), 1);
+    unsetenv("SWARMANOID_ALLOW_REMOTE_FILES");
+    unsetenv("SWARMANOID_ALLOW_REMOTE_LIBRARIES");
+    options.experiment = folder / "mine/experiment.xml";
+    options.out = folder / "mine/results";
+  }
+  ~RemoteRulesTest() override {
+    fs::remove_all(folder);
+    allowLibrariesByPath(true);
+  }
+
+  std::string refusal() const {
+    try {
+      checkFiles(options, remoteRules(true));
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  }
+  std::string allowed(const std::string& what) const {
+    return "', allowed, as other computers reach the master: " + what + "; or allow_remote_files:=true at start";
+  }
+
+  fs::path folder;
+  SpaceOptions options;
+};
+
+TEST_F(RemoteRulesTest, FilesInTheFolderAreAllowed) {
+  options.record = "run.bag";
+  options.hashes = "sub/hashes.txt";
+  EXPECT_EQ(refusal(), "");
+}
+
+TEST_F(RemoteRulesTest, OthersAreRefusedByName) {
+  const std::string here = "files in " + (folder / "mine").string();
+  options.experiment = folder / "others/experiment.xml";
+  EXPECT_EQ(refusal(), "~experiment: found '" + options.experiment + allowed("installed experiments, " + here));
+  options.experiment = folder / "mine/../others/experiment.xml";
+  EXPECT_NE(refusal(), "") << "dots";
+  fs::create_symlink(folder / "others/experiment.xml", folder / "mine/link.xml");
+  options.experiment = folder / "mine/link.xml";
+  EXPECT_NE(refusal(), "") << "a link";
+  options.experiment = folder / "mine/experiment.xml";
+  options.record = "../../others/run.bag";
+  EXPECT_EQ(refusal(), "~record: found '../../others/run.bag" + allowed(here));
+  options.record.clear();
+  options.out = folder.string() + "/mine_too";
+  EXPECT_EQ(refusal(), "~out: found '" + options.out + allowed(here)) << "a name that begins alike";
+  options.out = folder / "mine";
+  options.write_anywhere = true;
+  EXPECT_EQ(refusal(), "~write_anywhere: found 'true" + allowed("false"));
+}
+
+TEST_F(RemoteRulesTest, AnythingIsAllowedWhereNobodyElseIsOrTheUserSaysSo) {
+  options.experiment = folder / "others/experiment.xml";
+  EXPECT_NO_THROW(checkFiles(options, remoteRules(false)));
+  setenv("SWARMANOID_ALLOW_REMOTE_FILES", "true", 1);
+  EXPECT_EQ(refusal(), "");
+  EXPECT_FALSE(remoteRules(true).any_library) << "files are no libraries";
+  setenv("SWARMANOID_ALLOW_REMOTE_FILES", "yes", 1);
+  EXPECT_NE(refusal(), "") << "one word says it";
+}
+
+TEST_F(RemoteRulesTest, LibrariesThatAreNotInstalledCanBeRefused) {
+  allowLibrariesByPath(false);
+  for (const char* library : {"/tmp/libmine.so", "libmine.so", "./mine"}) {
+    try {
+      loadPluginLibrary(library, {}, {"run.xml", 7});
+      FAIL() << library;
+    } catch (const ConfigError& error) {
+      EXPECT_EQ(std::string(error.what()),
+                "run.xml:7: library '" + std::string(library) +
+                    "': found a file, allowed, as other computers reach the master: the name of an "
+                    "installed library; or allow_remote_libraries:=true at start");
+    }
+  }
+  std::ofstream(folder / "mine/libmine.so") << "none";
+  try {
+    loadPluginLibrary("mine", {folder / "mine"}, {"run.xml", 7});
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("found no libmine.so in "), std::string::npos) << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid
