@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""fuzz.py files|images: runs the program on inputs that nobody would write, and looks how it ends.
+"""fuzz.py files|images|controllers: runs the program on inputs that nobody would write, and looks how it ends.
 
 No crash, no hang, no more memory than a machine has, an exit code that the pages know, and a reason for it. Inputs follow
 from seed and number of the case, so that any of them can be made again: what went wrong is kept in the folder."""
@@ -15,6 +15,7 @@ import tempfile
 
 import grammar
 import images
+import misbehaviour
 import mutations
 import program
 import sandbox
@@ -31,13 +32,14 @@ class Files:
         self._grammar = grammar.read_grammar(schema)
         self._sources = {file.stem: file.read_text() for file in EXPERIMENTS.glob("*.xml")}
 
-    def run(self, numbers, folder):
+    def run(self, numbers, folder, _):
         done, data = mutations.Mutator(self._grammar, self._sources, numbers).make()
         (folder / "case.xml").write_bytes(data)
         for image in EXPERIMENTS.glob("*.png"):
             shutil.copy(image, folder)
         arguments = ["run", "case.xml", "--quiet", "--ticks", "10", "--out", folder / "out"]
-        return done, program.run(arguments, folder)
+        ending = program.run(arguments, folder)
+        return done, ending, ending.trouble()
 
 
 class Images:
@@ -46,22 +48,22 @@ class Images:
     def __init__(self):
         self._good = next(EXPERIMENTS.glob("*.png")).read_bytes()
 
-    def run(self, numbers, folder):
+    def run(self, numbers, folder, _):
         done, data = images.make(numbers, self._good)
         (folder / "image.png").write_bytes(data)
         (folder / "case.xml").write_text(images.EXPERIMENT)
-        return done, program.run(["run", "case.xml", "--quiet", "--out", folder / "out"], folder)
+        ending = program.run(["run", "case.xml", "--quiet", "--out", folder / "out"], folder)
+        return done, ending, ending.trouble()
 
 
-SUBJECTS = {"files": Files, "images": Images}
+SUBJECTS = {"files": Files, "images": Images, "controllers": misbehaviour.Controllers}
 
 
 def run_case(subject, seed, number, folder):
     """@return what was wrong, or nothing"""
     place = folder / f"case_{number}"
     place.mkdir()
-    done, ending = subject.run(random.Random(f"{seed}/{number}"), place)
-    trouble = ending.trouble()
+    done, ending, trouble = subject.run(random.Random(f"{seed}/{number}"), place, number)
     if trouble:
         (place / "trouble.txt").write_text(f"{trouble}: {done}\n{ending.errors[-3000:]}\n")
     else:

@@ -14,7 +14,7 @@ LONGEST = 20.0  # [s]
 PATIENCE = 10.0  # [s] after which a run is interrupted: what is slow, but not stuck, ends then
 MOST_MEMORY = 2 * 2**30  # [bytes]
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
-REASON = re.compile(r"swarmanoid: .{8,}|.+: controller failed in tick \d+.*: .+")
+REASON = re.compile(r"swarmanoid: .{8,}|.+: controller failed( in tick \d+.*)?: .+")
 SANITIZER = re.compile(r"ERROR: AddressSanitizer|runtime error:|WARNING: ThreadSanitizer")
 
 

@@ -33,7 +33,7 @@ class MisbehavingTest(RoslaunchTest):
         """roslaunch of the world, which records a bag."""
         self.path = pathlib.Path(self.folder.name)
         (self.path / "world.xml").write_text(world(phase, deed, maxclock=10**6, **more))
-        return self.start("swarmanoid", "launch", str(self.path / "world.xml"), "rviz:=false", "record:=run.bag",
+        return self.start("swarmanoid", "launch", str(self.path / "world.xml"), "rviz:=false", "record:=run.bag", "force:=true",
                           *arguments)
 
     def call(self, service, request="{}"):
@@ -94,7 +94,7 @@ class MisbehavingTest(RoslaunchTest):
 
     def test_what_is_thrown_in_destroy_is_answered_and_the_run_goes_on(self):
         process = self.begin("destroy", "throw_int")
-        self.assertIn("reset, seed 1; the controller of 'fb_4' failed: destroy: threw the number 7", self.call("reset"))
+        self.assertIn("for the seed 0; the controller of 'fb_4' failed: destroy: threw the number 7", self.call("reset"))
         self.assertIn("1 done; the controller of 'fb_4' failed: destroy: threw the number 7",
                       self.call("set_command_source", "{names: [fb_4], source: none}"))
         self.assertIn("1 done", self.call("set_command_source", "{names: [fb_4], source: controller}"))

@@ -43,7 +43,7 @@ class TwoHostsTopicsTest(TwoHostsCase):
     def test_the_robot_stops_while_the_link_is_cut(self):
         configuration = self.folder / "fb_2.yaml"
         configuration.write_text(CONFIGURATION)
-        self.launch(self.hosts.a, "run.launch", experiment=EXPERIMENT, rviz="false", paused="true",
+        self.launch(self.hosts.a, "run.launch", experiment=EXPERIMENT, allow_remote_files="true", rviz="false", paused="true",
                     real_time_factor=1, on_end="stay")
         space = Space()
         self.events = Collector("/space/events", Event)

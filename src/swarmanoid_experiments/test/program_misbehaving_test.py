@@ -46,7 +46,7 @@ class MisbehavingTest(ProgramTest):
     def misbehave(self, phase, deed, *arguments, environment="", **more):
         """Runs the experiment to its end. @return exit code, summary or None, error stream"""
         (self.folder / "world.xml").write_text(world(phase, deed, **more))
-        done = subprocess.run(["swarmanoid", "run", "world.xml", "--quiet", *arguments], cwd=self.folder,
+        done = subprocess.run(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
                               env=dict(os.environ, MISBEHAVING=environment), timeout=TIMEOUT, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, encoding="utf-8", errors="replace", check=False)
         return done.returncode, json.loads(done.stdout) if done.stdout else None, done.stderr
@@ -54,7 +54,7 @@ class MisbehavingTest(ProgramTest):
     def start(self, phase, deed, *arguments, **more):
         (self.folder / "world.xml").write_text(world(phase, deed, **more))
         # Python starts children with SIGINT as it has it itself; the shell of a test may ignore it
-        process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", *arguments], cwd=self.folder,
+        process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
         for clean_up in (process.wait, process.stderr.close, process.stdout.close, process.kill):
             self.addCleanup(clean_up)
