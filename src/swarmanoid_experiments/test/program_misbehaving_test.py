@@ -245,7 +245,7 @@ class VisualisationTest(MisbehavingTest):
         more = (f'<misbehaving_visualisation id="bad" library="misbehaving_controllers"><phase>{phase}</phase>'
                 f'<deed>{deed}</deed></misbehaving_visualisation></visualisations>')
         file = self.world(text=world().replace("</visualisations>", more).replace("{", "{{"))
-        done = self.call("run", file, "--quiet")
+        done = self.call("run", file, "--quiet", "--force")
         return done.returncode, done.stderr, done.stdout
 
     def test_whatever_it_throws_stops_the_run_and_names_it(self):
@@ -295,7 +295,7 @@ class SurroundingsTest(MisbehavingTest):
         self.assert_refused(f"{file}:8: found the label 'misbehaving' in two libraries "
                             "(libmisbehaving_controllers.so, libtwin.so), allowed: one in a process", "run", file)
         file = self.world(text=text.replace("misbehaving_controllers", "./libtwin.so").replace("{", "{{"))
-        self.assertEqual(self.call("run", file, "--quiet").returncode, FINISHED)
+        self.assertEqual(self.call("run", file, "--quiet", "--force").returncode, FINISHED)
 
 
 if __name__ == "__main__":
