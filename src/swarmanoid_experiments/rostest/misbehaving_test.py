@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""Controllers that misbehave under roslaunch: the robot is named, what can be kept is kept, services answer."""
+"""Users' code that misbehaves under roslaunch: who it was is named, what can be kept is kept, services answer."""
 
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -14,7 +15,7 @@ import rosbag
 from roslaunch_process import LAUNCH_FOLDER, RoslaunchTest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "test"))
-from misbehaving_world import NAME, world
+from misbehaving_world import ENGINE, NAME, SENSOR, VISUALISATION, world, world_with
 
 LIMIT = 60.0  # [s]
 
@@ -29,10 +30,11 @@ class MisbehavingTest(RoslaunchTest):
         self.addCleanup(process.kill)
         return process
 
-    def begin(self, phase, deed, *arguments, **more):
-        """roslaunch of the world, which records a bag."""
+    def begin(self, phase, deed, *arguments, who=None, **more):
+        """roslaunch of the world, which records a bag. @param who: a plugin that is no controller"""
         self.path = pathlib.Path(self.folder.name)
-        (self.path / "world.xml").write_text(world(phase, deed, maxclock=10**6, **more))
+        text = world(phase, deed, maxclock=10**6, **more) if who is None else world_with(who, phase, deed, maxclock=10**6)
+        (self.path / "world.xml").write_text(text)
         return self.start("swarmanoid", "launch", str(self.path / "world.xml"), "rviz:=false", "record:=run.bag", "force:=true",
                           *arguments)
 
@@ -71,6 +73,30 @@ class MisbehavingTest(RoslaunchTest):
                 self.assertEqual(3, code, output)
                 self.assertIn(f"swarmanoid: {what} in step of {NAME}, tick 3\n", output)
                 self.assert_bag(3)
+
+    def test_a_crash_of_other_plugins_names_them_and_keeps_the_bag(self):
+        for who, phase, deed, what in ((ENGINE, "move", "assert", "crashed: SIGABRT"),
+                                       (ENGINE, "connect", "segv_read", "crashed: SIGSEGV"),
+                                       (SENSOR, "sense", "exit_0", "called exit"),
+                                       (VISUALISATION, "draw", "segv_write", "crashed: SIGSEGV")):
+            with self.subTest(who=who, phase=phase, deed=deed):
+                code, output = self.end_of(self.begin(phase, deed, who=who))
+                self.assertEqual(4, code, output)
+                reason = f"{what} in {phase} of {who}, tick 3"
+                self.assertIn(f"swarmanoid: {reason}\n", output)
+                self.assertRegex(output, f"stopped after 3 ticks in .* s \\({re.escape(reason)}\\)")
+                self.assertNotIn("the controller of", output)
+                # what records comes after the experiment's visualisations
+                self.assert_bag(2 if who == VISUALISATION else 3)
+
+    def test_services_answer_while_an_engine_is_late(self):
+        process = self.begin("move", "loop", "watchdog:=12", who=ENGINE)
+        self.assertIn(f"busy in move of {ENGINE}, tick 3 since", self.wait_for("pause", "busy in"))
+        code, output = self.end_of(process)
+        self.assertEqual(4, code, output)
+        self.assertIn(f"late: move of {ENGINE}, tick 3 has taken 5 s so far", output)
+        self.assertIn(f"swarmanoid: watchdog: more than 12 s in move of {ENGINE}, tick 3\n", output)
+        self.assert_bag(3)
 
     def test_an_endless_step_is_told_of_and_services_answer(self):
         process = self.begin("step", "loop")

@@ -1,4 +1,4 @@
-"""What the tests of misbehaving controllers share: four footbots, of which the last one misbehaves."""
+"""What the tests of users' code that misbehaves share: four footbots, of which the last one misbehaves, or a plugin does."""
 
 ROBOTS = ("fb_1", "fb_2", "fb_3", "fb_4")
 WORLD = """<ahss-config>
@@ -27,3 +27,25 @@ def world(phase="never", deed="nothing", tick=3, maxclock=20, threads=1, only="f
     members = "".join(f'<entity id="{name}"/>' for name in ROBOTS)
     return WORLD.format(phase=phase, deed=deed, tick=tick, maxclock=maxclock, threads=threads, robots=robots,
                         members=members, only=only)
+
+
+# plugins that are no controllers, as they are named when one of their calls does not return
+ENGINE = "engine 'bad' (misbehaving_engine)"
+VISUALISATION = "visualisation 'bad' (misbehaving_visualisation)"
+SENSOR = "sensor 'footbot_gripper_state' of controller 'mc'"
+ACTUATOR = "actuator 'footbot_leds' of controller 'mc'"
+PLACES = {  # what stands before each, and what it is
+    ENGINE: ("<engines>", '<misbehaving_engine id="bad" library="misbehaving_controllers">{}</misbehaving_engine>'),
+    VISUALISATION: ("<visualisations>", '<misbehaving_visualisation id="bad" library="misbehaving_controllers">{}'
+                                        "</misbehaving_visualisation>"),
+    SENSOR: ('library="misbehaving_controllers">', "<sensors><footbot_gripper_state><implementation>misbehaving"
+                                                   "</implementation>{}</footbot_gripper_state></sensors>"),
+    ACTUATOR: ("<actuators>", "<footbot_leds><implementation>misbehaving</implementation>{}</footbot_leds>"),
+}
+
+
+def world_with(who, phase, deed, **more):
+    """Likewise, all controllers behave, but a plugin that is in front of all others of its kind does not."""
+    before, plugin = PLACES[who]
+    told = f"<phase>{phase}</phase><deed>{deed}</deed>"
+    return world(**more).replace(before, before + plugin.format(told))

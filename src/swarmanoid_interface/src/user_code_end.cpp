@@ -31,6 +31,7 @@ std::atomic<void (*)()> wake_watch{nullptr};
 std::atomic<pid_t> watched_process{0};
 std::atomic<bool> is_ordered{false};
 std::atomic<bool> is_order_ready{false};
+std::atomic<bool> is_ending{false};
 std::atomic<int> last_exit_code{kControllerFailed};
 Order the_order;
 __attribute__((tls_model("initial-exec"))) thread_local bool is_watch = false;
@@ -76,11 +77,11 @@ bool isWatchedProcess() { return getpid() == watched_process; }  // not a child 
     say(deed, code);
     the_order = {deed, code};
     is_order_ready = true;
-    endSoon(kControllerFailed);
+    endSoon(exitCodeOf(code));
     if (const auto wake = wake_watch.load()) {
       wake();
     } else {
-      _exit(kControllerFailed);
+      _exit(exitCodeOf(code));
     }
   }
   standStill();
@@ -93,6 +94,14 @@ void endByDefault(int signal) {
   raise(signal);  // which comes when the handler is left
 }
 
+/// On the watch's thread, which calls users' code only then.
+void endClosing(const char* deed) {
+  if (is_watch && is_ending) {
+    say({"swarmanoid: ", deed, " while files were completed\n"});
+    _exit(last_exit_code);
+  }
+}
+
 void onCrash(int signal) {
   const char* deed = "";
   for (const Crash& crash : kCrashes) {
@@ -101,10 +110,10 @@ void onCrash(int signal) {
   const UserCode code = ownUserCode();
   if (!isWatchedProcess()) {
     endByDefault(signal);
-  } else if (is_watch && is_order_ready) {
-    say({"swarmanoid: ", deed, " while files were completed\n"});
-    _exit(last_exit_code);
-  } else if (code.phase == nullptr) {
+    return;
+  }
+  endClosing(deed);
+  if (code.phase == nullptr) {
     say({"swarmanoid: ", deed, " in the simulator (this thread is not in users' code)\n"});
     endByDefault(signal);
   } else {
@@ -115,6 +124,7 @@ void onCrash(int signal) {
 void onExit(const char* deed) {
   const UserCode code = ownUserCode();
   if (code.phase != nullptr && isWatchedProcess()) {
+    endClosing(deed);
     order(deed, code);
   }
 }
@@ -152,6 +162,7 @@ const Order* order() { return is_order_ready ? &the_order : nullptr; }
 
 void endSoon(int exit_code) {
   last_exit_code = exit_code;
+  is_ending = true;
   struct sigaction action {};
   action.sa_handler = onLastResort;
   sigaction(SIGALRM, &action, nullptr);

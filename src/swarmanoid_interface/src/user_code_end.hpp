@@ -9,7 +9,11 @@
 namespace swarmanoid::user_code_end {
 
 constexpr int kControllerFailed = 3;  ///< exit codes, as those of the program
+constexpr int kStopped = 4;
 constexpr int kInterrupted = 130;
+
+/// Of a process that ends because this call has failed.
+constexpr int exitCodeOf(const UserCode& code) { return code.is_controllers ? kControllerFailed : kStopped; }
 
 /// What the watch's thread is to do. Written by one thread, once; what `code` points to stays.
 struct Order {

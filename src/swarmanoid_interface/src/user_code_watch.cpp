@@ -153,7 +153,7 @@ void Watch::run() {
     until.tv_nsec %= kSecond;
     sem_timedwait(&wake, &until);
     if (const user_code_end::Order* order = user_code_end::order()) {
-      endWith(order->deed, &order->code, user_code_end::kControllerFailed);
+      endWith(order->deed, &order->code, user_code_end::exitCodeOf(order->code));
     }
     const auto now = Clock::now();
     // of a process that was stopped meanwhile no more than this
@@ -199,7 +199,8 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
     latest = LateCall{text, sight.seconds};
   }
   if (is_watchdog_due) {
-    endWith("watchdog: more than " + secondsText(options_.watchdog), &owned.code, user_code_end::kControllerFailed);
+    endWith("watchdog: more than " + secondsText(options_.watchdog), &owned.code,
+            user_code_end::exitCodeOf(owned.code));
   }
 }
 
@@ -228,13 +229,15 @@ void Watch::tell(const std::string& text) const {
 
 void Watch::serveAsked(double passed) {
   asked_seconds_ += passed;
+  const bool is_over = asked_seconds_ >= kEndsByItself;
   for (std::size_t i = 0; i < sights_.size(); ++i) {
     OwnedCode owned;
-    if (sights_[i].seconds >= kStuck && copy(userCallNotes()[i], sights_[i], owned)) {
+    if (sights_[i].seconds >= kStuck && copy(userCallNotes()[i], sights_[i], owned) &&
+        (owned.code.is_controllers || is_over)) {
       endWith("interrupted", &owned.code, user_code_end::kInterrupted);
     }
   }
-  if (asked_seconds_ >= kEndsByItself) {
+  if (is_over) {
     std::fprintf(stderr, "swarmanoid: interrupted again; does not end by itself\n");
     endWith("interrupted", nullptr, user_code_end::kInterrupted);
   }
@@ -250,7 +253,7 @@ void Watch::endWith(const std::string& deed, const UserCode* code, int exit_code
     const std::lock_guard<std::mutex> lock(closings_mutex_);
     for (const auto& [number, close] : closings_) {
       try {
-        close({std::string(code->robot), reason, exit_code});
+        close({std::string(code->robot), std::string(code->part), reason, exit_code});
       } catch (...) {
         std::fprintf(stderr, "swarmanoid: %s\n", describeException().c_str());
       }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <signal.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <thread>
 
@@ -24,6 +25,8 @@ TEST(UserCodeTest, IsDescribedByWhatThereIs) {
   EXPECT_EQ("init of robot 'fb_3' (controller 'drive')", describe({"init", "controller 'drive'", "fb_3"}));
   EXPECT_EQ("loading of library 'drive'", describe({"loading", "library 'drive'", ""}));
   EXPECT_EQ("step of robot 'fb_3' (controller 'drive'), tick 0", describe({"step", "controller 'drive'", "fb_3", 0}));
+  EXPECT_EQ("move of engine 'ground' (kinematics2d), tick 17",
+            describe({"move", "engine 'ground' (kinematics2d)", "", 17, false}));
 }
 
 TEST(UserCodeTest, WhateverIsThrownHasAText) {
@@ -42,6 +45,19 @@ TEST(UserCodeTest, OnlyWhatIsNoExceptionIsTurnedIntoOne) {
   EXPECT_EQ(3, callUserCode(kStep, [] { return 3; }));
   EXPECT_THROW(callUserCode(kStep, [] { throw std::out_of_range("far"); }), std::out_of_range);
   EXPECT_THROW(callUserCode(kStep, [] { throw 1; }), std::runtime_error);
+}
+
+TEST(UserCodeTest, PluginsThatAreNoControllersAreNotedAndNamed) {
+  const std::string part = "engine 'ground' (kinematics2d)";
+  EXPECT_EQ(3, callPlugin("move", part, 17, [&] {
+              EXPECT_EQ("move of " + part + ", tick 17", describe(ownUserCode()));
+              EXPECT_FALSE(ownUserCode().is_controllers);
+              return 3;
+            }));
+  EXPECT_EQ(nullptr, ownUserCode().phase);
+  EXPECT_THROW(callPlugin("move", part, 17, [] { throw std::out_of_range("far"); }), std::out_of_range);
+  EXPECT_EQ(part + " threw the number 1, which is no std::exception",
+            failureOf(kStep, [&] { callPlugin("move", part, 17, [] { throw 1; }); }));
 }
 
 TEST(UserCodeTest, TheInnermostCallIsNotedUntilItReturnsOrThrows) {
@@ -87,7 +103,8 @@ class UserCodeDeathTest : public testing::Test {
 void die(const std::function<void()>& deed) {
   const UserCodeWatch watch({});
   const UserCodeWatch::Closing closing(const_cast<UserCodeWatch&>(watch), [](const UserCodeEnd& end) {
-    std::fprintf(stderr, "closed for %s, %d\n", end.robot.c_str(), end.exit_code);
+    std::fprintf(stderr, "closed for %s, %d\n", end.robot.empty() ? end.part.c_str() : end.robot.c_str(),
+                 end.exit_code);
   });
   deed();
 }
@@ -99,6 +116,14 @@ TEST_F(UserCodeDeathTest, InUsersCodeItIsNamedAndFilesAreClosed) {
   EXPECT_EXIT(inStep([] { std::abort(); }), testing::ExitedWithCode(3), "crashed: SIGABRT" + closed);
   EXPECT_EXIT(inStep([] { std::exit(0); }), testing::ExitedWithCode(3), "called exit" + closed);
   EXPECT_EXIT(inStep([] { std::quick_exit(0); }), testing::ExitedWithCode(3), "called quick_exit" + closed);
+}
+
+TEST_F(UserCodeDeathTest, APluginThatIsNoControllerHasAnExitCodeOfItsOwn) {
+  const auto inMove = [](void (*deed)()) { die([deed] { callPlugin("move", "engine 'ground'", 17, deed); }); };
+  const std::string closed = " in move of engine 'ground', tick 17\nclosed for engine 'ground', 4\n";
+  EXPECT_EXIT(inMove([] { raise(SIGSEGV); }), testing::ExitedWithCode(4), "crashed: SIGSEGV" + closed);
+  EXPECT_EXIT(inMove([] { std::abort(); }), testing::ExitedWithCode(4), "crashed: SIGABRT" + closed);
+  EXPECT_EXIT(inMove([] { std::exit(0); }), testing::ExitedWithCode(4), "called exit" + closed);
 }
 
 TEST_F(UserCodeDeathTest, ElsewhereItIsTheSimulator) {
@@ -118,6 +143,14 @@ TEST_F(UserCodeDeathTest, AClosingThatCrashesIsNoReasonToStay) {
     failureOf(kStep, [] { raise(SIGSEGV); });
   };
   EXPECT_EXIT(crashTwice(), testing::ExitedWithCode(3), "crashed: SIGSEGV while files were completed");
+  const auto crashInAnotherPlugin = [] {
+    UserCodeWatch watch({nullptr, 0.1});
+    const UserCodeWatch::Closing closing(watch, [](const UserCodeEnd&) {
+      callPlugin("finish", "visualisation 'table'", UserCode::kNoTick, [] { raise(SIGSEGV); });
+    });
+    failureOf(kStep, [] { std::this_thread::sleep_for(std::chrono::hours(1)); });
+  };
+  EXPECT_EXIT(crashInAnotherPlugin(), testing::ExitedWithCode(3), "crashed: SIGSEGV while files were completed");
 }
 
 TEST_F(UserCodeDeathTest, WithoutAWatchSignalsAreLeftAlone) {

@@ -19,11 +19,28 @@
 
 namespace swarmanoid {
 
+/// A plugin, and what people are told that it is (UserCode::part): "engine 'ground' (dynamics2d)".
+template <class Plugin>
+struct Named {
+  std::shared_ptr<Plugin> plugin;
+  std::string part;
+
+  Plugin* get() const { return plugin.get(); }
+  Plugin* operator->() const { return plugin.get(); }
+  Plugin& operator*() const { return *plugin; }
+};
+
+/// A visualisation, and how far it has come.
+struct Viewer : Named<Visualisation> {
+  bool is_finished = false;  ///< or about to be
+  bool is_given_up = false;  ///< a call of it does not return
+};
+
 /// One controller configuration of the experiment, with the devices that all its robots share.
 struct ControllerGroup {
   const ControllerDescription* description = nullptr;
-  std::vector<std::shared_ptr<Sensor>> sensors;
-  std::vector<std::shared_ptr<Actuator>> actuators;
+  std::vector<Named<Sensor>> sensors;
+  std::vector<Named<Actuator>> actuators;
   std::function<std::shared_ptr<Controller>()> make;
   std::string part;  ///< what `make` makes, as UserCode has it
 };
@@ -69,16 +86,18 @@ struct Simulation::Cast {
   explicit Cast(int threads) : workers(threads) {}
 
   Workers workers;
-  std::vector<std::shared_ptr<Engine>> engines;
+  std::vector<Named<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
   std::vector<Driver> drivers;           ///< by entity number
   std::vector<std::vector<Seat>> seats;  ///< by entity row
   std::vector<HandoverWatch> watches;    ///< by entity number, then as in the file
-  std::vector<std::shared_ptr<Visualisation>> visualisations;
+  std::vector<Viewer> viewers;
   std::vector<Row> faulty;  ///< scratch of `actuate`
   Lockstep lockstep;
 
   Engine* findEngine(const std::string& id) const;
+  /// As UserCode has it. @pre it is one of the engines
+  const std::string& partOf(const Engine& engine) const;
   ControllerGroup* findGroup(const std::string& id) const;
   /// @return null for who has no controller, and for kNoRow
   Driver* findDriver(const Entities& entities, Row row);

@@ -165,7 +165,7 @@ void checkPosition(const std::string& what, const Eigen::Vector3d& position, con
 }
 
 std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& claims,
-                        const std::vector<std::shared_ptr<Engine>>& engines) {
+                        const std::vector<Named<Engine>>& engines) {
   std::vector<Seat> seats;
   bool is_moved = false;
   const bool has_mover =

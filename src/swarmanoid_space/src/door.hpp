@@ -34,6 +34,6 @@ struct Claim {
 /// The seats of an entity.
 /// @throws ConfigError for an engine that does not exist or stands there twice, and for two that would move the entity
 std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& claims,
-                        const std::vector<std::shared_ptr<Engine>>& engines);
+                        const std::vector<Named<Engine>>& engines);
 
 }  // namespace swarmanoid::door

@@ -66,7 +66,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   if (space_.tick >= experiment_.framework.max_clock) {
     space_.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
-  finish_asked_ = phases::show(space_, cast_->visualisations);
+  finish_asked_ = phases::show(space_, cast_->viewers);
   stopwatch.lap(phase_times_.show);
   if (stopwatch.last() >= next_flush_) {
     double seconds = 0.0;
@@ -118,7 +118,7 @@ void Simulation::start() {
   phases::index(space_);
   space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
-  finish_asked_ = phases::show(space_, cast_->visualisations);
+  finish_asked_ = phases::show(space_, cast_->viewers);
   flush();
 }
 
@@ -129,11 +129,12 @@ bool Simulation::isFinished() const {
 namespace {
 
 /// One that cannot write its file must not keep the others from writing theirs.
-void callAll(const std::vector<std::shared_ptr<Visualisation>>& visualisations, void (Visualisation::*function)()) {
+template <class Action>
+void callAll(std::vector<Viewer>& viewers, const char* phase, Action action) {
   std::exception_ptr first_problem;
-  for (const auto& visualisation : visualisations) {
+  for (Viewer& viewer : viewers) {
     try {
-      callPlugin("visualisation", visualisation->id(), [&] { (*visualisation.*function)(); });
+      callPlugin(phase, viewer.part, UserCode::kNoTick, [&] { action(viewer); });
     } catch (...) {
       first_problem = first_problem ? first_problem : std::current_exception();
     }
@@ -147,16 +148,26 @@ void callAll(const std::vector<std::shared_ptr<Visualisation>>& visualisations, 
 
 void Simulation::flush() {
   next_flush_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  callAll(cast_->visualisations, &Visualisation::flush);
+  callAll(cast_->viewers, "flush", [](Viewer& viewer) { viewer->flush(); });
 }
 
 void Simulation::finish() {
-  if (!finished_) {
-    finished_ = true;
-    // a run that has not begun has nothing to complete, and may not touch the files of an older one
-    if (is_started_) {
-      callAll(cast_->visualisations, &Visualisation::finish);
+  finished_ = true;
+  // a run that has not begun has nothing to complete, and may not touch the files of an older one
+  if (!is_started_) {
+    return;
+  }
+  callAll(cast_->viewers, "finish", [](Viewer& viewer) {
+    if (!viewer.is_finished && !viewer.is_given_up) {
+      viewer.is_finished = true;  // before the call: if that does not return, the others are still to be called
+      viewer->finish();
     }
+  });
+}
+
+void Simulation::giveUp(const std::string& part) {
+  for (Viewer& viewer : cast_->viewers) {
+    viewer.is_given_up = viewer.is_given_up || viewer.part == part;
   }
 }
 
@@ -164,16 +175,18 @@ std::size_t Simulation::robotCount() const { return cast_->drivers.size(); }
 
 Metrics Simulation::metrics() const {
   Metrics metrics;
-  for (const auto& visualisation : cast_->visualisations) {
-    visualisation->addMetrics(metrics);
+  for (const Viewer& viewer : cast_->viewers) {
+    if (!viewer.is_given_up) {
+      viewer->addMetrics(metrics);
+    }
   }
   return metrics;
 }
 
 std::optional<bool> Simulation::success() const {
   std::optional<bool> result;
-  for (const auto& visualisation : cast_->visualisations) {
-    if (const auto judged = visualisation->success()) {
+  for (const Viewer& viewer : cast_->viewers) {
+    if (const auto judged = viewer.is_given_up ? std::nullopt : viewer->success()) {
       result = result.value_or(true) && *judged;
     }
   }
@@ -181,7 +194,8 @@ std::optional<bool> Simulation::success() const {
 }
 
 void Simulation::addVisualisation(std::shared_ptr<Visualisation> visualisation) {
-  cast_->visualisations.push_back(std::move(visualisation));
+  const std::string part = "visualisation '" + visualisation->id() + "'";
+  cast_->viewers.push_back({{std::move(visualisation), part}});
 }
 
 void Simulation::setLogSink(Robot::LogSink sink) {
@@ -198,6 +212,10 @@ Engine* Simulation::Cast::findEngine(const std::string& id) const {
     }
   }
   return nullptr;
+}
+
+const std::string& Simulation::Cast::partOf(const Engine& engine) const {
+  return std::find_if(engines.begin(), engines.end(), [&](const auto& known) { return known.get() == &engine; })->part;
 }
 
 ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {

@@ -14,15 +14,23 @@ namespace swarmanoid {
 namespace {
 
 /// @throws ConfigError for whatever the plugin throws
-template <class Part, class... Arguments>
-void configure(Part& part, const std::string& title, const SourceLocation& location, const Arguments&... arguments) {
+template <class Plugin, class... Arguments>
+void configure(const Named<Plugin>& plugin, const SourceLocation& location, const Arguments&... arguments) {
+  const UserCall call({"configure", plugin.part, "", UserCode::kNoTick, false});
   try {
-    part.configure(arguments...);
+    plugin->configure(arguments...);
   } catch (const ConfigError&) {
     throw;
   } catch (...) {
-    throw ConfigError(location, title + " cannot be configured: " + describeException());
+    throw ConfigError(location, plugin.part + " cannot be configured: " + describeException());
   }
+}
+
+/// A new one, not yet configured.
+template <class Plugin>
+Named<Plugin> makeDevice(PluginKind kind, const DeviceDescription& device, const std::string& controller) {
+  return {makePlugin<Plugin>(*Registry::instance().find(kind, device.type, device.implementation)),
+          std::string(toString(kind)) + " '" + device.type + "' of controller '" + controller + "'"};
 }
 
 /// @throws ConfigError if there are more than memory can be expected to hold
@@ -61,10 +69,10 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   build();
   for (const VisualisationDescription& description : experiment_.visualisations) {
     const auto* entry = Registry::instance().find(PluginKind::kVisualisation, description.label);
-    auto visualisation = makePlugin<Visualisation>(*entry);
-    configure(*visualisation, "visualisation '" + description.id + "'", description.location, description.id,
-              description.parameters, context_);
-    cast_->visualisations.push_back(std::move(visualisation));
+    const Viewer viewer{{makePlugin<Visualisation>(*entry),
+                         "visualisation '" + description.id + "' (" + description.label + ")"}};
+    configure(viewer, description.location, description.id, description.parameters, context_);
+    cast_->viewers.push_back(viewer);
   }
 }
 
@@ -83,14 +91,14 @@ Simulation::~Simulation() {
 
 void Simulation::buildEngines() {
   for (const EngineDescription& description : experiment_.engines) {
+    const std::string part = "engine '" + description.id + "' (" + description.label + ")";
     const auto supplied = supplied_.engines.find(description.id);
     if (supplied != supplied_.engines.end()) {
-      cast_->engines.push_back(supplied->second);
+      cast_->engines.push_back({supplied->second, part});
     } else {
-      auto engine = makePlugin<Engine>(*Registry::instance().find(PluginKind::kEngine, description.label));
-      configure(*engine, "engine '" + description.id + "'", description.location, description.id,
-                description.parameters);
-      cast_->engines.push_back(std::move(engine));
+      const auto* entry = Registry::instance().find(PluginKind::kEngine, description.label);
+      cast_->engines.push_back({makePlugin<Engine>(*entry), part});
+      configure(cast_->engines.back(), description.location, description.id, description.parameters);
     }
     const std::string problem = cast_->engines.back()->clocktickRefusal(experiment_.framework.clocktick);
     if (!problem.empty()) {
@@ -124,14 +132,12 @@ void Simulation::buildControllerGroups() {
     auto group = std::make_unique<ControllerGroup>();
     group->description = &description;
     for (const DeviceDescription& device : description.sensors) {
-      const auto* entry = Registry::instance().find(PluginKind::kSensor, device.type, device.implementation);
-      group->sensors.push_back(makePlugin<Sensor>(*entry));
-      configure(*group->sensors.back(), "sensor '" + device.type + "'", device.location, device.parameters);
+      group->sensors.push_back(makeDevice<Sensor>(PluginKind::kSensor, device, description.id));
+      configure(group->sensors.back(), device.location, device.parameters);
     }
     for (const DeviceDescription& device : description.actuators) {
-      const auto* entry = Registry::instance().find(PluginKind::kActuator, device.type, device.implementation);
-      group->actuators.push_back(makePlugin<Actuator>(*entry));
-      configure(*group->actuators.back(), "actuator '" + device.type + "'", device.location, device.parameters);
+      group->actuators.push_back(makeDevice<Actuator>(PluginKind::kActuator, device, description.id));
+      configure(group->actuators.back(), device.location, device.parameters);
     }
     group->part = controllerPart(description.id, description.label);
     const auto supplied = supplied_.controllers.find(description.id);

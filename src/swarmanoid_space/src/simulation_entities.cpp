@@ -80,7 +80,8 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Sea
     throw;
   }
   for (const Seat& seat : seats) {
-    seat.engine->add(space_, row, seat.role);
+    callPlugin("add", cast_->partOf(*seat.engine), UserCode::kNoTick,
+               [&] { seat.engine->add(space_, row, seat.role); });
     cast_->seats[i].push_back(seat);
     if (seat.role == Role::kMove) {
       space_.mover[i] = seat.engine;
@@ -160,7 +161,7 @@ void Simulation::removeEntity(Row row) {
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
   for (const Seat& seat : cast_->seats[i]) {
-    seat.engine->remove(space_, row);
+    callPlugin("remove", cast_->partOf(*seat.engine), UserCode::kNoTick, [&] { seat.engine->remove(space_, row); });
   }
   cast_->seats[i].clear();
   space_.mover[i] = nullptr;

@@ -1,5 +1,6 @@
 // What comes from outside, between ticks.
 #include "door.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/limits.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
@@ -80,8 +81,9 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   }
   restoreEngineParameters();
   build();
-  for (const auto& visualisation : cast_->visualisations) {
-    visualisation->reset();
+  for (Viewer& viewer : cast_->viewers) {
+    viewer.is_finished = false;
+    callPlugin("reset", viewer.part, UserCode::kNoTick, [&] { viewer->reset(); });
   }
   start();
 }

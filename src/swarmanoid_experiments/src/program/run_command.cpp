@@ -77,8 +77,9 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
-/// Files and summary of a run that ends in the middle of a controller's call.
+/// Files and summary of a run that ends in the middle of a plugin's call.
 void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& end) {
+  simulation.giveUp(end.part);
   try {
     simulation.finish();
   } catch (...) {
@@ -221,7 +222,7 @@ Command addRunCommand(CLI::App& app) {
                    "robots whose controllers can be replayed from the bag: names separated by spaces, all or none")
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
-  command->add_option("--watchdog", options->watchdog, "end the run when one call of a controller takes longer [s]")
+  command->add_option("--watchdog", options->watchdog, "end the run when one call of a controller or another plugin takes longer [s]")
       ->check(refuseBadWatchdog);
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");

@@ -23,6 +23,10 @@
 
 #include "swarmanoid_interface/configuration.hpp"
 
+// what assert() calls; its header hides it from builds without assertions, but libraries have theirs
+extern "C" [[noreturn]] void __assert_fail(const char* assertion, const char* file, unsigned line,
+                                           const char* function) noexcept;
+
 namespace swarmanoid::test {
 namespace {
 
@@ -226,6 +230,7 @@ const std::map<std::string, Deed>& table() {
       {"fpe", divideByZero},
       {"ill", [] { __builtin_trap(); }},
       {"abort", [] { std::abort(); }},
+      {"assert", [] { __assert_fail("area > b2_epsilon", "b2_polygon_shape.cpp", 123, "ComputeMass"); }},
       {"free_twice", freeTwice},
       {"spoil_heap", spoilTheHeap},
       {"pure_virtual", [] { abi::__cxa_pure_virtual(); }},
@@ -276,6 +281,34 @@ void commit(const std::string& deed) {
     throw std::runtime_error("no such deed as '" + deed + "'; there are: " + joinNames(deeds()));
   }
   found->second();
+}
+
+std::vector<Parameter> Misdeed::parameters() {
+  std::vector<Parameter> parameters;
+  for (const char* name : {"phase", "deed"}) {
+    Parameter parameter;
+    parameter.name = name;
+    parameter.description = "What it does, and when.";
+    parameters.push_back(parameter);
+  }
+  return parameters;
+}
+
+void Misdeed::configure(const Configuration& parameters) {
+  phase_ = parameters.text("phase");
+  deed_ = parameters.text("deed");
+}
+
+void Misdeed::tryIn(const std::string& phase) const {
+  if (phase_ == phase) {
+    commit(deed_);
+  }
+}
+
+void Misdeed::tryIn(const std::string& phase, std::uint64_t tick) const {
+  if (tick == kTick) {
+    tryIn(phase);
+  }
 }
 
 }  // namespace swarmanoid::test

@@ -1,8 +1,12 @@
-/// What a controller must not do, by name.
+/// What users' code must not do, by name.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid::test {
 
@@ -12,5 +16,21 @@ void commit(const std::string& deed);
 
 /// All names, sorted.
 std::vector<std::string> deeds();
+
+/// What a plugin that is no controller has been told to do by its parameters: `phase`, a function of it, and `deed`.
+class Misdeed {
+ public:
+  static constexpr std::uint64_t kTick = 3;
+
+  static std::vector<Parameter> parameters();
+  void configure(const Configuration& parameters);
+  void tryIn(const std::string& phase) const;
+  /// Only in that tick.
+  void tryIn(const std::string& phase, std::uint64_t tick) const;
+
+ private:
+  std::string phase_;
+  std::string deed_;
+};
 
 }  // namespace swarmanoid::test

@@ -1,4 +1,4 @@
-// The same for a visualisation. phase: configure, draw (after tick 3), finish; deed: one of deeds.cpp.
+// The same for a visualisation. phase: configure, draw (after tick 3), flush, finish; deed: one of deeds.cpp.
 #include <string>
 
 #include "deeds.hpp"
@@ -13,40 +13,22 @@ class MisbehavingVisualisation final : public Visualisation {
     PluginDescription description;
     description.label = "misbehaving_visualisation";
     description.summary = "Misbehaves.";
-    for (const char* name : {"phase", "deed"}) {
-      Parameter parameter;
-      parameter.name = name;
-      parameter.description = "What it does, and when.";
-      description.parameters.push_back(parameter);
-    }
+    description.parameters = Misdeed::parameters();
     return description;
   }
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext&) override {
     id_ = id;
-    phase_ = parameters.text("phase");
-    deed_ = parameters.text("deed");
-    tryIn("configure");
+    misdeed_.configure(parameters);
+    misdeed_.tryIn("configure");
   }
 
-  void draw(const Space& space) override {
-    constexpr std::uint64_t kTick = 3;
-    if (space.tick == kTick) {
-      tryIn("draw");
-    }
-  }
-
-  void finish() override { tryIn("finish"); }
+  void draw(const Space& space) override { misdeed_.tryIn("draw", space.tick); }
+  void flush() override { misdeed_.tryIn("flush"); }
+  void finish() override { misdeed_.tryIn("finish"); }
 
  private:
-  void tryIn(const std::string& phase) const {
-    if (phase_ == phase) {
-      commit(deed_);
-    }
-  }
-
-  std::string phase_;
-  std::string deed_;
+  Misdeed misdeed_;
 };
 
 }  // namespace

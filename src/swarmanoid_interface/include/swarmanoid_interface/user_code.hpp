@@ -1,8 +1,9 @@
 /// The boundary between the suite and users' code. Whose code is called is noted for as long as the call lasts, and
-/// whatever it throws is caught: every call of a controller, and the loading of every library, goes through here.
+/// whatever it throws is caught: every call of a controller, the loading of every library, and the calls of a tick that
+/// engines, devices and visualisations get, the suite's own included, go through here.
 ///
-/// The notes are for whoever has to name the robot when a call does not return: handlers of crashes, and the watch that
-/// reports calls that take too long (user_code_watch.hpp).
+/// The notes are for whoever has to name the robot, or the plugin, when a call does not return: handlers of crashes, and
+/// the watch that reports calls that take too long (user_code_watch.hpp).
 ///
 /// Threads  all functions from any thread; each thread has its own notes.
 /// Cost     a note is some stores into memory that is the thread's own: no allocation, lock or system call, but for the
@@ -21,13 +22,15 @@ namespace swarmanoid {
 struct UserCode {
   static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
 
-  const char* phase = nullptr;  ///< "step", "init", "loading", ...; a literal
-  std::string_view part;        ///< "controller 'drive' of libdiffusion.so", "library 'diffusion'"
+  const char* phase = nullptr;  ///< "step", "init", "loading", "move", ...; a literal
+  std::string_view part;        ///< "controller 'drive' of libdiffusion.so", "engine 'ground' (dynamics2d)"
   std::string_view robot;       ///< its name; "" if the call is for no robot
   std::uint64_t tick = kNoTick;
+  bool is_controllers = true;  ///< or a library's; else an engine's, a device's, a visualisation's (callPlugin)
 };
 
-/// "step of robot 'fb_3' (controller 'drive' of libdiffusion.so), tick 17", "loading of library 'diffusion'"
+/// "step of robot 'fb_3' (controller 'drive' of libdiffusion.so), tick 17", "move of engine 'ground' (dynamics2d), tick
+/// 17", "loading of library 'diffusion'"
 std::string describe(const UserCode& code);
 
 /// While it lives, its thread is in users' code. They may be nested; the innermost counts.
@@ -79,16 +82,18 @@ auto callUserCode(const UserCode& code, Action action) {
   }
 }
 
-/// Calls a plugin that is no controller; its calls are not noted. std::exceptions pass, for they say who throws them.
-/// @throws std::runtime_error "engine 'ground' threw the number 7, ..." for whatever else is thrown
+/// Calls a plugin that is no controller: an engine, a device, a visualisation. std::exceptions pass, for they say who
+/// throws them. @param phase, part, tick as UserCode has them
+/// @throws std::runtime_error "engine 'ground' (dynamics2d) threw the number 7, ..." for whatever else is thrown
 template <class Action>
-auto callPlugin(const char* kind, const std::string& id, Action action) {
+auto callPlugin(const char* phase, std::string_view part, std::uint64_t tick, Action action) {
+  const UserCall call({phase, part, "", tick, false});
   try {
     return action();
   } catch (const std::exception&) {
     throw;
   } catch (...) {
-    throw std::runtime_error(std::string(kind) + " '" + id + "' " + describeException());
+    throw std::runtime_error(std::string(part) + " " + describeException());
   }
 }
 

@@ -2,11 +2,11 @@
 /// not return as it should:
 ///
 ///     a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, a stack overflow), exit() and quick_exit(),
-///     a call that takes longer than the watchdog allows        exit code 3
+///     a call that takes longer than the watchdog allows        exit code 3; of an engine, a device, a visualisation 4
 ///     a call under way when the end is asked for a second time  exit code 130
 ///
-/// The robot, the controller, its library, the phase and the tick are named on standard error; then `close` has some
-/// seconds to keep what can be kept. A crash that is not in users' code is said to be in the simulator, and ends the
+/// The robot, the controller, its library, the phase and the tick are named on standard error, or the plugin that is no
+/// controller; then `close` has some seconds to keep what can be kept. A crash that is not in users' code is said to be in the simulator, and ends the
 /// process by its signal, as if nobody watched. A call that is late is told of, while it goes on.
 ///
 /// `close` runs on the watch's thread. The thread of the call that failed stands still until the process ends, and so
@@ -25,6 +25,7 @@ namespace swarmanoid {
 /// Why the process ends.
 struct UserCodeEnd {
   std::string robot;   ///< "" if the call was for none
+  std::string part;    ///< as UserCode has it: whoever is called so is not to be called by `close`
   std::string reason;  ///< "crashed: SIGSEGV in step of robot ..."
   int exit_code = 0;
 };
@@ -56,8 +57,8 @@ class UserCodeWatch {
     std::uint64_t number_;
   };
 
-  /// The end is asked for once more. If users' code is under way the process ends with 130 after `close`; else it has
-  /// some seconds to end by itself. Asked for again, it ends at once. Can be called by a handler of signals.
+  /// The end is asked for once more. If a controller's call is under way the process ends with 130 after `close`; else
+  /// it has some seconds to end by itself, for other plugins may be completing files. Asked for again, it ends at once. Can be called by a handler of signals.
   static void askToEndNow();
 };
 

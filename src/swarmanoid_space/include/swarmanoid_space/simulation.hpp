@@ -94,6 +94,10 @@ class Simulation {
   /// @throws what the first visualisation that fails throws
   void finish();
 
+  /// A call of the plugin that is called so (UserCode::part) does not return. A visualisation is called no more, by
+  /// `finish`, `metrics` and `success`, which the others do not miss. For whoever ends the process then.
+  void giveUp(const std::string& part);
+
   const Experiment& experiment() const { return experiment_; }
   const Space& space() const { return space_; }
   const PhaseTimes& phaseTimes() const { return phase_times_; }

@@ -128,17 +128,20 @@ void SpaceNodelet::watchUsersCode() {
 /// The process is about to end in the middle of users' code, and the simulation's thread stands still.
 void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   NODELET_FATAL("%s", end.reason.c_str());
-  if (end.exit_code == static_cast<int>(ExitCode::kControllerFailed)) {
-    tellExitCode(ExitCode::kControllerFailed);
+  if (end.exit_code != static_cast<int>(ExitCode::kInterrupted)) {
+    tellExitCode(static_cast<ExitCode>(end.exit_code));
   }
   Simulation* simulation = simulation_;
   if (simulation == nullptr) {
     return;
   }
+  simulation->giveUp(end.part);
   simulation->finish();
   if (last_state_ != State::kFinished && last_state_ != State::kStopped) {
     swarmanoid_msgs::RunResult message = runResult(*simulation, false, end.reason, display_->wallTime());
-    message.failed_robots.push_back(end.robot);
+    if (!end.robot.empty()) {
+      message.failed_robots.push_back(end.robot);
+    }
     display_->publish(message);
     NODELET_ERROR("%s", describe(message).c_str());
     constexpr double kOnTheWay = 0.3;  // [s] for the last messages

@@ -39,7 +39,7 @@ struct SpaceOptions {
   std::vector<std::string> device_topics;       ///< robots whose devices have topics; "all" alone: all of them
   bool stays_at_end = false;                    ///< false: the process is shut down when the run is over
   double timeout = 20.0;                        ///< for all parts to attach [s]
-  double watchdog = 0.0;                        ///< for one call of a controller, wall time [s]; 0: any time
+  double watchdog = 0.0;                        ///< for one call of users' code, wall time [s]; 0: any time
   Lockstep::Options lockstep;                   ///< how long participants may take
 };
 

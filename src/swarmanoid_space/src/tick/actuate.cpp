@@ -1,4 +1,5 @@
 // Phase 3: commands are checked, limited and given noise.
+#include "swarmanoid_interface/user_code.hpp"
 #include "tick.hpp"
 
 namespace swarmanoid::phases {
@@ -7,7 +8,7 @@ void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& 
   faulty.clear();
   for (const auto& group : groups) {
     for (const auto& actuator : group->actuators) {
-      actuator->actuate(space, faulty);
+      callPlugin("actuate", actuator.part, space.tick, [&] { actuator->actuate(space, faulty); });
     }
   }
 }

@@ -25,18 +25,18 @@ void refuseWhatIsNotFinite(const Space& space) {
 
 }  // namespace
 
-void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers,
+void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
           std::vector<double>& seconds) {
   seconds.resize(engines.size());
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      callPlugin("engine", engines[i]->id(), [&] { engines[i]->readMirrors(space); });
+      callPlugin("readMirrors", engines[i].part, space.tick, [&] { engines[i]->readMirrors(space); });
     }
   });
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       Stopwatch stopwatch;
-      callPlugin("engine", engines[i]->id(), [&] { engines[i]->move(space, space.clocktick); });
+      callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, space.clocktick); });
       stopwatch.lap(seconds[i]);
     }
   });

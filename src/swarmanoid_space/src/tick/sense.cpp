@@ -1,4 +1,5 @@
 // Phase 1: banks of sensors read the space and fill the readings.
+#include "swarmanoid_interface/user_code.hpp"
 #include "tick.hpp"
 
 namespace swarmanoid::phases {
@@ -7,8 +8,9 @@ void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup
   constexpr std::size_t kGrain = 128;
   for (const auto& group : groups) {
     for (const auto& sensor : group->sensors) {
-      workers.forRanges(sensor->seatCount(), kGrain,
-                        [&](std::size_t first, std::size_t last) { sensor->sense(space, first, last); });
+      workers.forRanges(sensor->seatCount(), kGrain, [&](std::size_t first, std::size_t last) {
+        callPlugin("sense", sensor.part, space.tick, [&] { sensor->sense(space, first, last); });
+      });
     }
   }
 }
@@ -16,7 +18,7 @@ void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup
 void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups) {
   for (const auto& group : groups) {
     for (const auto& sensor : group->sensors) {
-      sensor->report(space);
+      callPlugin("report", sensor.part, space.tick, [&] { sensor->report(space); });
     }
   }
 }

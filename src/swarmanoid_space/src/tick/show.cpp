@@ -4,12 +4,12 @@
 
 namespace swarmanoid::phases {
 
-bool show(const Space& space, const std::vector<std::shared_ptr<Visualisation>>& visualisations) {
+bool show(const Space& space, const std::vector<Viewer>& viewers) {
   bool finish_asked = false;
-  for (const auto& visualisation : visualisations) {
-    callPlugin("visualisation", visualisation->id(), [&] {
-      visualisation->draw(space);
-      finish_asked = visualisation->terminate() || finish_asked;
+  for (const Viewer& viewer : viewers) {
+    callPlugin("draw", viewer.part, space.tick, [&] {
+      viewer->draw(space);
+      finish_asked = viewer->terminate() || finish_asked;
     });
   }
   return finish_asked;

@@ -29,11 +29,11 @@ void stopSafely(Space& space, std::vector<Driver>& drivers);
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
 
 /// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.
-void move(Space& space, const std::vector<std::shared_ptr<Engine>>& engines, const Workers& workers,
+void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
           std::vector<double>& seconds);
 
 /// Grips are made and broken; what depends on the new poses follows.
-void connect(Space& space, const std::vector<std::shared_ptr<Engine>>& engines,
+void connect(Space& space, const std::vector<Named<Engine>>& engines,
              const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
 /// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
@@ -44,6 +44,6 @@ void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<Hand
 void index(Space& space);
 
 /// Everybody who looks at the run does so. @return whether one asks to finish
-bool show(const Space& space, const std::vector<std::shared_ptr<Visualisation>>& visualisations);
+bool show(const Space& space, const std::vector<Viewer>& viewers);
 
 }  // namespace swarmanoid::phases

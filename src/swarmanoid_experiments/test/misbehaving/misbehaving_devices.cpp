@@ -1,0 +1,56 @@
+// The same for devices: implementations "misbehaving". phase: configure; in tick 3 sense and report of the sensor,
+// actuate and afterMove of the actuator.
+#include "deeds.hpp"
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/leds.hpp"
+#include "swarmanoid_space/actuator.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+PluginDescription describeDevice(const char* type) {
+  PluginDescription description;
+  description.label = type;
+  description.implementation = "misbehaving";
+  description.summary = "Misbehaves.";
+  description.robots = {"footbot"};
+  description.parameters = Misdeed::parameters();
+  return description;
+}
+
+class MisbehavingSensor final : public SensorOf<FootbotGripperState> {
+ public:
+  static PluginDescription describe() { return describeDevice(FootbotGripperState::kType); }
+
+  void configure(const Configuration& parameters) override {
+    misdeed_.configure(parameters);
+    misdeed_.tryIn("configure");
+  }
+  void sense(const Space& space, std::size_t, std::size_t) override { misdeed_.tryIn("sense", space.tick); }
+  void report(Space& space) override { misdeed_.tryIn("report", space.tick); }
+
+ private:
+  Misdeed misdeed_;
+};
+
+class MisbehavingActuator final : public ActuatorOf<FootbotLeds> {
+ public:
+  static PluginDescription describe() { return describeDevice(FootbotLeds::kType); }
+
+  void configure(const Configuration& parameters) override {
+    misdeed_.configure(parameters);
+    misdeed_.tryIn("configure");
+  }
+  void actuate(Space& space, std::vector<Row>&) override { misdeed_.tryIn("actuate", space.tick); }
+  void afterMove(Space& space) override { misdeed_.tryIn("afterMove", space.tick); }
+
+ private:
+  Misdeed misdeed_;
+};
+
+}  // namespace
+}  // namespace swarmanoid::test
+
+REGISTER_SENSOR(swarmanoid::test::MisbehavingSensor)
+REGISTER_ACTUATOR(swarmanoid::test::MisbehavingActuator)

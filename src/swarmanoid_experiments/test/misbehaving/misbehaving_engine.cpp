@@ -1,0 +1,38 @@
+// The same for an engine, which need not hold anything. phase: configure; readMirrors, move, connect (in tick 3).
+#include "../glide_engine.hpp"
+#include "deeds.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+class MisbehavingEngine final : public GlideEngine {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "misbehaving_engine";
+    description.summary = "Misbehaves.";
+    description.parameters = Misdeed::parameters();
+    return description;
+  }
+
+  void configure(const std::string& id, const Configuration& parameters) override {
+    id_ = id;
+    misdeed_.configure(parameters);
+    misdeed_.tryIn("configure");
+  }
+
+  void readMirrors(const Space& space) override { misdeed_.tryIn("readMirrors", space.tick); }
+  void move(Space& space, Duration dt) override {
+    GlideEngine::move(space, dt);
+    misdeed_.tryIn("move", space.tick);
+  }
+  void connect(Space& space) override { misdeed_.tryIn("connect", space.tick); }
+
+ private:
+  Misdeed misdeed_;
+};
+
+}  // namespace
+}  // namespace swarmanoid::test
+
+REGISTER_ENGINE(swarmanoid::test::MisbehavingEngine)
