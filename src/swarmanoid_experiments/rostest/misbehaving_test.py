@@ -33,7 +33,8 @@ class MisbehavingTest(RoslaunchTest):
     def begin(self, phase, deed, *arguments, who=None, **more):
         """roslaunch of the world, which records a bag. @param who: a plugin that is no controller"""
         self.path = pathlib.Path(self.folder.name)
-        text = world(phase, deed, maxclock=10**6, **more) if who is None else world_with(who, phase, deed, maxclock=10**6)
+        more["maxclock"] = 10**6
+        text = world(phase, deed, **more) if who is None else world_with(who, phase, deed, **more)
         (self.path / "world.xml").write_text(text)
         return self.start("swarmanoid", "launch", str(self.path / "world.xml"), "rviz:=false", "record:=run.bag", "force:=true",
                           *arguments)
@@ -50,15 +51,14 @@ class MisbehavingTest(RoslaunchTest):
                 return " ".join(done.stdout.replace("\\", "").split())
             time.sleep(0.2)
 
-    def wait_for(self, service, text):
-        """Calls the service until it answers so."""
+    def wait_until_busy(self):
+        """Asks for a step, which a run that is not paused refuses, until the answer is that it is busy."""
         deadline = time.monotonic() + LIMIT
-        answer = self.call(service)
-        while text not in answer:
+        answer = self.call("step", "steps: 1")
+        while "busy in" not in answer:
             self.assertLess(time.monotonic(), deadline, answer)
             time.sleep(0.5)
-            answer = self.call(service)
-        return answer
+            answer = self.call("step", "steps: 1")
 
     def assert_bag(self, ticks):
         with rosbag.Bag(str(self.path / "run.bag")) as bag:
@@ -91,7 +91,8 @@ class MisbehavingTest(RoslaunchTest):
 
     def test_services_answer_while_an_engine_is_late(self):
         process = self.begin("move", "loop", "watchdog:=12", who=ENGINE)
-        self.assertIn(f"busy in move of {ENGINE}, tick 3 since", self.wait_for("pause", "busy in"))
+        self.wait_until_busy()
+        self.assertIn(f"busy in move of {ENGINE}, tick 3 since", self.call("pause"))
         code, output = self.end_of(process)
         self.assertEqual(4, code, output)
         self.assertIn(f"late: move of {ENGINE}, tick 3 has taken 5 s so far", output)
@@ -100,8 +101,8 @@ class MisbehavingTest(RoslaunchTest):
 
     def test_an_endless_step_is_told_of_and_services_answer(self):
         process = self.begin("step", "loop")
-        answer = self.wait_for("pause", "busy in")
-        self.assertRegex(answer, r"success: False message: \"busy in step of robot 'fb_4' .*, tick 3 since \d+ s\"")
+        self.wait_until_busy()
+        self.assertRegex(self.call("pause"), r"success: False message: \"busy in step of robot 'fb_4' .*, tick 3 since \d+ s\"")
         for service, request in (("reset", "{}"), ("delete", "names: [fb_1]"), ("step", "steps: 1"),
                                  ("set_command_source", "{names: [fb_1], source: none}")):
             self.assertIn("busy in step of robot 'fb_4'", self.call(service, request))

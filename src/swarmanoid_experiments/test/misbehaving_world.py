@@ -1,4 +1,4 @@
-"""What the tests of users' code that misbehaves share: four footbots, of which the last one misbehaves, or a plugin does."""
+"""What the tests of users' code that misbehaves share: four footbots, of which the last one, or a plugin, does so."""
 
 ROBOTS = ("fb_1", "fb_2", "fb_3", "fb_4")
 WORLD = """<ahss-config>

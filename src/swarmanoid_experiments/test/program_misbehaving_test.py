@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The program and users' code that misbehaves: who it was is named, files and summary are kept, the exit code says it."""
+"""The program and users' code that misbehaves: it is named, files and summary are kept, the exit code says it."""
 
 import json
 import os
