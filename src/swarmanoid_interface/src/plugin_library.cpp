@@ -45,7 +45,7 @@ std::string load(const std::string& file, const std::string& library) {
   const std::string part = "library '" + library + "'";
   const UserCall call({"loading", part, ""});
   // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
-  const std::string problem = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
+  std::string problem = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
   restoreLocale();
   return problem;
 }

@@ -151,9 +151,13 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
                       (writer.is_in_experiment ? writer.name + ": " : "") + "cannot write " + path.string() + ": " +
                           std::strerror(errno));
   }
-  if (is_file) {
-    taken_.emplace(Identity{opened.st_dev, opened.st_ino}, writer.name);
-  } else {
+  // somebody may have put something else there since it was looked at
+  const bool is_what_was_there = S_ISREG(opened.st_mode) == is_file && !S_ISBLK(opened.st_mode);
+  if (!is_what_was_there || (is_file && !taken_.emplace(Identity{opened.st_dev, opened.st_ino}, writer.name).second)) {
+    close(descriptor);
+    refuse(writer, name, "which changes while it is opened, allowed: a file of this run alone");
+  }
+  if (!is_file) {
     fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   }
   if (!is_there) {

@@ -51,14 +51,6 @@ bool canBeBuilt(const Experiment& experiment) {
                      });
 }
 
-std::string joined(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
 /// @return what is in it
 std::string build(Experiment experiment, SuppliedParts supplied = {}) {
   // outputs of visualisations must not be touched by a mere check
@@ -77,7 +69,7 @@ std::string validateWithoutLibraries(const ValidateOptions& options) {
     }
   }
   const std::string file = experiment.file;
-  const std::string unloaded = libraries.empty() ? "" : " as far as can be told without " + joined(libraries);
+  const std::string unloaded = libraries.empty() ? "" : " as far as can be told without " + joinNames(libraries);
   if (!canBeBuilt(experiment)) {
     return file + ": valid" + unloaded + "; not built, for these have an engine or a device of it";
   }

@@ -46,7 +46,7 @@ constexpr Range kStrength{0.0, 1e6};
 
 // Counts.
 
-/// Entities in one arena: a million robots take about 3 GB.
+/// Entities in one arena: a million robots take 2 GB.
 constexpr std::size_t kMostEntities = 1000000;
 /// Engines in one experiment, each with a world of its own.
 constexpr std::size_t kMostEngines = 100;

@@ -7,8 +7,7 @@
 ///
 /// Time     time-outs are wall time; nothing here needs simulated time to advance.
 /// Threads  join, answer, wake, cancel, reports: any thread. The rest: the space's. A Send is called on the space's
-/// thread,
-///          without locks, and may answer at once.
+///          thread, without locks, and may answer at once.
 #pragma once
 
 #include <chrono>

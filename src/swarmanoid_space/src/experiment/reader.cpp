@@ -19,10 +19,6 @@ std::vector<std::string>& pendingWarnings() {
   return warnings;
 }
 
-}  // namespace
-
-namespace {
-
 /// 12 in "x_12"; 0 if the name does not end so.
 std::size_t numberOf(const std::string& name, const std::string& prefix) {
   const char* first = name.data() + prefix.size() + 1;
@@ -87,15 +83,18 @@ const Registry::Entry& Reader::standIn(PluginKind kind, const std::string& label
   return unknown.back();
 }
 
+/// The first library's plugin would be used, silently, where the second one's is asked for.
 void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library) {
   if (library.empty()) {
     return;
   }
   const std::filesystem::path path(library);
   const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
+  // a blank comes before the name of an implementation
   const std::string title = std::string(toString(entry.kind)) + " '" + entry.description.label;
   for (const std::string& conflict : Registry::instance().conflicts()) {
-    if (conflict.rfind(title, 0) == 0 && conflict.find(", " + file + ")") != std::string::npos) {
+    const bool is_its_own = conflict.rfind(title + "'", 0) == 0 || conflict.rfind(title + " ", 0) == 0;
+    if (is_its_own && conflict.find(", " + file + ")") != std::string::npos) {
       element.refuse("found the label '" + entry.description.label + "' in two libraries " +
                      conflict.substr(conflict.find('('), conflict.find(')') - conflict.find('(') + 1) +
                      ", allowed: one in a process");

@@ -81,6 +81,11 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.stays_at_end = reader.choice("on_end", {"shutdown", "stay"}) == "stay";
   options.timeout = reader.number("timeout", options.timeout, {0.1, 3600.0});
   options.watchdog = reader.number("watchdog", options.watchdog, {0.0, 1e9});
+  constexpr double kShortestWatchdog = 0.1;  // [s]; it looks five times a second
+  if (options.watchdog > 0.0 && options.watchdog < kShortestWatchdog) {
+    throw ConfigError(reader.location(), "~watchdog: found " + numberText(options.watchdog) +
+                                             ", allowed: 0, or a number from 0.1 to 1000000000");
+  }
   const Range waiting{0.001, 3600.0};
   options.lockstep.policy = *parseLatePolicy(reader.choice("lockstep/policy", {"wait", "skip", "stop"}));
   options.lockstep.timeout =
