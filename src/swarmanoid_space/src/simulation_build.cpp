@@ -69,8 +69,8 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   build();
   for (const VisualisationDescription& description : experiment_.visualisations) {
     const auto* entry = Registry::instance().find(PluginKind::kVisualisation, description.label);
-    const Viewer viewer{{makePlugin<Visualisation>(*entry),
-                         "visualisation '" + description.id + "' (" + description.label + ")"}};
+    const Viewer viewer{
+        {makePlugin<Visualisation>(*entry), "visualisation '" + description.id + "' (" + description.label + ")"}};
     configure(viewer, description.location, description.id, description.parameters, context_);
     cast_->viewers.push_back(viewer);
   }
