@@ -5,6 +5,9 @@ land where they are looked for, and Ctrl-C leaves a complete bag; and what `swar
 import os
 import pathlib
 import signal
+import socket
+import subprocess
+import tempfile
 import time
 import unittest
 
@@ -16,6 +19,15 @@ LAUNCH_FILE = LAUNCH_FOLDER / "run.launch"
 FAILING = LAUNCH_FOLDER.parent / "src/swarmanoid_experiments/test/data/failing_controller.xml"
 QUICK = ("rviz:=false", "real_time_factor:=0")
 ALARM = "REQUIRED process"
+
+
+def address_for_others():
+    """One of this machine's, by which others may reach it; the test is skipped if there is none."""
+    addresses = subprocess.check_output(["hostname", "-I"], universal_newlines=True).split()
+    addresses = [address for address in addresses if "." in address]
+    if not addresses:
+        raise unittest.SkipTest("this machine has no address but those of the loopback")
+    return addresses[0]
 
 
 class LaunchTest(RoslaunchTest):
@@ -95,6 +107,51 @@ class LaunchTest(RoslaunchTest):
         code, output = self.code_of("object_retrieval", "exit_code:=mine.txt")
         self.assertEqual(2, code)
         self.assertIn("launch: found 'exit_code:=mine.txt', allowed: arguments of run.launch other than", output)
+
+    def test_the_command_runs_where_others_reach_the_master(self):
+        for code, arguments in ((0, ("max_ticks:=10",)), (2, ("device_topics:=fb_9",)), (2, ("force:=true",))):
+            with self.subTest(arguments=arguments):
+                found, output = self.code_of("object_retrieval", f"hostname:={address_for_others()}", *QUICK, *arguments)
+                self.assertEqual(code, found, output)
+                self.assertIn("whoever reaches them can run programs as this user", output)
+                self.assertNotIn("~exit_code", output)
+
+    def test_a_refused_exit_code_is_not_written(self):
+        other = tempfile.NamedTemporaryFile(mode="w+", prefix="swarmanoid_other_")
+        self.addCleanup(other.close)
+        other.write("130\n")
+        other.flush()
+        for more in ((), ("device_topics:=fb_9",), ("on_end:=never",)):
+            with self.subTest(more=more):
+                _, output = self.output_of(f"hostname:={address_for_others()}", f"exit_code:={other.name}", *QUICK[1:], *more)
+                self.assertIn(f"~exit_code: found '{other.name}', allowed, as other computers reach the master: files in "
+                              f"{self.folder.name}; or allow_remote_files:=true at start", output)
+                self.assertEqual("130\n", pathlib.Path(other.name).read_text())
+
+    def test_the_master_of_the_command_listens_where_it_is_to(self):
+        address = address_for_others()
+        for arguments, is_open in (((), False), ((f"hostname:={address}",), True)):
+            with self.subTest(arguments=arguments):
+                process = self.start("env", "-u", "ROS_HOSTNAME", "-u", "ROS_IP", "swarmanoid", "launch", "object_retrieval",
+                                     "paused:=true", "hashes:=hashes.txt", *QUICK, *arguments)
+                port = int(process.args[-1])
+                hashes = pathlib.Path(self.folder.name, "hashes.txt")
+                until = time.monotonic() + TIMEOUT
+                while not hashes.exists() and time.monotonic() < until:
+                    time.sleep(0.1)
+                with socket.socket() as visitor:
+                    is_found_open = visitor.connect_ex((address, port)) == 0
+                process.send_signal(signal.SIGINT)
+                _, output = self.end_of(process)
+                self.assertEqual(is_open, is_found_open, output)
+                hashes.unlink()
+
+    def test_a_shell_with_our_setup_keeps_to_this_machine_unless_told(self):
+        setup = pathlib.Path(os.environ["CMAKE_PREFIX_PATH"].split(":")[0], "setup.bash")
+        for given, expected in (("", "localhost|"), ("ROS_HOSTNAME=simulator", "simulator|"), ("ROS_IP=10.0.0.7", "|10.0.0.7")):
+            text = f'unset ROS_HOSTNAME ROS_IP; export {given}; source {setup}; echo "$ROS_HOSTNAME|$ROS_IP"'
+            found = subprocess.check_output(["bash", "-c", text], universal_newlines=True)
+            self.assertEqual(expected, found.splitlines()[-1])
 
     def test_an_interrupted_command_ends_its_roslaunch(self):
         for arguments, file, code in ((("max_ticks:=10", "on_end:=stay"), "swarmanoid_launch_*/exit_code", 0),

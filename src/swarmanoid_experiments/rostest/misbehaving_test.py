@@ -30,13 +30,15 @@ class MisbehavingTest(RoslaunchTest):
         self.addCleanup(process.kill)
         return process
 
-    def begin(self, phase, deed, *arguments, who=None, **more):
-        """roslaunch of the world, which records a bag. @param who: a plugin that is no controller"""
+    def begin(self, phase, deed, *arguments, who=None, by=("swarmanoid", "launch"), **more):
+        """roslaunch of the world, which records a bag. @param who: a plugin that is no controller. @param by: who starts it"""
         self.path = pathlib.Path(self.folder.name)
         more["maxclock"] = 10**6
         text = world(phase, deed, **more) if who is None else world_with(who, phase, deed, **more)
         (self.path / "world.xml").write_text(text)
-        return self.start("swarmanoid", "launch", str(self.path / "world.xml"), "rviz:=false", "record:=run.bag", "force:=true",
+        experiment = str(self.path / "world.xml")
+        name = "" if by[0] == "swarmanoid" else "experiment:="
+        return self.start(*by, name + experiment, "rviz:=false", "record:=run.bag", "force:=true",
                           *arguments)
 
     def call(self, service, request="{}"):
@@ -112,6 +114,22 @@ class MisbehavingTest(RoslaunchTest):
         self.assertIn(f"late: step of {NAME}, tick 3 has taken 5 s so far", output)
         self.assertIn(f"swarmanoid: interrupted in step of {NAME}, tick 3\n", output)
         self.assert_bag(3)
+
+    def test_an_interrupted_step_is_no_failure_and_replaces_the_exit_code(self):
+        pathlib.Path(self.folder.name, "code.txt").write_text("0\n")
+        process = self.begin("step", "loop", "exit_code:=code.txt", by=("roslaunch", str(self.launch_file)))
+        self.wait_until_busy()
+        process.send_signal(signal.SIGINT)
+        _, output = self.end_of(process)
+        self.assertRegex(output, r"stopped after 3 ticks in .* s \(interrupted in step of")
+        self.assertNotIn("the controller of fb_4 failed", output)
+        self.assertEqual("130\n", (self.path / "code.txt").read_text())
+
+    def test_a_crash_on_a_full_disk_has_its_result(self):
+        code, output = self.end_of(self.begin("step", "segv_write", "hashes:=/dev/full"))
+        self.assertEqual(3, code, output)
+        self.assertIn("/dev/full", output.split("crashed: SIGSEGV", 1)[1])
+        self.assertRegex(output, r"stopped after 3 ticks in .* s \(crashed: SIGSEGV in step of .*the controller of fb_4 failed")
 
     def test_the_watchdog_ends_the_run(self):
         code, output = self.end_of(self.begin("step", "loop", "watchdog:=2"))

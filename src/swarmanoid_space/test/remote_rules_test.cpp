@@ -76,6 +76,34 @@ TEST_F(RemoteRulesTest, OthersAreRefusedByName) {
   EXPECT_EQ(refusal(), "~write_anywhere: found 'true" + allowed("false"));
 }
 
+TEST_F(RemoteRulesTest, NothingIsReplaced) {
+  options.force = true;
+  EXPECT_EQ(refusal(), "~force: found 'true" + allowed("false"));
+}
+
+TEST_F(RemoteRulesTest, NoFolderForFilesIsWhereTheProcessWorks) {
+  options.out = "";
+  EXPECT_EQ(refusal(), "~out: found '." + allowed("files in " + (folder / "mine").string()));
+  const fs::path before = fs::current_path();
+  fs::current_path(folder / "mine");
+  EXPECT_EQ(refusal(), "");
+  fs::current_path(before);
+}
+
+TEST_F(RemoteRulesTest, TheFileOfTheExitCodeIsAskedForByItself) {
+  const RemoteRules rules = remoteRules(true);
+  EXPECT_NO_THROW(checkExitCodeFile("", rules));
+  EXPECT_NO_THROW(checkExitCodeFile(folder / "mine/code.txt", rules));
+  const std::string other = folder / "others/code.txt";
+  EXPECT_NO_THROW(checkExitCodeFile(other, remoteRules(false)));
+  try {
+    checkExitCodeFile(other, rules);
+    FAIL();
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(error.what(), "~exit_code: found '" + other + allowed("files in " + (folder / "mine").string()));
+  }
+}
+
 TEST_F(RemoteRulesTest, AnythingIsAllowedWhereNobodyElseIsOrTheUserSaysSo) {
   options.experiment = folder / "others/experiment.xml";
   EXPECT_NO_THROW(checkFiles(options, remoteRules(false)));

@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -103,6 +104,19 @@ int exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch)
   return kEngineStopped;
 }
 
+/// roslaunch is its own master, which listens as the environment says, whatever a launch file says of nodes.
+void nameThisHost(const std::vector<std::string>& arguments) {
+  const std::string option = "hostname:=";
+  for (const std::string& argument : arguments) {
+    if (argument.rfind(option, 0) == 0 && argument.size() > option.size()) {
+      setenv("ROS_HOSTNAME", argument.substr(option.size()).c_str(), 1);
+    }
+  }
+  if (std::getenv("ROS_IP") == nullptr) {
+    setenv("ROS_HOSTNAME", "localhost", 0);
+  }
+}
+
 int launch(const std::string& experiment, const std::vector<std::string>& others) {
   for (const std::string& argument : others) {
     for (const char* own : {"exit_code:=", "experiment:="}) {
@@ -113,9 +127,11 @@ int launch(const std::string& experiment, const std::vector<std::string>& others
     }
   }
   const TemporaryFolder folder;
-  const std::filesystem::path file = folder.path() / "exit_code";
-  std::vector<std::string> arguments{"roslaunch", "swarmanoid_experiments", "run.launch", "experiment:=" + experiment,
-                                     "exit_code:=" + file.string()};
+  const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
+  // no parameter: where others reach the master those name files that are theirs
+  setenv("SWARMANOID_EXIT_CODE", file.c_str(), 1);
+  nameThisHost(others);
+  std::vector<std::string> arguments{"roslaunch", "swarmanoid_experiments", "run.launch", "experiment:=" + experiment};
   arguments.insert(arguments.end(), others.begin(), others.end());
   return exitCode(file, runRoslaunch(arguments));
 }

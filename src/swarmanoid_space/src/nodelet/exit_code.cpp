@@ -1,8 +1,13 @@
 #include "exit_code.hpp"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <atomic>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -37,7 +42,31 @@ bool holdsExitCode(const std::filesystem::path& file) {
          text.find_first_not_of("0123456789\n") == std::string::npos;
 }
 
+/// A file that was not there before, whatever else others put beside it.
+/// @param name ends with XXXXXX, which become what makes it new
+/// @return whether all of it is on the disk; else errno says why
+bool writeNewFile(std::string& name, const std::string& text) {
+  const int file = mkstemp(name.data());
+  if (file < 0) {
+    return false;
+  }
+  constexpr mode_t kReadByAll = 0644;  // mkstemp: nobody else
+  const bool is_written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
+                          fchmod(file, kReadByAll) == 0 && fsync(file) == 0;
+  const int reason = errno;
+  const bool is_closed = close(file) == 0;
+  if (!is_written) {
+    errno = reason;
+  }
+  return is_written && is_closed;
+}
+
 }  // namespace
+
+std::string exitCodeFileOfStarter() {
+  const char* name = std::getenv("SWARMANOID_EXIT_CODE");
+  return name == nullptr ? "" : name;
+}
 
 void setExitCode(ExitCode code) {
   static std::once_flag once;
@@ -54,15 +83,12 @@ void writeExitCode(const std::string& file, ExitCode code) {
     throw std::runtime_error("~exit_code: found '" + file +
                              "', which is there and holds no exit code, allowed: another name");
   }
-  const std::string unfinished = file + ".new";
-  {
-    std::ofstream out(unfinished);
-    out << static_cast<int>(code) << '\n';
-  }
-  std::error_code problem;
-  std::filesystem::rename(unfinished, file, problem);
-  if (problem) {
-    throw std::runtime_error("~exit_code: cannot write " + file + ": " + problem.message());
+  const std::string text = std::to_string(static_cast<int>(code)) + '\n';
+  std::string unfinished = file + ".XXXXXX";
+  if (!writeNewFile(unfinished, text) || std::rename(unfinished.c_str(), file.c_str()) != 0) {
+    const int reason = errno;
+    unlink(unfinished.c_str());
+    throw std::runtime_error("~exit_code: cannot write " + file + ": " + std::strerror(reason));
   }
 }
 

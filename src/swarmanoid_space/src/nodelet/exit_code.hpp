@@ -14,7 +14,11 @@ enum class ExitCode { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kStop
 /// Takes effect when the process ends by itself. The first one that is not kFinished counts.
 void setExitCode(ExitCode code);
 
-/// Writes the number to a file, which is replaced as a whole. Nothing happens if the name is empty.
+/// The file that whoever started this process wants the exit code in; "": none. It is named by the environment
+/// (SWARMANOID_EXIT_CODE), which others cannot change as they can parameters.
+std::string exitCodeFileOfStarter();
+
+/// Writes the number to a file, which is replaced as a whole, or stays as it was. Nothing happens if the name is empty.
 /// @throws std::runtime_error if it cannot be written, or a file is there that holds anything else
 void writeExitCode(const std::string& file, ExitCode code);
 

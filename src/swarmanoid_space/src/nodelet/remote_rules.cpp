@@ -31,6 +31,20 @@ bool isInstalled(const std::string& experiment) {
   return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) { return isIn(file, folder); });
 }
 
+std::string filesIn(const RemoteRules& rules) { return rules.folder.empty() ? "" : "files in " + rules.folder; }
+
+[[noreturn]] void refuse(const std::string& parameter, const std::string& found, const std::string& allowed) {
+  throw ConfigError({}, "~" + parameter + ": found '" + found + "', allowed, as other computers reach the master: " +
+                            (allowed.empty() ? "nothing" : allowed) + "; or allow_remote_files:=true at start");
+}
+
+/// @param folder in which the name begins; "": where the process works
+void check(const std::string& parameter, const std::string& name, const std::string& folder, const RemoteRules& rules) {
+  if (!name.empty() && (rules.folder.empty() || !isIn(fs::path(folder) / name, rules.folder))) {
+    refuse(parameter, name, filesIn(rules));
+  }
+}
+
 }  // namespace
 
 RemoteRules remoteRules(bool is_reachable) {
@@ -41,30 +55,29 @@ RemoteRules remoteRules(bool is_reachable) {
   return rules;
 }
 
+void checkExitCodeFile(const std::string& file, const RemoteRules& rules) {
+  if (!rules.any_file) {
+    check("exit_code", file, "", rules);
+  }
+}
+
 void checkFiles(const SpaceOptions& options, const RemoteRules& rules) {
   if (rules.any_file) {
     return;
   }
-  const std::string here = rules.folder.empty() ? "" : "files in " + rules.folder;
-  const auto refuse = [](const std::string& parameter, const std::string& found, const std::string& allowed) {
-    throw ConfigError({}, "~" + parameter + ": found '" + found + "', allowed, as other computers reach the master: " +
-                              (allowed.empty() ? "nothing" : allowed) + "; or allow_remote_files:=true at start");
-  };
-  const auto check = [&](const std::string& parameter, const std::string& name, const std::string& folder) {
-    if (!name.empty() && (rules.folder.empty() || !isIn(fs::path(folder) / name, rules.folder))) {
-      refuse(parameter, name, here);
-    }
-  };
   if (!isInstalled(options.experiment) &&
       (rules.folder.empty() || !isIn(findExperiment(options.experiment), rules.folder))) {
+    const std::string here = filesIn(rules);
     refuse("experiment", options.experiment, "installed experiments" + (here.empty() ? "" : ", " + here));
   }
-  check("out", options.out, "");
-  check("record", options.record, options.out);
-  check("hashes", options.hashes, options.out);
-  check("exit_code", options.exit_code, "");
+  check("out", options.out.empty() ? "." : options.out, "", rules);
+  check("record", options.record, options.out, rules);
+  check("hashes", options.hashes, options.out, rules);
   if (options.write_anywhere) {
     refuse("write_anywhere", "true", "false");
+  }
+  if (options.force) {
+    refuse("force", "true", "false");
   }
 }
 

@@ -19,6 +19,10 @@ struct RemoteRules {
 /// @param is_reachable by other computers; else all is allowed
 RemoteRules remoteRules(bool is_reachable);
 
+/// To be asked before anything is written to it; "": there is none, which is allowed. @throws as checkFiles
+void checkExitCodeFile(const std::string& file, const RemoteRules& rules);
+
+/// All others. Where not any file is allowed none is replaced either.
 /// @throws ConfigError naming the parameter, what was found and what is allowed
 void checkFiles(const SpaceOptions& options, const RemoteRules& rules);
 

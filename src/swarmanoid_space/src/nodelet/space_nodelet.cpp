@@ -43,14 +43,16 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::unique_ptr<Simulation> build(Experiment experiment);
   void onChange(State state, const std::string& stop_reason);
   void onLoss(PluginKind kind, const std::string& id);
-  void guardAgainstOthers();
+  RemoteRules lookAround();
   void watchUsersCode();
   void keepWhatIsThere(const UserCodeEnd& end);
+  void tell(const swarmanoid_msgs::RunResult& result, bool is_good);
   void tellExitCode(ExitCode code);
   void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
-  std::unique_ptr<UserCodeWatch> watch_;  // to the end: controllers are destroyed with thread_
+  std::vector<std::string> exit_code_files_;  // that may be written to
+  std::unique_ptr<UserCodeWatch> watch_;      // to the end: controllers are destroyed with thread_
   std::unique_ptr<UserCodeWatch::Closing> closing_;
   const std::shared_ptr<CommandMailbox> commands_ = std::make_shared<CommandMailbox>();
   std::vector<AttachmentPoint::Request> parts_;
@@ -61,7 +63,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::shared_ptr<SpaceDisplay> display_;
   RobotTopics::Selection with_topics_;
   std::shared_ptr<RobotTopics> robot_topics_;  // null: this process is no manager
-  State last_state_ = State::kPaused;
+  std::atomic<State> last_state_{State::kPaused};
   std::unique_ptr<SimulationThread> thread_;
   std::unique_ptr<SpaceServices> services_;
   std::unique_ptr<LockstepServer> lockstep_;
@@ -74,11 +76,15 @@ class SpaceNodelet final : public nodelet::Nodelet {
 void SpaceNodelet::onInit() {
   try {
     shutDownOnSignals();
+    exit_code_files_ = {exitCodeFileOfStarter()};
+    const RemoteRules rules = lookAround();
     // before all others: one of those may be what is wrong
-    options_.exit_code = readExitCodeFile(getPrivateNodeHandle());
+    const std::string exit_code_file = readExitCodeFile(getPrivateNodeHandle());
+    checkExitCodeFile(exit_code_file, rules);
+    exit_code_files_.push_back(exit_code_file);
     options_ = readSpaceOptions(getPrivateNodeHandle());
     watchUsersCode();
-    guardAgainstOthers();
+    checkFiles(options_, rules);
     Experiment experiment = readExperiment(options_);
     for (const std::string& warning : takeExperimentWarnings()) {
       NODELET_WARN("%s", warning.c_str());
@@ -105,14 +111,15 @@ void SpaceNodelet::onInit() {
   }
 }
 
-void SpaceNodelet::guardAgainstOthers() {
+/// Tells of others who reach this process, and holds libraries to what is allowed then.
+RemoteRules SpaceNodelet::lookAround() {
   const auto warning = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
   const RemoteRules rules = remoteRules(warning.has_value());
   if (warning) {
     NODELET_WARN("%s", warning->c_str());
   }
   allowLibrariesByPath(rules.any_library);
-  checkFiles(options_, rules);
+  return rules;
 }
 
 void SpaceNodelet::watchUsersCode() {
@@ -128,22 +135,25 @@ void SpaceNodelet::watchUsersCode() {
 /// The process is about to end in the middle of users' code, and the simulation's thread stands still.
 void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   NODELET_FATAL("%s", end.reason.c_str());
-  if (end.exit_code != static_cast<int>(ExitCode::kInterrupted)) {
-    tellExitCode(static_cast<ExitCode>(end.exit_code));
-  }
+  tellExitCode(static_cast<ExitCode>(end.exit_code));
   Simulation* simulation = simulation_;
   if (simulation == nullptr) {
     return;
   }
   simulation->giveUp(end.part);
-  simulation->finish();
-  if (last_state_ != State::kFinished && last_state_ != State::kStopped) {
+  try {
+    simulation->finish();
+  } catch (...) {
+    NODELET_ERROR("%s", describeException().c_str());
+  }
+  const State last_state = last_state_;
+  if (last_state != State::kFinished && last_state != State::kStopped) {
     swarmanoid_msgs::RunResult message = runResult(*simulation, false, end.reason, display_->wallTime());
-    if (!end.robot.empty()) {
+    if (end.exit_code == static_cast<int>(ExitCode::kControllerFailed) && !end.robot.empty()) {
       message.failed_robots.push_back(end.robot);
     }
     display_->publish(message);
-    NODELET_ERROR("%s", describe(message).c_str());
+    tell(message, false);
     constexpr double kOnTheWay = 0.3;  // [s] for the last messages
     ros::WallDuration(kOnTheWay).sleep();
   }
@@ -159,8 +169,8 @@ void SpaceNodelet::startUp(Experiment experiment) {
     Lockstep& lockstep = simulation->lockstep();
     lockstep.setOptions(options_.lockstep);
     // before the first tick, which may wait for participants
-    lockstep_ =
-        std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation_.load()->experiment().name, lockstep);
+    lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation->experiment().name, lockstep);
+    simulation_ = simulation.get();  // there is no way back from here but that the thread cannot be started
     thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
     point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
     display_->serveNewcomers(thread_.get());
@@ -177,6 +187,9 @@ void SpaceNodelet::startUp(Experiment experiment) {
     }
     services_ = std::make_unique<SpaceServices>(getMTPrivateNodeHandle(), *thread_);
   } catch (...) {
+    if (thread_ == nullptr) {
+      simulation_ = nullptr;
+    }
     if (ros::ok()) {
       NODELET_FATAL("%s", describeException().c_str());
       tellExitCode(ExitCode::kBadInput);
@@ -198,7 +211,6 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   context.out = openOutFolder(options_, experiment);
   context.headless = false;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
-  simulation_ = simulation.get();
   display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
   display_->follow(*simulation);
   simulation->addVisualisation(display_);
@@ -218,8 +230,9 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
 }
 
 void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
-  const bool is_news = state != last_state_;
-  if (last_state_ == State::kFinished && state == State::kStopped) {
+  const State last_state = last_state_;
+  const bool is_news = state != last_state;
+  if (last_state == State::kFinished && state == State::kStopped) {
     return;  // what was finished stays so
   }
   last_state_ = state;
@@ -233,14 +246,7 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   const swarmanoid_msgs::RunResult message =
       runResult(*simulation_.load(), state == State::kFinished, stop_reason, display_->wallTime());
   display_->publish(message);
-  const std::string result = describe(message);
-  if (!ros::ok()) {
-    std::printf("%s\n", result.c_str());  // ROS logs no more
-  } else if (state == State::kFinished) {
-    NODELET_INFO("%s", result.c_str());
-  } else {
-    NODELET_ERROR("%s", result.c_str());
-  }
+  tell(message, state == State::kFinished);
   const ExitCode at_end = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
   const ExitCode if_stopped = ros::ok() ? ExitCode::kStopped : ExitCode::kInterrupted;
   const ExitCode code = state == State::kFinished ? at_end : if_stopped;
@@ -260,11 +266,25 @@ void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   thread_->stop(ros::ok() ? std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded" : "shut down");
 }
 
+void SpaceNodelet::tell(const swarmanoid_msgs::RunResult& result, bool is_good) {
+  const std::string text = describe(result);
+  if (!ros::ok()) {
+    std::printf("%s\n", text.c_str());  // ROS logs no more
+    std::fflush(stdout);                // this process may be about to end without it
+  } else if (is_good) {
+    NODELET_INFO("%s", text.c_str());
+  } else {
+    NODELET_ERROR("%s", text.c_str());
+  }
+}
+
 void SpaceNodelet::tellExitCode(ExitCode code) {
-  try {
-    writeExitCode(options_.exit_code, code);
-  } catch (const std::exception& error) {
-    NODELET_ERROR("%s", error.what());
+  for (const std::string& file : exit_code_files_) {
+    try {
+      writeExitCode(file, code);
+    } catch (const std::exception& error) {
+      NODELET_ERROR("%s", error.what());
+    }
   }
 }
 
@@ -308,6 +328,7 @@ SpaceNodelet::~SpaceNodelet() {
     display_->shutdown();
   }
   thread_.reset();
+  closing_.reset();  // it would keep what is gone
 }
 
 }  // namespace swarmanoid

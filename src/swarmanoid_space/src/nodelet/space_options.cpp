@@ -71,7 +71,6 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.out = inFolder(options.folder, reader.text("out", ""));
   options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
   reader.text("exit_code", "");  // it is known
-  options.exit_code = readExitCodeFile(own);
   options.tf_level = parseTransformLevel(reader.choice("tf/level", {"auto", "none", "base", "full"}));
   options.tf_rate = reader.number("tf/rate", options.tf_rate, {0.0, 1e6});
   options.markers_rate = reader.number("markers/rate", options.markers_rate, {0.0, 1e6});

@@ -30,7 +30,6 @@ struct SpaceOptions {
   bool force = false;                           ///< files that are there already are replaced
   bool write_anywhere = false;                  ///< what the experiment file names may be outside `out`
   std::vector<Override> set;                    ///< instead of what the file says
-  std::string exit_code;                        ///< file that gets the exit code of the run when it is over; "": none
   std::optional<TransformLevel> tf_level;       ///< nothing: by the number of robots
   double tf_rate = 100.0;                       ///< of /tf at most, wall time [Hz]; 0: every tick
   double markers_rate = 30.0;                   ///< of ~markers likewise
@@ -43,7 +42,8 @@ struct SpaceOptions {
   Lockstep::Options lockstep;                   ///< how long participants may take
 };
 
-/// Only `exit_code`, which is of use even if another parameter is bad.
+/// `exit_code`, the file that gets the exit code of the run when it is over; "": none. It is read by itself, for it is
+/// of use even if another parameter is bad.
 std::string readExitCodeFile(const ros::NodeHandle& own);
 
 /// @throws ConfigError naming the parameter, what was found and what is allowed; unknown parameters too
