@@ -15,7 +15,7 @@ import rosbag
 from roslaunch_process import LAUNCH_FOLDER, RoslaunchTest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "test"))
-from misbehaving_world import ENGINE, NAME, SENSOR, VISUALISATION, world, world_with
+from misbehaving_world import ENGINE, NAME, PLACES, SENSOR, VISUALISATION, world, world_with
 
 LIMIT = 60.0  # [s]
 
@@ -32,14 +32,16 @@ class MisbehavingTest(RoslaunchTest):
 
     def begin(self, phase, deed, *arguments, who=None, by=("swarmanoid", "launch"), **more):
         """roslaunch of the world, which records a bag. @param who: a plugin that is no controller. @param by: who starts it"""
-        self.path = pathlib.Path(self.folder.name)
         more["maxclock"] = 10**6
-        text = world(phase, deed, **more) if who is None else world_with(who, phase, deed, **more)
-        (self.path / "world.xml").write_text(text)
-        experiment = str(self.path / "world.xml")
+        return self.begin_with(world(phase, deed, **more) if who is None else world_with(who, phase, deed, **more),
+                               *arguments, by=by)
+
+    def begin_with(self, text, *arguments, by=("swarmanoid", "launch")):
+        self.path = pathlib.Path(self.folder.name)
+        experiment = self.path / "world.xml"
+        experiment.write_text(text)
         name = "" if by[0] == "swarmanoid" else "experiment:="
-        return self.start(*by, name + experiment, "rviz:=false", "record:=run.bag", "force:=true",
-                          *arguments)
+        return self.start(*by, f"{name}{experiment}", "rviz:=false", "record:=run.bag", "force:=true", *arguments)
 
     def call(self, service, request="{}"):
         """Calls a service when it is there. @return its answer as text"""
@@ -125,11 +127,14 @@ class MisbehavingTest(RoslaunchTest):
         self.assertNotIn("the controller of fb_4 failed", output)
         self.assertEqual("130\n", (self.path / "code.txt").read_text())
 
-    def test_a_crash_on_a_full_disk_has_its_result(self):
-        code, output = self.end_of(self.begin("step", "segv_write", "hashes:=/dev/full"))
+    def test_a_crash_has_its_result_though_a_file_cannot_be_completed(self):
+        before, plugin = PLACES[VISUALISATION]
+        more = plugin.format("<phase>finish</phase><deed>throw_runtime_error</deed>")
+        code, output = self.end_of(self.begin_with(world("step", "segv_write", maxclock=10**6).replace(before, before + more)))
         self.assertEqual(3, code, output)
-        self.assertIn("/dev/full", output.split("crashed: SIGSEGV", 1)[1])
+        self.assertRegex(output, r"ERROR.*told to")
         self.assertRegex(output, r"stopped after 3 ticks in .* s \(crashed: SIGSEGV in step of .*the controller of fb_4 failed")
+        self.assert_bag(3)
 
     def test_the_watchdog_ends_the_run(self):
         code, output = self.end_of(self.begin("step", "loop", "watchdog:=2"))
