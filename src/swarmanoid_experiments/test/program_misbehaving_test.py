@@ -57,11 +57,12 @@ class MisbehavingTest(ProgramTest):
                               stderr=subprocess.PIPE, encoding="utf-8", errors="replace", check=False)
         return done.returncode, json.loads(done.stdout) if done.stdout else None, done.stderr
 
-    def start(self, phase, deed, *arguments, **more):
+    def start(self, phase, deed, *arguments, preexec_fn=None, **more):
         (self.folder / "world.xml").write_text(self.text(phase, deed, **more))
         # Python starts children with SIGINT as it has it itself; the shell of a test may ignore it
         process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+                                   preexec_fn=preexec_fn)
         for clean_up in (process.wait, process.stderr.close, process.stdout.close, process.kill):
             self.addCleanup(clean_up)
         return process
@@ -209,6 +210,17 @@ class EndlessTest(MisbehavingTest):
                     self.assert_table(3)
                     self.assert_bag(3)
                     (self.folder / "run.bag").unlink()
+
+    def test_a_terminal_that_closes_asks_once_however_often_it_says_so(self):
+        process = self.start("step", "sleep_7", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
+        self.read_until(process, f"late: step of {NAME}, tick 3 has taken 5 s so far")
+        for _ in range(3):
+            process.send_signal(signal.SIGHUP)
+            time.sleep(0.1)
+        output, errors = process.communicate(timeout=TIMEOUT)
+        self.assertEqual((process.returncode, errors), (INTERRUPTED, ""))
+        self.assertEqual(json.loads(output)["ticks"], 4)  # the call has returned
+        self.assert_table(4)
 
     def test_also_in_destroy(self):
         process = self.start("destroy", "loop")

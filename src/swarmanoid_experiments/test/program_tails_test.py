@@ -74,17 +74,6 @@ class SignalTest(TailsTest):
         process.communicate(timeout=60)
         self.assertEqual(process.returncode, INTERRUPTED)
 
-    def test_a_terminal_that_closes_twice_asks_once(self):
-        process = self.start("--bag", "run.bag", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
-        self.wait_until(self.has_grown)
-        for _ in range(20):
-            process.send_signal(signal.SIGHUP)
-            time.sleep(0.001)
-        output, errors = process.communicate(timeout=60)
-        self.assertEqual(process.returncode, INTERRUPTED, errors)
-        ticks = json.loads(output)["ticks"]
-        self.assertEqual(self.ticks_in(self.folder / "run.bag"), list(range(ticks + 1)))
-
     def test_a_pipe_that_nobody_reads_does_not_end_the_run(self):
         arguments = ["swarmanoid", "run", self.world(maxclock=2000, visualisations=""), "--bag", "run.bag"]
         with subprocess.Popen(arguments, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
