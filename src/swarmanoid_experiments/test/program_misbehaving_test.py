@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """The program and users' code that misbehaves: it is named, files and summary are kept, the exit code says it."""
 
+import fcntl
 import json
 import os
 import pathlib
@@ -11,7 +12,7 @@ import unittest
 
 import rosbag
 
-from misbehaving_world import ACTUATOR, ENGINE, NAME, ROBOTS, SENSOR, VISUALISATION, world, world_with
+from misbehaving_world import ACTUATOR, ENGINE, NAME, PLACES, ROBOTS, SENSOR, VISUALISATION, world, world_with
 from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, HEADER, STOPPED, ProgramTest
 
 TIMEOUT = 60.0  # [s]
@@ -56,11 +57,12 @@ class MisbehavingTest(ProgramTest):
                               stderr=subprocess.PIPE, encoding="utf-8", errors="replace", check=False)
         return done.returncode, json.loads(done.stdout) if done.stdout else None, done.stderr
 
-    def start(self, phase, deed, *arguments, **more):
+    def start(self, phase, deed, *arguments, preexec_fn=None, **more):
         (self.folder / "world.xml").write_text(self.text(phase, deed, **more))
         # Python starts children with SIGINT as it has it itself; the shell of a test may ignore it
         process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8")
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",
+                                   preexec_fn=preexec_fn)
         for clean_up in (process.wait, process.stderr.close, process.stdout.close, process.kill):
             self.addCleanup(clean_up)
         return process
@@ -158,6 +160,16 @@ class CrashTest(MisbehavingTest):
                         self.assertEqual(summary["failed_controllers"][0]["robot"], "fb_4")
                         self.assert_table(20)
 
+    def test_the_state_hash_is_that_of_the_last_tick_whatever_a_controller_writes_when_it_goes(self):
+        before, plugin = PLACES[ENGINE]  # from which the controller knows where to write
+        text = world("destroy", "spoil_state").replace(before, before + plugin.format("<phase>never</phase><deed>nothing</deed>"))
+        (self.folder / "world.xml").write_text(text)
+        done = self.call("run", "world.xml", "--quiet", "--force", "--hashes", "hashes.txt")
+        self.assertEqual(done.returncode, CONTROLLER_FAILED, done.stderr)
+        self.assertEqual(done.stderr, f"swarmanoid: crashed: SIGSEGV in destroy of {NAME}\n")
+        last = (self.folder / "hashes.txt").read_text().splitlines()[-1]
+        self.assertEqual(f"20 {json.loads(done.stdout)['state_hash']}", last)
+
     def test_while_a_library_is_loaded(self):
         for deed, what in (("segv_write", "crashed: SIGSEGV"), ("exit_0", "called exit"),
                            ("throw_int", "crashed: SIGABRT")):
@@ -200,6 +212,17 @@ class EndlessTest(MisbehavingTest):
                     self.assert_bag(3)
                     (self.folder / "run.bag").unlink()
 
+    def test_a_terminal_that_closes_asks_once_however_often_it_says_so(self):
+        process = self.start("step", "sleep_7", preexec_fn=lambda: signal.signal(signal.SIGHUP, signal.SIG_DFL))
+        self.read_until(process, f"late: step of {NAME}, tick 3 has taken 5 s so far")
+        for _ in range(3):
+            process.send_signal(signal.SIGHUP)
+            time.sleep(0.1)
+        output, errors = process.communicate(timeout=TIMEOUT)
+        self.assertEqual((process.returncode, errors), (INTERRUPTED, ""))
+        self.assertEqual(json.loads(output)["ticks"], 4)  # the call has returned
+        self.assert_table(4)
+
     def test_also_in_destroy(self):
         process = self.start("destroy", "loop")
         self.read_until(process, f"late: destroy of {NAME} has taken 5 s so far")
@@ -223,6 +246,25 @@ class EndlessTest(MisbehavingTest):
         self.assert_table(3)
         for watchdog in ("0", "-1", "nan", "x"):
             self.assertEqual(self.misbehave("never", "nothing", "--watchdog", watchdog)[0], BAD_INPUT, watchdog)
+
+    def test_what_returns_while_the_run_is_closed_does_not_go_on(self):
+        (self.folder / "world.xml").write_text(world("step", "sleep_7"))
+        ours, theirs = os.pipe()
+        size = fcntl.fcntl(ours, fcntl.F_GETPIPE_SZ)
+        os.write(theirs, size * b" ")  # so that the summary waits until this is read
+        with open(ours, encoding="utf-8") as output, subprocess.Popen(
+                ["swarmanoid", "run", "world.xml", "--quiet", "--force", "--watchdog", "6", "--hashes", "hashes.txt"],
+                cwd=self.folder, stdout=theirs, stderr=subprocess.PIPE, encoding="utf-8") as process:
+            os.close(theirs)
+            self.read_until(process, f"watchdog: more than 6 s in step of {NAME}, tick 3")
+            time.sleep(3.0)  # the call returns after one of them
+            summary = json.loads(output.read())
+            self.assertEqual(process.wait(timeout=TIMEOUT), CONTROLLER_FAILED)
+        self.assertEqual((summary["ticks"], summary["finished"]), (3, False))
+        self.assert_table(3)
+        hashes = (self.folder / "hashes.txt").read_text().splitlines()
+        self.assertEqual([line.split()[0] for line in hashes], ["0", "1", "2", "3"])
+        self.assertEqual(hashes[-1].split()[1], summary["state_hash"])
 
     def test_who_is_only_slow_is_told_of_once_and_goes_on(self):
         code, summary, errors = self.misbehave("step", "sleep_7", "--watchdog", "30")

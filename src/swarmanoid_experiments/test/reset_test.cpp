@@ -90,6 +90,42 @@ TEST(ResetTest, AFailedControllerTriesAgain) {
   EXPECT_EQ(simulation->failures().size(), 1U);
 }
 
+/// What has happened, as the first draw of each run sees it.
+class FirstSight final : public Visualisation {
+ public:
+  explicit FirstSight(std::vector<Event>& events) : events_(events) {}
+  void configure(const std::string&, const Configuration&, const RunContext&) override {}
+  void draw(const Space& space) override {
+    if (space.tick == 0) {
+      events_ = space.events;
+    }
+  }
+
+ private:
+  std::vector<Event>& events_;
+};
+
+TEST(ResetTest, WhoFailsInDestroyFailsInTheRunThatBegins) {
+  World world;
+  world.entities = footbot("fb", 2, 3, 0) + footbot("gone", 2, 5, 0);
+  world.members = member("fb") + member("gone");
+  world.drive = "<left>2</left><right>2</right><throws_when_it_goes>true</throws_when_it_goes>";
+  auto simulation = world.make();
+  std::vector<Event> events;
+  simulation->addVisualisation(std::make_shared<FirstSight>(events));
+  simulation->start();
+  EXPECT_TRUE(events.empty());
+  hashesOf(*simulation, 10);
+  simulation->remove("gone");  // what is pending now is of the run that ends
+  simulation->reset();
+  ASSERT_EQ(simulation->failures().size(), 1U);
+  EXPECT_EQ(simulation->failures()[0].robot, "fb");
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].kind, Event::Kind::kControllerFailed);
+  EXPECT_EQ(events[0].entity, "fb");
+  EXPECT_EQ(events[0].text, "destroy: told to, at the end");
+}
+
 std::string contentOf(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();

@@ -13,7 +13,7 @@ namespace swarmanoid::test {
 namespace {
 
 /// Wheel speeds as the parameters say [rad/s]; can be told to close the gripper, say "done", throw, or command NaN at a
-/// tick.
+/// tick, and to throw in `destroy`.
 class TestDrive final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
@@ -27,6 +27,7 @@ class TestDrive final : public Controller {
     say_at_ = parameters.integer("say_at", std::int64_t{-1});
     throw_at_ = parameters.integer("throw_at", std::int64_t{-1});
     nan_at_ = parameters.integer("nan_at", std::int64_t{-1});
+    throws_when_it_goes_ = parameters.boolean("throws_when_it_goes", false);
     only_ = parameters.text("only", "");
     random_ = parameters.boolean("random", false);
     parameters.refuseUnread();
@@ -56,6 +57,12 @@ class TestDrive final : public Controller {
     }
   }
 
+  void destroy() override {
+    if (throws_when_it_goes_) {
+      throw std::runtime_error("told to, at the end");
+    }
+  }
+
  private:
   Robot* robot_ = nullptr;
   FootbotWheels* wheels_ = nullptr;
@@ -70,6 +77,7 @@ class TestDrive final : public Controller {
   std::int64_t tick_ = 0;
   std::string only_;
   bool random_ = false;
+  bool throws_when_it_goes_ = false;
 };
 
 }  // namespace

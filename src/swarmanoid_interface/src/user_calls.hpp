@@ -29,6 +29,13 @@ const UserCallNote* ownUserCallNote();
 /// Of this thread, as it stands. Can be called by a handler of signals.
 UserCode ownUserCode();
 
+/// From when this returns every thread but this one stands still where it enters or leaves users' code, until the
+/// process ends or they are released. A call that is under way goes on, and does not return. Whoever reads from a note
+/// after this that its call has not changed is right for as long as they are held.
+void holdUserCalls();
+/// By the thread that held them.
+void releaseUserCalls();
+
 /// Called instead of ending a thread or the process in the middle of users' code: "called exit". Does not return. Null:
 /// nobody watches.
 using UserCodeEnder = void (*)(const char* deed);

@@ -2,8 +2,12 @@
 
 #include <cxxabi.h>
 #include <dlfcn.h>
+#include <linux/membarrier.h>
 #include <signal.h>
 #include <sys/mman.h>
+#include <sys/syscall.h>
+#include <time.h>
+#include <unistd.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -86,6 +90,25 @@ class OwnNote {
   HandlerStack stack_;
 };
 
+std::atomic<bool> are_calls_held{false};
+thread_local bool is_holder = false;
+
+[[gnu::noinline, gnu::cold]] void standStillUnlessHolder() {
+  while (!is_holder && are_calls_held.load(std::memory_order_acquire)) {
+    constexpr timespec kPause{0, 1'000'000};
+    nanosleep(&kPause, nullptr);
+  }
+}
+
+/// Every other thread has passed a full fence when this returns: so threads that call users' code need none.
+void fenceAllThreads() {
+  std::atomic_thread_fence(std::memory_order_seq_cst);
+  if (syscall(SYS_membarrier, MEMBARRIER_CMD_GLOBAL, 0, 0) != 0) {  // refused, as some containers do
+    constexpr timespec kLong{0, 50'000'000};                        // no store is under way for so long
+    nanosleep(&kLong, nullptr);
+  }
+}
+
 [[gnu::noinline]] void takeNote() { thread_local OwnNote own; }
 
 void write(UserCallNote& note, const UserCode* call) {
@@ -93,6 +116,10 @@ void write(UserCallNote& note, const UserCode* call) {
   std::atomic_signal_fence(std::memory_order_seq_cst);
   note.call.store(call, kRelaxed);
   note.changes.store(note.changes.load(kRelaxed) + 1, std::memory_order_release);
+  std::atomic_signal_fence(std::memory_order_seq_cst);  // fenceAllThreads() makes a whole one of it
+  if (__builtin_expect(are_calls_held.load(kRelaxed), false)) {
+    standStillUnlessHolder();
+  }
 }
 
 std::string nameOf(const std::type_info& type) {
@@ -122,6 +149,17 @@ const UserCallNote* ownUserCallNote() { return own_note; }
 UserCode ownUserCode() {
   const UserCode* call = own_note == nullptr ? nullptr : own_note->call.load(std::memory_order_relaxed);
   return call == nullptr ? UserCode{} : *call;
+}
+
+void holdUserCalls() {
+  is_holder = true;
+  are_calls_held = true;
+  fenceAllThreads();
+}
+
+void releaseUserCalls() {
+  are_calls_held = false;
+  is_holder = false;
 }
 
 void setUserCodeEnder(UserCodeEnder new_ender) { ender = new_ender; }

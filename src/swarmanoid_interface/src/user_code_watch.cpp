@@ -120,6 +120,7 @@ class Watch {
   void look(double passed);
   bool copy(const UserCallNote& note, const Sight& sight, OwnedCode& code) const;
   void tell(const std::string& text) const;
+  bool holdUnlessOver(std::size_t i) const;
   void serveAsked(double passed);
   [[noreturn]] void endWith(const std::string& deed, const UserCode* code, int exit_code);
 
@@ -145,14 +146,15 @@ void Watch::run() {
   auto last = Clock::now();
   while (!is_over_) {
     timespec until{};
-    clock_gettime(CLOCK_REALTIME, &until);
+    clock_gettime(CLOCK_MONOTONIC, &until);
     constexpr long kInterval = 200'000'000;  // [ns]
     constexpr long kSecond = 1'000'000'000;
     until.tv_nsec += kInterval;
     until.tv_sec += until.tv_nsec / kSecond;
     until.tv_nsec %= kSecond;
-    sem_timedwait(&wake, &until);
+    sem_clockwait(&wake, CLOCK_MONOTONIC, &until);
     if (const user_code_end::Order* order = user_code_end::order()) {
+      holdUserCalls();
       endWith(order->deed, &order->code, user_code_end::exitCodeOf(order->code));
     }
     const auto now = Clock::now();
@@ -198,7 +200,7 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
   if (sight.seconds >= kLate && (!latest || sight.seconds > latest->seconds)) {
     latest = LateCall{text, sight.seconds};
   }
-  if (is_watchdog_due) {
+  if (is_watchdog_due && holdUnlessOver(i)) {
     endWith("watchdog: more than " + secondsText(options_.watchdog), &owned.code,
             user_code_end::exitCodeOf(owned.code));
   }
@@ -219,6 +221,17 @@ bool Watch::copy(const UserCallNote& note, const Sight& sight, OwnedCode& owned)
   return !is_over();
 }
 
+/// All users' code stands still from here on, so that nobody is at work on what is closed.
+/// @return false: the call that this is for has ended meanwhile, and all go on
+bool Watch::holdUnlessOver(std::size_t i) const {
+  holdUserCalls();
+  const bool is_over = userCallNotes()[i].changes.load(std::memory_order_acquire) != sights_[i].changes;
+  if (is_over) {
+    releaseUserCalls();
+  }
+  return !is_over;
+}
+
 void Watch::tell(const std::string& text) const {
   if (options_.tell) {
     options_.tell(text);
@@ -233,7 +246,7 @@ void Watch::serveAsked(double passed) {
   for (std::size_t i = 0; i < sights_.size(); ++i) {
     OwnedCode owned;
     if (sights_[i].seconds >= kStuck && copy(userCallNotes()[i], sights_[i], owned) &&
-        (owned.code.is_controllers || is_over)) {
+        (owned.code.is_controllers || is_over) && holdUnlessOver(i)) {
       endWith("interrupted", &owned.code, user_code_end::kInterrupted);
     }
   }

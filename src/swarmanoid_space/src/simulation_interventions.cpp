@@ -64,8 +64,8 @@ void Simulation::move(const std::string& name, const Pose& pose) {
 
 void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   failures_.clear();
-  unbuild();  // controllers that fail in destroy are failures of the run that begins
   pending_events_.clear();
+  unbuild();  // controllers that fail in destroy are failures and events of the run that begins
   logged_overflows_ = 0;
   finish_asked_ = false;
   finished_ = false;

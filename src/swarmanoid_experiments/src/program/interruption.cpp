@@ -9,8 +9,8 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 
-void note(int) {
-  if (interrupted != 0) {
+void note(int signal) {
+  if (interrupted != 0 && signal != SIGHUP) {  // which a terminal that is closed may send several times
     UserCodeWatch::askToEndNow();
   }
   interrupted = 1;

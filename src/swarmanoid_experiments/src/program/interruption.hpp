@@ -1,5 +1,6 @@
 /// Signals that ask a run to end. The first one ends it at the next tick boundary, with results, files and summary. The
-/// second one ends it where it is (user_code_watch.hpp).
+/// second one, SIGINT or SIGTERM, ends it where it is (user_code_watch.hpp); a SIGHUP that is not the first changes
+/// nothing.
 #pragma once
 
 namespace swarmanoid::program {

@@ -85,7 +85,6 @@ void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& 
   } catch (...) {
     std::cerr << "swarmanoid: " << describeException() << '\n';
   }
-  facts.state_hash = simulation.stateHash();
   facts.failures = simulation.failures();
   if (end.exit_code == kControllerFailed && !end.robot.empty()) {
     facts.failures.push_back({end.robot, simulation.space().tick, end.reason});
@@ -222,7 +221,9 @@ Command addRunCommand(CLI::App& app) {
                    "robots whose controllers can be replayed from the bag: names separated by spaces, all or none")
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
-  command->add_option("--watchdog", options->watchdog, "end the run when one call of a controller or another plugin takes longer [s]")
+  command
+      ->add_option("--watchdog", options->watchdog,
+                   "end the run when one call of a controller or another plugin takes longer [s]")
       ->check(refuseBadWatchdog);
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");

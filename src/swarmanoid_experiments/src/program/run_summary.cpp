@@ -37,8 +37,9 @@ ordered_json summarise(const Simulation& simulation, const RunFacts& facts) {
   for (const ControllerFailure& failure : facts.failures) {
     failures.push_back({{"robot", failure.robot}, {"tick", failure.tick}, {"reason", failure.reason}});
   }
+  const std::uint64_t state_hash = facts.state_hash ? *facts.state_hash : simulation.stateHash();
   char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(facts.state_hash));
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash));
 
   ordered_json summary;
   summary["version"] = version();

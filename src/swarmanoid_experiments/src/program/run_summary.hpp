@@ -2,6 +2,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ enum ExitCode : int { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kEngi
 struct RunFacts {
   std::vector<std::string> overrides;  ///< options that replaced what the file says, as given: "--seed 7"
   bool finished = false;
-  double wall_s = 0.0;       ///< spent in ticks [s]
-  double robot_ticks = 0.0;  ///< robots times ticks, summed over the run
-  std::uint64_t state_hash = 0;
+  double wall_s = 0.0;                      ///< spent in ticks [s]
+  double robot_ticks = 0.0;                 ///< robots times ticks, summed over the run
+  std::optional<std::uint64_t> state_hash;  ///< of the last tick; none: as the simulation is
   std::vector<ControllerFailure> failures;  ///< of controllers
 };
 

@@ -22,6 +22,7 @@
 #include <thread>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/space.hpp"
 
 // what assert() calls; its header hides it from builds without assertions, but libraries have theirs
 extern "C" [[noreturn]] void __assert_fail(const char* assertion, const char* file, unsigned line,
@@ -124,6 +125,16 @@ void spoilTheHeap() {
   for (std::size_t size = 16; size < 4096; size += 16) {
     std::free(std::malloc(size));
   }
+}
+
+Space* exposed = nullptr;
+
+/// What is kept of a run must be of a time before this.
+void spoilTheStateAndCrash() {
+  if (exposed != nullptr) {
+    exposed->entities.pose[0].position.x() += 1.0;
+  }
+  raise(SIGSEGV);
 }
 
 // what never ends
@@ -231,6 +242,7 @@ const std::map<std::string, Deed>& table() {
       {"ill", [] { __builtin_trap(); }},
       {"abort", [] { std::abort(); }},
       {"assert", [] { __assert_fail("area > b2_epsilon", "b2_polygon_shape.cpp", 123, "ComputeMass"); }},
+      {"spoil_state", spoilTheStateAndCrash},
       {"free_twice", freeTwice},
       {"spoil_heap", spoilTheHeap},
       {"pure_virtual", [] { abi::__cxa_pure_virtual(); }},
@@ -274,6 +286,8 @@ std::vector<std::string> deeds() {
   }
   return names;
 }
+
+void expose(Space& space) { exposed = &space; }
 
 void commit(const std::string& deed) {
   const auto found = table().find(deed);

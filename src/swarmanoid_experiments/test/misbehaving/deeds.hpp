@@ -8,11 +8,18 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/registry.hpp"
 
+namespace swarmanoid {
+class Space;
+}
+
 namespace swarmanoid::test {
 
 /// Does it. Some deeds return, some throw, some end the process, some never end.
 /// @throws std::runtime_error beginning with "no such deed" and naming all, if there is none of that name
 void commit(const std::string& deed);
+
+/// What the deed "spoil_state" spoils, from now on.
+void expose(Space& space);
 
 /// All names, sorted.
 std::vector<std::string> deeds();

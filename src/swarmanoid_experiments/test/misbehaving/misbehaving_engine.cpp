@@ -24,6 +24,7 @@ class MisbehavingEngine final : public GlideEngine {
   void readMirrors(const Space& space) override { misdeed_.tryIn("readMirrors", space.tick); }
   void move(Space& space, Duration dt) override {
     GlideEngine::move(space, dt);
+    expose(space);
     misdeed_.tryIn("move", space.tick);
   }
   void connect(Space& space) override { misdeed_.tryIn("connect", space.tick); }

@@ -2,12 +2,13 @@
 /// whatever it throws is caught: every call of a controller, the loading of every library, and the calls of a tick that
 /// engines, devices and visualisations get, the suite's own included, go through here.
 ///
-/// The notes are for whoever has to name the robot, or the plugin, when a call does not return: handlers of crashes, and
-/// the watch that reports calls that take too long (user_code_watch.hpp).
+/// The notes are for whoever has to name the robot, or the plugin, when a call does not return: handlers of crashes,
+/// and the watch that reports calls that take too long (user_code_watch.hpp).
 ///
 /// Threads  all functions from any thread; each thread has its own notes.
-/// Cost     a note is some stores into memory that is the thread's own: no allocation, lock or system call, but for the
-///          first one of a thread.
+/// Cost     a note is some stores into memory that is the thread's own, and a look at whether the process is being
+/// ended:
+///          no allocation, lock or system call, but for the first one of a thread.
 #pragma once
 
 #include <cstdint>

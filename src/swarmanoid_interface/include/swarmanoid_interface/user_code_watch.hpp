@@ -6,13 +6,19 @@
 ///     a call under way when the end is asked for a second time  exit code 130
 ///
 /// The robot, the controller, its library, the phase and the tick are named on standard error, or the plugin that is no
-/// controller; then `close` has some seconds to keep what can be kept. A crash that is not in users' code is said to be in the simulator, and ends the
-/// process by its signal, as if nobody watched. A call that is late is told of, while it goes on.
+/// controller; then `close` has some seconds to keep what can be kept. A crash that is not in users' code is said to be
+/// in the simulator, and ends the process by its signal, as if nobody watched. A call that is late is told of, while it
+/// goes on.
 ///
 /// `close` runs on the watch's thread. The thread of the call that failed stands still until the process ends, and so
-/// does whoever waits for it: what they left is as at the time of the call.
+/// does whoever waits for it: what they left is as at the time of the call. If a late call returns after all, it stands
+/// still where it returns; if it has returned before that is made sure of, the process goes on, or ends by itself if it
+/// has been asked to. All other threads stand still where they next enter or leave users' code. So a simulation that
+/// the failing call is no part of, another one in the process, may still be in the middle of a tick while its `close`
+/// runs, for as long as it takes to reach the next call: its files are completed, but of its last tick they may have a
+/// part.
 ///
-/// Time     wall time; time in which the process is stopped does not count
+/// Time     wall time, whatever is done to the calendar; time in which the process is stopped does not count
 #pragma once
 
 #include <functional>
@@ -58,7 +64,8 @@ class UserCodeWatch {
   };
 
   /// The end is asked for once more. If a controller's call is under way the process ends with 130 after `close`; else
-  /// it has some seconds to end by itself, for other plugins may be completing files. Asked for again, it ends at once. Can be called by a handler of signals.
+  /// it has some seconds to end by itself, for other plugins may be completing files. Asked for again, it ends at once.
+  /// Can be called by a handler of signals.
   static void askToEndNow();
 };
 

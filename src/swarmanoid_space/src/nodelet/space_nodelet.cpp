@@ -114,7 +114,7 @@ void SpaceNodelet::onInit() {
 /// Tells of others who reach this process, and holds libraries to what is allowed then.
 RemoteRules SpaceNodelet::lookAround() {
   const auto warning = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
-  const RemoteRules rules = remoteRules(warning.has_value());
+  RemoteRules rules = remoteRules(warning.has_value());
   if (warning) {
     NODELET_WARN("%s", warning->c_str());
   }
