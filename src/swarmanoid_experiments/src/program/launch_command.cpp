@@ -22,10 +22,15 @@ namespace swarmanoid::program {
 namespace {
 
 volatile std::sig_atomic_t is_told_to_end = 0;
+volatile std::sig_atomic_t had_result = 0;  // when it was told so
 volatile std::sig_atomic_t roslaunch_pid = 0;
+std::string result_file;  // changes no more once signals are taken
 
 /// Ctrl-C in a terminal reaches roslaunch by itself; a signal that somebody sends to this process does not.
 void passOn(int signal, siginfo_t* sender, void*) {
+  if (is_told_to_end == 0) {
+    had_result = access(result_file.c_str(), F_OK) == 0 ? 1 : 0;
+  }
   is_told_to_end = 1;
   if (sender->si_code <= 0 && roslaunch_pid > 0) {
     kill(static_cast<pid_t>(roslaunch_pid), signal);
@@ -92,7 +97,9 @@ std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
 int exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
   int code = 0;
   if (std::ifstream(file) >> code) {
-    return code;
+    // roslaunch takes its nodes down one after the other: the space may have been unloaded before ROS was told to end
+    const bool is_interrupted = code == kEngineStopped && is_told_to_end != 0 && had_result == 0;
+    return is_interrupted ? kInterrupted : code;
   }
   if (is_told_to_end != 0) {
     return kInterrupted;
@@ -130,6 +137,7 @@ int launch(const std::string& experiment, const std::vector<std::string>& others
   const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
   // no parameter: where others reach the master those name files that are theirs
   setenv("SWARMANOID_EXIT_CODE", file.c_str(), 1);
+  result_file = file;
   nameThisHost(others);
   std::vector<std::string> arguments{"roslaunch", "swarmanoid_experiments", "run.launch", "experiment:=" + experiment};
   arguments.insert(arguments.end(), others.begin(), others.end());
