@@ -11,7 +11,7 @@ import tempfile
 from table import ROOT
 
 EXPERIMENTS = ROOT / "src/swarmanoid_experiments"
-FILES, IMAGES, FRAMES, CALLS = 10_000, 1_200, 1_000, 2_000
+FILES, IMAGES, CONTROLLERS, FRAMES, CALLS = 10_000, 1_200, 406, 1_000, 2_000
 SANITIZERS = {"address,undefined": {"ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"},
               "thread": {"TSAN_OPTIONS": f"suppressions={ROOT / 'scripts/figures/thread_sanitizer.supp'}"}}
 TICKS = 100  # of each experiment under a sanitizer
@@ -24,7 +24,7 @@ def _last_line(text):
 
 
 def fuzzers(table, build):
-    for subject, count in (("files", FILES), ("images", IMAGES)):
+    for subject, count in (("files", FILES), ("images", IMAGES), ("controllers", CONTROLLERS)):
         done = subprocess.run([EXPERIMENTS / "fuzz/fuzz.py", subject, "--cases", str(count)], capture_output=True, text=True,
                               check=False)
         if done.returncode != 0:
