@@ -23,7 +23,7 @@ class TwoHostsLockstepTest(TwoHostsCase):
     """Master, space and this test are on host a, the eyebot's controller is on host b."""
 
     def start(self, policy):
-        self.hashes = self.folder / "hashes.txt"
+        self.hashes = self.folder / f"{self.id()}.txt"
         self.launch(self.hosts.a, "run.launch", seed=1, allow_remote_files="true", max_ticks=TICKS, hashes=self.hashes, rviz="false",
                     paused="true", real_time_factor=0, on_end="stay", set="arena.eb.controller.source=remote")
         self.space = Space()
