@@ -1,4 +1,4 @@
-/// Robots whose controllers run elsewhere: a participant in this process, which answers as it is told to.
+/// Robots whose controllers run elsewhere: a participant in this process, which answers as a test sets it up.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace swarmanoid::test {
 
-/// Runs controllers as another process would, and answers at once unless it is told otherwise.
+/// Runs controllers as another process would, and answers at once unless set up otherwise.
 class FakeParticipant {
  public:
   FakeParticipant(Simulation& simulation, std::string name, std::vector<std::string> robots)

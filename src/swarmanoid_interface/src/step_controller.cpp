@@ -2,13 +2,16 @@
 
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/user_code.hpp"
+#include "user_calls.hpp"
 
 namespace swarmanoid {
 
 std::string stepController(Controller& controller, std::string_view part, Robot& robot, std::uint64_t tick, Time time,
                            Duration dt) {
   robot.startTick(tick, time);
-  return failureOf({"step", part, robot.name(), tick}, [&] { controller.step(time, dt); });
+  const UserCode code{"step", part, robot.name(), tick};
+  const NotedCall call(code);
+  return failureOf([&] { controller.step(time, dt); });
 }
 
 std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<Controller>()>& make,

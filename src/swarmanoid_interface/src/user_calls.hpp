@@ -23,8 +23,58 @@ constexpr std::size_t kMostUserCallNotes = 2048;
 using UserCallNotes = std::array<UserCallNote, kMostUserCallNotes>;
 UserCallNotes& userCallNotes();
 
-/// Of this thread; null if it has never called users' code. Can be called by a handler of signals.
-const UserCallNote* ownUserCallNote();
+/// Of this thread; null if it has never called users' code. A handler of signals may read it: it lies at a fixed
+/// offset, so no thread-local storage is made meanwhile. No thread_local, which other sources reach through a function
+/// only.
+extern __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec")));
+/// Makes the note of this thread, if one is left.
+void takeUserCallNote();
+
+/// See holdUserCalls.
+extern std::atomic<bool> are_user_calls_held;
+void standStillUnlessHolder();
+
+/// Notes the call that the thread is in from here on; null: none. In line, for it is done twice a robot and tick.
+inline void noteUserCall(UserCallNote& note, const UserCode* call) {
+  constexpr auto kRelaxed = std::memory_order_relaxed;
+  std::atomic_signal_fence(std::memory_order_seq_cst);
+  note.call.store(call, kRelaxed);
+  note.changes.store(note.changes.load(kRelaxed) + 1, std::memory_order_release);
+  std::atomic_signal_fence(std::memory_order_seq_cst);  // holdUserCalls makes a whole one of it
+  if (__builtin_expect(are_user_calls_held.load(kRelaxed), false)) {
+    standStillUnlessHolder();
+  }
+}
+
+/// @return the call that this one is in, for leaveUserCode; null: none
+inline const UserCode* enterUserCode(const UserCode& code) {
+  if (own_user_call_note == nullptr) {
+    takeUserCallNote();
+  }
+  if (own_user_call_note == nullptr) {
+    return nullptr;
+  }
+  const UserCode* outer = own_user_call_note->call.load(std::memory_order_relaxed);
+  noteUserCall(*own_user_call_note, &code);
+  return outer;
+}
+inline void leaveUserCode(const UserCode* outer) {
+  if (own_user_call_note != nullptr) {
+    noteUserCall(*own_user_call_note, outer);
+  }
+}
+
+/// As UserCall, but in line and without a copy: `code` outlives it. For the steps of controllers.
+class NotedCall {
+ public:
+  explicit NotedCall(const UserCode& code) noexcept : outer_(enterUserCode(code)) {}
+  ~NotedCall() { leaveUserCode(outer_); }
+  NotedCall(const NotedCall&) = delete;
+  NotedCall& operator=(const NotedCall&) = delete;
+
+ private:
+  const UserCode* outer_;
+};
 
 /// Of this thread, as it stands. Can be called by a handler of signals.
 UserCode ownUserCode();

@@ -22,10 +22,6 @@ namespace {
 UserCallNotes notes;
 std::atomic<UserCodeEnder> ender{nullptr};
 
-// found at a fixed offset: a handler of signals must not make thread-local storage while it reads this
-#define SWARMANOID_EARLY __attribute__((tls_model("initial-exec")))
-SWARMANOID_EARLY thread_local UserCallNote* own_note = nullptr;
-
 /// A stack for handlers of signals: after an overflow there is none other.
 class HandlerStack {
  public:
@@ -65,23 +61,23 @@ class OwnNote {
     for (UserCallNote& note : notes) {
       bool is_taken = false;
       if (note.is_taken.compare_exchange_strong(is_taken, true)) {
-        own_note = &note;
+        own_user_call_note = &note;
         return;
       }
     }
   }
   ~OwnNote() {
-    if (own_note == nullptr) {
+    if (own_user_call_note == nullptr) {
       return;
     }
     // exit() ends what is thread-local first; a thread that ends otherwise has left its calls
     const UserCodeEnder end = ender;
-    if (own_note->call.load(std::memory_order_relaxed) != nullptr && end != nullptr) {
+    if (own_user_call_note->call.load(std::memory_order_relaxed) != nullptr && end != nullptr) {
       end("called exit");
     }
-    own_note->call = nullptr;
-    own_note->is_taken = false;
-    own_note = nullptr;
+    own_user_call_note->call = nullptr;
+    own_user_call_note->is_taken = false;
+    own_user_call_note = nullptr;
   }
   OwnNote(const OwnNote&) = delete;
   OwnNote& operator=(const OwnNote&) = delete;
@@ -90,15 +86,7 @@ class OwnNote {
   HandlerStack stack_;
 };
 
-std::atomic<bool> are_calls_held{false};
 thread_local bool is_holder = false;
-
-[[gnu::noinline, gnu::cold]] void standStillUnlessHolder() {
-  while (!is_holder && are_calls_held.load(std::memory_order_acquire)) {
-    constexpr timespec kPause{0, 1'000'000};
-    nanosleep(&kPause, nullptr);
-  }
-}
 
 /// Every other thread has passed a full fence when this returns: so threads that call users' code need none.
 void fenceAllThreads() {
@@ -106,19 +94,6 @@ void fenceAllThreads() {
   if (syscall(SYS_membarrier, MEMBARRIER_CMD_GLOBAL, 0, 0) != 0) {  // refused, as some containers do
     constexpr timespec kLong{0, 50'000'000};                        // no store is under way for so long
     nanosleep(&kLong, nullptr);
-  }
-}
-
-[[gnu::noinline]] void takeNote() { thread_local OwnNote own; }
-
-void write(UserCallNote& note, const UserCode* call) {
-  constexpr auto kRelaxed = std::memory_order_relaxed;
-  std::atomic_signal_fence(std::memory_order_seq_cst);
-  note.call.store(call, kRelaxed);
-  note.changes.store(note.changes.load(kRelaxed) + 1, std::memory_order_release);
-  std::atomic_signal_fence(std::memory_order_seq_cst);  // fenceAllThreads() makes a whole one of it
-  if (__builtin_expect(are_calls_held.load(kRelaxed), false)) {
-    standStillUnlessHolder();
   }
 }
 
@@ -144,21 +119,33 @@ std::string otherThing(const std::string& what) { return "threw " + what + ", wh
 
 UserCallNotes& userCallNotes() { return notes; }
 
-const UserCallNote* ownUserCallNote() { return own_note; }
+__thread UserCallNote* own_user_call_note = nullptr;
+
+[[gnu::noinline]] void takeUserCallNote() { thread_local OwnNote own; }
+
+std::atomic<bool> are_user_calls_held{false};
+
+[[gnu::noinline, gnu::cold]] void standStillUnlessHolder() {
+  while (!is_holder && are_user_calls_held.load(std::memory_order_acquire)) {
+    constexpr timespec kPause{0, 1'000'000};
+    nanosleep(&kPause, nullptr);
+  }
+}
 
 UserCode ownUserCode() {
-  const UserCode* call = own_note == nullptr ? nullptr : own_note->call.load(std::memory_order_relaxed);
+  const UserCode* call =
+      own_user_call_note == nullptr ? nullptr : own_user_call_note->call.load(std::memory_order_relaxed);
   return call == nullptr ? UserCode{} : *call;
 }
 
 void holdUserCalls() {
   is_holder = true;
-  are_calls_held = true;
+  are_user_calls_held = true;
   fenceAllThreads();
 }
 
 void releaseUserCalls() {
-  are_calls_held = false;
+  are_user_calls_held = false;
   is_holder = false;
 }
 
@@ -177,21 +164,9 @@ std::string describe(const UserCode& code) {
   return text;
 }
 
-UserCall::UserCall(const UserCode& code) noexcept : code_(code) {
-  if (own_note == nullptr) {
-    takeNote();
-  }
-  if (own_note != nullptr) {
-    outer_ = own_note->call.load(std::memory_order_relaxed);
-    write(*own_note, &code_);
-  }
-}
+UserCall::UserCall(const UserCode& code) noexcept : code_(code), outer_(enterUserCode(code_)) {}
 
-UserCall::~UserCall() {
-  if (own_note != nullptr) {
-    write(*own_note, outer_);
-  }
-}
+UserCall::~UserCall() { leaveUserCode(outer_); }
 
 std::string describeException() {
   try {

@@ -26,8 +26,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kLate = 5.0;          // [s] a call is told of
-constexpr double kAgain = 30.0;        // [s] and told of again
+constexpr double kLate = 5.0;          // [s] until a call is reported
+constexpr double kAgain = 30.0;        // [s] until it is reported again
 constexpr double kStuck = 0.4;         // [s] a call does not end by itself when the end is asked for
 constexpr double kEndsByItself = 5.0;  // [s] for whoever is asked to end, and is not in users' code
 

@@ -19,7 +19,7 @@
 
 namespace swarmanoid {
 
-/// A plugin, and what people are told that it is (UserCode::part): "engine 'ground' (dynamics2d)".
+/// A plugin, and its description for messages (UserCode::part): "engine 'ground' (dynamics2d)".
 template <class Plugin>
 struct Named {
   std::shared_ptr<Plugin> plugin;

@@ -49,12 +49,12 @@ void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& rob
   tick_ = space.tick;
   seed_ = space.seed;
   clocktick_ = space.clocktick;
-  are_lonely_told_ = false;
+  unassigned_reported_ = false;
   stop_reason_.clear();
 }
 
 void Lockstep::resolve(Participant& participant) {
-  participant.drivers.assign(participant.robots.size(), kNowhere);
+  participant.drivers.assign(participant.robots.size(), kNoDriver);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     for (const Offered& offered : offered_) {
       if (offered.robot.name == participant.robots[i].name &&
@@ -116,9 +116,9 @@ Registration Lockstep::join(const Request& request, Send send) {
                                   [&](const auto& other) { return joined->name < other->name; });
   participants_.insert(place, joined);
   markCommanded();
-  are_lonely_told_ = are_lonely_told_ && isAnybodyLonely();
-  notes_.push_back({Event::Kind::kParticipantJoined, joined->name,
-                    std::string(is_again ? "again, " : "") + "for " + joinNames(request.robots)});
+  unassigned_reported_ = unassigned_reported_ && isAnybodyUnassigned();
+  notices_.push_back({Event::Kind::kParticipantJoined, joined->name,
+                      std::string(is_again ? "again, " : "") + "for " + joinNames(request.robots)});
   changed_.notify_all();
   return {last_session_, run_, tick_, seed_, clocktick_, joined->robots};
 }
@@ -134,7 +134,7 @@ bool Lockstep::replace(Participant& joined) {
       joined.answers = (*other)->answers;
     }
     const bool is_in_the_way = std::any_of((*other)->drivers.begin(), (*other)->drivers.end(), [&](std::size_t driver) {
-      return driver != kNowhere &&
+      return driver != kNoDriver &&
              std::find(joined.drivers.begin(), joined.drivers.end(), driver) != joined.drivers.end();
     });
     other = is_former_self || is_in_the_way ? participants_.erase(other) : other + 1;
@@ -163,8 +163,8 @@ std::string Lockstep::answer(CommandFrame frame) {
   }
   if (participant.is_late && !is_this_tick && participant.policy == LatePolicy::kSkip) {
     participant.is_late = false;  // it is alive; from its next frame on it is waited for again
-    notes_.push_back({Event::Kind::kParticipantJoined, participant.name,
-                      "is back: it answered for tick " + std::to_string(frame.stamp.tick)});
+    notices_.push_back({Event::Kind::kParticipantJoined, participant.name,
+                        "is back: it answered for tick " + std::to_string(frame.stamp.tick)});
     return "too late for tick " + std::to_string(frame.stamp.tick);
   }
   std::string problem = is_this_tick ? "answered twice for tick " + std::to_string(frame.stamp.tick)
@@ -173,7 +173,7 @@ std::string Lockstep::answer(CommandFrame frame) {
                                            std::to_string(participant.frame.stamp.tick) + " of run " +
                                            std::to_string(participant.frame.stamp.run);
   if (participant.refused++ == 0) {
-    notes_.push_back({Event::Kind::kAnswerRefused, participant.name, problem + "; more of the like is only counted"});
+    notices_.push_back({Event::Kind::kAnswerRefused, participant.name, problem + "; more of the like is only counted"});
   }
   return problem;
 }
@@ -189,18 +189,18 @@ std::vector<Lockstep::Report> Lockstep::reports() const {
     }
     reports.push_back(std::move(report));
   }
-  const std::vector<std::string> lonely = lonelyRobots();
-  if (!lonely.empty()) {
-    reports.push_back({"", lonely, true, 0, 0, 0});
+  const std::vector<std::string> unassigned = unassignedRobots();
+  if (!unassigned.empty()) {
+    reports.push_back({"", unassigned, true, 0, 0, 0});
   }
   return reports;
 }
 
-bool Lockstep::isAnybodyLonely() const {
+bool Lockstep::isAnybodyUnassigned() const {
   return std::any_of(offered_.begin(), offered_.end(), [](const Offered& offered) { return !offered.is_commanded; });
 }
 
-std::vector<std::string> Lockstep::lonelyRobots() const {
+std::vector<std::string> Lockstep::unassignedRobots() const {
   std::vector<std::string> names;
   for (const Offered& offered : offered_) {
     if (!offered.is_commanded) {

@@ -229,7 +229,7 @@ void SimulationThread::runJobs(std::unique_lock<std::mutex>& lock) {
   while (!jobs_.empty() && !stop_reason_) {
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
-    lock.unlock();  // users' code may take long, and others may be told so meanwhile
+    lock.unlock();  // users' code may take long, and state() must answer meanwhile
     try {
       job.action();
       if (job.kind.is_change) {

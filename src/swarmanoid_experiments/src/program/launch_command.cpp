@@ -22,7 +22,7 @@ namespace swarmanoid::program {
 namespace {
 
 volatile std::sig_atomic_t is_told_to_end = 0;
-volatile std::sig_atomic_t had_result = 0;  // when it was told so
+volatile std::sig_atomic_t had_result = 0;  // when the first signal came
 volatile std::sig_atomic_t roslaunch_pid = 0;
 std::string result_file;  // changes no more once signals are taken
 
@@ -97,7 +97,7 @@ std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
 int exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
   int code = 0;
   if (std::ifstream(file) >> code) {
-    // roslaunch takes its nodes down one after the other: the space may have been unloaded before ROS was told to end
+    // roslaunch takes its nodes down one after the other: the space may have been unloaded before ROS shut down
     const bool is_interrupted = code == kEngineStopped && is_told_to_end != 0 && had_result == 0;
     return is_interrupted ? kInterrupted : code;
   }

@@ -7,8 +7,7 @@
 ///
 /// Threads  all functions from any thread; each thread has its own notes.
 /// Cost     a note is some stores into memory that is the thread's own, and a look at whether the process is being
-/// ended:
-///          no allocation, lock or system call, but for the first one of a thread.
+///          ended: no allocation, lock or system call, but for the first one of a thread.
 #pragma once
 
 #include <cstdint>
@@ -52,10 +51,9 @@ class UserCall {
 /// crash does.
 std::string describeException();
 
-/// Calls users' code. @return "", or what it threw
+/// Calls users' code whose call is noted already. @return "", or what it threw
 template <class Action>
-std::string failureOf(const UserCode& code, Action action) {
-  const UserCall call(code);
+std::string failureOf(Action action) {
   std::string failure;
   try {
     try {
@@ -67,6 +65,13 @@ std::string failureOf(const UserCode& code, Action action) {
     failure = describeException();  // what was thrown throws when it goes
   }
   return failure;
+}
+
+/// Likewise, and notes it.
+template <class Action>
+std::string failureOf(const UserCode& code, Action action) {
+  const UserCall call(code);
+  return failureOf(action);
 }
 
 /// Calls users' code. @return what it returns

@@ -7,8 +7,8 @@
 ///
 /// The robot, the controller, its library, the phase and the tick are named on standard error, or the plugin that is no
 /// controller; then `close` has some seconds to keep what can be kept. A crash that is not in users' code is said to be
-/// in the simulator, and ends the process by its signal, as if nobody watched. A call that is late is told of, while it
-/// goes on.
+/// in the simulator, and ends the process by its signal, as if nobody watched. A call that is late is reported, while
+/// it goes on.
 ///
 /// `close` runs on the watch's thread. The thread of the call that failed stands still until the process ends, and so
 /// does whoever waits for it: what they left is as at the time of the call. If a late call returns after all, it stands

@@ -1,4 +1,4 @@
-/// What can be told of an experiment file without running code of others.
+/// What can be checked of an experiment file without running code of others.
 ///
 /// An experiment file is code: reading it loads the libraries that it names, and loading a library runs what is in it.
 #pragma once

@@ -75,7 +75,7 @@ class Lockstep {
   /// @throws std::runtime_error for a robot that is not commanded from elsewhere, or by another participant that is not
   /// late; then nothing has changed
   Registration join(const Request& request, Send send);
-  /// The answer to a frame. One that nobody waits for is refused, and told of once for each participant.
+  /// The answer to a frame. One that nobody waits for is refused, and reported once for each participant.
   /// @return why it is refused; "" if it is not
   std::string answer(CommandFrame frame);
   std::vector<Report> reports() const;
@@ -88,11 +88,12 @@ class Lockstep {
   void offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space);
   /// Sends the readings to all participants, waits for their answers, and makes these the commands of the robots.
   ///
-  /// Whoever asks for something in the meantime, between ticks, need not wait for a participant that is late, or for
-  /// one that never comes: the tick is given up and made again afterwards. Each participant is asked once a tick; one
-  /// that was asked before the tick was given up has decided, by what it saw then.
+  /// An intervention that is requested meanwhile need not wait for a participant that is late or never registers: the
+  /// tick is given up, and made again after the intervention. Each participant gets one sensor frame a tick; the
+  /// command frame that answers a frame from before the tick was given up is valid, although it is based on the
+  /// readings of that time.
   ///
-  /// @param events gets what is to be told of participants
+  /// @param events gets what is reported of participants
   /// @param is_disturbed asked before each wait, see `wake`; may be empty
   /// @return false: it was disturbed, nothing has changed, call it again for the same tick
   /// @throws std::runtime_error naming who is late, by LatePolicy::kStop, or if it is cancelled
@@ -105,7 +106,7 @@ class Lockstep {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kNowhere = ~std::size_t{0};
+  static constexpr std::size_t kNoDriver = ~std::size_t{0};
 
   struct Offered {
     RemoteRobot robot;
@@ -115,7 +116,7 @@ class Lockstep {
   struct Participant {
     std::string name;
     std::vector<RemoteRobot> robots;
-    std::vector<std::size_t> drivers;  // of the robots; kNowhere: not to be commanded now
+    std::vector<std::size_t> drivers;  // of the robots; kNoDriver: not to be commanded now
     Send send;
     LatePolicy policy = LatePolicy::kWait;
     Seconds timeout{1.0};
@@ -125,15 +126,15 @@ class Lockstep {
     Clock::time_point sent;
     bool is_asked = false;     // this tick
     bool is_answered = false;  // this tick
-    bool is_late = false;      // and that has been told
+    bool is_late = false;      // and that was reported
     bool is_new = true;        // since it joined no frame was made for it
     bool needs_frame = true;   // this tick's
-    bool has_obeyed = false;   // since it joined its robots have had commands of it
+    bool has_applied = false;  // since it joined its robots have had commands of it
     std::uint64_t answers = 0;
     std::uint64_t times_late = 0;
     std::uint64_t refused = 0;
   };
-  struct Note {
+  struct Notice {
     Event::Kind kind;
     std::string participant;
     std::string text;
@@ -154,21 +155,21 @@ class Lockstep {
   bool isDone() const;
   /// For its next answer: connections take their time before the first.
   Seconds timeoutOf(const Participant& participant) const;
-  bool isAnybodyLonely() const;
-  std::vector<std::string> lonelyRobots() const;
+  bool isAnybodyUnassigned() const;
+  std::vector<std::string> unassignedRobots() const;
   Clock::time_point nextDeadline() const;
   void checkDeadlines(const Space& space);
-  static void tell(const Note& note, std::vector<Event>& events, const Robot::LogSink& log);
-  void tellAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log);
+  static void report(const Notice& notice, std::vector<Event>& events, const Robot::LogSink& log);
+  void reportAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log);
   static bool isCommandable(std::size_t driver, const std::vector<Driver>& drivers);
-  static void obey(const Participant& participant, Space& space, std::vector<Driver>& drivers);
+  static void apply(const Participant& participant, Space& space, std::vector<Driver>& drivers);
 
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;
   Options options_;
   std::vector<Offered> offered_;
   std::vector<std::shared_ptr<Participant>> participants_;  // by name
-  std::vector<Note> notes_;                                 // to be told on the space's thread
+  std::vector<Notice> notices_;                             // to be reported on the space's thread
   std::string stop_reason_;
   std::uint64_t last_session_ = 0;
   std::uint64_t run_ = 0;
@@ -177,7 +178,7 @@ class Lockstep {
   Duration clocktick_{};
   Clock::time_point started_;  // this tick's waiting, without the time since it was given up
   std::optional<Clock::time_point> given_up_;
-  bool are_lonely_told_ = false;  // robots without a participant
+  bool unassigned_reported_ = false;  // robots without a participant
   bool is_cancelled_ = false;
 };
 

@@ -151,7 +151,7 @@ void readArena(const XmlElement& section, Reader& reader) {
       arena.entities.push_back(readEntity(element, false, reader));
     }
   }
-  // as whoever builds the space does, so that a mistake is told before anything is built
+  // as whoever builds the space does, so that a mistake is reported before anything is built
   for (const EntityDescription& entity : arena.entities) {
     door::check(entity, reader.experiment);
   }

@@ -99,7 +99,7 @@ void SpaceNodelet::onInit() {
     with_topics_.is_all = options_.device_topics == std::vector<std::string>{"all"};
     with_topics_.names.insert(with_topics.begin(), with_topics.end());
     parts_ = partsOf(experiment, with_topics, commands_);
-    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // a mistake is told of at once
+    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // a mistake is reported at once
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });

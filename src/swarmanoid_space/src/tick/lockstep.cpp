@@ -50,7 +50,7 @@ void fail(Driver& driver, const std::string& reason, Space& space) {
 }  // namespace
 
 bool Lockstep::isCommandable(std::size_t driver, const std::vector<Driver>& drivers) {
-  return driver != kNowhere && !drivers[driver].has_failed;
+  return driver != kNoDriver && !drivers[driver].has_failed;
 }
 
 void Lockstep::ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers) {
@@ -116,7 +116,7 @@ bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<
   startWaiting(space);
   forgetWhoHasGone(drivers);
   while (!isDone() && !is_cancelled_ && stop_reason_.empty()) {
-    tellAll(lock, events, log);
+    reportAll(lock, events, log);
     const auto asked = askAll(space, drivers);
     if (isDone() || !asked.empty()) {
       lock.unlock();
@@ -132,7 +132,7 @@ bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<
     }
   }
   finishWaiting(space);
-  tellAll(lock, events, log);
+  reportAll(lock, events, log);
   if (!stop_reason_.empty() || is_cancelled_) {
     throw std::runtime_error(is_cancelled_ ? "stopped while waiting for participants" : stop_reason_);
   }
@@ -141,19 +141,19 @@ bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<
   }
   for (const auto& participant : participants_) {
     if (participant->is_asked && participant->is_answered) {
-      obey(*participant, space, drivers);
-      participant->has_obeyed = true;
+      apply(*participant, space, drivers);
+      participant->has_applied = true;
     }
   }
   return true;
 }
 
-void Lockstep::obey(const Participant& participant, Space& space, std::vector<Driver>& drivers) {
+void Lockstep::apply(const Participant& participant, Space& space, std::vector<Driver>& drivers) {
   ByteReader in(participant.answer.data);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     const std::size_t driver = participant.drivers[i];
     const bool is_commanded = participant.is_present[i] && isCommandable(driver, drivers);
-    if (is_commanded && !participant.has_obeyed) {
+    if (is_commanded && !participant.has_applied) {
       ++stateOf(drivers[driver], space).starts;
     }
     try {
@@ -171,7 +171,7 @@ void Lockstep::obey(const Participant& participant, Space& space, std::vector<Dr
     } catch (const ByteError& error) {
       // what follows cannot be read either
       for (std::size_t k = i; k < participant.robots.size(); ++k) {
-        if (participant.drivers[k] != kNowhere && !drivers[participant.drivers[k]].has_failed) {
+        if (participant.drivers[k] != kNoDriver && !drivers[participant.drivers[k]].has_failed) {
           fail(drivers[participant.drivers[k]],
                "participant '" + participant.name + "' sent a bad command frame: " + participant.robots[i].name + ": " +
                    error.what(),

@@ -1,4 +1,4 @@
-// Part of phase 2: for whom a tick waits, how long, and what is told of it.
+// Part of phase 2: for which participants a tick waits, how long, and what is reported.
 #include <algorithm>
 
 #include "../cast.hpp"
@@ -30,8 +30,8 @@ void Lockstep::startWaiting(const Space& space) {
 }
 
 bool Lockstep::isDone() const {
-  const bool is_skipping = are_lonely_told_ && options_.policy == LatePolicy::kSkip;
-  return (is_skipping || !isAnybodyLonely()) &&
+  const bool is_skipping = unassigned_reported_ && options_.policy == LatePolicy::kSkip;
+  return (is_skipping || !isAnybodyUnassigned()) &&
          std::all_of(participants_.begin(), participants_.end(), [](const auto& participant) {
            const bool is_skipped = participant->is_late && participant->policy == LatePolicy::kSkip;
            return !participant->needs_frame && (!participant->is_asked || participant->is_answered || is_skipped);
@@ -39,16 +39,16 @@ bool Lockstep::isDone() const {
 }
 
 Lockstep::Seconds Lockstep::timeoutOf(const Participant& participant) const {
-  return participant.has_obeyed ? participant.timeout : std::max(participant.timeout, options_.join_timeout);
+  return participant.has_applied ? participant.timeout : std::max(participant.timeout, options_.join_timeout);
 }
 
 Lockstep::Clock::time_point Lockstep::nextDeadline() const {
   const auto after = [](Clock::time_point from, Seconds timeout) {
     return from + std::chrono::duration_cast<Clock::duration>(timeout);
   };
-  // who has been told of is waited for without an end, so this is the next moment at which something is to be told
+  // a participant that was reported is waited for without an end: this is when the next one is to be reported
   Clock::time_point next = after(Clock::now(), Seconds(3600.0));
-  if (!are_lonely_told_ && isAnybodyLonely()) {
+  if (!unassigned_reported_ && isAnybodyUnassigned()) {
     next = std::min(next, after(started_, options_.join_timeout));
   }
   for (const auto& participant : participants_) {
@@ -62,12 +62,12 @@ Lockstep::Clock::time_point Lockstep::nextDeadline() const {
 void Lockstep::checkDeadlines(const Space& space) {
   const Clock::time_point now = Clock::now();
   const std::string in_tick = " in tick " + std::to_string(space.tick);
-  const std::vector<std::string> lonely = lonelyRobots();
-  if (!lonely.empty() && !are_lonely_told_ && now - started_ >= options_.join_timeout) {
-    are_lonely_told_ = true;
-    const std::string text = "no participant has registered for " + joinNames(lonely) + in_tick + " (" +
+  const std::vector<std::string> unassigned = unassignedRobots();
+  if (!unassigned.empty() && !unassigned_reported_ && now - started_ >= options_.join_timeout) {
+    unassigned_reported_ = true;
+    const std::string text = "no participant has registered for " + joinNames(unassigned) + in_tick + " (" +
                              toText(options_.join_timeout) + "); policy " + toString(options_.policy);
-    notes_.push_back({Event::Kind::kParticipantLate, "", text});
+    notices_.push_back({Event::Kind::kParticipantLate, "", text});
     if (options_.policy == LatePolicy::kStop && stop_reason_.empty()) {
       stop_reason_ = text;
     }
@@ -81,7 +81,7 @@ void Lockstep::checkDeadlines(const Space& space) {
     ++participant->times_late;
     const std::string text =
         "no answer" + in_tick + " (" + toText(timeoutOf(*participant)) + "); policy " + toString(participant->policy);
-    notes_.push_back({Event::Kind::kParticipantLate, participant->name, text});
+    notices_.push_back({Event::Kind::kParticipantLate, participant->name, text});
     if (participant->policy == LatePolicy::kStop && stop_reason_.empty()) {
       stop_reason_ = "participant '" + participant->name + "': " + text;
     }
@@ -92,27 +92,27 @@ void Lockstep::finishWaiting(const Space& space) {
   for (const auto& participant : participants_) {
     if (participant->is_answered && participant->is_late) {
       participant->is_late = false;
-      notes_.push_back(
+      notices_.push_back(
           {Event::Kind::kParticipantJoined, participant->name, "is back in tick " + std::to_string(space.tick)});
     }
   }
 }
 
-void Lockstep::tell(const Note& note, std::vector<Event>& events, const Robot::LogSink& log) {
-  events.push_back({note.kind, note.participant, "", note.text});
+void Lockstep::report(const Notice& notice, std::vector<Event>& events, const Robot::LogSink& log) {
+  events.push_back({notice.kind, notice.participant, "", notice.text});
   if (log) {
-    const bool is_good = note.kind == Event::Kind::kParticipantJoined;
+    const bool is_good = notice.kind == Event::Kind::kParticipantJoined;
     log(is_good ? LogLevel::kInfo : LogLevel::kWarning,
-        note.participant.empty() ? "lockstep" : "participant '" + note.participant + "'", note.text);
+        notice.participant.empty() ? "lockstep" : "participant '" + notice.participant + "'", notice.text);
   }
 }
 
-void Lockstep::tellAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log) {
-  std::vector<Note> notes;
-  notes.swap(notes_);
+void Lockstep::reportAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log) {
+  std::vector<Notice> notices;
+  notices.swap(notices_);
   lock.unlock();
-  for (const Note& note : notes) {
-    tell(note, events, log);
+  for (const Notice& notice : notices) {
+    report(notice, events, log);
   }
   lock.lock();
 }

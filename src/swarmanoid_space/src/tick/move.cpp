@@ -9,13 +9,21 @@
 namespace swarmanoid::phases {
 namespace {
 
+/// Finite if all numbers of the pose are: sums of finite numbers of this size are.
+double sumOf(const Pose& pose) { return pose.position.sum() + pose.orientation.coeffs().sum(); }
+
 /// An engine whose computation has broken down must not hand it on: to grips, the index, sensors, recordings.
 void refuseWhatIsNotFinite(const Space& space) {
+  double sum = 0.0;
+  for (const Row row : space.entities.order) {
+    sum += sumOf(space.entities.pose[static_cast<std::size_t>(row)]);
+  }
+  if (std::isfinite(sum)) {
+    return;
+  }
   for (const Row row : space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
-    const Pose& pose = space.entities.pose[i];
-    const double sum = pose.position.sum() + pose.orientation.coeffs().sum();
-    if (!std::isfinite(sum)) {  // the sum of finite numbers of this size is finite
+    if (!std::isfinite(sumOf(space.entities.pose[i]))) {
       const std::string who = space.mover[i] == nullptr ? "nobody" : "engine '" + space.mover[i]->id() + "'";
       throw std::runtime_error(who + " has moved " + space.entities.model[i]->type + " '" + space.entities.name[i] +
                                "' to a pose that is not finite");
