@@ -67,6 +67,7 @@ void ControllerHost::give(Hosted& hosted, const RemoteRobot& description) {
     robot->provideActuator(device.type->type, device.data.get());
   }
   hosted.controller = startController(make_, hosted.part, *robot, description.parameters);
+  hosted.step = {"step", hosted.part, robot->name()};
   hosted.robot = std::move(robot);
 }
 
@@ -97,8 +98,8 @@ const CommandFrame& ControllerHost::answer(const SensorFrame& frame) {
   ByteWriter out(answer_.data);
   for (Hosted& hosted : hosted_) {
     if (hosted.is_present && hosted.failure.empty()) {
-      hosted.failure =
-          stepController(*hosted.controller, hosted.part, *hosted.robot, frame.stamp.tick, frame.time, frame.clocktick);
+      stepController(*hosted.controller, hosted.step, *hosted.robot, frame.stamp.tick, frame.time, frame.clocktick,
+                     hosted.failure);
     }
     write(hosted, out);
   }

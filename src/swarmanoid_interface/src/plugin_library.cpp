@@ -43,7 +43,8 @@ std::vector<std::string> prefixes() {
 /// @return "", or why the system's loader does not find or like it
 std::string load(const std::string& file, const std::string& library) {
   const std::string part = "library '" + library + "'";
-  const UserCall call({"loading", part, ""});
+  const UserCode code{"loading", part, ""};
+  const UserCall call(code);
   // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
   std::string problem = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
   restoreLocale();

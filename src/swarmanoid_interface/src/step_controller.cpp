@@ -1,17 +1,26 @@
 #include "swarmanoid_interface/step_controller.hpp"
 
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_interface/user_code.hpp"
 #include "user_calls.hpp"
 
 namespace swarmanoid {
+namespace {
 
-std::string stepController(Controller& controller, std::string_view part, Robot& robot, std::uint64_t tick, Time time,
-                           Duration dt) {
+void letGo(std::shared_ptr<Controller>& controller, std::string_view part, const Robot& robot) {
+  const UserCode destruction{"destruction", part, robot.name()};
+  const UserCall call(destruction);
+  controller.reset();
+  restoreLocale();
+}
+
+}  // namespace
+
+bool stepController(Controller& controller, UserCode& step, Robot& robot, std::uint64_t tick, Time time, Duration dt,
+                    std::string& failure) {
   robot.startTick(tick, time);
-  const UserCode code{"step", part, robot.name(), tick};
-  const NotedCall call(code);
-  return failureOf([&] { controller.step(time, dt); });
+  step.tick = tick;
+  const NotedCall call(step);
+  return succeeds([&] { controller.step(time, dt); }, failure);
 }
 
 std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<Controller>()>& make,
@@ -21,9 +30,7 @@ std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<
     callUserCode({"init", part, robot.name()}, [&] { controller->init(robot, parameters); });
   } catch (...) {
     // it is not destroyed, for it was never ready
-    const UserCall call({"destruction", part, robot.name()});
-    controller.reset();
-    restoreLocale();
+    letGo(controller, part, robot);
     throw;
   }
   restoreLocale();
@@ -35,9 +42,7 @@ std::string endController(std::shared_ptr<Controller>& controller, std::string_v
     return "";
   }
   const std::string failure = failureOf({"destroy", part, robot.name()}, [&] { controller->destroy(); });
-  const UserCall call({"destruction", part, robot.name()});
-  controller.reset();
-  restoreLocale();
+  letGo(controller, part, robot);
   return failure.empty() ? "" : "destroy: " + failure;
 }
 

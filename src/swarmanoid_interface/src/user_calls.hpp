@@ -26,16 +26,16 @@ UserCallNotes& userCallNotes();
 /// Of this thread; null if it has never called users' code. A handler of signals may read it: it lies at a fixed
 /// offset, so no thread-local storage is made meanwhile. No thread_local, which other sources reach through a function
 /// only.
-extern __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec")));
+extern __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec"), visibility("hidden")));
 /// Makes the note of this thread, if one is left.
 void takeUserCallNote();
 
 /// See holdUserCalls.
-extern std::atomic<bool> are_user_calls_held;
+extern std::atomic<bool> are_user_calls_held __attribute__((visibility("hidden")));
 void standStillUnlessHolder();
 
 /// Notes the call that the thread is in from here on; null: none. In line, for it is done twice a robot and tick.
-inline void noteUserCall(UserCallNote& note, const UserCode* call) {
+[[gnu::always_inline]] inline void noteUserCall(UserCallNote& note, const UserCode* call) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
   std::atomic_signal_fence(std::memory_order_seq_cst);
   note.call.store(call, kRelaxed);
@@ -47,7 +47,7 @@ inline void noteUserCall(UserCallNote& note, const UserCode* call) {
 }
 
 /// @return the call that this one is in, for leaveUserCode; null: none
-inline const UserCode* enterUserCode(const UserCode& code) {
+[[gnu::always_inline]] inline const UserCode* enterUserCode(const UserCode& code) {
   if (own_user_call_note == nullptr) {
     takeUserCallNote();
   }
@@ -58,13 +58,13 @@ inline const UserCode* enterUserCode(const UserCode& code) {
   noteUserCall(*own_user_call_note, &code);
   return outer;
 }
-inline void leaveUserCode(const UserCode* outer) {
+[[gnu::always_inline]] inline void leaveUserCode(const UserCode* outer) {
   if (own_user_call_note != nullptr) {
     noteUserCall(*own_user_call_note, outer);
   }
 }
 
-/// As UserCall, but in line and without a copy: `code` outlives it. For the steps of controllers.
+/// As UserCall, but in line. For the steps of controllers.
 class NotedCall {
  public:
   explicit NotedCall(const UserCode& code) noexcept : outer_(enterUserCode(code)) {}

@@ -119,7 +119,8 @@ std::string otherThing(const std::string& what) { return "threw " + what + ", wh
 
 UserCallNotes& userCallNotes() { return notes; }
 
-__thread UserCallNote* own_user_call_note = nullptr;
+// the attribute again: a definition without it would take the place of the declaration's
+__thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec"))) = nullptr;
 
 [[gnu::noinline]] void takeUserCallNote() { thread_local OwnNote own; }
 
@@ -164,7 +165,7 @@ std::string describe(const UserCode& code) {
   return text;
 }
 
-UserCall::UserCall(const UserCode& code) noexcept : code_(code), outer_(enterUserCode(code_)) {}
+UserCall::UserCall(const UserCode& code) noexcept : outer_(enterUserCode(code)) {}
 
 UserCall::~UserCall() { leaveUserCode(outer_); }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/lockstep.hpp"
@@ -55,6 +56,7 @@ struct Driver {
   ControllerGroup* group = nullptr;
   CommandSource source = CommandSource::kController;
   std::shared_ptr<Controller> controller;  ///< null unless the source is kController
+  UserCode step;                           ///< of the controller
   Duration command_timeout{};              ///< with kTopics, these three
   Time last_command = kEpoch;
   bool is_told = false;             ///< a command has come, and not too long ago

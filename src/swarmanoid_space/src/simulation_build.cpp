@@ -16,7 +16,8 @@ namespace {
 /// @throws ConfigError for whatever the plugin throws
 template <class Plugin, class... Arguments>
 void configure(const Named<Plugin>& plugin, const SourceLocation& location, const Arguments&... arguments) {
-  const UserCall call({"configure", plugin.part, "", UserCode::kNoTick, false});
+  const UserCode code{"configure", plugin.part, "", UserCode::kNoTick, false};
+  const UserCall call(code);
   try {
     plugin->configure(arguments...);
   } catch (const ConfigError&) {

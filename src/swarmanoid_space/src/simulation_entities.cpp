@@ -102,6 +102,7 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   driver.row = row;
   driver.robot = robot.get();
   driver.group = group;
+  driver.step = {"step", group->part, driver.robot->name()};
   driver.source = entity.source;
   driver.command_timeout = entity.command_timeout;
   space_.robots[i] = std::move(robot);

@@ -226,7 +226,8 @@ TEST(SimulationThreadTest, WhoWaitsForUsersCodeThatIsLateIsToldSo) {
   const auto isBusy = [&](const std::function<void()>& call) { return messageOf(call).rfind(begin, 0) == 0; };
   EXPECT_TRUE(isBusy([&] {
     thread.callUsers([ended](Simulation&) {
-      const UserCall call({"init", "controller 'c' of libc.so", "fb_9"});
+      const UserCode init{"init", "controller 'c' of libc.so", "fb_9"};
+      const UserCall call(init);
       ended.wait();
     });
   }));

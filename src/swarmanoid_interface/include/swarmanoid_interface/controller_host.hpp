@@ -14,6 +14,7 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/frames.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
 
@@ -45,6 +46,7 @@ class ControllerHost {
     std::vector<Device> actuators;
     std::shared_ptr<Controller> controller;
     std::string part;  // of it, as UserCode has it
+    UserCode step;     // of it
     std::string failure;
     bool is_present = false;
   };

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
 
@@ -15,12 +16,16 @@ namespace swarmanoid {
 constexpr const char* kNotFinite = "commanded a number that is not finite";
 
 /// Whatever the controller throws is caught.
-/// @param part the controller and its library, for people (UserCode::part)
-/// @return "", or why it failed: then it is not to be stepped again
-std::string stepController(Controller& controller, std::string_view part, Robot& robot, std::uint64_t tick, Time time,
-                           Duration dt);
+/// @param step the call, as it is noted: its host makes it once, {"step", part, robot.name()}, and keeps it; a robot is
+/// stepped often, so its tick alone is set anew
+/// @param failure why it failed; written only then
+/// @return whether it did not fail; else it is not to be stepped again
+bool stepController(Controller& controller, UserCode& step, Robot& robot, std::uint64_t tick, Time time, Duration dt,
+                    std::string& failure);
 
-/// Makes a controller and initialises it. One that does not start is let go without destroy().
+/// Makes a controller and initialises it.
+/// @param part the controller and its library, for people (UserCode::part) One that does not start is let go without
+/// destroy().
 /// @throws ConfigError that its init throws, as it is; std::runtime_error for whatever else is thrown
 std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<Controller>()>& make,
                                             std::string_view part, Robot& robot, const Configuration& parameters);

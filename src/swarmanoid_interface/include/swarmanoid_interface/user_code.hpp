@@ -36,14 +36,15 @@ std::string describe(const UserCode& code);
 /// While it lives, its thread is in users' code. They may be nested; the innermost counts.
 class UserCall {
  public:
+  /// @param code outlives it
   explicit UserCall(const UserCode& code) noexcept;
+  explicit UserCall(UserCode&& code) = delete;
   ~UserCall();
   UserCall(const UserCall&) = delete;
   UserCall& operator=(const UserCall&) = delete;
 
  private:
-  UserCode code_;
-  const UserCode* outer_ = nullptr;
+  const UserCode* outer_;
 };
 
 /// What was thrown, for people, whether it is a std::exception or not; never empty, and of a bounded length. Only
@@ -51,27 +52,30 @@ class UserCall {
 /// crash does.
 std::string describeException();
 
-/// Calls users' code whose call is noted already. @return "", or what it threw
+/// Calls users' code whose call is noted already. @return whether it threw nothing
+/// @param failure what it threw; written only then
 template <class Action>
-std::string failureOf(Action action) {
-  std::string failure;
+bool succeeds(Action action, std::string& failure) {
   try {
     try {
       action();
+      return true;
     } catch (...) {
       failure = describeException();
     }
   } catch (...) {
     failure = describeException();  // what was thrown throws when it goes
   }
-  return failure;
+  return false;
 }
 
-/// Likewise, and notes it.
+/// Calls users' code. @return "", or what it threw
 template <class Action>
 std::string failureOf(const UserCode& code, Action action) {
   const UserCall call(code);
-  return failureOf(action);
+  std::string failure;
+  succeeds(action, failure);
+  return failure;
 }
 
 /// Calls users' code. @return what it returns
@@ -93,7 +97,8 @@ auto callUserCode(const UserCode& code, Action action) {
 /// @throws std::runtime_error "engine 'ground' (dynamics2d) threw the number 7, ..." for whatever else is thrown
 template <class Action>
 auto callPlugin(const char* phase, std::string_view part, std::uint64_t tick, Action action) {
-  const UserCall call({phase, part, "", tick, false});
+  const UserCode code{phase, part, "", tick, false};
+  const UserCall call(code);
   try {
     return action();
   } catch (const std::exception&) {

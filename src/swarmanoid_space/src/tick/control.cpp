@@ -15,9 +15,8 @@ void control(Space& space, std::vector<Driver>& drivers, const Workers& workers)
       RobotWord& word = space.controllers[static_cast<std::size_t>(driver.row)].word;
       word = RobotWord::kNothing;
       if (!driver.has_failed && driver.controller != nullptr) {
-        driver.failure = stepController(*driver.controller, driver.group->part, *driver.robot, space.tick, space.time,
-                                        space.clocktick);
-        driver.has_failed = !driver.failure.empty();
+        driver.has_failed = !stepController(*driver.controller, driver.step, *driver.robot, space.tick, space.time,
+                                            space.clocktick, driver.failure);
         word = driver.has_failed ? RobotWord::kFailed : RobotWord::kStepped;
       }
     }

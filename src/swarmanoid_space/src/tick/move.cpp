@@ -1,5 +1,4 @@
 // Phase 4: every engine moves what it is in charge of, engines beside each other.
-#include <cmath>
 #include <stdexcept>
 
 #include "../stopwatch.hpp"
@@ -9,21 +8,28 @@
 namespace swarmanoid::phases {
 namespace {
 
-/// Finite if all numbers of the pose are: sums of finite numbers of this size are.
-double sumOf(const Pose& pose) { return pose.position.sum() + pose.orientation.coeffs().sum(); }
+bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orientation.coeffs().allFinite(); }
+
+/// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity are as their last one left
+/// them.
+bool areAllFinite(const std::vector<Pose>& poses) {
+  Eigen::Array3d positions = Eigen::Array3d::Zero();
+  Eigen::Array4d orientations = Eigen::Array4d::Zero();
+  for (const Pose& pose : poses) {
+    positions += pose.position.array();
+    orientations += pose.orientation.coeffs().array();
+  }
+  return positions.allFinite() && orientations.allFinite();
+}
 
 /// An engine whose computation has broken down must not hand it on: to grips, the index, sensors, recordings.
 void refuseWhatIsNotFinite(const Space& space) {
-  double sum = 0.0;
-  for (const Row row : space.entities.order) {
-    sum += sumOf(space.entities.pose[static_cast<std::size_t>(row)]);
-  }
-  if (std::isfinite(sum)) {
+  if (areAllFinite(space.entities.pose)) {
     return;
   }
   for (const Row row : space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
-    if (!std::isfinite(sumOf(space.entities.pose[i]))) {
+    if (!isFinite(space.entities.pose[i])) {
       const std::string who = space.mover[i] == nullptr ? "nobody" : "engine '" + space.mover[i]->id() + "'";
       throw std::runtime_error(who + " has moved " + space.entities.model[i]->type + " '" + space.entities.name[i] +
                                "' to a pose that is not finite");
