@@ -5,6 +5,7 @@
 #include <string>
 
 #include "swarmanoid_space/space.hpp"
+#include "visit_state.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -43,43 +44,38 @@ class Hasher {
   std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
+/// Adds what a visit of the state comes by. Names are not hashed.
+class HashVisitor {
+ public:
+  explicit HashVisitor(const Space& space) : space_(space) { hasher_.add(space.tick); }
+
+  void beginEntity(Row row) { hasher_.add(space_.entities.number[static_cast<std::size_t>(row)]); }
+  void beginWorld() {}
+  template <class Value>
+  void number(const FieldName&, Value value) {
+    hasher_.add(static_cast<double>(value));
+  }
+  void vector(const FieldName&, const Eigen::Vector3d& value) { hasher_.add(value); }
+  void quaternion(const FieldName&, const Eigen::Quaterniond& value) { hasher_.add(value); }
+  void colors(const FieldName&, const Color* first, std::size_t) { hasher_.add(first, Space::kMaxLeds); }
+  void entity(const FieldName&, EntityNumber number) { hasher_.add(number); }
+  void ordinal(std::uint64_t number) { hasher_.add(number); }
+  void text(const FieldName&, const std::string& value) { hasher_.add(value); }
+  HashVisitor* detail() { return nullptr; }
+
+  std::uint64_t digest() const { return hasher_.digest(); }
+
+ private:
+  const Space& space_;
+  Hasher hasher_;
+};
+
 }  // namespace
 
 std::uint64_t stateHash(const Space& space) {
-  Hasher hasher;
-  hasher.add(space.tick);
-  const Entities& entities = space.entities;
-  for (const Row row : entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    hasher.add(entities.number[i]);
-    hasher.add(entities.pose[i].position);
-    hasher.add(entities.pose[i].orientation);
-    hasher.add(entities.twist[i].linear);
-    hasher.add(entities.twist[i].angular);
-    hasher.add(space.ledsOf(row), Space::kMaxLeds);
-    const Row gripped = space.structure.grippedBy(row);
-    hasher.add(gripped == kNoRow ? kNobody : entities.number[static_cast<std::size_t>(gripped)]);
-    for (std::size_t joint = 0; joint < entities.model[i]->joints.size(); ++joint) {
-      hasher.add(space.jointsOf(row)[joint].angle);
-      hasher.add(space.jointsOf(row)[joint].speed);
-    }
-    space.attachments.visit(row, [&](Attachment::Kind kind, const Attachment& attachment) {
-      hasher.add(static_cast<std::uint64_t>(kind));
-      hasher.add(entities.number[static_cast<std::size_t>(attachment.held)]);
-      hasher.add(attachment.anchor);
-      hasher.add(attachment.length);
-    });
-    // Two runs that differ only in who moves an entity go apart later: the hash tells it in the tick in which they
-    // begin to. Walls may be in several engines, and none of them moves them.
-    if (entities.model[i]->is_movable) {
-      hasher.add(space.mover[i] == nullptr ? std::string() : space.mover[i]->id());
-    }
-  }
-  for (const LaserSpot& spot : space.laser_spots) {
-    hasher.add(spot.owner);
-    hasher.add(spot.position);
-  }
-  return hasher.digest();
+  HashVisitor visitor(space);
+  StateVisit(space, visitor).run();
+  return visitor.digest();
 }
 
 }  // namespace swarmanoid

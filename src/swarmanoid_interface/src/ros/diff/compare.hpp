@@ -1,0 +1,32 @@
+/// Two records of one tick, field by field.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "recorded_tick.hpp"
+
+namespace swarmanoid::diff {
+
+/// One field that differs. Numbers are short and exact: they read back to the same bits.
+struct Difference {
+  std::string field;  ///< "fb_1/pose/position/x", "fb_1/reading footbot_proximity/4", "fb_1/command footbot_wheels/0"
+  std::string first;
+  std::string second;
+};
+
+/// One side of a comparison.
+struct Side {
+  const RecordedTick& tick;
+  const RobotDescriptions& robots;
+};
+
+/// In the order of a tick: readings, commands, then the state at its end. Numbers are equal if their bits are; -0 and 0
+/// are equal, as for the state hash, and so is whatever is not a number. @pre both are of the same tick
+/// @throws ConfigError for frames that do not fit the robot's description
+std::vector<Difference> compare(const Side& first, const Side& second);
+
+/// How many values the tick has: fields of its state, and bytes of what controllers saw and did.
+std::size_t sizeOf(const RecordedTick& tick);
+
+}  // namespace swarmanoid::diff

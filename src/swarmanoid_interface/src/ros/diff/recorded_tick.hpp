@@ -1,0 +1,47 @@
+/// What a bag has of one tick: what controllers saw and did, and the state of the space at its end.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/frames.hpp"
+
+namespace swarmanoid::diff {
+
+/// Fields of a space's state: numbers first, then texts.
+struct StateFields {
+  std::shared_ptr<const std::vector<std::string>> names;  ///< "fb_1/pose/position/x"; of numbers, then of texts
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+};
+
+/// Of one robot; nothing: it was not recorded in that tick.
+struct ControllerFrames {
+  std::optional<SensorFrame> sensors;
+  std::optional<CommandFrame> commands;
+};
+
+/// Which tick of which run. Ticks that are finished count, so 0 is the state before the first.
+struct TickKey {
+  std::uint64_t run = 0;
+  std::uint64_t finished_ticks = 0;
+
+  friend bool operator<(const TickKey& a, const TickKey& b) {
+    return a.run != b.run ? a.run < b.run : a.finished_ticks < b.finished_ticks;
+  }
+};
+
+struct RecordedTick {
+  TickKey key;
+  std::map<std::string, ControllerFrames> controllers;  ///< by robot
+  std::optional<StateFields> state;
+};
+
+/// By robot, as its last start describes it.
+using RobotDescriptions = std::map<std::string, RemoteRobot>;
+
+}  // namespace swarmanoid::diff

@@ -1,0 +1,54 @@
+#include "world_fields.hpp"
+
+namespace swarmanoid::diff {
+namespace {
+
+class Collector {
+ public:
+  void addVector(const std::string& begin, double x, double y, double z) {
+    add(begin + "/x", x);
+    add(begin + "/y", y);
+    add(begin + "/z", z);
+  }
+  void add(const std::string& name, double value) {
+    names_.push_back(name);
+    fields_.numbers.push_back(value);
+  }
+  void add(const std::string& name, const std::string& value) {
+    text_names_.push_back(name);
+    fields_.texts.push_back(value);
+  }
+  StateFields take() {
+    names_.insert(names_.end(), text_names_.begin(), text_names_.end());
+    fields_.names = std::make_shared<const std::vector<std::string>>(std::move(names_));
+    return std::move(fields_);
+  }
+
+ private:
+  StateFields fields_;
+  std::vector<std::string> names_;
+  std::vector<std::string> text_names_;
+};
+
+}  // namespace
+
+StateFields worldFields(const swarmanoid_msgs::WorldState& state) {
+  Collector fields;
+  for (std::size_t i = 0; i < state.names.size(); ++i) {
+    const std::string& name = state.names[i];
+    const geometry_msgs::Pose& pose = state.poses[i];
+    fields.addVector(name + "/pose/position", pose.position.x, pose.position.y, pose.position.z);
+    fields.addVector(name + "/pose/orientation", pose.orientation.x, pose.orientation.y, pose.orientation.z);
+    fields.add(name + "/pose/orientation/w", pose.orientation.w);
+    const geometry_msgs::Twist& twist = state.twists[i];
+    fields.addVector(name + "/twist/linear", twist.linear.x, twist.linear.y, twist.linear.z);
+    fields.addVector(name + "/twist/angular", twist.angular.x, twist.angular.y, twist.angular.z);
+    const std_msgs::ColorRGBA& color = state.colors[i];
+    fields.addVector(name + "/mean_color", color.r, color.g, color.b);
+    fields.add(name + "/gripped", state.gripped[i]);
+    fields.add(name + "/engine", state.engines[i]);
+  }
+  return fields.take();
+}
+
+}  // namespace swarmanoid::diff

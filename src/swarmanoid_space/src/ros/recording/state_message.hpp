@@ -1,0 +1,24 @@
+/// All named state of a space as a message, to compare runs by.
+#pragma once
+
+#include <swarmanoid_msgs/NamedState.h>
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid {
+
+class StateMessage {
+ public:
+  /// The message holds names if they are others than at the last call.
+  /// Valid until the next call.
+  const swarmanoid_msgs::NamedState& write(const Space& space);
+
+ private:
+  swarmanoid_msgs::NamedState message_;
+  std::vector<std::string> names_;  // of the last call
+};
+
+}  // namespace swarmanoid
