@@ -7,8 +7,8 @@
 
 #include "../door.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_check.hpp"
 #include "swarmanoid_space/limits.hpp"
+#include "swarmanoid_space/unchecked_experiment.hpp"
 
 namespace swarmanoid {
 namespace experiment {
