@@ -17,6 +17,7 @@
 #include "commands.hpp"
 #include "run_summary.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -36,29 +37,6 @@ void passOn(int signal, siginfo_t* sender, void*) {
     kill(static_cast<pid_t>(roslaunch_pid), signal);
   }
 }
-
-/// A folder that goes with its owner.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "swarmanoid_launch_XXXXXX") {
-    std::string name = path_.string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("cannot make the folder " + name + ": " + std::strerror(errno));
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// @return the exit code of roslaunch; nothing if a signal has ended it
 std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
@@ -133,7 +111,7 @@ int launch(const std::string& experiment, const std::vector<std::string>& others
       }
     }
   }
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("launch");
   const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
   // no parameter: where others reach the master those name files that are theirs
   setenv("SWARMANOID_EXIT_CODE", file.c_str(), 1);
