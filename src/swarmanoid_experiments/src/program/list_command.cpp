@@ -49,8 +49,8 @@ Origins loadPlugins() {
       origins.emplace(entry, declared);
     }
   }
-  for (const std::string& conflict : Registry::instance().conflicts()) {
-    std::cerr << "swarmanoid: warning: " << conflict << '\n';
+  for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
+    std::cerr << "swarmanoid: warning: " << describe(conflict) << '\n';
   }
   return origins;
 }
