@@ -81,17 +81,17 @@ void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& 
     std::cerr << "swarmanoid: " << describeException() << '\n';
   }
   facts.failures = simulation.failures();
-  if (end.exit_code == kControllerFailed && !end.robot.empty()) {
+  if (end.exit_code == ExitCode::kControllerFailed && !end.robot.empty()) {
     facts.failures.push_back({end.robot, simulation.space().tick, end.reason});
   }
   print(toText(summarise(simulation, facts)) + "\n");
 }
 
-int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
+ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
   RunFacts facts;
   facts.overrides = options.overrides;
   PhaseTimes total;
-  int code = kFinished;
+  ExitCode code = ExitCode::kFinished;
   const auto start = std::chrono::steady_clock::now();
   const auto passed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -110,28 +110,28 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
     }
   } catch (...) {
     bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + describeException());
-    code = kEngineStopped;
+    code = ExitCode::kStopped;
   }
   facts.wall_s = passed();
   bar.finish(simulation.space().tick);
   if (options.profile) {
     printProfile(total, simulation.space());
   }
-  if (code == kFinished && isInterrupted()) {
-    code = kInterrupted;
+  if (code == ExitCode::kFinished && isInterrupted()) {
+    code = ExitCode::kInterrupted;
   }
   facts.finished = simulation.isFinished();
   try {
     simulation.finish();
   } catch (...) {
     std::cerr << "swarmanoid: " << describeException() << '\n';
-    code = kEngineStopped;
+    code = ExitCode::kStopped;
   }
   facts.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
   simulation.destroyControllers();
   facts.failures = simulation.failures();
-  if (code == kFinished && !facts.failures.empty()) {
-    code = kControllerFailed;
+  if (code == ExitCode::kFinished && !facts.failures.empty()) {
+    code = ExitCode::kControllerFailed;
   }
   print(toText(summarise(simulation, facts)) + "\n");
   return code;
@@ -146,7 +146,7 @@ RunFiles filesOf(const RunOptions& options) {
   return files;
 }
 
-int run(const RunOptions& options) {
+ExitCode run(const RunOptions& options) {
   UserCodeWatch watch({nullptr, options.watchdog});
   Experiment experiment = readExperiment(options);
   RunContext context;
