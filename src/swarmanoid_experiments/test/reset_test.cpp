@@ -5,6 +5,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "swarmanoid_interface/temporary_folder.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {
@@ -133,7 +134,7 @@ std::string contentOf(const std::filesystem::path& file) {
 }
 
 TEST(ResetTest, FilesAreThoseOfTheLastRunAlone) {
-  const auto folder = std::filesystem::path(testing::TempDir());
+  const TemporaryFolder folder("reset_test");
   World world;
   world.entities = footbot("fb", 2, 3, 0);
   world.members = member("fb");
@@ -141,7 +142,7 @@ TEST(ResetTest, FilesAreThoseOfTheLastRunAlone) {
   world.ticks = 30;
   std::vector<std::filesystem::path> files;
   for (const char* label : {"text_render", "hash_recorder", "debug_render"}) {
-    files.push_back(folder / (std::string("swarmanoid_reset_test_") + label));
+    files.push_back(folder.path() / label);
     world.visualisations +=
         "<" + std::string(label) + " id=\"" + label + "\"><file>" + files.back().string() + "</file></" + label + ">";
   }

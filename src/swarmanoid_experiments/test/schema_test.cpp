@@ -8,6 +8,7 @@
 #include "bad_cases.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 #include "swarmanoid_space/experiment.hpp"
 
 namespace swarmanoid {
@@ -16,7 +17,8 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path writeFile(const std::string& name, const std::string& text) {
-  const fs::path file = fs::path(testing::TempDir()) / ("swarmanoid_schema_test_" + name);
+  static const TemporaryFolder folder("schema_test");
+  fs::path file = folder.path() / name;
   std::ofstream(file) << text;
   return file;
 }

@@ -13,13 +13,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-/// " (liba.so, libb.so)", if they are two.
-std::string whereTwice(const Registry::Entry& first, const Registry::Factory& second) {
-  const std::string one = libraryOf(&first.make.target_type());
-  const std::string other = libraryOf(&second.target_type());
-  return one == other ? "" : " (" + one + ", " + other + ")";
-}
-
 }  // namespace
 
 const char* toString(PluginKind kind) {
@@ -40,6 +33,13 @@ const char* toString(PluginKind kind) {
   return "plugin";
 }
 
+std::string describe(const Registry::Conflict& conflict) {
+  const bool are_two = conflict.first_library != conflict.second_library;
+  return std::string(toString(conflict.kind)) + " '" + conflict.label +
+         (conflict.implementation.empty() ? "" : " " + conflict.implementation) + "' is registered twice" +
+         (are_two ? " (" + conflict.first_library + ", " + conflict.second_library + ")" : "") + "; the first is used";
+}
+
 Registry& Registry::instance() {
   static Registry registry;
   return registry;
@@ -49,9 +49,8 @@ void Registry::add(PluginKind kind, PluginDescription description, Factory make)
   for (const auto& entry : entries_) {
     if (entry->kind == kind && entry->description.label == description.label &&
         entry->description.implementation == description.implementation) {
-      conflicts_.push_back(std::string(toString(kind)) + " '" + description.label +
-                           (description.implementation.empty() ? "" : " " + description.implementation) +
-                           "' is registered twice" + whereTwice(*entry, make) + "; the first is used");
+      conflicts_.push_back({kind, description.label, description.implementation, libraryOf(&entry->make.target_type()),
+                            libraryOf(&make.target_type())});
       return;
     }
   }

@@ -32,7 +32,8 @@ std::atomic<pid_t> watched_process{0};
 std::atomic<bool> is_ordered{false};
 std::atomic<bool> is_order_ready{false};
 std::atomic<bool> is_ending{false};
-std::atomic<int> last_exit_code{kControllerFailed};
+std::atomic<ExitCode> last_exit_code{ExitCode::kControllerFailed};
+static_assert(std::atomic<ExitCode>::is_always_lock_free, "a signal handler reads it");
 Order the_order;
 __attribute__((tls_model("initial-exec"))) thread_local bool is_watch = false;
 
@@ -81,7 +82,7 @@ bool isWatchedProcess() { return getpid() == watched_process; }  // not a child 
     if (const auto wake = wake_watch.load()) {
       wake();
     } else {
-      _exit(exitCodeOf(code));
+      _exit(toNumber(exitCodeOf(code)));
     }
   }
   standStill();
@@ -98,7 +99,7 @@ void endByDefault(int signal) {
 void endClosing(const char* deed) {
   if (is_watch && is_ending) {
     say({"swarmanoid: ", deed, " while files were completed\n"});
-    _exit(last_exit_code);
+    _exit(toNumber(last_exit_code));
   }
 }
 
@@ -129,7 +130,7 @@ void onExit(const char* deed) {
   }
 }
 
-void onLastResort(int) { _exit(last_exit_code); }
+void onLastResort(int) { _exit(toNumber(last_exit_code)); }
 
 }  // namespace
 
@@ -160,7 +161,7 @@ void beWatch() { is_watch = true; }
 
 const Order* order() { return is_order_ready ? &the_order : nullptr; }
 
-void endSoon(int exit_code) {
+void endSoon(ExitCode exit_code) {
   last_exit_code = exit_code;
   is_ending = true;
   struct sigaction action {};

@@ -4,16 +4,15 @@
 
 #include <atomic>
 
+#include "swarmanoid_interface/exit_code.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid::user_code_end {
 
-constexpr int kControllerFailed = 3;  ///< exit codes, as those of the program
-constexpr int kStopped = 4;
-constexpr int kInterrupted = 130;
-
 /// Of a process that ends because this call has failed.
-constexpr int exitCodeOf(const UserCode& code) { return code.is_controllers ? kControllerFailed : kStopped; }
+constexpr ExitCode exitCodeOf(const UserCode& code) {
+  return code.is_controllers ? ExitCode::kControllerFailed : ExitCode::kStopped;
+}
 
 /// What the watch's thread is to do. Written by one thread, once; what `code` points to stays.
 struct Order {
@@ -31,6 +30,6 @@ void beWatch();
 const Order* order();
 
 /// The process ends with this code in some seconds, whatever its threads do.
-void endSoon(int exit_code);
+void endSoon(ExitCode exit_code);
 
 }  // namespace swarmanoid::user_code_end

@@ -122,7 +122,7 @@ class Watch {
   void tell(const std::string& text) const;
   bool holdUnlessOver(std::size_t i) const;
   void serveAsked(double passed);
-  [[noreturn]] void endWith(const std::string& deed, const UserCode* code, int exit_code);
+  [[noreturn]] void endWith(const std::string& deed, const UserCode* code, ExitCode exit_code);
 
   UserCodeWatch::Options options_;
   CarefulReader reader_;
@@ -247,16 +247,16 @@ void Watch::serveAsked(double passed) {
     OwnedCode owned;
     if (sights_[i].seconds >= kStuck && copy(userCallNotes()[i], sights_[i], owned) &&
         (owned.code.is_controllers || is_over) && holdUnlessOver(i)) {
-      endWith("interrupted", &owned.code, user_code_end::kInterrupted);
+      endWith("interrupted", &owned.code, ExitCode::kInterrupted);
     }
   }
   if (is_over) {
     std::fprintf(stderr, "swarmanoid: interrupted again; does not end by itself\n");
-    endWith("interrupted", nullptr, user_code_end::kInterrupted);
+    endWith("interrupted", nullptr, ExitCode::kInterrupted);
   }
 }
 
-void Watch::endWith(const std::string& deed, const UserCode* code, int exit_code) {
+void Watch::endWith(const std::string& deed, const UserCode* code, ExitCode exit_code) {
   user_code_end::endSoon(exit_code);
   const std::string reason = code == nullptr ? deed : deed + " in " + describe(*code);
   if (user_code_end::order() == nullptr && code != nullptr) {
@@ -273,7 +273,7 @@ void Watch::endWith(const std::string& deed, const UserCode* code, int exit_code
     }
   }
   std::fflush(stdout);
-  _exit(exit_code);
+  _exit(toNumber(exit_code));
 }
 
 }  // namespace
@@ -303,7 +303,7 @@ UserCodeWatch::Closing::~Closing() { the_watch->removeClosing(number_); }
 
 void UserCodeWatch::askToEndNow() {
   if (++ends_asked_for > 1 || !is_watched) {
-    _exit(user_code_end::kInterrupted);
+    _exit(toNumber(ExitCode::kInterrupted));
   }
   sem_post(&wake);
 }

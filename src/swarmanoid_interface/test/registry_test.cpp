@@ -65,8 +65,19 @@ TEST(RegistryTest, TheSecondOfANameIsRefusedAndNamed) {
   EXPECT_EQ(found(registry, PluginKind::kController, "drive"), 1);
   EXPECT_EQ(found(registry, PluginKind::kSensor, "camera", "ideal"), 3);
   EXPECT_EQ(found(registry, PluginKind::kSensor, "drive"), 5);
-  EXPECT_EQ(registry.conflicts(), (Names{"controller 'drive' is registered twice; the first is used",
-                                         "sensor 'camera ideal' is registered twice; the first is used"}));
+  ASSERT_EQ(registry.conflicts().size(), 2U);
+  EXPECT_EQ(describe(registry.conflicts()[0]), "controller 'drive' is registered twice; the first is used");
+  EXPECT_EQ(describe(registry.conflicts()[1]), "sensor 'camera ideal' is registered twice; the first is used");
+  const Registry::Conflict& camera = registry.conflicts()[1];
+  EXPECT_EQ(camera.kind, PluginKind::kSensor);
+  EXPECT_EQ(camera.label, "camera");
+  EXPECT_EQ(camera.implementation, "ideal");
+  EXPECT_EQ(camera.first_library, camera.second_library) << "both are in this program";
+}
+
+TEST(RegistryTest, TwoLibrariesWithOneNameAreNamed) {
+  EXPECT_EQ(describe({PluginKind::kEngine, "ground", "", "liba.so", "libb.so"}),
+            "engine 'ground' is registered twice (liba.so, libb.so); the first is used");
 }
 
 TEST(RegistryTest, ListsAreSortedWhateverTheOrderOfLoading) {

@@ -81,7 +81,7 @@ void callAndGoOn(double watchdog, milliseconds duration, milliseconds closing_ta
   UserCodeWatch watch({nullptr, watchdog});
   const UserCodeWatch::Closing closing(watch, [closing_takes](const UserCodeEnd& end) {
     std::this_thread::sleep_for(closing_takes);
-    std::fprintf(stderr, "closed for %s, %d\n", end.robot.c_str(), end.exit_code);
+    std::fprintf(stderr, "closed for %s, %d\n", end.robot.c_str(), toNumber(end.exit_code));
   });
   failureOf(kStep, [duration] { std::this_thread::sleep_for(duration); });
   _exit(kWentOn);

@@ -104,7 +104,7 @@ void die(const std::function<void()>& deed) {
   const UserCodeWatch watch({});
   const UserCodeWatch::Closing closing(const_cast<UserCodeWatch&>(watch), [](const UserCodeEnd& end) {
     std::fprintf(stderr, "closed for %s, %d\n", end.robot.empty() ? end.part.c_str() : end.robot.c_str(),
-                 end.exit_code);
+                 toNumber(end.exit_code));
   });
   deed();
 }

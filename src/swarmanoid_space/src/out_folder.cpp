@@ -5,27 +5,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
+
+#include "inside_folder.hpp"
 
 namespace swarmanoid {
 
 namespace fs = std::filesystem;
-
-namespace {
-
-bool isInside(const fs::path& folder, const fs::path& root) {
-  return std::mismatch(root.begin(), root.end(), folder.begin(), folder.end()).first == root.end();
-}
-
-/// The folder as the system knows it: no links, no "..", no "." at the end.
-fs::path realFolder(const fs::path& folder) {
-  std::error_code ignored;
-  return fs::weakly_canonical(fs::absolute(folder.empty() ? "." : folder, ignored), ignored);
-}
-
-}  // namespace
 
 OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules rules)
     : folder_(folder), prefix_(prefix), rules_(rules) {
@@ -98,9 +85,8 @@ fs::path OutFolder::placeOf(const std::string& name, const Writer& writer) const
   fs::path path = folder_ / name;
   const fs::path last = path.filename();
   const bool is_name = !last.empty() && last != "." && last != "..";
-  const fs::path root = realFolder(folder_);
-  if (writer.is_in_experiment && !rules_.anywhere && !(is_name && isInside(realFolder(path.parent_path()), root))) {
-    refuse(writer, name, "allowed: a file in " + root.string() + ", or " + option("write", "anywhere"));
+  if (writer.is_in_experiment && !rules_.anywhere && !(is_name && isInside(path.parent_path(), folder_))) {
+    refuse(writer, name, "allowed: a file in " + realPath(folder_).string() + ", or " + option("write", "anywhere"));
   }
   return path;
 }

@@ -4,10 +4,11 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -16,13 +17,6 @@ namespace fs = std::filesystem;
 
 class ExitCodeTest : public testing::Test {
  protected:
-  ExitCodeTest() {
-    char name[] = "/tmp/exit_code_XXXXXX";
-    folder = mkdtemp(name);
-    file = folder / "code";
-  }
-  ~ExitCodeTest() override { fs::remove_all(folder); }
-
   static void put(const fs::path& path, const std::string& text) { std::ofstream(path) << text; }
   static std::string textOf(const fs::path& path) {
     std::ostringstream text;
@@ -41,8 +35,9 @@ class ExitCodeTest : public testing::Test {
     return "";
   }
 
-  fs::path folder;
-  fs::path file;
+  const TemporaryFolder owner{"exit_code_test"};
+  const fs::path& folder = owner.path();
+  fs::path file = folder / "code";
 };
 
 TEST_F(ExitCodeTest, ReplacesAnotherExitCodeAndNothingElse) {

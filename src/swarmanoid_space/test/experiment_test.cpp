@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -177,7 +178,7 @@ TEST_F(ExperimentTest, ReadsEnginesAndTheirEntities) {
 
 TEST_F(ExperimentTest, JoinsFoldersBrokenOverLinesAndWarnsOfThoseThatAreNotThere) {
   std::string text = kFile;
-  const std::string folder = testing::TempDir();
+  const std::string folder = std::filesystem::temp_directory_path();
   text.insert(text.find("  </framework>"),
               "<controller_path>\n  /no/such/\\\n  folder:" + folder + "\n</controller_path>\n");
   takeExperimentWarnings();
@@ -189,11 +190,12 @@ TEST_F(ExperimentTest, JoinsFoldersBrokenOverLinesAndWarnsOfThoseThatAreNotThere
 }
 
 TEST_F(ExperimentTest, ReadsFiles) {
-  const auto file = std::filesystem::path(testing::TempDir()) / "swarmanoid_experiment_test.xml";
+  const TemporaryFolder folder("experiment_test");
+  const std::filesystem::path file = folder.path() / "some.xml";
   std::ofstream(file) << "\xEF\xBB\xBF" << kFile;
-  EXPECT_EQ(readExperiment(file.string()).name, "swarmanoid_experiment_test");
+  EXPECT_EQ(readExperiment(file.string()).name, "some");
   EXPECT_THROW(readExperiment("/no/such/file.xml"), ConfigError);
-  EXPECT_THROW(readExperiment(testing::TempDir()), ConfigError);
+  EXPECT_THROW(readExperiment(folder.path().string()), ConfigError);
 }
 
 TEST_F(ExperimentTest, RefusesWhatIsNoExperiment) {

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -17,8 +18,6 @@ namespace fs = std::filesystem;
 class RemoteRulesTest : public testing::Test {
  protected:
   RemoteRulesTest() {
-    char name[] = "/tmp/remote_rules_XXXXXX";
-    folder = mkdtemp(name);
     fs::create_directory(folder / "mine");
     fs::create_directory(folder / "others");
     std::ofstream(folder / "mine/experiment.xml") << "<ahss-config/>";
@@ -29,10 +28,7 @@ class RemoteRulesTest : public testing::Test {
     options.experiment = folder / "mine/experiment.xml";
     options.out = folder / "mine/results";
   }
-  ~RemoteRulesTest() override {
-    fs::remove_all(folder);
-    allowLibrariesByPath(true);
-  }
+  ~RemoteRulesTest() override { allowLibrariesByPath(true); }
 
   std::string refusal() const {
     try {
@@ -46,7 +42,8 @@ class RemoteRulesTest : public testing::Test {
     return "', allowed, as other computers reach the master: " + what + "; or allow_remote_files:=true at start";
   }
 
-  fs::path folder;
+  const TemporaryFolder owner{"remote_rules_test"};
+  const fs::path& folder = owner.path();
   SpaceOptions options;
 };
 
@@ -116,7 +113,7 @@ TEST_F(RemoteRulesTest, AnythingIsAllowedWhereNobodyElseIsOrTheUserSaysSo) {
 
 TEST_F(RemoteRulesTest, LibrariesThatAreNotInstalledCanBeRefused) {
   allowLibrariesByPath(false);
-  for (const char* library : {"/tmp/libmine.so", "libmine.so", "./mine"}) {
+  for (const char* library : {"/somewhere/libmine.so", "libmine.so", "./mine"}) {
     try {
       loadPluginLibrary(library, {}, {"run.xml", 7});
       FAIL() << library;

@@ -1,13 +1,12 @@
 // What the loader makes of URDF files: shapes in tilted frames, and files that it refuses, each with its message.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
-#include <filesystem>
 #include <fstream>
 #include <string>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 #include "swarmanoid_space/entity_model.hpp"
 
 namespace swarmanoid {
@@ -15,11 +14,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A file that lives as long as the test.
 class RobotUrdfTest : public testing::Test {
  protected:
-  ~RobotUrdfTest() override { std::filesystem::remove(file_); }
-
   std::shared_ptr<const EntityModel> load(const std::string& text) {
     std::ofstream(file_) << text;
     return loadRobotModel("robot", file_);
@@ -56,7 +52,8 @@ class RobotUrdfTest : public testing::Test {
     }
   }
 
-  std::string file_ = testing::TempDir() + "robot_urdf_test_" + std::to_string(getpid()) + ".urdf";
+  const TemporaryFolder owner_{"robot_urdf_test"};
+  const std::string file_ = owner_.path() / "robot.urdf";
 };
 
 TEST_F(RobotUrdfTest, PlacesShapesThroughAllFrames) {

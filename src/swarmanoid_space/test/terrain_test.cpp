@@ -2,13 +2,13 @@
 #include "swarmanoid_space/terrain.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 #include <stdexcept>
 
+#include "swarmanoid_interface/temporary_folder.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "write_png.hpp"
 
@@ -20,7 +20,12 @@ using Eigen::Vector3d;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-std::string fileNamed(const std::string& name) { return testing::TempDir() + "/swarmanoid_terrain_" + name + ".png"; }
+std::string folder() {
+  static const TemporaryFolder owner("terrain_test");
+  return owner.path();
+}
+
+std::string fileNamed(const std::string& name) { return folder() + "/" + name + ".png"; }
 
 /// 0.1 m per pixel along x, 0.2 m along y, from a corner at (1, 2).
 Terrain made(int columns, int rows, double (*height)(double x, double y)) {
@@ -71,7 +76,7 @@ TEST(TerrainTest, SaysWhatIsWrongWithAnImage) {
     }
   };
   EXPECT_EQ(problem("/no/such/file.png"), "cannot be opened as '/no/such/file.png'");
-  EXPECT_EQ(problem(testing::TempDir()), "is no PNG image");
+  EXPECT_EQ(problem(folder()), "is no PNG image");
   EXPECT_EQ(problem(test::writePng(fileNamed("row"), 5, 8, {1, 2, 3, 4, 5})), "has 5 x 1 pixels");
   EXPECT_EQ(problem(test::writePng(fileNamed("wide"), 4097, 8, std::vector<int>(2 * 4097))), "has 4097 x 2 pixels");
   EXPECT_EQ(problem(test::writePng(fileNamed("colour"), 2, 8, std::vector<int>(12), PNG_COLOR_TYPE_RGB)),

@@ -1,12 +1,12 @@
 // The text table: every column has a name, every line a value in each of them.
 #include <gtest/gtest.h>
 
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 
 #include "small_world.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -22,7 +22,8 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 /// The lines that a run of the small world leaves.
 std::vector<std::string> tableOf(int ticks) {
-  const std::string file = testing::TempDir() + "swarmanoid_text_render_test.txt";
+  const TemporaryFolder folder("text_render_test");
+  const std::string file = folder.path() / "table.txt";
   loadPluginLibrary("swarmanoid_visualisations", {}, {});
   const auto table = makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, "text_render"));
   Configuration parameters("text_render", "", {});
@@ -37,7 +38,6 @@ std::vector<std::string> tableOf(int ticks) {
   simulation->finish();
   std::ostringstream text;
   text << std::ifstream(file).rdbuf();
-  std::filesystem::remove(file);
   return split(text.str(), '\n');
 }
 

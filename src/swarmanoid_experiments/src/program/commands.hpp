@@ -4,9 +4,11 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
+#include "swarmanoid_interface/exit_code.hpp"
+
 namespace swarmanoid::program {
 
-using Command = std::function<int()>;
+using Command = std::function<ExitCode()>;
 
 /// `run FILE`: runs an experiment without ROS.
 Command addRunCommand(CLI::App& app);

@@ -15,8 +15,8 @@
 #include <stdexcept>
 
 #include "commands.hpp"
-#include "run_summary.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -36,29 +36,6 @@ void passOn(int signal, siginfo_t* sender, void*) {
     kill(static_cast<pid_t>(roslaunch_pid), signal);
   }
 }
-
-/// A folder that goes with its owner.
-class TemporaryFolder {
- public:
-  TemporaryFolder() : path_(std::filesystem::temp_directory_path() / "swarmanoid_launch_XXXXXX") {
-    std::string name = path_.string();
-    if (mkdtemp(name.data()) == nullptr) {
-      throw std::runtime_error("cannot make the folder " + name + ": " + std::strerror(errno));
-    }
-    path_ = name;
-  }
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// @return the exit code of roslaunch; nothing if a signal has ended it
 std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
@@ -80,7 +57,7 @@ std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
   if (child == 0) {
     execvp(words[0], words.data());
     std::cerr << "swarmanoid: cannot start roslaunch: " << std::strerror(errno) << std::endl;
-    _exit(kBadInput);
+    _exit(toNumber(ExitCode::kBadInput));
   }
   roslaunch_pid = child;
   int status = 0;
@@ -94,21 +71,22 @@ std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
 }
 
 /// What the run itself says, or else what can be told from roslaunch.
-int exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
-  int code = 0;
-  if (std::ifstream(file) >> code) {
+ExitCode exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
+  int number = 0;
+  if (std::ifstream(file) >> number) {
+    const auto code = static_cast<ExitCode>(number);
     // roslaunch takes its nodes down one after the other: the space may have been unloaded before ROS shut down
-    const bool is_interrupted = code == kEngineStopped && is_told_to_end != 0 && had_result == 0;
-    return is_interrupted ? kInterrupted : code;
+    const bool is_interrupted = code == ExitCode::kStopped && is_told_to_end != 0 && had_result == 0;
+    return is_interrupted ? ExitCode::kInterrupted : code;
   }
   if (is_told_to_end != 0) {
-    return kInterrupted;
+    return ExitCode::kInterrupted;
   }
   if (of_roslaunch.value_or(0) != 0) {
-    return kBadInput;  // it has refused to start anything, and has said why
+    return ExitCode::kBadInput;  // it has refused to start anything, and has said why
   }
   std::cerr << "swarmanoid: the run has ended without a result\n";
-  return kEngineStopped;
+  return ExitCode::kStopped;
 }
 
 /// roslaunch is its own master, which listens as the environment says, whatever a launch file says of nodes.
@@ -124,7 +102,7 @@ void nameThisHost(const std::vector<std::string>& arguments) {
   }
 }
 
-int launch(const std::string& experiment, const std::vector<std::string>& others) {
+ExitCode launch(const std::string& experiment, const std::vector<std::string>& others) {
   for (const std::string& argument : others) {
     for (const char* own : {"exit_code:=", "experiment:="}) {
       if (argument.rfind(own, 0) == 0) {
@@ -133,7 +111,7 @@ int launch(const std::string& experiment, const std::vector<std::string>& others
       }
     }
   }
-  const TemporaryFolder folder;
+  const TemporaryFolder folder("launch");
   const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
   // no parameter: where others reach the master those name files that are theirs
   setenv("SWARMANOID_EXIT_CODE", file.c_str(), 1);

@@ -5,7 +5,6 @@
 #include <sstream>
 
 #include "commands.hpp"
-#include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -49,8 +48,8 @@ Origins loadPlugins() {
       origins.emplace(entry, declared);
     }
   }
-  for (const std::string& conflict : Registry::instance().conflicts()) {
-    std::cerr << "swarmanoid: warning: " << conflict << '\n';
+  for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
+    std::cerr << "swarmanoid: warning: " << describe(conflict) << '\n';
   }
   return origins;
 }
@@ -150,7 +149,7 @@ void writeHeading(const std::string& heading, const Origins& origins, std::ostre
   }
 }
 
-int list(const std::string& heading) {
+ExitCode list(const std::string& heading) {
   const std::vector<std::string> allowed = headings();
   const bool all = heading.empty();
   if (!all && std::find(allowed.begin(), allowed.end(), heading) == allowed.end()) {
@@ -163,7 +162,7 @@ int list(const std::string& heading) {
     writeHeading(name, origins, out);
   }
   print(out.str());
-  return kFinished;
+  return ExitCode::kFinished;
 }
 
 }  // namespace
@@ -180,7 +179,7 @@ Command addSchemaCommand(CLI::App& app) {
   return [] {
     loadBuiltInPlugins();
     print(experimentSchema());
-    return static_cast<int>(kFinished);
+    return ExitCode::kFinished;
   };
 }
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/math_library.hpp"
@@ -17,7 +16,7 @@
 namespace swarmanoid::program {
 namespace {
 
-int call(int argc, char** argv) {
+ExitCode call(int argc, char** argv) {
   CLI::App app{"Runs experiments of the swarmanoid simulator.", "swarmanoid"};
   app.require_subcommand(1);
   app.set_version_flag("--version", "swarmanoid " + version());
@@ -32,14 +31,14 @@ int call(int argc, char** argv) {
     std::ostringstream help;
     const int code = app.exit(error, help, std::cerr);
     print(help.str());
-    return code == 0 ? kFinished : kBadInput;
+    return code == 0 ? ExitCode::kFinished : ExitCode::kBadInput;
   }
   for (const auto& [subcommand, command] : commands) {
     if (subcommand->parsed()) {
       return command();
     }
   }
-  return kBadInput;
+  return ExitCode::kBadInput;
 }
 
 }  // namespace
@@ -47,24 +46,25 @@ int call(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   using namespace swarmanoid::program;
+  using swarmanoid::ExitCode;
   swarmanoid::fixMathLibrary(argv);
   const bool is_output_open = fillStandardStreams();
   try {
     if (!is_output_open) {
       throw swarmanoid::ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
     }
-    return call(argc, argv);
+    return toNumber(call(argc, argv));
   } catch (const swarmanoid::ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
-    return kBadInput;
+    return toNumber(ExitCode::kBadInput);
   } catch (const std::bad_alloc&) {
     std::cerr << "swarmanoid: found no memory left, allowed: fewer entities, or a machine with more\n";
-    return kEngineStopped;
+    return toNumber(ExitCode::kStopped);
   } catch (const std::exception& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
-    return kEngineStopped;
+    return toNumber(ExitCode::kStopped);
   } catch (...) {
     std::cerr << "swarmanoid: " << swarmanoid::describeException() << '\n';
-    return kEngineStopped;
+    return toNumber(ExitCode::kStopped);
   }
 }

@@ -10,9 +10,8 @@
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
-#include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/user_code_watch.hpp"
-#include "swarmanoid_space/out_folder.hpp"
+#include "swarmanoid_space/run_files.hpp"
 #include "swarmanoid_space/simulation.hpp"
 
 namespace swarmanoid::program {
@@ -43,18 +42,14 @@ void refuseRobotsOfOthers(const Experiment& experiment) {
 }
 
 /// A visualisation that an option of the command line asks for, not the file.
-void addFromCommandLine(Simulation& simulation, RunContext context, const std::string& option, const std::string& label,
-                        const std::string& file, const NamedValues& others = {}) {
-  auto visualisation = makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, label));
+void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& option,
+                        const std::string& label, const std::string& file, const NamedValues& others = {}) {
   Configuration parameters(label, "", {});
   parameters.set("file", file.empty() ? file : std::filesystem::absolute(file).lexically_normal().string());
   for (const auto& [name, value] : others) {
     parameters.set(name, value);
   }
-  context.experiment = &simulation.experiment();
-  context.asked_by = option;
-  visualisation->configure("command_line_" + label, parameters, context);
-  simulation.addVisualisation(visualisation);
+  addVisualisation(simulation, context, option, "command_line_" + label, parameters);
 }
 
 /// Where the wall time went, phase by phase.
@@ -86,17 +81,17 @@ void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& 
     std::cerr << "swarmanoid: " << describeException() << '\n';
   }
   facts.failures = simulation.failures();
-  if (end.exit_code == kControllerFailed && !end.robot.empty()) {
+  if (end.exit_code == ExitCode::kControllerFailed && !end.robot.empty()) {
     facts.failures.push_back({end.robot, simulation.space().tick, end.reason});
   }
   print(toText(summarise(simulation, facts)) + "\n");
 }
 
-int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
+ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
   RunFacts facts;
   facts.overrides = options.overrides;
   PhaseTimes total;
-  int code = kFinished;
+  ExitCode code = ExitCode::kFinished;
   const auto start = std::chrono::steady_clock::now();
   const auto passed = [start] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -115,51 +110,48 @@ int runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar
     }
   } catch (...) {
     bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + describeException());
-    code = kEngineStopped;
+    code = ExitCode::kStopped;
   }
   facts.wall_s = passed();
   bar.finish(simulation.space().tick);
   if (options.profile) {
     printProfile(total, simulation.space());
   }
-  if (code == kFinished && isInterrupted()) {
-    code = kInterrupted;
+  if (code == ExitCode::kFinished && isInterrupted()) {
+    code = ExitCode::kInterrupted;
   }
   facts.finished = simulation.isFinished();
   try {
     simulation.finish();
   } catch (...) {
     std::cerr << "swarmanoid: " << describeException() << '\n';
-    code = kEngineStopped;
+    code = ExitCode::kStopped;
   }
   facts.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
   simulation.destroyControllers();
   facts.failures = simulation.failures();
-  if (code == kFinished && !facts.failures.empty()) {
-    code = kControllerFailed;
+  if (code == ExitCode::kFinished && !facts.failures.empty()) {
+    code = ExitCode::kControllerFailed;
   }
   print(toText(summarise(simulation, facts)) + "\n");
   return code;
 }
 
-std::shared_ptr<OutFolder> outFolder(const RunOptions& options, const Experiment& experiment) {
-  auto out = std::make_shared<OutFolder>(options.out, "--", OutFolder::Rules{options.write_anywhere, options.force});
-  for (const std::string& file : experiment.files) {
-    out->protect(file);
-  }
-  return out;
+RunFiles filesOf(const RunOptions& options) {
+  RunFiles files;
+  files.prefix = "--";
+  files.folder = options.out;
+  files.rules = {options.write_anywhere, options.force};
+  files.records_bag = options.bag.has_value();
+  return files;
 }
 
-int run(const RunOptions& options) {
+ExitCode run(const RunOptions& options) {
   UserCodeWatch watch({nullptr, options.watchdog});
   Experiment experiment = readExperiment(options);
   RunContext context;
-  context.out = outFolder(options, experiment);
+  context.out = openOutFolder(filesOf(options), experiment);
   refuseRobotsOfOthers(experiment);
-  if (options.bag) {
-    loadPluginLibrary("swarmanoid_recording", {}, {});
-  }
-  context.out->protectLoadedLibraries();
   Simulation simulation(std::move(experiment), context);
   if (options.hashes) {
     addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes);

@@ -10,9 +10,6 @@
 
 namespace swarmanoid::program {
 
-/// Exit codes of `swarmanoid run` and `swarmanoid launch`; docs/reference/program.md says what they mean.
-enum ExitCode : int { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kEngineStopped = 4, kInterrupted = 130 };
-
 /// What the summary says of a run beside what the simulation knows.
 struct RunFacts {
   std::vector<std::string> overrides;  ///< options that replaced what the file says, as given: "--seed 7"

@@ -6,7 +6,6 @@
 #include "commands.hpp"
 #include "experiment_options.hpp"
 #include "parent_process.hpp"
-#include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/registry.hpp"
@@ -103,7 +102,7 @@ Command addValidateCommand(CLI::App& app) {
     const UserCodeWatch watch({});
     const std::string found = options->no_libraries ? validateWithoutLibraries(*options) : validate(*options);
     print(options->path ? std::filesystem::absolute(findExperiment(options->file)).string() : found + "\n");
-    return static_cast<int>(kFinished);
+    return ExitCode::kFinished;
   };
 }
 

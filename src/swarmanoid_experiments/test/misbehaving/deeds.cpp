@@ -96,9 +96,7 @@ void divideByZero() {
 }
 
 void readBeyondTheEndOfAFile() {
-  char name[] = "/tmp/misbehaving_XXXXXX";
-  const int file = mkstemp(name);
-  unlink(name);
+  const int file = memfd_create("misbehaving", 0);  // there is nothing in it
   void* page = mmap(nullptr, 1, PROT_READ, MAP_SHARED, file, 0);
   zero = *static_cast<volatile char*>(page);
 }
@@ -297,20 +295,23 @@ void commit(const std::string& deed) {
   found->second();
 }
 
-std::vector<Parameter> Misdeed::parameters() {
-  std::vector<Parameter> parameters;
+PluginDescription Misdeed::describe(const std::string& label) {
+  PluginDescription description;
+  description.label = label;
+  description.summary = "Misbehaves.";
   for (const char* name : {"phase", "deed"}) {
     Parameter parameter;
     parameter.name = name;
     parameter.description = "What it does, and when.";
-    parameters.push_back(parameter);
+    description.parameters.push_back(parameter);
   }
-  return parameters;
+  return description;
 }
 
 void Misdeed::configure(const Configuration& parameters) {
   phase_ = parameters.text("phase");
   deed_ = parameters.text("deed");
+  tryIn("configure");
 }
 
 void Misdeed::tryIn(const std::string& phase) const {

@@ -29,7 +29,9 @@ class Misdeed {
  public:
   static constexpr std::uint64_t kTick = 3;
 
-  static std::vector<Parameter> parameters();
+  /// Of a plugin with this label that has nothing but a misdeed.
+  static PluginDescription describe(const std::string& label);
+  /// Commits it at once if the phase is `configure`.
   void configure(const Configuration& parameters);
   void tryIn(const std::string& phase) const;
   /// Only in that tick.

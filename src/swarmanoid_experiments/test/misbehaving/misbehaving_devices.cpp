@@ -10,12 +10,9 @@ namespace swarmanoid::test {
 namespace {
 
 PluginDescription describeDevice(const char* type) {
-  PluginDescription description;
-  description.label = type;
+  PluginDescription description = Misdeed::describe(type);
   description.implementation = "misbehaving";
-  description.summary = "Misbehaves.";
   description.robots = {"footbot"};
-  description.parameters = Misdeed::parameters();
   return description;
 }
 
@@ -23,10 +20,7 @@ class MisbehavingSensor final : public SensorOf<FootbotGripperState> {
  public:
   static PluginDescription describe() { return describeDevice(FootbotGripperState::kType); }
 
-  void configure(const Configuration& parameters) override {
-    misdeed_.configure(parameters);
-    misdeed_.tryIn("configure");
-  }
+  void configure(const Configuration& parameters) override { misdeed_.configure(parameters); }
   void sense(const Space& space, std::size_t, std::size_t) override { misdeed_.tryIn("sense", space.tick); }
   void report(Space& space) override { misdeed_.tryIn("report", space.tick); }
 
@@ -38,10 +32,7 @@ class MisbehavingActuator final : public ActuatorOf<FootbotLeds> {
  public:
   static PluginDescription describe() { return describeDevice(FootbotLeds::kType); }
 
-  void configure(const Configuration& parameters) override {
-    misdeed_.configure(parameters);
-    misdeed_.tryIn("configure");
-  }
+  void configure(const Configuration& parameters) override { misdeed_.configure(parameters); }
   void actuate(Space& space, std::vector<Row>&) override { misdeed_.tryIn("actuate", space.tick); }
   void afterMove(Space& space) override { misdeed_.tryIn("afterMove", space.tick); }
 

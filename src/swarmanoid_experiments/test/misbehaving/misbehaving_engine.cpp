@@ -7,18 +7,11 @@ namespace {
 
 class MisbehavingEngine final : public GlideEngine {
  public:
-  static PluginDescription describe() {
-    PluginDescription description;
-    description.label = "misbehaving_engine";
-    description.summary = "Misbehaves.";
-    description.parameters = Misdeed::parameters();
-    return description;
-  }
+  static PluginDescription describe() { return Misdeed::describe("misbehaving_engine"); }
 
   void configure(const std::string& id, const Configuration& parameters) override {
     id_ = id;
     misdeed_.configure(parameters);
-    misdeed_.tryIn("configure");
   }
 
   void readMirrors(const Space& space) override { misdeed_.tryIn("readMirrors", space.tick); }

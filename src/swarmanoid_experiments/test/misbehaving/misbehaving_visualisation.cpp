@@ -9,18 +9,11 @@ namespace {
 
 class MisbehavingVisualisation final : public Visualisation {
  public:
-  static PluginDescription describe() {
-    PluginDescription description;
-    description.label = "misbehaving_visualisation";
-    description.summary = "Misbehaves.";
-    description.parameters = Misdeed::parameters();
-    return description;
-  }
+  static PluginDescription describe() { return Misdeed::describe("misbehaving_visualisation"); }
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext&) override {
     id_ = id;
     misdeed_.configure(parameters);
-    misdeed_.tryIn("configure");
   }
 
   void draw(const Space& space) override { misdeed_.tryIn("draw", space.tick); }

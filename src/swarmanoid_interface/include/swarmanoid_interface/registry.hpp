@@ -68,6 +68,15 @@ class Registry {
     Factory make;
   };
 
+  /// A plugin that was refused, for another of its name was first.
+  struct Conflict {
+    PluginKind kind;
+    std::string label;
+    std::string implementation;
+    std::string first_library;   ///< file name of the one that is used
+    std::string second_library;  ///< of the one that is not; it may be the same
+  };
+
   static Registry& instance();
 
   /// The second plugin of the same kind, label and implementation is refused: the first stays, and the conflict is
@@ -88,13 +97,16 @@ class Registry {
   /// All labels of a kind, sorted, once each, aliases left out.
   std::vector<std::string> labels(PluginKind kind) const;
 
-  /// "sensor footbot_proximity polynomial is registered twice", ...
-  const std::vector<std::string>& conflicts() const { return conflicts_; }
+  /// In the order in which they came.
+  const std::vector<Conflict>& conflicts() const { return conflicts_; }
 
  private:
   std::vector<std::unique_ptr<Entry>> entries_;
-  std::vector<std::string> conflicts_;
+  std::vector<Conflict> conflicts_;
 };
+
+/// "sensor 'footbot_proximity polynomial' is registered twice (liba.so, libb.so); the first is used"
+std::string describe(const Registry::Conflict& conflict);
 
 /// Enters class `Plugin` (of base `Base`) while its library loads; use it through the REGISTER_ macros.
 template <class Base, class Plugin>

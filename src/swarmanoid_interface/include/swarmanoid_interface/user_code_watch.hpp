@@ -24,6 +24,7 @@
 #include <functional>
 #include <string>
 
+#include "swarmanoid_interface/exit_code.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 
 namespace swarmanoid {
@@ -33,7 +34,7 @@ struct UserCodeEnd {
   std::string robot;   ///< "" if the call was for none
   std::string part;    ///< as UserCode has it: whoever is called so is not to be called by `close`
   std::string reason;  ///< "crashed: SIGSEGV in step of robot ..."
-  int exit_code = 0;
+  ExitCode exit_code = ExitCode::kControllerFailed;
 };
 
 class UserCodeWatch {

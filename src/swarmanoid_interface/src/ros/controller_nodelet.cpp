@@ -53,7 +53,7 @@ bool ControllerNodelet::runAlone() {
     const std::string reason = describeException();
     NODELET_FATAL("%s: %s", name.c_str(), reason.c_str());
     if (is_standalone) {
-      process::endWith(process::kBadInput);
+      process::endWith(ExitCode::kBadInput);
     }
     throw std::runtime_error(reason);  // the nodelet does not load
   }

@@ -14,6 +14,7 @@
 #include <sstream>
 
 #include "../mock/mock_robot.hpp"
+#include "swarmanoid_interface/exit_code.hpp"
 #include "swarmanoid_interface/period_clock.hpp"
 #include "swarmanoid_interface/ros/device_topic.hpp"
 #include "swarmanoid_interface/ros/parameters.hpp"
@@ -183,8 +184,7 @@ int main(int argc, char** argv) {
     swarmanoid::mock::Drivers(own).run();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
-    constexpr int kBadInput = 2;
-    return kBadInput;
+    return toNumber(swarmanoid::ExitCode::kBadInput);
   }
-  return 0;
+  return toNumber(swarmanoid::ExitCode::kFinished);
 }

@@ -55,7 +55,7 @@ void Participant::run() {
     if (!isOver()) {
       ROS_FATAL("participant '%s': %s", name_.c_str(), describeException().c_str());
       if (is_standalone_) {
-        process::endWith(process::kStopped);
+        process::endWith(ExitCode::kStopped);
       }
     }
   }

@@ -12,7 +12,7 @@ namespace swarmanoid::process {
 namespace {
 
 std::atomic<bool> is_end_asked_for{false};
-std::atomic<int> exit_code{kGood};
+std::atomic<ExitCode> exit_code{ExitCode::kFinished};
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler writes it");
 
 void takeSignal(int) {
@@ -33,7 +33,7 @@ void takeShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
 /// After all that main did; statics are still alive.
 void leave() {
   std::fflush(nullptr);
-  std::_Exit(exit_code);
+  std::_Exit(toNumber(exit_code));
 }
 
 }  // namespace
@@ -50,8 +50,8 @@ void takeOverSignals() {
 bool isEndAskedFor() { return is_end_asked_for; }
 
 void endWith(ExitCode code) {
-  int none = kGood;
-  if (code != kGood && exit_code.compare_exchange_strong(none, code)) {
+  ExitCode none = ExitCode::kFinished;
+  if (code != none && exit_code.compare_exchange_strong(none, code)) {
     std::atexit(leave);
   }
 }

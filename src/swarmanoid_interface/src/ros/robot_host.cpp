@@ -213,9 +213,9 @@ void RobotHost::leave() {
   inputs_.clear();
   loop_.reset();  // the controller is destroyed when its robot stands
   if (is_standalone_) {
-    process::endWith(why == RobotLoop::End::kFailed    ? process::kControllerFailed
-                     : why == RobotLoop::End::kMissing ? process::kStopped
-                                                       : process::kGood);
+    process::endWith(why == RobotLoop::End::kFailed    ? ExitCode::kControllerFailed
+                     : why == RobotLoop::End::kMissing ? ExitCode::kStopped
+                                                       : ExitCode::kFinished);
     ros::requestShutdown();
   }
 }

@@ -9,19 +9,14 @@
 #include <fstream>
 
 #include "swarmanoid_interface/ros/frame_messages.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid::replay {
 namespace {
 
 class ReadBagTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / "swarmanoid_read_bag_test";
-    std::filesystem::create_directories(folder_);
-    file_ = (folder_ / "run.bag").string();
-    bag_.open(file_, rosbag::bagmode::Write);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { bag_.open(file_, rosbag::bagmode::Write); }
 
   void start(double time, const std::string& robot = "fb_1", std::uint64_t run = 0) {
     swarmanoid_msgs::ControllerStart message;
@@ -65,8 +60,9 @@ class ReadBagTest : public testing::Test {
     return "";
   }
 
-  std::filesystem::path folder_;
-  std::string file_;
+  const TemporaryFolder owner_{"read_bag_test"};
+  const std::filesystem::path& folder_ = owner_.path();
+  const std::string file_ = folder_ / "run.bag";
   rosbag::Bag bag_;
 };
 

@@ -7,8 +7,8 @@
 
 #include "../door.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_check.hpp"
 #include "swarmanoid_space/limits.hpp"
+#include "swarmanoid_space/unchecked_experiment.hpp"
 
 namespace swarmanoid {
 namespace experiment {
@@ -90,14 +90,11 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
   }
   const std::filesystem::path path(library);
   const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
-  // a blank comes before the name of an implementation
-  const std::string title = std::string(toString(entry.kind)) + " '" + entry.description.label;
-  for (const std::string& conflict : Registry::instance().conflicts()) {
-    const bool is_its_own = conflict.rfind(title + "'", 0) == 0 || conflict.rfind(title + " ", 0) == 0;
-    if (is_its_own && conflict.find(", " + file + ")") != std::string::npos) {
-      element.refuse("found the label '" + entry.description.label + "' in two libraries " +
-                     conflict.substr(conflict.find('('), conflict.find(')') - conflict.find('(') + 1) +
-                     ", allowed: one in a process");
+  for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
+    const bool is_its_own = conflict.kind == entry.kind && conflict.label == entry.description.label;
+    if (is_its_own && conflict.second_library == file && conflict.first_library != file) {
+      element.refuse("found the label '" + conflict.label + "' in two libraries (" + conflict.first_library + ", " +
+                     conflict.second_library + "), allowed: one in a process");
     }
   }
 }
@@ -176,11 +173,13 @@ std::string xmlProblem(const tinyxml2::XMLDocument& document) {
 /// Reads and checks the document; what it warns of is kept for takeExperimentWarnings.
 void experiment::readDocument(const XmlElement& root, Reader& reader) {
   const auto& conflicts = Registry::instance().conflicts();
-  const auto first_new = static_cast<std::ptrdiff_t>(conflicts.size());
+  const std::size_t first_new = conflicts.size();
   readSections(root, reader);
   auto& warnings = pendingWarnings();
   warnings.insert(warnings.end(), reader.warnings.begin(), reader.warnings.end());
-  warnings.insert(warnings.end(), conflicts.begin() + first_new, conflicts.end());
+  for (std::size_t i = first_new; i < conflicts.size(); ++i) {
+    warnings.push_back(describe(conflicts[i]));
+  }
 }
 
 namespace {

@@ -16,13 +16,13 @@
 namespace swarmanoid {
 namespace {
 
-std::atomic<int> exit_code{0};
+std::atomic<ExitCode> exit_code{ExitCode::kFinished};
 
 /// All nodelets are gone by now; what is left out are destructors of static objects.
 void endWithCode() {
-  if (exit_code != 0) {
+  if (exit_code != ExitCode::kFinished) {
     std::fflush(nullptr);
-    std::_Exit(exit_code);
+    std::_Exit(toNumber(exit_code));
   }
 }
 
@@ -71,8 +71,8 @@ std::string exitCodeFileOfStarter() {
 void setExitCode(ExitCode code) {
   static std::once_flag once;
   std::call_once(once, [] { std::atexit(endWithCode); });
-  int expected = 0;
-  exit_code.compare_exchange_strong(expected, static_cast<int>(code));
+  ExitCode expected = ExitCode::kFinished;
+  exit_code.compare_exchange_strong(expected, code);
 }
 
 void writeExitCode(const std::string& file, ExitCode code) {
@@ -83,7 +83,7 @@ void writeExitCode(const std::string& file, ExitCode code) {
     throw std::runtime_error("~exit_code: found '" + file +
                              "', which is there and holds no exit code, allowed: another name");
   }
-  const std::string text = std::to_string(static_cast<int>(code)) + '\n';
+  const std::string text = std::to_string(toNumber(code)) + '\n';
   std::string unfinished = file + ".XXXXXX";
   if (!writeNewFile(unfinished, text) || std::rename(unfinished.c_str(), file.c_str()) != 0) {
     const int reason = errno;

@@ -1,5 +1,4 @@
-/// What a run ends with, the same numbers as those of the program `swarmanoid`: as the exit code of this process, and
-/// in a file.
+/// What a run ends with: as the exit code of this process, and in a file.
 ///
 /// A nodelet manager returns 0 whatever happened in it, and roslaunch returns 0 whatever its nodes return. roslaunch is
 /// to report a run that failed, and whoever started roslaunch is to find out.
@@ -7,9 +6,9 @@
 
 #include <string>
 
-namespace swarmanoid {
+#include "swarmanoid_interface/exit_code.hpp"
 
-enum class ExitCode { kFinished = 0, kBadInput = 2, kControllerFailed = 3, kStopped = 4, kInterrupted = 130 };
+namespace swarmanoid {
 
 /// Takes effect when the process ends by itself. The first one that is not kFinished counts.
 void setExitCode(ExitCode code);

@@ -2,20 +2,10 @@
 
 #include <filesystem>
 
-#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/run_files.hpp"
 
 namespace swarmanoid {
 namespace {
-
-/// @param parameters named like the visualisation's label
-void attach(Simulation& simulation, RunContext context, const std::string& id, const Configuration& parameters) {
-  const auto* entry = Registry::instance().find(PluginKind::kVisualisation, parameters.name());
-  auto visualisation = makePlugin<Visualisation>(*entry);
-  context.experiment = &simulation.experiment();
-  context.asked_by = "~" + id;
-  visualisation->configure(id, parameters, context);
-  simulation.addVisualisation(visualisation);
-}
 
 Configuration bagParameters(const SpaceOptions& options, const std::string& space) {
   Configuration parameters("rosbag_recorder", "", {});
@@ -32,15 +22,12 @@ Configuration bagParameters(const SpaceOptions& options, const std::string& spac
 }  // namespace
 
 std::shared_ptr<OutFolder> openOutFolder(const SpaceOptions& options, const Experiment& experiment) {
-  if (!options.record.empty()) {
-    loadPluginLibrary("swarmanoid_recording", {}, {});
-  }
-  auto out = std::make_shared<OutFolder>(options.out, "~", OutFolder::Rules{options.write_anywhere, options.force});
-  for (const std::string& file : experiment.files) {
-    out->protect(file);
-  }
-  out->protectLoadedLibraries();
-  return out;
+  RunFiles files;
+  files.prefix = "~";
+  files.folder = options.out;
+  files.rules = {options.write_anywhere, options.force};
+  files.records_bag = !options.record.empty();
+  return openOutFolder(files, experiment);
 }
 
 std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& context, const SpaceOptions& options,
@@ -50,13 +37,13 @@ std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& 
   };
   std::vector<std::string> said;
   if (!options.record.empty()) {
-    attach(simulation, context, "record", bagParameters(options, space));
+    addVisualisation(simulation, context, "~record", "record", bagParameters(options, space));
     said.push_back("recording " + fullName(options.record));
   }
   if (!options.hashes.empty()) {
     Configuration parameters("hash_recorder", "", {});
     parameters.set("file", options.hashes);
-    attach(simulation, context, "hashes", parameters);
+    addVisualisation(simulation, context, "~hashes", "hashes", parameters);
     said.push_back("writing state hashes to " + fullName(options.hashes));
   }
   return said;

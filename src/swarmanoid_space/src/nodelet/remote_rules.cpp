@@ -4,31 +4,22 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "../inside_folder.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/experiment_lookup.hpp"
 
 namespace swarmanoid {
 namespace {
 
-namespace fs = std::filesystem;
-
 std::string environment(const char* name) {
   const char* value = std::getenv(name);
   return value == nullptr ? "" : value;
 }
 
-/// Links and dots are followed first, as far as there are such files.
-bool isIn(const fs::path& file, const fs::path& folder) {
-  std::error_code error;
-  const fs::path inner = fs::weakly_canonical(fs::absolute(file), error);
-  const fs::path outer = fs::weakly_canonical(folder, error);
-  return !error && std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
-}
-
 bool isInstalled(const std::string& experiment) {
   const std::vector<std::string> folders = shareFolders();
   const std::string file = findExperiment(experiment);
-  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) { return isIn(file, folder); });
+  return std::any_of(folders.begin(), folders.end(), [&](const std::string& folder) { return isInside(file, folder); });
 }
 
 std::string filesIn(const RemoteRules& rules) { return rules.folder.empty() ? "" : "files in " + rules.folder; }
@@ -40,7 +31,7 @@ std::string filesIn(const RemoteRules& rules) { return rules.folder.empty() ? ""
 
 /// @param folder in which the name begins; "": where the process works
 void check(const std::string& parameter, const std::string& name, const std::string& folder, const RemoteRules& rules) {
-  if (!name.empty() && (rules.folder.empty() || !isIn(fs::path(folder) / name, rules.folder))) {
+  if (!name.empty() && (rules.folder.empty() || !isInside(std::filesystem::path(folder) / name, rules.folder))) {
     refuse(parameter, name, filesIn(rules));
   }
 }
@@ -66,7 +57,7 @@ void checkFiles(const SpaceOptions& options, const RemoteRules& rules) {
     return;
   }
   if (!isInstalled(options.experiment) &&
-      (rules.folder.empty() || !isIn(findExperiment(options.experiment), rules.folder))) {
+      (rules.folder.empty() || !isInside(findExperiment(options.experiment), rules.folder))) {
     const std::string here = filesIn(rules);
     refuse("experiment", options.experiment, "installed experiments" + (here.empty() ? "" : ", " + here));
   }

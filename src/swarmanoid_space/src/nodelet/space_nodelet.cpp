@@ -135,7 +135,7 @@ void SpaceNodelet::watchUsersCode() {
 /// The process is about to end in the middle of users' code, and the simulation's thread stands still.
 void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   NODELET_FATAL("%s", end.reason.c_str());
-  tellExitCode(static_cast<ExitCode>(end.exit_code));
+  tellExitCode(end.exit_code);
   Simulation* simulation = simulation_;
   if (simulation == nullptr) {
     return;
@@ -149,7 +149,7 @@ void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   const State last_state = last_state_;
   if (last_state != State::kFinished && last_state != State::kStopped) {
     swarmanoid_msgs::RunResult message = runResult(*simulation, false, end.reason, display_->wallTime());
-    if (end.exit_code == static_cast<int>(ExitCode::kControllerFailed) && !end.robot.empty()) {
+    if (end.exit_code == ExitCode::kControllerFailed && !end.robot.empty()) {
       message.failed_robots.push_back(end.robot);
     }
     display_->publish(message);

@@ -15,6 +15,7 @@
 #include <random>
 
 #include "../../src/ros/recording/bag_writer.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -39,9 +40,6 @@ std::string noise(std::size_t size, unsigned seed) {
 
 class BagFileTest : public testing::Test {
  protected:
-  void SetUp() override { path_ = testing::TempDir() + "swarmanoid_bag_file_test.bag"; }
-  void TearDown() override { std::filesystem::remove(path_); }
-
   OutDescriptor file() const { return {open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666), path_, "test"}; }
 
   Texts read(const std::string& topic = "") const {
@@ -59,7 +57,8 @@ class BagFileTest : public testing::Test {
     return texts;
   }
 
-  std::string path_;
+  const TemporaryFolder owner_{"bag_file_test"};
+  const std::string path_ = owner_.path() / "run.bag";
 };
 
 TEST_F(BagFileTest, IsReadAsItWasWritten) {

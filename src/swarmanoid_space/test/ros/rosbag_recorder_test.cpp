@@ -12,6 +12,7 @@
 #include "../small_world.hpp"
 #include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 #include "swarmanoid_space/out_folder.hpp"
 
 namespace swarmanoid {
@@ -19,12 +20,7 @@ namespace {
 
 class RosbagRecorderTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / "swarmanoid_rosbag_recorder_test";
-    std::filesystem::create_directories(folder_);
-    loadPluginLibrary("swarmanoid_recording", {}, {});
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void SetUp() override { loadPluginLibrary("swarmanoid_recording", {}, {}); }
 
   void record(Simulation& simulation, const std::string& every = "1") {
     auto recorder =
@@ -51,7 +47,8 @@ class RosbagRecorderTest : public testing::Test {
     return messages;
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder owner_{"rosbag_recorder_test"};
+  const std::filesystem::path& folder_ = owner_.path();
 };
 
 void runToEnd(Simulation& simulation) {

@@ -5,10 +5,9 @@
 
 #include <string>
 
-namespace swarmanoid::process {
+#include "swarmanoid_interface/exit_code.hpp"
 
-/// As those of the program `swarmanoid`.
-enum ExitCode { kGood = 0, kBadInput = 2, kControllerFailed = 3, kStopped = 4 };
+namespace swarmanoid::process {
 
 /// Whether the process is that of this nodelet alone. @param nodelet its full name
 bool isStandalone(const std::string& nodelet);

@@ -7,6 +7,7 @@
 
 #include "../../replay/report.hpp"
 #include "read_bag.hpp"
+#include "swarmanoid_interface/exit_code.hpp"
 #include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/user_code.hpp"
@@ -14,7 +15,7 @@
 namespace swarmanoid::replay {
 namespace {
 
-enum ExitCode { kEqual = 0, kDiffers = 1, kBadInput = 2 };
+constexpr int kDiffers = 1;  // beside the other exit codes
 
 struct Options {
   std::string bag;
@@ -117,7 +118,7 @@ int replay(const Options& options) {
       }
     }
   }
-  return are_equal ? kEqual : kDiffers;
+  return are_equal ? toNumber(ExitCode::kFinished) : kDiffers;
 }
 
 }  // namespace
@@ -125,6 +126,7 @@ int replay(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace swarmanoid::replay;
+  using swarmanoid::ExitCode;
   swarmanoid::fixMathLibrary(argv);  // that of the run, where it was fixed too
   Options options;
   CLI::App app{"Feeds controllers with the readings of a bag, and compares what they command with what was recorded.",
@@ -145,12 +147,12 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kEqual : kBadInput;
+    return toNumber(app.exit(error) == 0 ? ExitCode::kFinished : ExitCode::kBadInput);
   }
   try {
     return replay(options);
   } catch (...) {
     std::cerr << "replay: " << swarmanoid::describeException() << '\n';
-    return kBadInput;
+    return toNumber(ExitCode::kBadInput);
   }
 }

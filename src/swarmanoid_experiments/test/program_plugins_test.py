@@ -1,0 +1,129 @@
+#!/usr/bin/python3
+"""The program and engines, devices and visualisations that misbehave: they are named, files and summary are kept, the
+exit code says it."""
+
+import json
+import pathlib
+import signal
+import time
+import unittest
+
+from misbehaving_program import CRASHES, OTHER, THROWN, TIMEOUT, MisbehavingTest
+from misbehaving_world import ACTUATOR, ENGINE, SENSOR, VISUALISATION
+from program_world import BAD_INPUT, FINISHED, INTERRUPTED, STOPPED
+
+
+class PluginTest(MisbehavingTest):
+    """Engines, devices, visualisations: who it was is named, and the ticks before are kept."""
+    CALLS = ((ENGINE, "readMirrors"), (ENGINE, "move"), (ENGINE, "connect"), (SENSOR, "sense"), (SENSOR, "report"),
+             (ACTUATOR, "actuate"), (ACTUATOR, "afterMove"))
+
+    def assert_ended(self, outcome, reason, ticks, rows=None):
+        """The run has stopped after so many ticks, of which the table has those rows."""
+        code, summary, errors = outcome
+        self.assertEqual(code, STOPPED, errors)
+        self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {reason}")
+        self.assertEqual((summary["ticks"], summary["failed_controllers"]), (ticks, []))
+        self.assert_table(ticks if rows is None else rows)
+
+    def test_a_crash_in_every_call(self):
+        for who, phase in self.CALLS:
+            for deed, what in (("segv_read", "crashed: SIGSEGV"), ("abort", "crashed: SIGABRT"),
+                               ("exit_0", "called exit")):
+                with self.subTest(who=who, phase=phase, deed=deed):
+                    outcome = self.misbehave(phase, deed, "--bag", "run.bag", who=who)
+                    self.assert_ended(outcome, f"{what} in {phase} of {who}, tick 3", 3)
+                    self.assertFalse(outcome[1]["finished"])
+                    self.assert_bag(3)
+                    (self.folder / "run.bag").unlink()
+
+    def test_every_crash_of_an_engine(self):
+        for deed, what in CRASHES.items():
+            with self.subTest(deed=deed):
+                self.assert_ended(self.misbehave("move", deed, who=ENGINE), f"{what} in move of {ENGINE}, tick 3", 3)
+
+    def test_what_an_assertion_says_is_kept(self):
+        outcome = self.misbehave("move", "assert", who=ENGINE)
+        self.assert_ended(outcome, f"crashed: SIGABRT in move of {ENGINE}, tick 3", 3)
+        self.assertEqual(outcome[2].splitlines()[0], "swarmanoid: b2_polygon_shape.cpp:123: ComputeMass: "
+                                                     "Assertion `area > b2_epsilon' failed.")
+
+    def test_on_any_thread(self):
+        for deed in ("segv_write", "stack_overflow", "abort", "thread_exit"):
+            with self.subTest(deed=deed):
+                self.assert_ended(self.misbehave("move", deed, who=ENGINE, threads=3),
+                                  f"{CRASHES[deed]} in move of {ENGINE}, tick 3", 3)
+
+    def test_visualisations_that_crash_do_not_keep_others_from_completing_their_files(self):
+        # the table comes after them
+        for phase, when, ticks, rows in (("draw", ", tick 3", 3, 2), ("flush", "", 0, 0), ("finish", "", 20, 20)):
+            for deed in ("segv_read", "abort", "wait_for_itself"):
+                with self.subTest(phase=phase, deed=deed):
+                    what = CRASHES.get(deed, "watchdog: more than 1 s")
+                    outcome = self.misbehave(phase, deed, "--watchdog", "1", who=VISUALISATION)
+                    self.assert_ended(outcome, f"{what} in {phase} of {VISUALISATION}{when}", ticks, rows)
+                    self.assertEqual(outcome[1]["finished"], phase == "finish")
+
+    def test_while_it_is_configured(self):
+        for who in (ENGINE, SENSOR, ACTUATOR, VISUALISATION):
+            for deed, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
+                with self.subTest(who=who, deed=deed):
+                    message = f"swarmanoid: {what} in configure of {who}\n"
+                    self.assertEqual(self.misbehave("configure", deed, who=who), (STOPPED, None, message))
+                    if who != VISUALISATION:  # those are not made to validate a file
+                        done = self.call("validate", "world.xml")
+                        self.assertEqual((done.returncode, done.stdout, done.stderr), (STOPPED, "", message))
+
+    def test_the_watchdog_ends_it(self):
+        for who, phase in self.CALLS:
+            with self.subTest(who=who, phase=phase):
+                self.assert_ended(self.misbehave(phase, "loop", "--watchdog", "0.5", who=who),
+                                  f"watchdog: more than 1 s in {phase} of {who}, tick 3", 3)
+
+    def test_it_is_told_of_and_the_second_signal_ends_it(self):
+        process = self.start("move", "loop", "--bag", "run.bag", who=ENGINE)
+        self.read_until(process, f"late: move of {ENGINE}, tick 3 has taken 5 s so far")
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        output, errors = process.communicate(timeout=TIMEOUT)
+        self.assertEqual((process.returncode, errors),
+                         (INTERRUPTED, f"swarmanoid: interrupted in move of {ENGINE}, tick 3\n"))
+        self.assertEqual(json.loads(output)["ticks"], 3)
+        self.assert_table(3)
+        self.assert_bag(3)
+
+    def test_the_second_signal_leaves_time_to_complete_files(self):
+        process = self.start("finish", "sleep_1", who=VISUALISATION)
+        while not (self.folder / "table.txt").exists() or (self.folder / "table.txt").stat().st_size < 100:
+            time.sleep(0.01)
+        process.send_signal(signal.SIGINT)
+        process.send_signal(signal.SIGTERM)
+        output, errors = process.communicate(timeout=TIMEOUT)
+        self.assertIn((process.returncode, errors), ((INTERRUPTED, ""), (FINISHED, "")))
+        self.assert_table(json.loads(output)["ticks"])
+
+    def test_whatever_it_throws_stops_the_run_and_names_it(self):
+        for deed, reason in THROWN.items():
+            with self.subTest(deed=deed):
+                code, summary, errors = self.misbehave("configure", deed, who=VISUALISATION)
+                self.assertEqual((code, summary), (BAD_INPUT, None))
+                self.assertIn(f":17: {VISUALISATION} cannot be configured: {reason}\n", errors)
+                named = f"{VISUALISATION} {reason}" if OTHER in reason else reason
+                code, summary, errors = self.misbehave("draw", deed, who=VISUALISATION)
+                self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {named}\n"))
+                self.assertEqual(summary["ticks"], 3)
+                code, summary, errors = self.misbehave("finish", deed, who=VISUALISATION)
+                self.assertEqual((code, errors), (STOPPED, f"swarmanoid: {named}\n"))
+                self.assert_table(20)
+
+    def test_what_devices_throw_names_them(self):
+        for who, phase in self.CALLS:
+            with self.subTest(who=who, phase=phase):
+                code, _, errors = self.misbehave(phase, "throw_int", who=who)
+                self.assertEqual((code, errors),
+                                 (STOPPED, f"swarmanoid: stopped in tick 3: {who} threw the number 7{OTHER}\n"))
+                self.assert_table(3)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[pathlib.Path(__file__).name, "-v"])
