@@ -14,6 +14,8 @@ using Command = std::function<ExitCode()>;
 Command addRunCommand(CLI::App& app);
 /// `launch EXPERIMENT [ARGUMENT...]`: runs an experiment under ROS, and returns what `run` would.
 Command addLaunchCommand(CLI::App& app);
+/// `diff RUN1 RUN2`: the first tick in which two recorded runs differ, and the fields that differ in it.
+Command addDiffCommand(CLI::App& app);
 /// `validate FILE`: reads an experiment file, builds it, and says what is wrong.
 Command addValidateCommand(CLI::App& app);
 /// `list [KIND]`: what can be named in an experiment file.

@@ -24,6 +24,7 @@ struct RunOptions : ExperimentOptions {
   bool write_anywhere = false;
   std::optional<std::string> bag;
   std::string record_controllers = "none";
+  bool record_state = false;
   std::optional<std::string> hashes;
   bool quiet = false;
   bool profile = false;
@@ -157,8 +158,9 @@ ExitCode run(const RunOptions& options) {
     addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes);
   }
   if (options.bag) {
-    addFromCommandLine(simulation, context, "--bag", "rosbag_recorder", *options.bag,
-                       {{"controllers", options.record_controllers}});
+    addFromCommandLine(
+        simulation, context, "--bag", "rosbag_recorder", *options.bag,
+        {{"controllers", options.record_controllers}, {"state", options.record_state ? "true" : "false"}});
   }
   context.out->keep();
   // shared with the sink, which controllers may still use while the simulation is taken down
@@ -211,6 +213,8 @@ Command addRunCommand(CLI::App& app) {
   command
       ->add_option("--record-controllers", options->record_controllers,
                    "robots whose controllers can be replayed from the bag: names separated by spaces, all or none")
+      ->needs(bag);
+  command->add_flag("--record-state", options->record_state, "all named state in the bag, for `swarmanoid diff`")
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command

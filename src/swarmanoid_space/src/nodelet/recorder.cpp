@@ -16,6 +16,7 @@ Configuration bagParameters(const SpaceOptions& options, const std::string& spac
     controllers += (controllers.empty() ? "" : " ") + robot;
   }
   parameters.set("controllers", controllers.empty() ? "none" : controllers);
+  parameters.set("state", options.record_state ? "true" : "false");
   return parameters;
 }
 

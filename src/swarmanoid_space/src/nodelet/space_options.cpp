@@ -64,6 +64,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
     options.record = dateAndTime() + ".bag";
   }
   options.record_controllers = reader.words("record_controllers");
+  options.record_state = reader.boolean("record_state", false);
   options.hashes = reader.text("hashes", "");
   options.folder = reader.text("folder", "");
   options.force = reader.boolean("force", false);

@@ -24,6 +24,7 @@ struct SpaceOptions {
   bool paused = false;                          ///< before the first tick
   std::string record;                           ///< the bag; "": none
   std::vector<std::string> record_controllers;  ///< robots whose controllers are in the bag; as device_topics
+  bool record_state = false;                    ///< all named state is in the bag
   std::string hashes;                           ///< file of the state hash of every tick; "": none
   std::string folder;                           ///< where relative names begin; "": where the manager works
   std::string out;                              ///< folder of the files that are written, made if it is not there

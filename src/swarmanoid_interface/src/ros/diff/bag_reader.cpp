@@ -49,8 +49,8 @@ BagReader::BagReader(const std::string& file) : file_(file) {
   for (const rosbag::ConnectionInfo* connection : view_.getConnections()) {
     const bool is_named = connection->datatype == ros::message_traits::datatype<swarmanoid_msgs::NamedState>();
     has_named_state_ = has_named_state_ || is_named;
-    has_state = has_state || is_named ||
-                connection->datatype == ros::message_traits::datatype<swarmanoid_msgs::WorldState>();
+    has_state =
+        has_state || is_named || connection->datatype == ros::message_traits::datatype<swarmanoid_msgs::WorldState>();
   }
   if (!has_state) {
     throw ConfigError({file, 0}, "found no state of a space, expected a bag of `swarmanoid run --bag`");
@@ -103,8 +103,9 @@ StateFields BagReader::fieldsOf(const swarmanoid_msgs::NamedState& message) {
   }
   if (names_->size() != message.numbers.size() + message.texts.size()) {
     throw ConfigError({file_, 0}, "found " + std::to_string(message.numbers.size() + message.texts.size()) +
-                                      " values of " + std::to_string(names_->size()) + " fields in the state after tick " +
-                                      std::to_string(message.tick) + "; expected as many");
+                                      " values of " + std::to_string(names_->size()) +
+                                      " fields in the state after tick " + std::to_string(message.tick) +
+                                      "; expected as many");
   }
   return {names_, message.numbers, message.texts};
 }

@@ -49,8 +49,8 @@ Values valuesOf(const StateFields& state) {
   Values values;
   for (std::size_t i = 0; i < state.names->size(); ++i) {
     const std::size_t text = i - state.numbers.size();
-    values.emplace_back((*state.names)[i], i < state.numbers.size() ? toText(state.numbers[i] + 0.0)
-                                                                    : "'" + state.texts[text] + "'");
+    values.emplace_back((*state.names)[i],
+                        i < state.numbers.size() ? toText(state.numbers[i] + 0.0) : "'" + state.texts[text] + "'");
   }
   return values;
 }

@@ -3,6 +3,7 @@
 
 #include "bag_writer.hpp"
 #include "controller_recorder.hpp"
+#include "state_message.hpp"
 #include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_space/out_file.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
@@ -49,6 +50,7 @@ class RosbagRecorder final : public Visualisation {
         level,
         parameter("controllers", Type::kText, "Robots whose controllers can be replayed from it: names, all or none.",
                   "none"),
+        parameter("state", Type::kBoolean, "Whether all named state is recorded, for `swarmanoid diff`.", "false"),
         parameter("node", Type::kText, "Name of the space in topics.", "space")};
     return description;
   }
@@ -60,6 +62,7 @@ class RosbagRecorder final : public Visualisation {
     transforms_ = Transforms(parseTransformLevel(parameters.text("transforms", "auto")));
     topics_ = "/" + parameters.text("node", "space") + "/";
     const std::string compression = parameters.text("compression", "lz4");
+    has_state_ = parameters.boolean("state", false);
     controllers_ = ControllerRecorder(parameters.text("controllers", "none"), context.experiment);
     bag_.open(openOutFile(context, parameters, id), compression == "lz4"   ? BagFile::Compression::kLz4
                                                     : compression == "bz2" ? BagFile::Compression::kBz2
@@ -93,6 +96,9 @@ class RosbagRecorder final : public Visualisation {
     }
     toMessage(space, world_state_);
     bag_.write(topics_ + "world_state", stamp, world_state_);
+    if (has_state_) {
+      bag_.write(topics_ + "named_state", stamp, state_.write(space));
+    }
     if (markers_every_ != 0 && space.tick / every_ % markers_every_ == 0) {
       bag_.write(topics_ + "markers", stamp, markers_.draw(space));
     }
@@ -112,6 +118,8 @@ class RosbagRecorder final : public Visualisation {
   MovingMarkers markers_;
   OutsideChanges changes_;
   ControllerRecorder controllers_;
+  bool has_state_ = false;
+  StateMessage state_;
   swarmanoid_msgs::WorldState world_state_;
   swarmanoid_msgs::Event event_;
 };
