@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "last_seconds.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
@@ -42,19 +43,14 @@ int call(int argc, char** argv) {
   return kBadInput;
 }
 
-}  // namespace
-}  // namespace swarmanoid::program
-
-int main(int argc, char** argv) {
-  using namespace swarmanoid::program;
-  swarmanoid::fixMathLibrary(argv);
+int callSafely(int argc, char** argv) {
   const bool is_output_open = fillStandardStreams();
   try {
     if (!is_output_open) {
-      throw swarmanoid::ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
+      throw ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
     }
     return call(argc, argv);
-  } catch (const swarmanoid::ConfigError& error) {
+  } catch (const ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return kBadInput;
   } catch (const std::bad_alloc&) {
@@ -64,7 +60,17 @@ int main(int argc, char** argv) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return kEngineStopped;
   } catch (...) {
-    std::cerr << "swarmanoid: " << swarmanoid::describeException() << '\n';
+    std::cerr << "swarmanoid: " << describeException() << '\n';
     return kEngineStopped;
   }
+}
+
+}  // namespace
+}  // namespace swarmanoid::program
+
+int main(int argc, char** argv) {
+  swarmanoid::fixMathLibrary(argv);
+  const int code = swarmanoid::program::callSafely(argc, argv);
+  swarmanoid::program::endWithinSeconds(code);
+  return code;
 }
