@@ -100,7 +100,7 @@ Command addValidateCommand(CLI::App& app) {
     if (options->end_with_parent) {
       endWithParent();
     }
-    const UserCodeWatch watch({});
+    const UserCodeWatch watch({nullptr, options->watchdog});
     const std::string found = options->no_libraries ? validateWithoutLibraries(*options) : validate(*options);
     print(options->path ? std::filesystem::absolute(findExperiment(options->file)).string() : found + "\n");
     return static_cast<int>(kFinished);
