@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""fuzz.py files|images|controllers: runs the program on inputs that nobody would write, and looks how it ends.
+"""fuzz.py files|images|controllers|launched_controllers: runs the program on inputs that nobody would write, and looks how it ends.
 
 No crash, no hang, no more memory than a machine has, an exit code that the pages know, and a reason for it. Inputs follow
 from seed and number of the case, so that any of them can be made again: what went wrong is kept in the folder."""
@@ -15,6 +15,7 @@ import tempfile
 
 import grammar
 import images
+import launched
 import misbehaviour
 import mutations
 import program
@@ -56,7 +57,8 @@ class Images:
         return done, ending, ending.trouble()
 
 
-SUBJECTS = {"files": Files, "images": Images, "controllers": misbehaviour.Controllers}
+SUBJECTS = {"files": Files, "images": Images, "controllers": misbehaviour.Controllers,
+            "launched_controllers": launched.LaunchedControllers}
 
 
 def run_case(subject, seed, number, folder):
