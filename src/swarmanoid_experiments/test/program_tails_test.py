@@ -69,6 +69,13 @@ class LibraryTest(ProgramTest):
                              (FINISHED, "swarmanoid: a library does not let the process end: it is left there\n"))
             self.assertTrue(json.loads(summary)["finished"])
 
+    def test_the_full_name_is_that_of_before_a_library_changes_the_folder(self):
+        world = self.folder / "world.xml"
+        world.write_text(misbehaving_world.world("destroy", "change_folder"))
+        done = subprocess.run(["swarmanoid", "validate", "--path", world.name], cwd=self.folder, timeout=60, encoding="utf-8",
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (FINISHED, str(world), ""))
+
 
 class SignalTest(TailsTest):
     def test_each_signal_that_asks_a_run_to_end_keeps_its_results(self):
