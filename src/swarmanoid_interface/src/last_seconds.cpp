@@ -1,4 +1,4 @@
-#include "last_seconds.hpp"
+#include "swarmanoid_interface/last_seconds.hpp"
 
 #include <unistd.h>
 
@@ -7,7 +7,7 @@
 #include <system_error>
 #include <thread>
 
-namespace swarmanoid::program {
+namespace swarmanoid {
 
 void endWithinSeconds(int exit_code) {
   try {
@@ -24,4 +24,4 @@ void endWithinSeconds(int exit_code) {
   }
 }
 
-}  // namespace swarmanoid::program
+}  // namespace swarmanoid

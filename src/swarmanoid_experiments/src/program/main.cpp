@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "commands.hpp"
-#include "last_seconds.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/last_seconds.hpp"
 #include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 #include "version.hpp"
@@ -71,6 +71,6 @@ int callSafely(int argc, char** argv) {
 int main(int argc, char** argv) {
   swarmanoid::fixMathLibrary(argv);
   const int code = swarmanoid::program::callSafely(argc, argv);
-  swarmanoid::program::endWithinSeconds(code);
+  swarmanoid::endWithinSeconds(code);
   return code;
 }
