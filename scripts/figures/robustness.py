@@ -11,7 +11,7 @@ import tempfile
 from table import ROOT
 
 EXPERIMENTS = ROOT / "src/swarmanoid_experiments"
-FILES, IMAGES, CONTROLLERS, LAUNCHED, FRAMES, CALLS = 10_000, 1_200, 406, 754, 1_000, 2_000
+FILES, IMAGES, CONTROLLERS, LAUNCHED, FRAMES, CALLS = 10_000, 1_200, 413, 767, 1_000, 2_000
 SANITIZERS = {"address,undefined": {"ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"},
               "thread": {"TSAN_OPTIONS": f"suppressions={ROOT / 'scripts/figures/thread_sanitizer.supp'}"}}
 TICKS = 100  # of each experiment under a sanitizer

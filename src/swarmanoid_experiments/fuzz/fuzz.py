@@ -5,6 +5,7 @@ No crash, no hang, no more memory than a machine has, an exit code that the page
 from seed and number of the case, so that any of them can be made again: what went wrong is kept in the folder."""
 
 import argparse
+import atexit
 import concurrent.futures
 import pathlib
 import random
@@ -98,12 +99,14 @@ def main():
     folder = (arguments.folder or pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_fuzz_"))).resolve()
     sandbox.confine(folder)
     numbers = range(arguments.first, arguments.first + arguments.cases)
+    kept = ["until it is known that nothing went wrong"]
+    # last of all, for others remove then what they have put there
+    atexit.register(lambda: kept or shutil.rmtree(folder, ignore_errors=True))
     codes, troubles = fuzz(SUBJECTS[arguments.subject](), numbers, arguments.seed, folder)
+    kept = troubles
     counted = ", ".join(f"{code}: {count}" for code, count in sorted(codes.items()))
     print(f"{arguments.cases} {arguments.subject}, seed {arguments.seed}, exit codes {counted}; {len(troubles)} went wrong"
           + (f", kept in {folder}" if troubles else ""))
-    if not troubles:
-        shutil.rmtree(folder, ignore_errors=True)
     return 1 if troubles else 0
 
 

@@ -26,6 +26,7 @@ PATIENCE = program.PATIENCE + STARTS_AND_ENDS / 2
 TICKS = 20
 REASON = re.compile(r"swarmanoid: (?!the run has ended without a result).{8,}|\[(ERROR|FATAL)\] .{8,}")
 REFUSED = re.compile(r"RLException: .*returned with code \[-?\d+\]")  # what roslaunch says of the check
+INTERRUPTED = re.compile(r"process has died \[pid \d+, exit code 130,")
 NONE = re.compile("")
 RESULT = re.compile(r"(finished|stopped) after (\d+) ticks")
 CULPRIT = {"load": "misbehaving_controllers", "factory": "'mc'", "unload": ""}  # of others: their robot
@@ -105,6 +106,8 @@ class LaunchedControllers:
         is_own = phase == "unload" or deed in SIGNALS_OF_ITS_OWN
         if is_own and ending.code == program.BAD_INPUT:
             return ending.trouble_of_process(said, REFUSED, LONGEST)
+        if is_own and ending.code == program.STOPPED:  # the third signal ends a process at once, and four robots raise one each
+            return ending.trouble_of_process(said, INTERRUPTED, LONGEST)
         trouble = ending.trouble_of_process(said, REASON, LONGEST)
         if trouble:
             return trouble
@@ -114,7 +117,7 @@ class LaunchedControllers:
         if is_named and CULPRIT.get(phase, "fb_4") not in said:
             return "it is not said who it was"
         result = RESULT.search(said)
-        if result:
-            return trouble_of_bag(folder / "run.bag", int(result[2]))
-        is_run = where == "space" and phase not in ("load", "factory", "init") and ending.code != program.INTERRUPTED
-        return "no result" if is_run else ""
+        if not result and deed != "close_output":  # which takes it along
+            is_run = where == "space" and phase not in ("load", "factory", "init") and ending.code != program.INTERRUPTED
+            return "no result" if is_run else ""
+        return trouble_of_bag(folder / "run.bag", int(result[2]) if result else TICKS)
