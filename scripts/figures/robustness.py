@@ -11,7 +11,7 @@ import tempfile
 from table import ROOT
 
 EXPERIMENTS = ROOT / "src/swarmanoid_experiments"
-FILES, IMAGES, CONTROLLERS, FRAMES, CALLS = 10_000, 1_200, 406, 1_000, 2_000
+FILES, IMAGES, CONTROLLERS, LAUNCHED, FRAMES, CALLS = 10_000, 1_200, 413, 767, 1_000, 2_000
 SANITIZERS = {"address,undefined": {"ASAN_OPTIONS": "detect_leaks=0", "UBSAN_OPTIONS": "print_stacktrace=1"},
               "thread": {"TSAN_OPTIONS": f"suppressions={ROOT / 'scripts/figures/thread_sanitizer.supp'}"}}
 TICKS = 100  # of each experiment under a sanitizer
@@ -24,12 +24,13 @@ def _last_line(text):
 
 
 def fuzzers(table, build):
-    for subject, count in (("files", FILES), ("images", IMAGES), ("controllers", CONTROLLERS)):
+    for subject, count in (("files", FILES), ("images", IMAGES), ("controllers", CONTROLLERS), ("launched_controllers", LAUNCHED)):
         done = subprocess.run([EXPERIMENTS / "fuzz/fuzz.py", subject, "--cases", str(count)], capture_output=True, text=True,
                               check=False)
         if done.returncode != 0:
             print(done.stderr[-8000:], file=sys.stderr)
-        table.add(f"{count:,} fuzzed {subject}", "no crash, no hang over 20 s, at most 2 GB, an exit code of the page, a reason",
+        kind = "controllers under roslaunch" if subject == "launched_controllers" else subject
+        table.add(f"{count:,} fuzzed {kind}", "no crash, no hang over 20 s, at most 2 GB, an exit code of the page, a reason",
                   _last_line(done.stdout or done.stderr), done.returncode == 0)
     program = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_frame_fuzz_test"
     done = subprocess.run([program], capture_output=True, text=True, env=dict(os.environ, FUZZED_FRAMES=str(FRAMES)), check=False)

@@ -1,10 +1,11 @@
 #!/usr/bin/python3
-"""fuzz.py files|images|controllers: runs the program on inputs that nobody would write, and looks how it ends.
+"""fuzz.py files|images|controllers|launched_controllers: runs the program on inputs that nobody would write, and looks how it ends.
 
 No crash, no hang, no more memory than a machine has, an exit code that the pages know, and a reason for it. Inputs follow
 from seed and number of the case, so that any of them can be made again: what went wrong is kept in the folder."""
 
 import argparse
+import atexit
 import concurrent.futures
 import pathlib
 import random
@@ -15,6 +16,7 @@ import tempfile
 
 import grammar
 import images
+import launched
 import misbehaviour
 import mutations
 import program
@@ -56,7 +58,8 @@ class Images:
         return done, ending, ending.trouble()
 
 
-SUBJECTS = {"files": Files, "images": Images, "controllers": misbehaviour.Controllers}
+SUBJECTS = {"files": Files, "images": Images, "controllers": misbehaviour.Controllers,
+            "launched_controllers": launched.LaunchedControllers}
 
 
 def run_case(subject, seed, number, folder):
@@ -96,12 +99,14 @@ def main():
     folder = (arguments.folder or pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_fuzz_"))).resolve()
     sandbox.confine(folder)
     numbers = range(arguments.first, arguments.first + arguments.cases)
+    kept = ["until it is known that nothing went wrong"]
+    # last of all, for others remove then what they have put there
+    atexit.register(lambda: kept or shutil.rmtree(folder, ignore_errors=True))
     codes, troubles = fuzz(SUBJECTS[arguments.subject](), numbers, arguments.seed, folder)
+    kept = troubles
     counted = ", ".join(f"{code}: {count}" for code, count in sorted(codes.items()))
     print(f"{arguments.cases} {arguments.subject}, seed {arguments.seed}, exit codes {counted}; {len(troubles)} went wrong"
           + (f", kept in {folder}" if troubles else ""))
-    if not troubles:
-        shutil.rmtree(folder, ignore_errors=True)
     return 1 if troubles else 0
 
 

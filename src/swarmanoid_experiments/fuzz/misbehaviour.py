@@ -1,21 +1,22 @@
 """Controllers that misbehave, each in its way in each phase of its life (../test/misbehaving)."""
 
+import json
 import pathlib
 import re
+import signal
 import sys
 
 import program
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "test"))
-from misbehaving_world import world  # noqa: E402  pylint: disable=wrong-import-position
+from misbehaving_world import ROBOTS, world  # noqa: E402  pylint: disable=wrong-import-position
 
 PHASES = ("load", "factory", "init", "step", "destroy", "destructor", "unload")
 FROM_ENVIRONMENT = ("load", "factory", "unload")  # before there are parameters, or after them
 WATCHDOG = 3.0  # [s]
 # What nobody can catch, or what is done beside the call: the process may end as it was made to.
-BEYOND_REACH = {"raise_kill", "segv_on_another_thread", "throw_on_another_thread", "underscore_exit_0", "default_signals",
-                "free_twice", "spoil_heap", "close_output", "all_memory", "fork"}
-SIGNALS_OF_ITS_OWN = {"raise_int", "raise_term", "raise_pipe"}
+BEYOND_REACH = {"raise_kill", "segv_on_another_thread", "throw_on_another_thread", "underscore_exit_0", "spoil_heap"}
+SIGNALS_OF_ITS_OWN = {"raise_int": signal.SIGINT, "raise_term": signal.SIGTERM, "raise_pipe": signal.SIGPIPE}
 
 
 def deeds():
@@ -36,13 +37,27 @@ class Controllers:
         environment = {"MISBEHAVING": f"{phase} {deed}"} if phase in FROM_ENVIRONMENT else {}
         (folder / "case.xml").write_text(world("never" if environment else phase, deed))
         ending = program.run(["run", "case.xml", "--quiet", "--out", folder / "out", "--watchdog", WATCHDOG], folder, environment)
-        return f"{deed} in {phase}", ending, self._trouble(phase, deed, ending)
+        trouble = self._trouble(phase, deed, ending)
+        if not trouble and deed not in BEYOND_REACH:
+            trouble = self._lost(ending.output, folder / "out/table.txt")
+        return f"{deed} in {phase}", ending, trouble
+
+    @staticmethod
+    def _lost(summary, table):
+        """The ticks of the summary have to be in the table: a line for each robot, before the first one and after each."""
+        if not summary.strip():
+            return ""
+        ticks = json.loads(summary)["ticks"]
+        lines = table.read_bytes().count(b"\n") - 1
+        return "" if lines == (ticks + 1) * len(ROBOTS) else f"{ticks} ticks were run, and {lines} lines are in the table"
 
     @staticmethod
     def _trouble(phase, deed, ending):
         trouble = ending.trouble()
         if not trouble or deed in BEYOND_REACH:
             return "" if ending.seconds <= program.LONGEST else trouble
-        if phase == "unload" and ending.output.strip():
+        if phase == "unload" and ending.output.strip() and ending.seconds <= program.LONGEST:
             return ""  # all is done and said; what a library does when the process ends is its own
+        if deed in SIGNALS_OF_ITS_OWN and ending.code == -SIGNALS_OF_ITS_OWN[deed]:
+            return ""
         return trouble

@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import subprocess
 import threading
@@ -14,7 +15,9 @@ LONGEST = 20.0  # [s]
 PATIENCE = 10.0  # [s] after which a run is interrupted: what is slow, but not stuck, ends then
 MOST_MEMORY = 2 * 2**30  # [bytes]
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
-REASON = re.compile(r"swarmanoid: .{8,}|.+: controller failed( in tick \d+.*)?: .+")
+ALLOWED = (FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED)
+# bounded, for controllers write lines of a million letters
+REASON = re.compile(r"swarmanoid: .{8,}|^[^:\n]{1,300}: controller failed( in tick \d+.*)?: .+", re.MULTILINE)
 SANITIZER = re.compile(r"ERROR: AddressSanitizer|runtime error:|WARNING: ThreadSanitizer")
 
 
@@ -24,21 +27,25 @@ class Ending:
     def __init__(self, code, seconds, memory, output, errors):
         self.code, self.seconds, self.memory, self.output, self.errors = code, seconds, memory, output, errors
 
-    def trouble(self, allowed=(FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED)):
-        """What nobody should see, or nothing."""
+    def trouble(self):
+        """What nobody should see of a run, or nothing."""
+        return self.trouble_of_process(self.errors) or (self._trouble_of_summary() if self.code == FINISHED else "")
+
+    def trouble_of_process(self, said, reason=REASON, longest=LONGEST):
+        """Likewise, of any command. @param said: where its reasons are"""
         if self.code < 0:
             return f"signal {-self.code}, after {self.seconds:.0f} s"
-        if self.code not in allowed:
+        if self.code not in ALLOWED:
             return f"exit code {self.code}"
-        if self.seconds > LONGEST:
+        if self.seconds > longest:
             return f"{self.seconds:.0f} s"
         if self.memory > MOST_MEMORY:
             return f"{self.memory / 2**30:.1f} GB"
-        if SANITIZER.search(self.errors):
+        if SANITIZER.search(said):
             return "a sanitizer reports"
-        if self.code not in (FINISHED, INTERRUPTED) and not REASON.search(self.errors):
+        if self.code not in (FINISHED, INTERRUPTED) and not reason.search(said):
             return f"exit code {self.code} without a reason"
-        return self._trouble_of_summary() if self.code == FINISHED else ""
+        return ""
 
     def _trouble_of_summary(self):
         try:
@@ -48,16 +55,16 @@ class Ending:
         return "" if summary["finished"] else "a summary that is not finished"
 
 
-def run(arguments, folder, environment=None):
-    """@param arguments of `swarmanoid` @param folder where it runs"""
+def run(arguments, folder, environment=None, patience=PATIENCE, longest=LONGEST):
+    """@param arguments of `swarmanoid` @param folder where it runs @param patience, longest: [s]"""
     output, errors = folder / "output.txt", folder / "errors.txt"
     start = time.monotonic()
     with open(output, "wb") as standard_output, open(errors, "wb") as standard_error:
-        process = subprocess.Popen(["swarmanoid", *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
+        process = subprocess.Popen([shutil.which("swarmanoid"), *map(str, arguments)], cwd=folder, stdin=subprocess.DEVNULL,
                                    stdout=standard_output, stderr=standard_error, start_new_session=True,
-                                   preexec_fn=sandbox.limit_memory, env=dict(os.environ, **(environment or {})))
-        slow = threading.Timer(PATIENCE, process.send_signal, [signal.SIGINT])
-        stuck = threading.Timer(LONGEST, process.kill)
+                                   preexec_fn=sandbox.prepare, env=dict(os.environ, **(environment or {})))
+        slow = threading.Timer(patience, process.send_signal, [signal.SIGINT])
+        stuck = threading.Timer(longest, process.kill)
         slow.start()
         stuck.start()
         _, status, usage = os.wait4(process.pid, 0)

@@ -8,8 +8,10 @@ import ctypes
 import os
 import pathlib
 import resource
+import signal
 import subprocess
 import sys
+import tempfile
 
 MARK = "SWARMANOID_FUZZ_SANDBOX"
 CLONE_NEWNS = 0x00020000
@@ -31,6 +33,7 @@ def confine(folder):
     """From here on this process and its children write below `folder` only. @raise SystemExit where that is not so"""
     folder = pathlib.Path(folder).resolve()
     folder.mkdir(parents=True, exist_ok=True)
+    tempfile.tempdir = str(folder)
     if os.geteuid() != 0:
         return
     if os.environ.get(MARK):
@@ -61,7 +64,8 @@ def _can_write(folder):
         return False
 
 
-def limit_memory():
-    """Called in the child, before the program starts."""
+def prepare():
+    """Called in the child, before the program starts: limits its memory, and has it hear of Ctrl-C whoever starts it."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
     resource.setrlimit(resource.RLIMIT_DATA, (MEMORY, MEMORY))
     resource.setrlimit(resource.RLIMIT_CORE, (0, 0))

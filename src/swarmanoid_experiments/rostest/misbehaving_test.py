@@ -7,12 +7,13 @@ import re
 import signal
 import subprocess
 import sys
+import threading
 import time
 import unittest
 
 import rosbag
 
-from roslaunch_process import LAUNCH_FOLDER, RoslaunchTest
+from roslaunch_process import LAUNCH_FOLDER, TIMEOUT, RoslaunchTest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "test"))
 from misbehaving_world import ENGINE, NAME, PLACES, SENSOR, VISUALISATION, world, world_with
@@ -141,6 +142,29 @@ class MisbehavingTest(RoslaunchTest):
         self.assertEqual(3, code, output)
         self.assertIn(f"swarmanoid: watchdog: more than 2 s in step of {NAME}, tick 3\n", output)
         self.assert_bag(3)
+
+    def test_the_watchdog_holds_while_the_experiment_is_checked(self):
+        code, output = self.end_of(self.begin("init", "loop", "watchdog:=2"))
+        self.assertEqual(2, code, output)
+        self.assertIn("swarmanoid: watchdog: more than 2 s in init of robot 'fb_4'", output)
+        self.assertNotIn("process[", output, "something was started")
+
+    def test_the_result_is_said_when_the_run_is_over_and_not_when_its_process_is(self):
+        process = self.begin("never", "nothing", "max_ticks:=5", "on_end:=stay")
+        patience = threading.Timer(TIMEOUT, process.send_signal, [signal.SIGINT])
+        patience.start()
+        said = any("finished after 5 ticks" in line for line in process.stdout)
+        is_in_time = patience.is_alive()
+        patience.cancel()
+        process.send_signal(signal.SIGINT)
+        self.end_of(process)
+        self.assertTrue(said and is_in_time)
+
+    def test_the_result_is_said_of_a_run_that_ends_while_ros_does(self):
+        for _ in range(3):
+            code, output = self.end_of(self.begin("step", "raise_int", "max_ticks:=20", "real_time_factor:=0"))
+            self.assertIn(code, (0, 130), output)
+            self.assertRegex(output, r"finished after 20 ticks|stopped after \d+ ticks")
 
     def test_what_is_thrown_in_destroy_is_answered_and_the_run_goes_on(self):
         process = self.begin("destroy", "throw_int")

@@ -1,7 +1,9 @@
 """What tests of roslaunch itself share: a launch file, with a master on a port of its own."""
 
+import contextlib
 import os
 import pathlib
+import random
 import signal
 import socket
 import subprocess
@@ -13,9 +15,12 @@ TIMEOUT = 30.0  # [s]
 
 
 def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
+    """None of those that the system gives to whoever asks for any, as nodes do while the master is about to start."""
+    while True:
+        port = random.randrange(12000, 32000)
+        with contextlib.suppress(OSError), socket.socket() as probe:
+            probe.bind(("localhost", port))
+            return port
 
 
 class RoslaunchTest(unittest.TestCase):

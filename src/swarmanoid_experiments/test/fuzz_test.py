@@ -33,6 +33,9 @@ class FuzzTest(unittest.TestCase):
         self.assertGreater(codes[0], 10, "hardly anything is run")
         self.assertGreater(codes[2], 10, "hardly anything is refused")
 
+    def test_launched_controllers(self):
+        self.fuzz("launched_controllers", int(os.environ.get("FUZZED_LAUNCHES", 6)))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -3,12 +3,14 @@
 no file."""
 
 import contextlib
+import json
 import os
 import pathlib
 import pty
 import subprocess
 import unittest
 
+import misbehaving_world
 from program_world import BAD_INPUT, FINISHED, STOPPED, ProgramTest
 
 FULL = "swarmanoid: standard output cannot be written: No space left on device\n"
@@ -54,6 +56,22 @@ class StreamsTest(ProgramTest):
             self.shell(*arguments, redirection=redirection)
             self.assertEqual((self.folder / "hashes.txt").read_text(), expected, redirection)
             self.assertEqual((self.folder / "summary.txt").read_text().count("\n"), 1, redirection)
+
+    def test_what_users_code_closes_and_prints_goes_into_no_file(self):
+        for phase in ("load", "init", "step", "destroy"):
+            with self.subTest(phase=phase):
+                by_environment = phase == "load"
+                (self.folder / "closing.xml").write_text(misbehaving_world.world("never" if by_environment else phase,
+                                                                                 "close_output"))
+                done = subprocess.run(["swarmanoid", "run", "closing.xml", "--quiet", "--force", "--bag", "run.bag",
+                                       "--hashes", "hashes.txt"], cwd=self.folder, timeout=60, stdout=subprocess.PIPE,
+                                      encoding="utf-8", check=False,
+                                      env=dict(os.environ, MISBEHAVING="load close_output" if by_environment else ""))
+                self.assertEqual(done.returncode, FINISHED)
+                self.assertEqual(json.loads(done.stdout)["ticks"], 20)
+                self.assertEqual((self.folder / "table.txt").read_text().count("\n"), 1 + 21 * len(misbehaving_world.ROBOTS))
+                self.assertEqual((self.folder / "hashes.txt").read_text().count("\n"), 21)
+                self.assertEqual(self.ticks_in(self.folder / "run.bag"), list(range(21)))
 
     def test_a_terminal_has_one_line_that_is_redrawn(self):
         master, slave = pty.openpty()

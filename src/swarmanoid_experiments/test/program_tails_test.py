@@ -11,6 +11,7 @@ import subprocess
 import time
 import unittest
 
+import misbehaving_world
 from program_world import CONTROLLER_FAILED, FINISHED, INTERRUPTED, STOPPED, ProgramTest
 
 LONG = 10**9  # ticks
@@ -50,6 +51,30 @@ class TailsTest(ProgramTest):
         """Of a text with the tick in the first column."""
         lines = (self.folder / name).read_text().split("\n")[:-1]
         return int(lines[-1].split()[0])
+
+
+class LibraryTest(ProgramTest):
+    def test_a_library_that_does_not_let_the_process_end_is_left(self):
+        world = self.folder / "world.xml"
+        world.write_text(misbehaving_world.world())
+        command = ["swarmanoid", "run", str(world), "--quiet", "--force"]
+        processes = [subprocess.Popen([*command, "--out", deed], cwd=self.folder, encoding="utf-8", stdout=subprocess.PIPE,
+                                      stderr=subprocess.PIPE, env=dict(os.environ, MISBEHAVING=f"unload {deed}"))
+                     for deed in ("loop", "loop_deaf")]
+        for process in processes:
+            self.addCleanup(process.kill)
+        for process in processes:
+            summary, errors = process.communicate(timeout=40)
+            self.assertEqual((process.returncode, errors),
+                             (FINISHED, "swarmanoid: a library does not let the process end: it is left there\n"))
+            self.assertTrue(json.loads(summary)["finished"])
+
+    def test_the_full_name_is_that_of_before_a_library_changes_the_folder(self):
+        world = self.folder / "world.xml"
+        world.write_text(misbehaving_world.world("destroy", "change_folder"))
+        done = subprocess.run(["swarmanoid", "validate", "--path", world.name], cwd=self.folder, timeout=60, encoding="utf-8",
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (FINISHED, str(world), ""))
 
 
 class SignalTest(TailsTest):

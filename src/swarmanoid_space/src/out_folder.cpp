@@ -14,6 +14,26 @@ namespace swarmanoid {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// @param descriptor of a file, or negative @return another one of it, if it is that of a standard stream, which users'
+/// code may have closed: all that is printed would go into the file
+int besideStandardStreams(int descriptor) {
+  if (descriptor < 0 || descriptor > STDERR_FILENO) {
+    return descriptor;
+  }
+  const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  const int reason = errno;
+  // nobody else is to get that number
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  dup2(nothing, descriptor);
+  close(nothing);
+  errno = reason;
+  return moved;
+}
+
+}  // namespace
+
 OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules rules)
     : folder_(folder), prefix_(prefix), rules_(rules) {
   if (folder.empty()) {
@@ -131,7 +151,7 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
   const int flags = O_CLOEXEC | O_NOCTTY |
                     (is_file ? O_RDWR | O_NOFOLLOW | (is_there ? 0 : O_CREAT | O_EXCL) : O_WRONLY | O_NONBLOCK);
   constexpr mode_t kMode = 0666;
-  const int descriptor = ::open(path.c_str(), flags, kMode);
+  const int descriptor = besideStandardStreams(::open(path.c_str(), flags, kMode));
   struct stat opened {};
   if (descriptor < 0 || fstat(descriptor, &opened) != 0) {
     throw ConfigError(writer.is_in_experiment ? writer.location : SourceLocation{writer.name, 0},

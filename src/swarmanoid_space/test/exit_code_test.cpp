@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <filesystem>
@@ -81,6 +82,16 @@ TEST_F(ExitCodeTest, AFileThatCannotBeWrittenLeavesWhatWasThere) {
   EXPECT_EQ(count(), 1U);
   file = folder / "nowhere/code";
   EXPECT_EQ(failure(), "~exit_code: cannot write " + file.string() + ": No such file or directory");
+}
+
+TEST_F(ExitCodeTest, endsAProcessThatALibraryDoesNotLetEnd) {
+  const auto endBeforeALibrary = [] {
+    std::atexit([] { pause(); });
+    setExitCode(ExitCode::kFinished);
+    alarm(40);
+    std::exit(0);
+  };
+  EXPECT_EXIT(endBeforeALibrary(), testing::ExitedWithCode(0), "a library does not let the process end");
 }
 
 }  // namespace

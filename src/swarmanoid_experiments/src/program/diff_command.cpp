@@ -18,7 +18,7 @@ std::filesystem::path diffProgram() {
   return own.parent_path().parent_path() / "lib/swarmanoid_interface/diff";
 }
 
-int diff(const std::vector<std::string>& arguments) {
+ExitCode diff(const std::vector<std::string>& arguments) {
   const std::string program = diffProgram().string();
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) {

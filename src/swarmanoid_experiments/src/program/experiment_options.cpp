@@ -17,6 +17,16 @@ std::string refuseWrappedNumber(const std::string& text) {
   return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
 }
 
+/// The option parser would take "nan".
+std::string refuseBadWatchdog(const std::string& text) {
+  try {
+    parseNumber(text, "--watchdog", {}, {0.1, 1e9});
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
 std::vector<Override> settingsOf(const ExperimentOptions& options) {
   std::vector<Override> settings;
   for (const std::string& setting : options.settings) {
@@ -47,6 +57,10 @@ void addExperimentOptions(CLI::App& command, ExperimentOptions& options) {
   command.add_option("--seed", options.seed, "random seed, instead of the file's")->check(refuseWrappedNumber);
   command.add_option("--ticks", options.ticks, "ticks at the most, instead of maxclock")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
+  command
+      .add_option("--watchdog", options.watchdog,
+                  "end when one call of a controller or another plugin takes longer [s]")
+      ->check(refuseBadWatchdog);
 }
 
 Experiment readExperiment(const ExperimentOptions& options) {

@@ -18,6 +18,7 @@ struct ExperimentOptions {
   std::optional<int> threads;
   std::vector<std::string> settings;
   std::string all_settings;
+  double watchdog = 0.0;  ///< [s]; 0: none
 };
 
 void addExperimentOptions(CLI::App& command, ExperimentOptions& options);

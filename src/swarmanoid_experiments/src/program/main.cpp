@@ -9,6 +9,7 @@
 #include "commands.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/last_seconds.hpp"
 #include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 #include "version.hpp"
@@ -42,20 +43,14 @@ ExitCode call(int argc, char** argv) {
   return ExitCode::kBadInput;
 }
 
-}  // namespace
-}  // namespace swarmanoid::program
-
-int main(int argc, char** argv) {
-  using namespace swarmanoid::program;
-  using swarmanoid::ExitCode;
-  swarmanoid::fixMathLibrary(argv);
+int callSafely(int argc, char** argv) {
   const bool is_output_open = fillStandardStreams();
   try {
     if (!is_output_open) {
-      throw swarmanoid::ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
+      throw ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
     }
     return toNumber(call(argc, argv));
-  } catch (const swarmanoid::ConfigError& error) {
+  } catch (const ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return toNumber(ExitCode::kBadInput);
   } catch (const std::bad_alloc&) {
@@ -65,7 +60,17 @@ int main(int argc, char** argv) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return toNumber(ExitCode::kStopped);
   } catch (...) {
-    std::cerr << "swarmanoid: " << swarmanoid::describeException() << '\n';
+    std::cerr << "swarmanoid: " << describeException() << '\n';
     return toNumber(ExitCode::kStopped);
   }
+}
+
+}  // namespace
+}  // namespace swarmanoid::program
+
+int main(int argc, char** argv) {
+  swarmanoid::fixMathLibrary(argv);
+  const int code = swarmanoid::program::callSafely(argc, argv);
+  swarmanoid::endWithinSeconds(code);
+  return code;
 }

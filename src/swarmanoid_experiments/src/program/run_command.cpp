@@ -28,7 +28,6 @@ struct RunOptions : ExperimentOptions {
   std::optional<std::string> hashes;
   bool quiet = false;
   bool profile = false;
-  double watchdog = 0.0;  // [s]
 };
 
 /// Nobody carries frames here.
@@ -176,16 +175,6 @@ ExitCode run(const RunOptions& options) {
   return runToEnd(simulation, options, *bar, watch);
 }
 
-/// The option parser would take "nan".
-std::string refuseBadWatchdog(const std::string& text) {
-  try {
-    parseNumber(text, "--watchdog", {}, {0.1, 1e9});
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 /// What has been given for the options that replace what the file says.
 std::vector<std::string> overridesOf(const CLI::App& command) {
   std::vector<std::string> overrides;
@@ -217,10 +206,6 @@ Command addRunCommand(CLI::App& app) {
   command->add_flag("--record-state", options->record_state, "all named state in the bag, for `swarmanoid diff`")
       ->needs(bag);
   command->add_option("--hashes", options->hashes, "write the state hash of every tick");
-  command
-      ->add_option("--watchdog", options->watchdog,
-                   "end the run when one call of a controller or another plugin takes longer [s]")
-      ->check(refuseBadWatchdog);
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options, command] {

@@ -7,8 +7,14 @@
 #include <cstring>
 #include <iostream>
 #include <stdexcept>
+#include <string_view>
 
 namespace swarmanoid::program {
+namespace {
+
+int output = STDOUT_FILENO;  // changes no more once libraries of others are loaded
+
+}  // namespace
 
 bool fillStandardStreams() {
   bool is_output_open = true;
@@ -19,14 +25,19 @@ bool fillStandardStreams() {
       open("/dev/null", O_RDWR);
     }
   }
+  const int own = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  output = own >= 0 ? own : STDOUT_FILENO;
   return is_output_open;
 }
 
 void print(const std::string& text) {
-  errno = 0;
-  std::cout << text << std::flush;
-  if (!std::cout) {
-    throw std::runtime_error(std::string("standard output cannot be written: ") + std::strerror(errno));
+  std::cout.flush();  // what users' code has printed comes before it
+  for (std::string_view rest = text; !rest.empty();) {
+    const ssize_t written = write(output, rest.data(), rest.size());
+    if (written < 0 && errno != EINTR) {
+      throw std::runtime_error(std::string("standard output cannot be written: ") + std::strerror(errno));
+    }
+    rest.remove_prefix(written < 0 ? 0 : static_cast<std::size_t>(written));
   }
 }
 

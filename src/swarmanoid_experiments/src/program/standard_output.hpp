@@ -10,7 +10,7 @@ namespace swarmanoid::program {
 /// @return whether standard output was open
 bool fillStandardStreams();
 
-/// Writes the text, at once.
+/// Writes the text to what was standard output then, at once, even if users' code has closed that since.
 /// @throws std::runtime_error if it cannot be written
 void print(const std::string& text);
 

@@ -99,9 +99,11 @@ Command addValidateCommand(CLI::App& app) {
     if (options->end_with_parent) {
       endWithParent();
     }
-    const UserCodeWatch watch({});
+    // before users' code is called, which may change the folder
+    const std::string full_name = std::filesystem::absolute(findExperiment(options->file)).string();
+    const UserCodeWatch watch({nullptr, options->watchdog});
     const std::string found = options->no_libraries ? validateWithoutLibraries(*options) : validate(*options);
-    print(options->path ? std::filesystem::absolute(findExperiment(options->file)).string() : found + "\n");
+    print(options->path ? full_name : found + "\n");
     return ExitCode::kFinished;
   };
 }

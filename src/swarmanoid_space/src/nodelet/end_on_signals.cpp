@@ -25,4 +25,6 @@ void shutDownOnSignals() {
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
+bool isRosEnding() { return !ros::ok() || ros::isShuttingDown(); }
+
 }  // namespace swarmanoid

@@ -8,4 +8,7 @@ namespace swarmanoid {
 /// writer.
 void shutDownOnSignals();
 
+/// Whether ROS ends or has ended. It logs no more from the beginning of that, while ros::ok() holds to its end.
+bool isRosEnding();
+
 }  // namespace swarmanoid

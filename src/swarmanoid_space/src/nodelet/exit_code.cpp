@@ -13,6 +13,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "swarmanoid_interface/last_seconds.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -24,6 +26,7 @@ void endWithCode() {
     std::fflush(nullptr);
     std::_Exit(toNumber(exit_code));
   }
+  endWithinSeconds(0);
 }
 
 /// Whether nothing is lost if the file is replaced.

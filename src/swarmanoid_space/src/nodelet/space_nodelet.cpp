@@ -190,7 +190,7 @@ void SpaceNodelet::startUp(Experiment experiment) {
     if (thread_ == nullptr) {
       simulation_ = nullptr;
     }
-    if (ros::ok()) {
+    if (!isRosEnding()) {
       NODELET_FATAL("%s", describeException().c_str());
       tellExitCode(ExitCode::kBadInput);
       shutDownSoon(ExitCode::kBadInput);  // also if it is to stay at the end: there is nothing to look at
@@ -248,10 +248,10 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   display_->publish(message);
   tell(message, state == State::kFinished);
   const ExitCode at_end = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
-  const ExitCode if_stopped = ros::ok() ? ExitCode::kStopped : ExitCode::kInterrupted;
+  const ExitCode if_stopped = isRosEnding() ? ExitCode::kInterrupted : ExitCode::kStopped;
   const ExitCode code = state == State::kFinished ? at_end : if_stopped;
   tellExitCode(code);
-  if (!ros::ok()) {
+  if (isRosEnding()) {
     return;  // it is ending already
   }
   if (!options_.stays_at_end) {
@@ -263,19 +263,19 @@ void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   if (kind == PluginKind::kVisualisation) {
     return;  // the run does not depend on who looks at it
   }
-  thread_->stop(ros::ok() ? std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded" : "shut down");
+  thread_->stop(isRosEnding() ? "shut down" : std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded");
 }
 
 void SpaceNodelet::tell(const swarmanoid_msgs::RunResult& result, bool is_good) {
   const std::string text = describe(result);
-  if (!ros::ok()) {
+  if (isRosEnding()) {
     std::printf("%s\n", text.c_str());  // ROS logs no more
-    std::fflush(stdout);                // this process may be about to end without it
   } else if (is_good) {
     NODELET_INFO("%s", text.c_str());
   } else {
     NODELET_ERROR("%s", text.c_str());
   }
+  std::fflush(stdout);  // this process may end without it, or much later
 }
 
 void SpaceNodelet::tellExitCode(ExitCode code) {
@@ -314,7 +314,7 @@ SpaceNodelet::~SpaceNodelet() {
   }
   // first nobody waits for the simulation any more, then nobody asks it, then it goes
   if (thread_ != nullptr) {
-    thread_->stop(ros::ok() ? "the space was unloaded" : "shut down");
+    thread_->stop(isRosEnding() ? "shut down" : "the space was unloaded");
   }
   if (robot_topics_ != nullptr) {
     robot_topics_->stop();

@@ -11,7 +11,7 @@
 namespace swarmanoid::diff {
 namespace {
 
-enum ExitCode { kEqual = 0, kDiffers = 1, kBadInput = 2 };
+enum DiffCode { kEqual = 0, kDiffers = 1, kBadInput = 2 };
 
 struct Options {
   std::string first;

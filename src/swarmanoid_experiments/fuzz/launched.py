@@ -1,0 +1,123 @@
+"""The controllers of misbehaviour.py under roslaunch, which `swarmanoid launch` starts.
+
+roslaunch has the experiment file checked in a process of its own before it starts anything, and most deeds are done there
+already. So there are two cases of them: one as it is, and one with a check that finds everything good, for the space."""
+
+import os
+import pathlib
+import random
+import re
+import signal
+import sys
+import time
+
+import rosbag
+
+import program
+from misbehaviour import BEYOND_REACH, FROM_ENVIRONMENT, PHASES, SIGNALS_OF_ITS_OWN, WATCHDOG, deeds
+
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("test", "rostest")]
+from misbehaving_world import world  # noqa: E402  pylint: disable=wrong-import-position
+from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
+
+STARTS_AND_ENDS = 10.0  # [s] that roslaunch, its master and its nodes have for that, beside what the run may take
+LONGEST = program.LONGEST + STARTS_AND_ENDS
+PATIENCE = program.PATIENCE + STARTS_AND_ENDS / 2
+TICKS = 20
+REASON = re.compile(r"swarmanoid: (?!the run has ended without a result).{8,}|\[(ERROR|FATAL)\] .{8,}")
+REFUSED = re.compile(r"RLException: .*returned with code \[-?\d+\]")  # what roslaunch says of the check
+INTERRUPTED = re.compile(r"process has died \[pid \d+, exit code 130,")
+NONE = re.compile("")
+RESULT = re.compile(r"(finished|stopped) after (\d+) ticks")
+CULPRIT = {"load": "misbehaving_controllers", "factory": "'mc'", "unload": ""}  # of others: their robot
+ALL_GOOD = '#!/bin/sh\nprintf %s "$PWD/case.xml"\n'
+
+
+def processes_of(place):
+    """Those whose environment names this folder as that of ROS: nodes are in sessions of their own. @return their ids"""
+    found = []
+    for entry in pathlib.Path("/proc").glob("[0-9]*/environ"):
+        try:
+            if f"ROS_HOME={place}".encode() in entry.read_bytes().split(b"\0"):
+                found.append(int(entry.parent.name))
+        except OSError:
+            pass  # it has ended meanwhile
+    return found
+
+
+def trouble_of_leftovers(place):
+    """Ends whatever has outlived `swarmanoid launch`."""
+    time.sleep(0.2)  # what is killed with its parent
+    left = {number: pathlib.Path(f"/proc/{number}/cmdline").read_text().replace("\0", " ") for number in processes_of(place)}
+    for number in left:
+        os.kill(number, signal.SIGKILL)
+    return f"left behind: {list(left.values())}" if left else ""
+
+
+def trouble_of_bag(bag, ticks):
+    """@param ticks that it has to have, after the state at the start"""
+    try:
+        with rosbag.Bag(str(bag)) as opened:
+            states = [message.tick for _, message, _ in opened.read_messages(topics=["/space/world_state"])]
+    except (OSError, rosbag.ROSBagException) as error:
+        return f"no bag to read: {error}"
+    return "" if states == list(range(ticks + 1)) else f"{ticks} ticks were run, and the bag has those of the states {states}"
+
+
+class LaunchedControllers:
+    """Each case is a phase, a deed and where it is done. They are in no order, so that a few of them are of all kinds."""
+
+    def __init__(self):
+        self._cases = [(phase, deed, where) for deed in deeds() for phase in PHASES for where in ("space", "check")
+                       if (phase, where) != ("step", "check")]
+        random.Random(0).shuffle(self._cases)
+        self.count = len(self._cases)
+
+    @staticmethod
+    def _environment(phase, deed, where, folder):
+        """Of roslaunch. Makes what it speaks of."""
+        environment = {"ROS_HOME": str(folder / "ros"), "ROS_LOG_DIR": str(folder / "ros/log"), "ROS_HOSTNAME": "localhost",
+                       "PWD": str(folder), "TMPDIR": str(folder / "temporary")}
+        (folder / "temporary").mkdir()
+        if phase in FROM_ENVIRONMENT:
+            environment["MISBEHAVING"] = f"{phase} {deed}"
+        if where == "space":
+            check = folder / "check/swarmanoid"
+            check.parent.mkdir()
+            check.write_text(ALL_GOOD)
+            check.chmod(0o755)
+            environment["PATH"] = f"{check.parent}:{os.environ['PATH']}"
+        return environment
+
+    def run(self, _, folder, number):
+        phase, deed, where = self._cases[number % self.count]
+        environment = self._environment(phase, deed, where, folder)
+        (folder / "case.xml").write_text(world("never" if phase in FROM_ENVIRONMENT else phase, deed, maxclock=TICKS))
+        ending = program.run(["launch", "case.xml", "rviz:=false", "record:=run.bag", "real_time_factor:=0",
+                              f"watchdog:={WATCHDOG}", "-p", free_port()], folder, environment, PATIENCE, LONGEST)
+        trouble = [trouble_of_leftovers(folder / "ros"), self._trouble(phase, deed, where, ending, folder)]
+        return f"{deed} in {phase}, {where}", ending, "; ".join(filter(None, trouble))
+
+    @staticmethod
+    def _trouble(phase, deed, where, ending, folder):
+        said = ending.output + ending.errors
+        if deed in BEYOND_REACH:
+            return ending.trouble_of_process(said, NONE, LONGEST)
+        is_own = phase == "unload" or deed in SIGNALS_OF_ITS_OWN
+        if is_own and ending.code == program.BAD_INPUT:
+            return ending.trouble_of_process(said, REFUSED, LONGEST)
+        if is_own and ending.code == program.STOPPED:  # the third signal ends a process at once, and four robots raise one each
+            return ending.trouble_of_process(said, INTERRUPTED, LONGEST)
+        trouble = ending.trouble_of_process(said, REASON, LONGEST)
+        if trouble:
+            return trouble
+        if os.listdir(folder / "temporary"):
+            return f"left behind: {os.listdir(folder / 'temporary')}"
+        is_named = ending.code in (program.BAD_INPUT, program.CONTROLLER_FAILED) and deed != "clear_environment"
+        if is_named and CULPRIT.get(phase, "fb_4") not in said:
+            return "it is not said who it was"
+        result = RESULT.search(said)
+        if not result and deed != "close_output":  # which takes it along
+            is_run = where == "space" and phase not in ("load", "factory", "init") and ending.code != program.INTERRUPTED
+            return "no result" if is_run else ""
+        return trouble_of_bag(folder / "run.bag", int(result[2]) if result else TICKS)
