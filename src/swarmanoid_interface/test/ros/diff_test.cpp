@@ -4,12 +4,13 @@
 #include <std_msgs/String.h>
 
 #include <cmath>
-#include <filesystem>
 #include <limits>
 
 #include "../../src/ros/diff/bag_reader.hpp"
 #include "../../src/ros/diff/compare.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/ros/frame_messages.hpp"
+#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid::diff {
 namespace {
@@ -18,14 +19,7 @@ using Names = std::vector<std::string>;
 
 class DiffTest : public testing::Test {
  protected:
-  void SetUp() override {
-    folder_ = std::filesystem::temp_directory_path() / "swarmanoid_diff_test";
-    std::filesystem::remove_all(folder_);
-    std::filesystem::create_directories(folder_);
-  }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string file(const std::string& name) const { return (folder_ / name).string(); }
+  std::string file(const std::string& name) const { return (folder_.path() / name).string(); }
 
   static swarmanoid_msgs::NamedState state(std::uint64_t tick, Names names, std::vector<double> numbers, Names texts) {
     swarmanoid_msgs::NamedState message;
@@ -63,7 +57,7 @@ class DiffTest : public testing::Test {
     }
   }
 
-  std::filesystem::path folder_;
+  const TemporaryFolder folder_{"swarmanoid_diff_test"};
 };
 
 TEST_F(DiffTest, OneBitIsADifferenceAndTheSignOfZeroIsNone) {
