@@ -194,6 +194,9 @@ void SpaceNodelet::startUp(Experiment experiment) {
       NODELET_FATAL("%s", describeException().c_str());
       tellExitCode(ExitCode::kBadInput);
       shutDownSoon(ExitCode::kBadInput);  // also if it is to stay at the end: there is nothing to look at
+    } else if (thread_ == nullptr) {
+      std::fprintf(stderr, "swarmanoid: interrupted before the first tick\n");  // ROS logs no more
+      tellExitCode(ExitCode::kInterrupted);
     }
   }
 }
