@@ -36,12 +36,13 @@ class DiffTest(ProgramTest):
         self.assertTrue(fields)
 
     def test_what_differs_first_is_named_first(self):
-        """Robots that are faster command otherwise before they are elsewhere."""
+        """Robots that are slower command otherwise before they are elsewhere."""
+        radius = 0.029  # [m] of a wheel
         self.record("a.bag", "--ticks", 9, experiment="diffusion")
         self.record("b.bag", "--ticks", 9, "--set", "controllers.diffusion.parameters.speed=0.06", experiment="diffusion")
         lines = self.diff("a.bag", "b.bag", code=DIFFERS).splitlines()
         self.assertEqual(lines[0], "first difference: tick 0")
-        self.assertRegex(lines[1], r"^  fb_\d+/command footbot_wheels/[01]: 0\.05 \| 0\.06$")
+        self.assertEqual(lines[1], f"  fb_1/command footbot_wheels/0: {0.1 / radius!r} | {0.06 / radius!r}")
         more = self.diff("a.bag", "b.bag", "--fields", 1000, code=DIFFERS)
         self.assertRegex(more, r"\n  fb_\d+/pose/position/[xy]: \S+ \| \S+\n")
         self.assertNotIn("/reading ", more)
@@ -83,12 +84,13 @@ class DiffTest(ProgramTest):
             if f"{name}/engine" in values:
                 self.assertEqual(values[f"{name}/engine"], engine)
         quantities = {re.sub(r"/\d+", "/N", name.split("/", 1)[1]) for name in names}
-        for quantity in ("gripped", "led/N/red", "joint/turret_joint/angle", "joint/turret_joint/effort", "color/N/red", "outside"):
+        for quantity in ("gripped", "led/N/red", "joint/turret/angle", "joint/turret/effort", "color/N/red", "outside"):
             self.assertIn(quantity, quantities)
 
     def test_folders_with_one_bag_are_runs(self):
         for name in ("a", "b"):
-            self.record("run.bag", "--ticks", 2, "--out", name)
+            (self.folder / name).mkdir()
+            self.record(f"{name}/run.bag", "--ticks", 2)
         self.assertIn("equal: 3 ticks", self.diff("a", "b"))
         (self.folder / "b/second.bag").write_bytes((self.folder / "b/run.bag").read_bytes())
         self.assertEqual(self.diff("a", "b", code=BAD_INPUT), "swarmanoid: b: found 2 bags in this folder, allowed: one\n")
