@@ -32,8 +32,7 @@ ExitCode diff(const std::vector<std::string>& arguments) {
 }  // namespace
 
 Command addDiffCommand(CLI::App& app) {
-  CLI::App* command =
-      app.add_subcommand("diff", "say in which tick and fields two recorded runs differ (swarmanoid diff -- --help)");
+  CLI::App* command = app.add_subcommand("diff", "say in which tick and fields two recorded runs differ");
   command->prefix_command();
   command->set_help_flag();
   return [command] { return diff(command->remaining()); };
