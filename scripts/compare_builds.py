@@ -1,0 +1,138 @@
+#!/usr/bin/python3
+"""compare_builds.py BEFORE AFTER: whether two builds of the suite run alike: the guard of changes that should change nothing.
+
+BEFORE and AFTER are build folders. All installed experiments and the retrieval in each mapping of engines are run and recorded with
+both, with one thread and with two, and compared field by field (`swarmanoid diff`); with --launched also under ROS. Then the
+instructions of five runs are counted by callgrind, without what building the experiment takes. Ends with 0 if every field is
+equal and no count is above the limit."""
+
+import argparse
+import itertools
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "scripts/figures"))
+sys.path.insert(0, str(ROOT / "src/swarmanoid_experiments/rostest"))
+import engines  # noqa: E402  pylint: disable=wrong-import-position
+from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
+
+EXPERIMENTS = ROOT / "src/swarmanoid_experiments/experiments"
+LIMIT = 1.02  # of instructions
+DIFFUSION = "--set arena.distribute.quantity={n} --set arena.size={s},{s},1 --set arena.distribute.maximum={e},{e},0"
+# name, experiment, engine in place of kinematics2d, arguments, ticks that are counted
+COUNTED = (("diffusion, 10 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=10, s=4, e=3.8), 4000),
+           ("diffusion, 1,000 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=1000, s=40, e=39.8), 200),
+           ("diffusion, 100 footbots, dynamics2d", "diffusion", "dynamics2d", "", 200),
+           ("diffusion, 10 footbots, dynamics3d", "diffusion", "dynamics3d", DIFFUSION.format(n=10, s=4, e=3.8), 50),
+           ("object retrieval", "object_retrieval", "kinematics2d", "", 400))
+
+
+class Build:
+    """One build of the suite, whose devel space is sourced for each command."""
+
+    def __init__(self, folder):
+        self._setup = pathlib.Path(folder).resolve() / "devel/setup.bash"
+        if not self._setup.exists():
+            sys.exit(f"compare_builds: found no {self._setup}, allowed: a folder in which the suite was built")
+
+    def call(self, *command, more=None):
+        environment = {name: value for name, value in os.environ.items()
+                       if name not in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "LD_LIBRARY_PATH", "PYTHONPATH")}
+        return subprocess.run(["bash", "-c", f'source "{self._setup}" && exec "$@"', "bash", *map(str, command)],
+                              env=dict(environment, **(more or {})), capture_output=True, text=True, check=False)
+
+
+def record(build, experiment, seed, threads, bag):
+    done = build.call("swarmanoid", "run", experiment, "--quiet", "--seed", seed, "--threads", threads, "--bag", bag, "--force",
+                      "--record-state", "--record-controllers", "all")
+    return "" if done.returncode == 0 else f"exit code {done.returncode}: {done.stderr.strip()[-300:]}"
+
+
+def record_launched(build, experiment, seed, bag):
+    done = build.call("swarmanoid", "launch", experiment, "rviz:=false", "real_time_factor:=0", f"seed:={seed}", f"record:={bag}",
+                      "write_anywhere:=true", "force:=true", "record_state:=true", "record_controllers:=all", "-p", free_port(),
+                      more={"ROS_HOSTNAME": "localhost"})
+    return "" if done.returncode == 0 else f"exit code {done.returncode}: {done.stdout[-300:]}"
+
+
+def experiments(folder):
+    """All installed ones, and the retrieval with each engine for footbots and eyebot."""
+    yield from sorted(EXPERIMENTS.glob("*.xml"))
+    text = (EXPERIMENTS / "object_retrieval.xml").read_text()
+    for ground, sky in itertools.product(engines.ENGINES["ground"], engines.ENGINES["sky"]):
+        file = pathlib.Path(folder) / f"retrieval_{ground}_{sky}.xml"
+        file.write_text(text.replace(engines.GROUND, engines.ENGINES["ground"][ground])
+                        .replace(engines.SKY, engines.ENGINES["sky"][sky]))
+        yield file
+
+
+def compare_bits(before, after, arguments):
+    """@return how many comparisons found something"""
+    differing = 0
+    with tempfile.TemporaryDirectory(prefix="swarmanoid_compare_") as folder:
+        first, second = (pathlib.Path(folder) / name for name in ("before.bag", "after.bag"))
+        for experiment in experiments(folder):
+            if arguments.experiments and experiment.stem not in arguments.experiments:
+                continue
+            said = []
+            for seed in range(1, arguments.seeds + 1):
+                threads = 1 + seed % 2
+                print(f"\r{experiment.stem}: seed {seed} ", end="", file=sys.stderr, flush=True)
+                trouble = record(before, experiment, seed, 1, first) or record(after, experiment, seed, threads, second)
+                said.append(trouble or after.call("swarmanoid", "diff", first, second).stdout.strip())
+                if seed <= arguments.launched:
+                    trouble = record_launched(after, experiment, seed, second)
+                    said.append(trouble or after.call("swarmanoid", "diff", first, second).stdout.strip())
+            bad = [text for text in said if not text.startswith("equal: ")]
+            differing += len(bad)
+            print(f"\r{experiment.stem}: {len(said) - len(bad)} of {len(said)} equal; {(bad or said)[0]}", flush=True)
+    return differing
+
+
+def count(build, file, arguments, ticks):
+    done = build.call("valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes", "swarmanoid", "run",
+                      file, "--quiet", "--ticks", ticks, *arguments.split())
+    counts = re.findall(r"Collected : (\d+)", done.stderr)
+    if done.returncode != 0 or not counts:
+        sys.exit(f"compare_builds: {file}: exit code {done.returncode}: {done.stderr[-500:]}")
+    return max(map(int, counts))
+
+
+def compare_counts(before, after):
+    """@return how many are above the limit"""
+    above = 0
+    with tempfile.TemporaryDirectory(prefix="swarmanoid_compare_") as folder:
+        for name, experiment, engine, arguments, ticks in COUNTED:
+            file = pathlib.Path(folder) / f"{experiment}_{engine}.xml"
+            file.write_text((EXPERIMENTS / f"{experiment}.xml").read_text().replace("kinematics2d id=\"ground\"", f"{engine} id=\"ground\""))
+            old, new = (count(build, file, arguments, ticks) - count(build, file, arguments, 1) for build in (before, after))
+            above += new > LIMIT * old
+            print(f"{name}: {old / ticks:,.0f} instructions a tick before, {new / ticks:,.0f} after: {new / old:.4f}", flush=True)
+    return above
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("before", help="a build folder")
+    parser.add_argument("after", help="likewise")
+    parser.add_argument("--seeds", type=int, default=20, help="of each experiment (20)")
+    parser.add_argument("--launched", type=int, default=0, help="how many of them also under ROS (0)")
+    parser.add_argument("--experiments", nargs="+", metavar="NAME", help="only these are compared field by field")
+    parser.add_argument("--only", choices=("bits", "counts"))
+    arguments = parser.parse_args()
+    before, after = Build(arguments.before), Build(arguments.after)
+    wrong = 0
+    if arguments.only != "counts":
+        wrong += compare_bits(before, after, arguments)
+    if arguments.only != "bits":
+        wrong += compare_counts(before, after)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
