@@ -23,6 +23,7 @@ from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-imp
 
 EXPERIMENTS = ROOT / "src/swarmanoid_experiments/experiments"
 LIMIT = 1.02  # of instructions
+EQUAL = re.compile(r"equal: .* of all named state, .* of readings and commands")  # and nothing less compared
 DIFFUSION = "--set arena.distribute.quantity={n} --set arena.size={s},{s},1 --set arena.distribute.maximum={e},{e},0"
 # name, experiment, engine in place of kinematics2d, arguments, ticks that are counted
 COUNTED = (("diffusion, 10 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=10, s=4, e=3.8), 4000),
@@ -88,7 +89,7 @@ def compare_bits(before, after, arguments):
                 if seed <= arguments.launched:
                     trouble = record_launched(after, experiment, seed, second)
                     said.append(trouble or after.call("swarmanoid", "diff", first, second).stdout.strip())
-            bad = [text for text in said if not text.startswith("equal: ")]
+            bad = [text for text in said if not EQUAL.fullmatch(text)]
             differing += len(bad)
             print(f"\r{experiment.stem}: {len(said) - len(bad)} of {len(said)} equal; {(bad or said)[0]}", flush=True)
     return differing

@@ -91,21 +91,23 @@ def fuzz(subject, cases, seed, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("subject", choices=SUBJECTS)
-    parser.add_argument("--cases", type=int, default=300)
+    parser.add_argument("--cases", type=int, help="default: 300, or all where they are a list (controllers)")
     parser.add_argument("--first", type=int, default=0, help="number of the first case: to see one again")
     parser.add_argument("--seed", default="1")
     parser.add_argument("--folder", type=pathlib.Path, help="for what is written, and for cases that went wrong; default: a new one")
     arguments = parser.parse_args()
     folder = (arguments.folder or pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_fuzz_"))).resolve()
     sandbox.confine(folder)
-    numbers = range(arguments.first, arguments.first + arguments.cases)
+    subject = SUBJECTS[arguments.subject]()
+    count = arguments.cases or getattr(subject, "count", 300)
+    numbers = range(arguments.first, arguments.first + count)
     kept = ["until it is known that nothing went wrong"]
     # last of all, for others remove then what they have put there
     atexit.register(lambda: kept or shutil.rmtree(folder, ignore_errors=True))
-    codes, troubles = fuzz(SUBJECTS[arguments.subject](), numbers, arguments.seed, folder)
+    codes, troubles = fuzz(subject, numbers, arguments.seed, folder)
     kept = troubles
     counted = ", ".join(f"{code}: {count}" for code, count in sorted(codes.items()))
-    print(f"{arguments.cases} {arguments.subject}, seed {arguments.seed}, exit codes {counted}; {len(troubles)} went wrong"
+    print(f"{count} {arguments.subject}, seed {arguments.seed}, exit codes {counted}; {len(troubles)} went wrong"
           + (f", kept in {folder}" if troubles else ""))
     return 1 if troubles else 0
 

@@ -26,7 +26,7 @@ class DiffTest(ProgramTest):
         self.record("a.bag", "--ticks", 40, "--threads", 1)
         self.record("b.bag", "--ticks", 40, "--threads", 2)
         self.assertRegex(self.diff("a.bag", "b.bag"),
-                         r"^equal: 41 ticks, \d{4,} values of all named state, readings and commands\n$")
+                         r"^equal: 41 ticks, \d{4,} fields of all named state, \d{4,} bytes of readings and commands\n$")
 
     def test_another_seed_differs_from_the_first_tick(self):
         self.record("a.bag", "--ticks", 3)
@@ -63,7 +63,7 @@ class DiffTest(ProgramTest):
         self.record("c.bag", "--ticks", 5, what=())
         done = self.call("diff", "a.bag", "c.bag")
         self.assertEqual(done.returncode, EQUAL)
-        self.assertRegex(done.stdout, r"^equal: 6 ticks, \d+ values of the world state\n$")
+        self.assertRegex(done.stdout, r"^equal: 6 ticks, \d+ fields of the world state\n$")
         self.assertEqual(done.stderr, "not compared: joints, LEDs, attachments; readings and commands; record both runs with "
                          "--record-state and --record-controllers all\n")
 

@@ -9,15 +9,15 @@
 
 namespace swarmanoid {
 
-void endWithinSeconds(int exit_code) {
+void endWithinSeconds(ExitCode code) {
   try {
     // no alarm: the thread that ends the process may have closed itself to signals
-    std::thread([exit_code] {
+    std::thread([code] {
       constexpr std::chrono::seconds kPatience{10};
       std::this_thread::sleep_for(kPatience);
       constexpr std::string_view kText = "swarmanoid: a library does not let the process end: it is left there\n";
       [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, kText.data(), kText.size());
-      _exit(exit_code);
+      _exit(toNumber(code));
     }).detach();
   } catch (const std::system_error&) {
     // nothing is lost where there are no more threads

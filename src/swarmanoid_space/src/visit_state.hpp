@@ -1,4 +1,8 @@
 /// All named state of a space, field by field. Its hash and what is recorded of it follow from this one list.
+///
+/// Units and frames  those of the space: SI, rad; poses and twists in W, anchors in the body frame of who is held;
+///                   colours 0 to 255.
+/// Phase             at the end of a tick, or before the first. Reads only, so from any thread that may read the space.
 #pragma once
 
 #include <string_view>

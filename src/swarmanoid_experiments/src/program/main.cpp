@@ -43,25 +43,25 @@ ExitCode call(int argc, char** argv) {
   return ExitCode::kBadInput;
 }
 
-int callSafely(int argc, char** argv) {
+ExitCode callSafely(int argc, char** argv) {
   const bool is_output_open = fillStandardStreams();
   try {
     if (!is_output_open) {
       throw ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
     }
-    return toNumber(call(argc, argv));
+    return call(argc, argv);
   } catch (const ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
-    return toNumber(ExitCode::kBadInput);
+    return ExitCode::kBadInput;
   } catch (const std::bad_alloc&) {
     std::cerr << "swarmanoid: found no memory left, allowed: fewer entities, or a machine with more\n";
-    return toNumber(ExitCode::kStopped);
+    return ExitCode::kStopped;
   } catch (const std::exception& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
-    return toNumber(ExitCode::kStopped);
+    return ExitCode::kStopped;
   } catch (...) {
     std::cerr << "swarmanoid: " << describeException() << '\n';
-    return toNumber(ExitCode::kStopped);
+    return ExitCode::kStopped;
   }
 }
 
@@ -70,7 +70,7 @@ int callSafely(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   swarmanoid::fixMathLibrary(argv);
-  const int code = swarmanoid::program::callSafely(argc, argv);
+  const swarmanoid::ExitCode code = swarmanoid::program::callSafely(argc, argv);
   swarmanoid::endWithinSeconds(code);
-  return code;
+  return toNumber(code);
 }

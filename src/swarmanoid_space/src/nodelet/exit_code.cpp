@@ -26,7 +26,7 @@ void endWithCode() {
     std::fflush(nullptr);
     std::_Exit(toNumber(exit_code));
   }
-  endWithinSeconds(0);
+  endWithinSeconds(ExitCode::kFinished);
 }
 
 /// Whether nothing is lost if the file is replaced.

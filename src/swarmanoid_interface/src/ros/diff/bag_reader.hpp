@@ -1,4 +1,5 @@
 /// Reads a bag tick by tick, in the order of runs and ticks. Only a few ticks are in memory.
+/// One thread at a time.
 #pragma once
 
 #include <rosbag/bag.h>

@@ -155,12 +155,4 @@ std::vector<Difference> compare(const Side& first, const Side& second) {
   return out;
 }
 
-std::size_t sizeOf(const RecordedTick& tick) {
-  std::size_t size = tick.state ? tick.state->names->size() : 0;
-  for (const auto& [robot, frames] : tick.controllers) {
-    size += (frames.sensors ? frames.sensors->data.size() : 0) + (frames.commands ? frames.commands->data.size() : 0);
-  }
-  return size;
-}
-
 }  // namespace swarmanoid::diff

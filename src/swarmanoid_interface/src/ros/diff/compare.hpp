@@ -26,7 +26,4 @@ struct Side {
 /// @throws ConfigError for frames that do not fit the robot's description
 std::vector<Difference> compare(const Side& first, const Side& second);
 
-/// How many values the tick has: fields of its state, and bytes of what controllers saw and did.
-std::size_t sizeOf(const RecordedTick& tick);
-
 }  // namespace swarmanoid::diff

@@ -55,14 +55,23 @@ void print(const TickKey& key, const std::vector<Difference>& differences, const
 /// What ticks were compared, for people.
 struct Count {
   std::size_t ticks = 0;
-  std::size_t values = 0;
-  bool has_frames = false;
+  std::size_t fields = 0;  // of states
+  std::size_t bytes = 0;   // of readings and commands
+
+  void add(const RecordedTick& tick) {
+    ++ticks;
+    fields += tick.state ? tick.state->names->size() : 0;
+    for (const auto& [robot, frames] : tick.controllers) {
+      bytes +=
+          (frames.sensors ? frames.sensors->data.size() : 0) + (frames.commands ? frames.commands->data.size() : 0);
+    }
+  }
 };
 
 std::string describe(const Count& count, StateSource source) {
-  return std::to_string(count.ticks) + " ticks, " + std::to_string(count.values) + " values of " +
+  return std::to_string(count.ticks) + " ticks, " + std::to_string(count.fields) + " fields of " +
          (source == StateSource::kNamedState ? "all named state" : "the world state") +
-         (count.has_frames ? ", readings and commands" : "");
+         (count.bytes == 0 ? "" : ", " + std::to_string(count.bytes) + " bytes of readings and commands");
 }
 
 void hint(StateSource source, bool has_frames) {
@@ -87,7 +96,7 @@ int diff(const Options& options) {
     const std::optional<RecordedTick> b = second.next();
     if (!a && !b) {
       std::cout << "equal: " << describe(count, source) << '\n';
-      hint(source, count.has_frames);
+      hint(source, count.bytes > 0);
       return kEqual;
     }
     if (!a || !b || a->key < b->key || b->key < a->key) {
@@ -100,12 +109,10 @@ int diff(const Options& options) {
     const std::vector<Difference> differences = compare({*a, first.robots()}, {*b, second.robots()});
     if (!differences.empty()) {
       print(a->key, differences, options);
-      hint(source, count.has_frames || !a->controllers.empty());
+      hint(source, count.bytes > 0 || !a->controllers.empty());
       return kDiffers;
     }
-    ++count.ticks;
-    count.values += sizeOf(*a);
-    count.has_frames = count.has_frames || !a->controllers.empty();
+    count.add(*a);
   }
 }
 

@@ -1,4 +1,6 @@
-/// All named state of a space as a message, to compare runs by.
+/// All named state of a space as a message, to compare runs by. Fields, units and frames: visit_state.hpp.
+///
+/// Threads  one at a time. Allocates each time: only for runs that ask for it.
 #pragma once
 
 #include <swarmanoid_msgs/NamedState.h>
