@@ -78,7 +78,7 @@ class InstrumentedBuild:
         """All but those that count allocations, which sanitizers make too. @return the last words, and all output"""
         _, output = self.run("ctest", "-R", "_gtest_", "-E", "allocation", "--verbose", "--timeout", "3600",
                              environment=environment)
-        words = [line for line in output.splitlines() if "tests passed" in line]
+        words = re.findall(r"^\d+% tests passed.*$", output, re.M)
         return words[0] if words else "did not run", output
 
 
