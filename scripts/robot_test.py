@@ -17,9 +17,9 @@ import xml.etree.ElementTree
 
 from surroundings import REPOSITORY, bare, compiler_cache, sourced, succeed
 
-PACKAGES = ("swarmanoid_controllers", "swarmanoid_interface", "swarmanoid_msgs")
+PACKAGES = ("swarmanoid_controllers", "swarmanoid_hosts", "swarmanoid_interface", "swarmanoid_msgs")
 # what a simulator has: engines, readers of robot models, threads, viewers, its own packages (tinyxml2 is pluginlib's)
-SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tbb|xxhash|rviz|gazebo|swarmanoid_(?!interface|controllers|msgs)", re.I)
+SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tbb|xxhash|rviz|gazebo|swarmanoid_(?!hosts|interface|controllers|msgs)", re.I)
 CONTROLLERS = {"footbot": "footbot_retrieval", "eyebot": "eyebot_retrieval", "handbot": "climbing"}
 TIMEOUT = 60.0  # [s]
 
@@ -119,10 +119,10 @@ class RobotTest(unittest.TestCase):
         """Starts robot and controller, waits for what is to happen, and ends both."""
         robot = kind + "_1"
         share = f"{self.folder}/src/swarmanoid_controllers/config"
-        drivers = Program(["roslaunch", "swarmanoid_interface", "mock_robot.launch", f"robot:={robot}", f"type:={kind}"],
+        drivers = Program(["roslaunch", "swarmanoid_hosts", "mock_robot.launch", f"robot:={robot}", f"type:={kind}"],
                           self.environment)
         self.addCleanup(drivers.end)
-        host = Program(["roslaunch", "--wait", "swarmanoid_interface", "robot.launch", f"robot:={robot}", "provider:=topics",
+        host = Program(["roslaunch", "--wait", "swarmanoid_hosts", "robot.launch", f"robot:={robot}", "provider:=topics",
                         f"controller:={CONTROLLERS[kind]}", f"configuration:={share}/{CONTROLLERS[kind]}.yaml"],
                        self.environment)
         try:

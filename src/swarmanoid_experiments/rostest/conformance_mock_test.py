@@ -40,7 +40,7 @@ class ConformanceMockTest(unittest.TestCase):
         for robot, (kind, _) in ROBOTS.items():
             rospy.set_param(f"/{robot}_drivers/world", PLACES[robot])
             self.drivers.append(subprocess.Popen(
-                ["rosrun", "swarmanoid_interface", "mock_drivers", f"__name:={robot}_drivers", f"_robot:={robot}",
+                ["rosrun", "swarmanoid_hosts", "mock_drivers", f"__name:={robot}_drivers", f"_robot:={robot}",
                  f"_type:={kind}"], start_new_session=True))
         self.leds = Collector("/m_footbot/leds/state", LedArray)
 
@@ -71,7 +71,7 @@ class ConformanceMockTest(unittest.TestCase):
                 for topic, collector in self.frames.items():
                     for message in collector.messages():
                         bag.write(topic, message)
-            done = subprocess.run(["rosrun", "swarmanoid_interface", "replay", file], capture_output=True, text=True)
+            done = subprocess.run(["rosrun", "swarmanoid_hosts", "replay", file], capture_output=True, text=True)
         print(done.stdout, done.stderr)
         self.assertEqual(0, done.returncode)
         for robot in ROBOTS:

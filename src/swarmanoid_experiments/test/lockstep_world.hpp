@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_interface/controller_host.hpp"
+#include "swarmanoid_hosts/controller_host.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/lockstep.hpp"
 #include "test_world.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "swarmanoid_interface/controller_host.hpp"
+#include "swarmanoid_hosts/controller_host.hpp"
 #include "swarmanoid_space/lockstep.hpp"
 #include "swarmanoid_space/simulation.hpp"
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_interface/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/device_topic.hpp"
 
 namespace swarmanoid {
 

@@ -2,7 +2,7 @@
 #include <pluginlib/class_list_macros.hpp>
 
 #include "device_topics.hpp"
-#include "swarmanoid_interface/ros/part_nodelet.hpp"
+#include "swarmanoid_hosts/ros/part_nodelet.hpp"
 
 namespace swarmanoid {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_interface/command_mailbox.hpp"
-#include "swarmanoid_interface/ros/device_topic.hpp"
 #include "swarmanoid_space/visualisation.hpp"
 
 namespace swarmanoid {

@@ -1,7 +1,7 @@
 // One engine of an experiment as a nodelet. It hosts engines of any label, from this package or another.
 #include <pluginlib/class_list_macros.hpp>
 
-#include "swarmanoid_interface/ros/part_nodelet.hpp"
+#include "swarmanoid_hosts/ros/part_nodelet.hpp"
 #include "swarmanoid_space/engine.hpp"
 
 namespace swarmanoid {

@@ -15,7 +15,7 @@ namespace {
 /// Beside this program, in a devel space as in an install space.
 std::filesystem::path diffProgram() {
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe");
-  return own.parent_path().parent_path() / "lib/swarmanoid_interface/diff";
+  return own.parent_path().parent_path() / "lib/swarmanoid_hosts/diff";
 }
 
 ExitCode diff(const std::vector<std::string>& arguments) {

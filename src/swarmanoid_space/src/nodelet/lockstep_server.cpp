@@ -5,7 +5,7 @@
 
 #include <stdexcept>
 
-#include "swarmanoid_interface/ros/frame_messages.hpp"
+#include "swarmanoid_hosts/ros/frame_messages.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -70,7 +70,7 @@ std::string NodeletLoader::controllerNodelet(const std::string& label) {
       matches.push_back(type);
     }
   }
-  return matches.size() == 1 ? matches.front() : "swarmanoid_interface/ControllerNodelet";
+  return matches.size() == 1 ? matches.front() : "swarmanoid_hosts/ControllerNodelet";
 }
 
 }  // namespace swarmanoid

@@ -25,7 +25,7 @@ class NodeletLoader {
   /// @return false if the manager has no such nodelet
   bool unload(const std::string& name);
 
-  /// The nodelet made for a controller, <package>/<label>; swarmanoid_interface/ControllerNodelet if there is none, or
+  /// The nodelet made for a controller, <package>/<label>; swarmanoid_hosts/ControllerNodelet if there is none, or
   /// more than one.
   std::string controllerNodelet(const std::string& label);
 

@@ -25,9 +25,9 @@
 #include "space_diagnostics.hpp"
 #include "space_parts.hpp"
 #include "space_services.hpp"
+#include "swarmanoid_hosts/ros/log.hpp"
 #include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_interface/ros/log.hpp"
 #include "swarmanoid_interface/user_code_watch.hpp"
 
 namespace swarmanoid {

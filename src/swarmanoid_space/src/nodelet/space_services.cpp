@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "../ros/entity_specification.hpp"
-#include "swarmanoid_interface/ros/device_messages.hpp"
+#include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/user_code.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 

@@ -1,7 +1,7 @@
 #include "entity_specification.hpp"
 
+#include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_interface/ros/device_messages.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {

@@ -2,7 +2,7 @@
 
 #include <stdexcept>
 
-#include "swarmanoid_interface/ros/device_messages.hpp"
+#include "swarmanoid_hosts/ros/device_messages.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <sstream>
 
+#include "swarmanoid_hosts/ros/device_messages.hpp"
+#include "swarmanoid_hosts/ros/frame_messages.hpp"
 #include "swarmanoid_interface/frame_parts.hpp"
-#include "swarmanoid_interface/ros/device_messages.hpp"
-#include "swarmanoid_interface/ros/frame_messages.hpp"
 #include "swarmanoid_space/controller_frames.hpp"
 
 namespace swarmanoid {

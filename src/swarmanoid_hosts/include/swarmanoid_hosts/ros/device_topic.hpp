@@ -1,0 +1,126 @@
+/// Devices as ROS topics: name, message and frame of each, for whoever publishes or receives it. One table for all: the
+/// simulator's views of devices, its robots that are commanded over topics, controllers on robots, and drivers.
+///
+/// Readings go from a robot to whoever listens, commands the other way. Topics lie in the robot's namespace. To let a
+/// device of your own have a topic, give it the functions that device_messages.hpp has for the others, in its own
+/// namespace, and register it in a library of your own that is linked with swarmanoid_hosts_ros:
+///
+///     REGISTER_DEVICE_TOPIC(MyDevice, my_msgs::MyDevice, DeviceTopic::Kind::kReading, "my_device", "base_link")
+///
+/// A device may have more than one topic; the first is the main one.
+#pragma once
+
+#include <ros/node_handle.h>
+#include <std_msgs/Header.h>
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+#include "swarmanoid_hosts/ros/device_messages.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid {
+
+struct DeviceTopic {
+  enum class Kind { kReading, kCommand };
+  /// @param problem "", or why a message was refused; the device is then as it was
+  using Receiver = std::function<void(const std::string& problem)>;
+
+  std::string device;   ///< Device::kType
+  std::string name;     ///< such as "gripper/state"
+  std::string message;  ///< such as "swarmanoid_msgs/GripperState"
+  std::string frame;    ///< of readings: a link of the robot, "base_link"
+  Kind kind = Kind::kReading;
+
+  /// In the namespace of `robot`.
+  ros::Publisher (*advertise)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
+  /// @param header stamp, and for readings the frame; left out where the message has none
+  void (*publish)(const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) = nullptr;
+  /// Each message that comes is written to `device`, whose variable parts are kept in `parts`; then `receive` is
+  /// called. On the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
+  ros::Subscriber (*subscribe)(ros::NodeHandle& robot, const DeviceTopic& topic, void* device, VariableParts& parts,
+                               Receiver receive) = nullptr;
+};
+
+/// In the order of registration; those of one device may be several. @return empty if it has none
+std::vector<const DeviceTopic*> topicsOf(const std::string& device);
+/// @return null if it has none
+const DeviceTopic* mainTopicOf(const std::string& device);
+/// Sorted by device, then in the order of registration.
+std::vector<const DeviceTopic*> deviceTopics();
+/// While libraries load.
+void registerDeviceTopic(DeviceTopic topic);
+
+namespace detail {
+
+template <class Device, class Message, class = void>
+struct KeepsParts : std::false_type {};
+template <class Device, class Message>
+struct KeepsParts<Device, Message,
+                  std::void_t<decltype(fromMessage(std::declval<const Message&>(), std::declval<Device&>(),
+                                                   std::declval<VariableParts&>()))>> : std::true_type {};
+
+/// @throws std::runtime_error; the device is then as it was
+template <class Device, class Message>
+void receive(const Message& message, Device& device, VariableParts& parts) {
+  Device received = device;
+  if constexpr (KeepsParts<Device, Message>::value) {
+    fromMessage(message, received, parts);
+  } else {
+    fromMessage(message, received);
+  }
+  if constexpr (CanBeFinite<Device>::value) {
+    if (!received.isFinite()) {
+      throw std::runtime_error("found a number that is not finite, allowed: finite numbers");
+    }
+  }
+  device = received;
+}
+
+}  // namespace detail
+
+template <class Device, class Message>
+DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, const std::string& frame = "") {
+  DeviceTopic topic{Device::kType, name, ros::message_traits::DataType<Message>::value(), frame, kind};
+  topic.advertise = [](ros::NodeHandle& robot, const DeviceTopic& its) {
+    constexpr std::uint32_t kQueue = 10;
+    return robot.advertise<Message>(its.name, kQueue);
+  };
+  topic.publish = [](const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) {
+    Message message;
+    toMessage(*static_cast<const Device*>(device), message);
+    if (std_msgs::Header* its = ros::message_traits::header(message)) {
+      *its = header;
+    }
+    publisher.publish(message);
+  };
+  topic.subscribe = [](ros::NodeHandle& robot, const DeviceTopic& its, void* device, VariableParts& parts,
+                       DeviceTopic::Receiver receive) {
+    const boost::function<void(const boost::shared_ptr<const Message>&)> take =
+        [device, &parts, receive = std::move(receive)](const boost::shared_ptr<const Message>& message) {
+          std::string problem;
+          try {
+            detail::receive(*message, *static_cast<Device*>(device), parts);
+          } catch (const std::exception& error) {
+            problem = error.what();
+          }
+          receive(problem);
+        };
+    return robot.subscribe<Message>(its.name, 1, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  };
+  return topic;
+}
+
+struct DeviceTopicRegistration {
+  explicit DeviceTopicRegistration(DeviceTopic topic) { registerDeviceTopic(std::move(topic)); }
+};
+
+}  // namespace swarmanoid
+
+/// In one source file. @param ... kind, name and frame as in makeDeviceTopic
+#define REGISTER_DEVICE_TOPIC(Device, Message, ...)                          \
+  static const ::swarmanoid::DeviceTopicRegistration SWARMANOID_CONCATENATE( \
+      device_topic_registration_, __COUNTER__)(::swarmanoid::makeDeviceTopic<Device, Message>(__VA_ARGS__));

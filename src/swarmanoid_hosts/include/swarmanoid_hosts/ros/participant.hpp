@@ -1,0 +1,59 @@
+/// A process that runs the controllers of a space's robots elsewhere: registers with the space, answers each sensor
+/// frame with a command frame, and ends its process when the space is gone or refuses it.
+///
+/// Private parameters: `robots`, names separated by spaces; `space`, the space's node (/space); `timeout` [s] and
+/// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, what the controller reads instead of the
+/// `<parameters>` of the experiment file; `library` of a controller that is not in this process yet.
+///
+/// Alone in its process it ends that with 0 when the space is gone, with 4 when the space refuses it.
+///
+/// Time     wall time only; ROS time may stand still.
+/// Threads  one of its own, on which the controllers step.
+#pragma once
+
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <thread>
+
+#include "swarmanoid_hosts/controller_host.hpp"
+#include "swarmanoid_hosts/ros/frame_messages.hpp"
+
+namespace swarmanoid {
+
+class Participant {
+ public:
+  /// @param own with the private parameters; @param name its own, without a leading slash
+  /// @param label of the controller; "": the one that the experiment file gives the first robot
+  Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone);
+  ~Participant();
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+
+ private:
+  void run();
+  /// @return false if the process ends meanwhile @throws std::runtime_error if the space refuses
+  bool registerWithSpace(swarmanoid_msgs::Register::Response& response);
+  Registration adapt(Registration registration);
+  void answer(const swarmanoid_msgs::SensorFrameConstPtr& message);
+  bool isOver() const { return is_over_ || !ros::ok(); }
+
+  ros::CallbackQueue queue_;
+  ros::NodeHandle own_;
+  std::string name_;
+  std::string label_;
+  std::string space_;
+  bool is_standalone_;
+  std::uint64_t session_ = 0;
+  std::unique_ptr<ControllerHost> host_;
+  ros::Subscriber sensors_;
+  ros::Publisher commands_;
+  swarmanoid_msgs::CommandFrame commands_message_;
+  std::atomic<bool> is_over_{false};
+  std::thread thread_;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,118 @@
+"""A robot in two processes, mock drivers and its controller's host, started and ended as a test likes."""
+
+import os
+import signal
+import subprocess
+import threading
+import time
+
+import rospy
+
+TIMEOUT = 20.0  # [s]
+RATE = 20.0  # [Hz] of the controllers
+
+SMALL = {"footbot": {"sensors": ["footbot_proximity"],
+                     "actuators": ["footbot_wheels", "footbot_gripper", "footbot_turret"]},
+         "eyebot": {"sensors": ["eyebot_camera", "eyebot_magnet_state"], "actuators": ["eyebot_velocity", "eyebot_laser"],
+                    "safe_stop": {"hover": 0.5, "descend_speed": 0.4, "descend_time": 1.0}},
+         "handbot": {"sensors": ["handbot_rope_state"], "actuators": ["handbot_arms", "handbot_hands", "handbot_rope"]}}
+
+
+class Process:
+    """A program in a session of its own."""
+
+    def __init__(self, command):
+        self._process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
+                                         env=dict(os.environ, ROSCONSOLE_STDOUT_LINE_BUFFERED="1"),
+                                         start_new_session=True)
+        self._lines = []
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self):
+        for line in self._process.stdout:
+            self._lines.append(line)
+
+    def send(self, how):
+        os.kill(self._process.pid, how)
+
+    def wait(self, timeout=TIMEOUT):
+        """@return its exit code"""
+        code = self._process.wait(timeout)
+        self._reader.join(TIMEOUT)
+        return code
+
+    def output(self):
+        return "".join(self._lines)
+
+    def wait_for_text(self, text):
+        return wait_until(lambda: text in self.output())
+
+    def end(self):
+        if self._process.poll() is None:
+            self.send(signal.SIGCONT)
+            self.send(signal.SIGKILL)
+            self._process.wait(TIMEOUT)
+
+
+class Drivers(Process):
+    def __init__(self, robot, kind, without="", **parameters):
+        super().__init__(["rosrun", "swarmanoid_hosts", "mock_drivers", f"__name:={robot}_drivers",
+                          f"_robot:={robot}", f"_type:={kind}", f"_without:={without}",
+                          *(f"_{name}:={value}" for name, value in parameters.items())])
+
+
+class Host(Process):
+    """What launch/robot.launch starts with provider:=topics."""
+
+    def __init__(self, robot, configuration, **parameters):
+        self.name = robot + "_controller"
+        own = {"provider": "topics", "robots": robot, "configuration": configuration, "controller": "misbehaving",
+               "library": "swarmanoid_misbehaving"}
+        rospy.set_param("/" + self.name, dict(own, **parameters))
+        super().__init__(["rosrun", "nodelet", "nodelet", "standalone", "swarmanoid_hosts/ControllerNodelet",
+                          "__name:=" + self.name])
+
+
+def configuration(kind, **changes):
+    return dict({"robot_type": kind, "rate": RATE, "sensor_timeout": 0.5}, **dict(SMALL[kind], **changes))
+
+
+class Arrivals:
+    """All messages of a topic, each with when it came."""
+
+    def __init__(self, topic, kind):
+        self._lock = threading.Lock()
+        self._messages = []
+        self._subscriber = rospy.Subscriber(topic, kind, self._take, queue_size=1000, tcp_nodelay=True)
+
+    def _take(self, message):
+        with self._lock:
+            self._messages.append((time.monotonic(), message))
+
+    def all(self):
+        with self._lock:
+            return list(self._messages)
+
+    def messages(self):
+        return [message for _, message in self.all()]
+
+    def wait_for(self, is_it, timeout=TIMEOUT):
+        """When the first message came that is so, and that message; None if none did."""
+        found = []
+
+        def look():
+            found[:] = [item for item in self.all() if is_it(item[1])][:1]
+            return found
+
+        wait_until(look, timeout)
+        return found[0] if found else None
+
+
+def wait_until(is_so, timeout=TIMEOUT):
+    end = time.monotonic() + timeout
+    while time.monotonic() < end:
+        if is_so():
+            return True
+        time.sleep(0.01)
+    return False

@@ -1,0 +1,72 @@
+#include "swarmanoid_hosts/ros/controller_nodelet.hpp"
+
+#include <ros/console.h>
+
+#include <stdexcept>
+
+#include "swarmanoid_hosts/ros/participant.hpp"
+#include "swarmanoid_hosts/ros/process.hpp"
+#include "swarmanoid_hosts/ros/robot_host.hpp"
+#include "swarmanoid_interface/user_code_watch.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// A file of the other provider would be left unread.
+void refuse(const ros::NodeHandle& own, const std::string& parameter, const std::string& instead) {
+  if (own.hasParam(parameter)) {
+    throw ConfigError({own.getNamespace() + "/" + parameter, 0}, "found values, allowed: " + instead);
+  }
+}
+
+}  // namespace
+
+ControllerNodelet::ControllerNodelet(std::string label)
+    : PartNodelet(PluginKind::kController), label_(std::move(label)) {}
+
+ControllerNodelet::~ControllerNodelet() = default;
+
+bool ControllerNodelet::runAlone() {
+  ros::NodeHandle& own = getPrivateNodeHandle();
+  if (!own.hasParam("robots")) {
+    return false;
+  }
+  const std::string& name = getName();
+  const bool is_standalone = process::isStandalone(name);
+  const auto provider = own.param("provider", std::string("lockstep"));
+  UserCodeWatch::Options options;
+  options.tell = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  watch_ = std::make_unique<UserCodeWatch>(options);
+  try {
+    if (provider == "topics") {
+      refuse(own, "parameters", "none with provider:=topics; the configuration has those of the controller");
+      robot_host_ = std::make_unique<RobotHost>(own, label_, is_standalone);
+    } else if (provider == "lockstep") {
+      refuse(own, "configuration", "none with provider:=lockstep; the experiment says what a robot has");
+      participant_ =
+          std::make_unique<Participant>(own, name.substr(name.find_first_not_of('/')), label_, is_standalone);
+    } else {
+      throw std::runtime_error("provider: found '" + provider + "', allowed: lockstep, topics" +
+                               didYouMean(provider, {"lockstep", "topics"}));
+    }
+  } catch (...) {
+    const std::string reason = describeException();
+    NODELET_FATAL("%s: %s", name.c_str(), reason.c_str());
+    if (is_standalone) {
+      process::endWith(ExitCode::kBadInput);
+    }
+    throw std::runtime_error(reason);  // the nodelet does not load
+  }
+  return true;
+}
+
+std::shared_ptr<void> ControllerNodelet::makePart(const AttachmentPoint::Request& request) {
+  if (!label_.empty() && label_ != request.label) {
+    throw std::runtime_error("this nodelet hosts '" + label_ + "', controller '" + request.id + "' is a '" +
+                             request.label + "'");
+  }
+  const Registry::Entry& entry = Registry::instance().require(PluginKind::kController, request.label);
+  return std::make_shared<ControllerFactory>([&entry] { return makePlugin<Controller>(entry); });
+}
+
+}  // namespace swarmanoid

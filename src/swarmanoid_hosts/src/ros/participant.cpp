@@ -1,0 +1,125 @@
+#include "swarmanoid_hosts/ros/participant.hpp"
+
+#include <ros/ros.h>
+
+#include <sstream>
+#include <stdexcept>
+
+#include "robot_parameters.hpp"
+#include "swarmanoid_hosts/ros/log.hpp"
+#include "swarmanoid_hosts/ros/parameters.hpp"
+#include "swarmanoid_hosts/ros/process.hpp"
+#include "swarmanoid_interface/user_code.hpp"
+
+namespace swarmanoid {
+
+Participant::Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone)
+    : own_(own), name_(std::move(name)), label_(std::move(label)), is_standalone_(is_standalone) {
+  own_.setCallbackQueue(&queue_);
+  thread_ = std::thread([this] { run(); });
+}
+
+Participant::~Participant() {
+  is_over_ = true;
+  thread_.join();
+}
+
+void Participant::run() {
+  try {
+    swarmanoid_msgs::Register::Response response;
+    if (!registerWithSpace(response)) {
+      return;
+    }
+    const Registration registration = adapt(fromMessage(response));
+    session_ = registration.session;
+    const Registry::Entry& entry = findController(own_, label_);
+    host_ = std::make_unique<ControllerHost>(
+        registration, [&entry] { return makePlugin<Controller>(entry); }, logRobot);
+    const std::string topics = space_ + "/participants/" + name_;
+    constexpr bool kLatched = true;  // whichever side is connected first, nothing is lost
+    commands_ = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
+    sensors_ = own_.subscribe(topics + "/sensors", 1, &Participant::answer, this, ros::TransportHints().tcpNoDelay());
+    ROS_INFO("commanding %zu robot(s) of %s with %s", registration.robots.size(), space_.c_str(), label_.c_str());
+    bool was_there = false;
+    while (!isOver()) {
+      constexpr double kInterval = 0.1;  // [s]
+      queue_.callAvailable(ros::WallDuration(kInterval));
+      const bool is_there = sensors_.getNumPublishers() > 0;
+      if (was_there && !is_there) {
+        ROS_INFO("%s is gone", space_.c_str());
+        break;
+      }
+      was_there = is_there;
+    }
+  } catch (...) {
+    if (!isOver()) {
+      ROS_FATAL("participant '%s': %s", name_.c_str(), describeException().c_str());
+      if (is_standalone_) {
+        process::endWith(ExitCode::kStopped);
+      }
+    }
+  }
+  sensors_.shutdown();
+  host_.reset();
+  if (!is_over_) {
+    ros::requestShutdown();
+  }
+}
+
+bool Participant::registerWithSpace(swarmanoid_msgs::Register::Response& response) {
+  swarmanoid_msgs::Register::Request request;
+  std::string robots;
+  own_.getParam("robots", robots);
+  std::istringstream words(robots);
+  for (std::string word; words >> word;) {
+    request.robots.push_back(word);
+  }
+  request.participant = name_;
+  request.timeout = own_.param("timeout", 0.0);
+  request.policy = own_.param("policy", std::string());
+  space_ = own_.param("space", std::string("/space"));
+  const std::string service = space_ + "/register";
+  bool is_told = false;
+  while (!isOver()) {
+    if (ros::service::exists(service, false) && ros::service::call(service, request, response)) {
+      if (response.success == 0) {
+        throw std::runtime_error(response.message);
+      }
+      return true;
+    }
+    if (!is_told) {
+      ROS_INFO("waiting for %s", service.c_str());
+      is_told = true;
+    }
+    constexpr double kInterval = 0.1;  // [s]
+    ros::WallDuration(kInterval).sleep();
+  }
+  return false;
+}
+
+Registration Participant::adapt(Registration registration) {
+  XmlRpc::XmlRpcValue values;
+  const bool has_own_parameters = own_.getParam("parameters", values);
+  if (label_.empty()) {
+    label_ = registration.robots.front().label;
+  }
+  for (RemoteRobot& robot : registration.robots) {
+    if (has_own_parameters) {
+      robot.parameters = configurationFrom(values, "parameters", own_.getNamespace() + "/parameters");
+    } else if (robot.label != label_) {
+      throw std::runtime_error("robot '" + robot.name + "' has the controller '" + robot.label +
+                               "' in the experiment; for '" + label_ + "' set ~parameters");
+    }
+  }
+  return registration;
+}
+
+void Participant::answer(const swarmanoid_msgs::SensorFrameConstPtr& message) {
+  if (message->session != session_) {
+    return;  // for a former self, still latched
+  }
+  toMessage(host_->answer(fromMessage(*message)), commands_message_);
+  commands_.publish(commands_message_);
+}
+
+}  // namespace swarmanoid

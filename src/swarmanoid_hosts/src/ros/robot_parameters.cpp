@@ -1,0 +1,53 @@
+#include "robot_parameters.hpp"
+
+#include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/parameters.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+namespace {
+
+std::vector<KnownDevice> knownDevices() {
+  std::vector<KnownDevice> known;
+  for (const DeviceTopic* topic : deviceTopics()) {
+    if (known.empty() || known.back().type != topic->device) {
+      known.push_back({topic->device, topic->kind == DeviceTopic::Kind::kReading, {}});
+    }
+    known.back().topics.push_back(topic->name);
+  }
+  return known;
+}
+
+}  // namespace
+
+std::string readRobotName(const ros::NodeHandle& own) {
+  std::string name;
+  own.getParam("robots", name);
+  if (name.empty() || name.find_first_of(" /") != std::string::npos) {
+    throw ConfigError({own.getNamespace() + "/robots", 0},
+                      "found '" + name + "', allowed with provider:=topics: the name of one robot");
+  }
+  return name;
+}
+
+RobotConfiguration readRobotConfiguration(const ros::NodeHandle& own) {
+  const std::string path = own.getNamespace() + "/configuration";
+  XmlRpc::XmlRpcValue values;
+  if (!own.getParam("configuration", values)) {
+    throw ConfigError({path, 0}, "found nothing, allowed: the robot's configuration; set configuration:=FILE.yaml");
+  }
+  return readRobotConfiguration(configurationFrom(values, "configuration", path), knownDevices());
+}
+
+const Registry::Entry& findController(const ros::NodeHandle& own, const std::string& given_label) {
+  std::string label = given_label;
+  if (label.empty() && !own.getParam("controller", label)) {
+    throw ConfigError({own.getNamespace() + "/controller", 0}, "found nothing, allowed: the label of a controller");
+  }
+  if (Registry::instance().find(PluginKind::kController, label) == nullptr) {
+    loadPluginLibrary(own.param("library", label), {}, {own.getNamespace() + "/library", 0});
+  }
+  return Registry::instance().require(PluginKind::kController, label);
+}
+
+}  // namespace swarmanoid
