@@ -5,7 +5,7 @@
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/engine.hpp"
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 #include "swarmanoid_space/space.hpp"
 
 using swarmanoid::EntityModel;

@@ -1,7 +1,7 @@
 // How far an entity has gone: a line a tick in a file, a result of the run, and the end of the run at a goal.
 #include <cstdio>
 
-#include "swarmanoid_space/out_file.hpp"
+#include "swarmanoid_space/output/out_file.hpp"
 
 using swarmanoid::Configuration;
 using swarmanoid::Parameter;

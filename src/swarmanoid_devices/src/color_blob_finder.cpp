@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -34,7 +34,7 @@ bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
   return true;
 }
 
-static_assert(Space::kMaxLeds <= LedSet{}.size(), "each LED of an entity has its bit");
+static_assert(EntityModel::kMaxLeds <= LedSet{}.size(), "each LED of an entity has its bit");
 
 class Finder {
  public:

@@ -117,13 +117,13 @@ TEST(FootbotLedsTest, EachLedShowsItsColourAndOthersAreLeftAlone) {
   DeviceWorld world;
   const Row other = world.addFootbot(2.0, 1.0);
   const Row robot = world.addFootbot(1.0, 1.0);
-  std::fill_n(world.space.ledsOf(other), Space::kMaxLeds, colors::kWhite);
+  std::fill_n(world.space.ledsOf(other), EntityModel::kMaxLeds, colors::kWhite);
   Leds leds(world, robot);
   for (std::size_t i = 0; i < FootbotLeds::kCount; ++i) {
     leds.command.ring[i] = {static_cast<std::uint8_t>(i), 1, 2};
   }
   leds.actuate();
-  for (std::size_t i = 0; i < Space::kMaxLeds; ++i) {
+  for (std::size_t i = 0; i < EntityModel::kMaxLeds; ++i) {
     const Color expected = i < FootbotLeds::kCount ? Color{static_cast<std::uint8_t>(i), 1, 2} : colors::kBlack;
     EXPECT_EQ(world.space.ledsOf(robot)[i], expected) << "LED " << i;
     EXPECT_EQ(world.space.ledsOf(other)[i], colors::kWhite);

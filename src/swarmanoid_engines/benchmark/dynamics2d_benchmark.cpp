@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "dynamics2d/dynamics2d.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 #include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid::dynamics2d {

@@ -16,7 +16,7 @@
 
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/treels.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 #include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid::dynamics3d {

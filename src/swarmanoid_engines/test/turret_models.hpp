@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
 

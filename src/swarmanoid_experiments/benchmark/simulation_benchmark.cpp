@@ -4,7 +4,7 @@
 // subclock 1, collision shapes of thesis figure 3.9.
 #include <benchmark/benchmark.h>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 #include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid {

@@ -3,7 +3,7 @@
 
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "bad_cases.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/engine.hpp"
-#include "swarmanoid_space/entity_model.hpp"
-#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
 namespace {

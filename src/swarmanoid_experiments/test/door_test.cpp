@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "glide_engine.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {

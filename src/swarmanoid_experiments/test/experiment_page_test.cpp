@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {

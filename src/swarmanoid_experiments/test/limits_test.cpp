@@ -15,8 +15,8 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_tags.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/experiment_file/experiment_tags.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {

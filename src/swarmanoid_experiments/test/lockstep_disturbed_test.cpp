@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "lockstep_world.hpp"
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid::test {
 namespace {

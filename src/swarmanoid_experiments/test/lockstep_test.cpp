@@ -1,5 +1,5 @@
 // Robots whose controllers run elsewhere: a participant in this process, which answers as it is told to.
-#include "swarmanoid_space/lockstep.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 
 #include "swarmanoid_hosts/controller_host.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/lockstep.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {

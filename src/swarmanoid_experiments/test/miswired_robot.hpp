@@ -7,8 +7,8 @@
 #include <string>
 
 #include "swarmanoid_hosts/controller_host.hpp"
-#include "swarmanoid_space/lockstep.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 

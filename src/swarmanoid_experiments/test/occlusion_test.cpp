@@ -2,7 +2,7 @@
 // neither.
 #include <gtest/gtest.h>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 namespace {

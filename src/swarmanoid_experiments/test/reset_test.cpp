@@ -5,7 +5,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {

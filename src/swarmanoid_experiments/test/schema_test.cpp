@@ -7,9 +7,9 @@
 
 #include "bad_cases.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
-#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
 
 namespace swarmanoid {
 namespace {

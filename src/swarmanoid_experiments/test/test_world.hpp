@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 

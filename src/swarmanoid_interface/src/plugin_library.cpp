@@ -9,7 +9,7 @@
 #include <map>
 
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 namespace {

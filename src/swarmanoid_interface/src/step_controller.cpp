@@ -1,7 +1,7 @@
 #include "swarmanoid_interface/step_controller.hpp"
 
+#include "process/user_calls.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
-#include "user_calls.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -1,5 +1,5 @@
 // The mathematics that results are free of the processor with: what it is called, what it is, and how it is asked for.
-#include "swarmanoid_interface/math_library.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // Folders for files that nobody needs afterwards.
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 #include <ctime>
 #include <thread>
 
-#include "../src/user_calls.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "../src/process/user_calls.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "../src/user_calls.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "../src/process/user_calls.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/random.hpp"
-#include "swarmanoid_space/positional_index.hpp"
+#include "swarmanoid_space/index/positional_index.hpp"
 
 namespace swarmanoid {
 namespace {

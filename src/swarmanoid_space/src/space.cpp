@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -65,8 +65,8 @@ void Space::fitRows() {
   const std::size_t rows = entities.rowCount();
   structure.resize(rows);
   attachments.resize(rows);
-  joints.resize(rows * kMaxJoints);
-  leds.resize(rows * kMaxLeds);
+  joints.resize(rows * EntityModel::kMaxJoints);
+  leds.resize(rows * EntityModel::kMaxLeds);
   mover.resize(rows, nullptr);
   robots.resize(rows);
   controllers.resize(rows);

@@ -57,7 +57,7 @@ class HashVisitor {
   }
   void vector(const FieldName&, const Eigen::Vector3d& value) { hasher_.add(value); }
   void quaternion(const FieldName&, const Eigen::Quaterniond& value) { hasher_.add(value); }
-  void colors(const FieldName&, const Color* first, std::size_t) { hasher_.add(first, Space::kMaxLeds); }
+  void colors(const FieldName&, const Color* first, std::size_t) { hasher_.add(first, EntityModel::kMaxLeds); }
   void entity(const FieldName&, EntityNumber number) { hasher_.add(number); }
   void ordinal(std::uint64_t number) { hasher_.add(number); }
   void text(const FieldName&, const std::string& value) { hasher_.add(value); }

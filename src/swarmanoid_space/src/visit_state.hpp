@@ -26,10 +26,9 @@ struct FieldName {
 ///     visitor.number(name, double)
 ///     visitor.vector(name, Eigen::Vector3d)
 ///     visitor.quaternion(name, Eigen::Quaterniond)
-///     visitor.colors(name, first, count)           `first` is a row of kMaxLeds colours, of which `count` are in use
-///     visitor.entity(name, EntityNumber)           another entity; kNobody: none
-///     visitor.ordinal(number)                      which of a kind the next fields are of; their names say it too
-///     visitor.text(name, std::string)
+///     visitor.colors(name, first, count)           `first` is a row of EntityModel::kMaxLeds colours, of which `count`
+///     are in use visitor.entity(name, EntityNumber)           another entity; kNobody: none visitor.ordinal(number)
+///     which of a kind the next fields are of; their names say it too visitor.text(name, std::string)
 /// and those of `visitor.detail()`, for what follows from the rest or does nothing to it, if that is not null.
 /// Nothing is copied: names live as long as the call.
 template <class Visitor>

@@ -1,5 +1,5 @@
 // Entities and what belongs to them: numbers that are never used again, rows that are, addresses that stay.
-#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/state/entities.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <set>
 
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
-#include "swarmanoid_space/bank.hpp"
+#include "swarmanoid_space/state/bank.hpp"
 
 namespace swarmanoid {
 namespace {

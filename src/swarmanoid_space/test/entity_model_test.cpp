@@ -1,4 +1,4 @@
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 #include <gtest/gtest.h>
 

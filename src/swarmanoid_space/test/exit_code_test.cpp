@@ -9,7 +9,7 @@
 #include <fstream>
 #include <sstream>
 
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -1,5 +1,5 @@
 // Experiment files without the suite's plugins: controllers, devices, engines and visualisations made up for the test.
-#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {

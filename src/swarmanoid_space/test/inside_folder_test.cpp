@@ -1,11 +1,11 @@
 // What is inside a folder, however it is written.
-#include "../src/inside_folder.hpp"
+#include "../src/output/inside_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {

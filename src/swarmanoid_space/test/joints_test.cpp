@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "swarmanoid_space/joints.hpp"
 #include "swarmanoid_space/space.hpp"
+#include "swarmanoid_space/state/joints.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -52,7 +52,7 @@ TEST(JointsTest, WheelsAreNoJoints) { EXPECT_EQ(robotModel("footbot")->findJoint
 
 TEST(JointsTest, LinksAreWhereTheirJointsTurnThem) {
   const auto handbot = robotModel("handbot");
-  JointState states[Space::kMaxJoints];
+  JointState states[EntityModel::kMaxJoints];
   const Vector3d shoulder = handbot->mount("left_upper_arm").position;
   const Vector3d hand = handbot->mount("left_hand").position;
   EXPECT_TRUE(placeOf(*handbot, states, "left_hand").position.isApprox(hand));
@@ -93,7 +93,7 @@ TEST(JointsTest, AFootbotHasATurretThatCarriesTheGripper) {
 
 TEST(JointsTest, AModelIsPosedAsItsJointsAre) {
   const auto footbot = robotModel("footbot");
-  JointState states[Space::kMaxJoints];
+  JointState states[EntityModel::kMaxJoints];
   EXPECT_EQ(posedModel(footbot, states), footbot);
   states[0].angle = M_PI / 2.0;
   const auto posed = posedModel(footbot, states);

@@ -1,4 +1,4 @@
-#include "swarmanoid_space/override_text.hpp"
+#include "swarmanoid_space/experiment_file/override_text.hpp"
 
 #include <gtest/gtest.h>
 

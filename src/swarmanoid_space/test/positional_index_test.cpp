@@ -1,5 +1,5 @@
 // Range queries give what a look at every entity gives, in 2D and 3D, wherever the entities are.
-#include "swarmanoid_space/positional_index.hpp"
+#include "swarmanoid_space/index/positional_index.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -9,7 +9,7 @@
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
 namespace {

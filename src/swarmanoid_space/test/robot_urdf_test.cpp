@@ -6,8 +6,8 @@
 #include <string>
 
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
 namespace {

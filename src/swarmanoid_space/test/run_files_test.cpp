@@ -1,5 +1,5 @@
 // Files of a run that options ask for.
-#include "swarmanoid_space/run_files.hpp"
+#include "swarmanoid_space/simulation/run_files.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "small_world.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {

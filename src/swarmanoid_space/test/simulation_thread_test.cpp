@@ -1,4 +1,4 @@
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "small_world.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid {
 namespace {

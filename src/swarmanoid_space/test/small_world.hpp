@@ -4,7 +4,7 @@
 #include <memory>
 #include <string>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 

@@ -1,5 +1,5 @@
 // Which of its own LEDs an entity hides, at places of LEDs as URDFs have them.
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class OwnLedTest : public testing::Test {
   }
 
   EntityModel model;
-  JointState joints[Space::kMaxJoints];
+  JointState joints[EntityModel::kMaxJoints];
 };
 
 TEST_F(OwnLedTest, ALedOnAFaceIsSeenFromItsSide) {

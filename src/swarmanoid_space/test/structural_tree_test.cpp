@@ -1,5 +1,5 @@
 // Who grips whom: trees whose root is what is gripped and grips nothing, without loops, that merge and split.
-#include "swarmanoid_space/structural_tree.hpp"
+#include "swarmanoid_space/state/structural_tree.hpp"
 
 #include <gtest/gtest.h>
 

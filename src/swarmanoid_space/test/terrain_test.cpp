@@ -1,5 +1,5 @@
 // Heights of images, and where rays meet them.
-#include "swarmanoid_space/terrain.hpp"
+#include "swarmanoid_space/rays/terrain.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include <random>
 #include <stdexcept>
 
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "write_png.hpp"
 

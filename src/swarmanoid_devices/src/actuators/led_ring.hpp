@@ -16,7 +16,7 @@ class LedRingActuator : public ActuatorOf<Leds> {
 
  protected:
   static PluginDescription describeRing(const std::string& robot) {
-    static_assert(Leds::kCount <= Space::kMaxLeds, "the space has room for all LEDs of the ring");
+    static_assert(Leds::kCount <= EntityModel::kMaxLeds, "the space has room for all LEDs of the ring");
     PluginDescription description;
     description.label = Leds::kType;
     description.implementation = "default";

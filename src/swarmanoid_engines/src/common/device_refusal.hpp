@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
-#include "swarmanoid_space/joints.hpp"
+#include "swarmanoid_space/state/joints.hpp"
 
 namespace swarmanoid {
 

@@ -10,7 +10,7 @@
 #include "common/parameter.hpp"
 #include "common/turret.hpp"
 #include "dynamics2d/fixtures.hpp"
-#include "swarmanoid_space/limits.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {

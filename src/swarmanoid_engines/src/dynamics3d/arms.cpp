@@ -91,7 +91,7 @@ std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms&
 }
 
 void placeLinks(Body& body, const JointState* joints) {
-  const JointState zero[Space::kMaxJoints] = {};
+  const JointState zero[EntityModel::kMaxJoints] = {};
   const JointState* states = joints == nullptr ? zero : joints;
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     body.links[i].angle = states[i].angle;
@@ -104,9 +104,9 @@ void placeLinks(Body& body, const JointState* joints) {
 }
 
 void moveLinks(Body& body, const Twist& twist, const JointState* joints) {
-  const JointState zero[Space::kMaxJoints] = {};
+  const JointState zero[EntityModel::kMaxJoints] = {};
   const JointState* states = joints == nullptr ? zero : joints;
-  std::array<Vector3d, Space::kMaxJoints> turning;  // of the links, in W
+  std::array<Vector3d, EntityModel::kMaxJoints> turning;  // of the links, in W
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     const EntityModel::Joint& joint = body.model->joints[i];
     const Eigen::Isometry3d displacement = displacementOf(*body.model, states, static_cast<int>(i));

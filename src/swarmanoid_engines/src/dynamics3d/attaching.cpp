@@ -2,7 +2,7 @@
 #include "common/grips.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/rope.hpp"
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid::dynamics3d {
 

@@ -1,7 +1,7 @@
 /// Whether solids overlap, for placing entities.
 #pragma once
 
-#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid::dynamics3d {
 

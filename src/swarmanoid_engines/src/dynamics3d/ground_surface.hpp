@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "swarmanoid_space/terrain.hpp"
+#include "swarmanoid_space/rays/terrain.hpp"
 
 namespace swarmanoid::dynamics3d {
 

@@ -1,7 +1,7 @@
 // The values that the experiment file gives to the engine.
 #include "common/parameter.hpp"
 #include "dynamics3d/dynamics3d.hpp"
-#include "swarmanoid_space/limits.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

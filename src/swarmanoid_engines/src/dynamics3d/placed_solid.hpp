@@ -2,7 +2,7 @@
 #pragma once
 
 #include "dynamics3d/ode.hpp"
-#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid::dynamics3d {
 

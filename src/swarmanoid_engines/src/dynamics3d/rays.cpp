@@ -1,6 +1,6 @@
 // Rays against the shapes, where they were after the last tick.
 #include "dynamics3d/dynamics3d.hpp"
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

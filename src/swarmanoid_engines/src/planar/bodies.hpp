@@ -51,7 +51,7 @@ struct Body {
 /// A body's own projection, once its base has changed or a joint has turned some of its shapes.
 struct OwnProjection {
   PlanarModel model;
-  std::array<JointState, Space::kMaxJoints> joints{};  ///< only their angles count
+  std::array<JointState, EntityModel::kMaxJoints> joints{};  ///< only their angles count
 };
 
 /// What is looked at now and then.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "planar/bodies.hpp"
-#include "swarmanoid_space/ray.hpp"
+#include "swarmanoid_space/rays/ray.hpp"
 
 namespace swarmanoid::planar {
 

@@ -15,7 +15,7 @@
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
-#include "swarmanoid_space/limits.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::planar {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "planar/plane.hpp"
-#include "swarmanoid_space/joints.hpp"
+#include "swarmanoid_space/state/joints.hpp"
 
 namespace swarmanoid::planar {
 

@@ -10,7 +10,7 @@
 #include <cmath>
 #include <string>
 
-#include "swarmanoid_space/entities.hpp"
+#include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid::planar {
 

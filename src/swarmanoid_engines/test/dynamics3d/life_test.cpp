@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "dynamics3d/convex_overlap.hpp"
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

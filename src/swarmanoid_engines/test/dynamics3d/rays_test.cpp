@@ -1,7 +1,7 @@
 // Rays meet the shapes as they are.
 #include <gtest/gtest.h>
 
-#include "swarmanoid_space/solid_ray.hpp"
+#include "swarmanoid_space/rays/solid_ray.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "swarmanoid_space/terrain.hpp"
+#include "swarmanoid_space/rays/terrain.hpp"
 
 namespace swarmanoid::dynamics3d {
 

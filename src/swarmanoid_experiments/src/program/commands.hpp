@@ -4,7 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-#include "swarmanoid_interface/exit_code.hpp"
+#include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid::program {
 

@@ -3,8 +3,8 @@
 #include <charconv>
 #include <iostream>
 
-#include "swarmanoid_space/experiment_lookup.hpp"
-#include "swarmanoid_space/override_text.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_space/experiment_file/override_text.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/unchecked_experiment.hpp"
+#include "swarmanoid_space/experiment_file/unchecked_experiment.hpp"
 
 namespace swarmanoid::program {
 

@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -16,7 +16,7 @@
 
 #include "commands.hpp"
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid::program {
 namespace {

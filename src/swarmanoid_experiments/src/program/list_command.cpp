@@ -9,9 +9,9 @@
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_space/experiment.hpp"
-#include "swarmanoid_space/experiment_lookup.hpp"
-#include "swarmanoid_space/experiment_tags.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_space/experiment_file/experiment_tags.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -9,9 +9,9 @@
 #include "commands.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_interface/last_seconds.hpp"
-#include "swarmanoid_interface/math_library.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/last_seconds.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 #include "version.hpp"
 
 namespace swarmanoid::program {

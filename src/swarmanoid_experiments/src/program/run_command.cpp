@@ -10,9 +10,9 @@
 #include "progress_bar.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
-#include "swarmanoid_space/run_files.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
+#include "swarmanoid_space/simulation/run_files.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "swarmanoid_interface/math_library.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
 #include "version.hpp"
 
 namespace swarmanoid::program {

@@ -8,10 +8,10 @@
 #include "parent_process.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 #include "swarmanoid_interface/registry.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
-#include "swarmanoid_space/experiment_lookup.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::program {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/robot.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/entity_model.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::test {
 namespace {

@@ -14,7 +14,7 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/frames.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 

@@ -7,7 +7,7 @@
 #include "swarmanoid_hosts/ros/participant.hpp"
 #include "swarmanoid_hosts/ros/process.hpp"
 #include "swarmanoid_hosts/ros/robot_host.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid {
 namespace {

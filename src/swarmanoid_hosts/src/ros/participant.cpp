@@ -9,7 +9,7 @@
 #include "swarmanoid_hosts/ros/log.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
 #include "swarmanoid_hosts/ros/process.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 

@@ -10,7 +10,7 @@
 #include "../../src/ros/diff/compare.hpp"
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid::diff {
 namespace {

@@ -9,7 +9,7 @@
 #include <fstream>
 
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid::replay {
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "swarmanoid_interface/controller.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 

@@ -31,9 +31,9 @@
 #include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/engine_drawing.hpp"
-#include "swarmanoid_space/experiment.hpp"
-#include "swarmanoid_space/ray.hpp"
-#include "swarmanoid_space/terrain.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/rays/ray.hpp"
+#include "swarmanoid_space/rays/terrain.hpp"
 
 namespace swarmanoid {
 

@@ -15,18 +15,18 @@
 #include "swarmanoid_interface/frames.hpp"
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_interface/time.hpp"
-#include "swarmanoid_space/attachments.hpp"
-#include "swarmanoid_space/bank.hpp"
 #include "swarmanoid_space/engine.hpp"
-#include "swarmanoid_space/entities.hpp"
-#include "swarmanoid_space/event.hpp"
-#include "swarmanoid_space/experiment.hpp"
-#include "swarmanoid_space/joints.hpp"
-#include "swarmanoid_space/overflow.hpp"
-#include "swarmanoid_space/positional_index.hpp"
-#include "swarmanoid_space/ray.hpp"
-#include "swarmanoid_space/structural_tree.hpp"
-#include "swarmanoid_space/terrain.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/index/positional_index.hpp"
+#include "swarmanoid_space/rays/ray.hpp"
+#include "swarmanoid_space/rays/terrain.hpp"
+#include "swarmanoid_space/state/attachments.hpp"
+#include "swarmanoid_space/state/bank.hpp"
+#include "swarmanoid_space/state/entities.hpp"
+#include "swarmanoid_space/state/event.hpp"
+#include "swarmanoid_space/state/joints.hpp"
+#include "swarmanoid_space/state/overflow.hpp"
+#include "swarmanoid_space/state/structural_tree.hpp"
 
 namespace swarmanoid {
 
@@ -71,8 +71,9 @@ class Space {
   StructuralTree structure;        ///< connect
   Attachments attachments;         ///< connect
   PositionalIndex index;           ///< index; as of the end of the last tick
-  std::vector<JointState> joints;  ///< move; rows of kMaxJoints, by entity row: those of model->joints
-  std::vector<Color> leds;         ///< actuate; rows of kMaxLeds, by entity row: the colours of model->led_positions
+  std::vector<JointState> joints;  ///< move; rows of EntityModel::kMaxJoints, by entity row: those of model->joints
+  std::vector<Color>
+      leds;  ///< actuate; rows of EntityModel::kMaxLeds, by entity row: the colours of model->led_positions
   std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
   std::vector<Event> events;           ///< of this tick, in order of happening
   std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks
@@ -90,15 +91,13 @@ class Space {
 
   std::vector<Engine*> engines;  ///< all, in the order of the experiment file
 
-  static constexpr std::size_t kMaxJoints = 8;
-  /// The states of an entity's joints, kMaxJoints of them.
-  JointState* jointsOf(Row row) { return &joints[static_cast<std::size_t>(row) * kMaxJoints]; }
-  const JointState* jointsOf(Row row) const { return &joints[static_cast<std::size_t>(row) * kMaxJoints]; }
+  /// The states of an entity's joints, EntityModel::kMaxJoints of them.
+  JointState* jointsOf(Row row) { return &joints[static_cast<std::size_t>(row) * EntityModel::kMaxJoints]; }
+  const JointState* jointsOf(Row row) const { return &joints[static_cast<std::size_t>(row) * EntityModel::kMaxJoints]; }
 
-  static constexpr std::size_t kMaxLeds = 16;
-  /// The colours of an entity's LEDs, kMaxLeds of them.
-  Color* ledsOf(Row row) { return &leds[static_cast<std::size_t>(row) * kMaxLeds]; }
-  const Color* ledsOf(Row row) const { return &leds[static_cast<std::size_t>(row) * kMaxLeds]; }
+  /// The colours of an entity's LEDs, EntityModel::kMaxLeds of them.
+  Color* ledsOf(Row row) { return &leds[static_cast<std::size_t>(row) * EntityModel::kMaxLeds]; }
+  const Color* ledsOf(Row row) const { return &leds[static_cast<std::size_t>(row) * EntityModel::kMaxLeds]; }
 
   /// Whether a ray of the bundle could meet anything; in doubt, yes. Its segments are not looked at. Far cheaper than
   /// casting. Thread-safe outside `move`.

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "space_display.hpp"
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid {
 

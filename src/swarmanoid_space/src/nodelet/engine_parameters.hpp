@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid {
 

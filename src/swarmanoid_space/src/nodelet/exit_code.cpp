@@ -13,7 +13,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "swarmanoid_interface/last_seconds.hpp"
+#include "swarmanoid_interface/process/last_seconds.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "swarmanoid_interface/exit_code.hpp"
+#include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid {
 

@@ -14,7 +14,7 @@
 #include <memory>
 #include <string>
 
-#include "swarmanoid_space/lockstep.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 
 namespace swarmanoid {
 

@@ -5,7 +5,7 @@
 
 #include <chrono>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 

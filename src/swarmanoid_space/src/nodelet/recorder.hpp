@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "space_options.hpp"
-#include "swarmanoid_space/out_folder.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/output/out_folder.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 

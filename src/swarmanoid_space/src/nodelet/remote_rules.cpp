@@ -4,9 +4,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "../inside_folder.hpp"
+#include "../output/inside_folder.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/experiment_lookup.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 
 namespace swarmanoid {
 namespace {

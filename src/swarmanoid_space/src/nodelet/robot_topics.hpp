@@ -19,7 +19,7 @@
 
 #include "space_parts.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid {
 

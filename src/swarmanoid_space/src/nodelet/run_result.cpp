@@ -3,8 +3,8 @@
 #include <sstream>
 #include <type_traits>
 
-#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {

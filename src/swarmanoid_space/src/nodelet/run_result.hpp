@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 

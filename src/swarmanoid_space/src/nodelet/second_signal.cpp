@@ -6,7 +6,7 @@
 #include <atomic>
 #include <mutex>
 
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid {
 namespace {

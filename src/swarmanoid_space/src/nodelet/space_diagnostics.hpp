@@ -7,7 +7,7 @@
 #include <string>
 
 #include "space_display.hpp"
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid {
 

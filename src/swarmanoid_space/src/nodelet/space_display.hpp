@@ -16,7 +16,7 @@
 #include "space_options.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid {
 

@@ -26,9 +26,9 @@
 #include "space_parts.hpp"
 #include "space_services.hpp"
 #include "swarmanoid_hosts/ros/log.hpp"
-#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_interface/user_code_watch.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
+#include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid {
 class SpaceNodelet final : public nodelet::Nodelet {

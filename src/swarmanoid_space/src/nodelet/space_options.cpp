@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "parameter_reader.hpp"
-#include "swarmanoid_space/experiment_lookup.hpp"
-#include "swarmanoid_space/limits.hpp"
-#include "swarmanoid_space/override_text.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_space/experiment_file/override_text.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
 namespace {

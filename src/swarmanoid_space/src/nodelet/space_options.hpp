@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/experiment.hpp"
-#include "swarmanoid_space/lockstep.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
 
 namespace ros {

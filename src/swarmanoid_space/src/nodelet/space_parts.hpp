@@ -7,7 +7,7 @@
 
 #include "nodelet_loader.hpp"
 #include "swarmanoid_interface/attachment_point.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 

@@ -4,7 +4,7 @@
 
 #include "../ros/entity_specification.hpp"
 #include "swarmanoid_hosts/ros/device_messages.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {

@@ -16,7 +16,7 @@
 
 #include <vector>
 
-#include "swarmanoid_space/simulation_thread.hpp"
+#include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid {
 

@@ -3,7 +3,7 @@
 
 #include <swarmanoid_msgs/EntitySpecification.h>
 
-#include "swarmanoid_space/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
 
 namespace swarmanoid {
 

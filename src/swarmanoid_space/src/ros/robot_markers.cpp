@@ -4,7 +4,7 @@
 
 #include <map>
 
-#include "../read_urdf.hpp"
+#include "../models/read_urdf.hpp"
 #include "marker.hpp"
 #include "swarmanoid_space/ros/transforms.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"

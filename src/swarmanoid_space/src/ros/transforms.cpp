@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "../read_urdf.hpp"
+#include "../models/read_urdf.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 

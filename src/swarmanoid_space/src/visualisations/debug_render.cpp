@@ -2,7 +2,7 @@
 #include <map>
 #include <utility>
 
-#include "swarmanoid_space/out_file.hpp"
+#include "swarmanoid_space/output/out_file.hpp"
 
 namespace swarmanoid {
 namespace {

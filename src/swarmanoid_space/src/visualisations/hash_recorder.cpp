@@ -1,7 +1,7 @@
 // The state hash of every tick, for comparing runs.
 #include <iomanip>
 
-#include "swarmanoid_space/out_file.hpp"
+#include "swarmanoid_space/output/out_file.hpp"
 
 namespace swarmanoid {
 namespace {

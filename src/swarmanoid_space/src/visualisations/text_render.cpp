@@ -5,7 +5,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "swarmanoid_space/out_file.hpp"
+#include "swarmanoid_space/output/out_file.hpp"
 
 namespace swarmanoid {
 namespace {

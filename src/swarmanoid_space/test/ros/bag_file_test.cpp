@@ -15,7 +15,7 @@
 #include <random>
 
 #include "../../src/ros/recording/bag_writer.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "swarmanoid_space/ros/markers.hpp"
-#include "swarmanoid_space/simulation.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -10,10 +10,10 @@
 #include <filesystem>
 
 #include "../small_world.hpp"
-#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_interface/temporary_folder.hpp"
-#include "swarmanoid_space/out_folder.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
+#include "swarmanoid_interface/process/temporary_folder.hpp"
+#include "swarmanoid_space/output/out_folder.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -7,10 +7,10 @@
 
 #include "../../replay/report.hpp"
 #include "read_bag.hpp"
-#include "swarmanoid_interface/exit_code.hpp"
-#include "swarmanoid_interface/math_library.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_interface/user_code.hpp"
+#include "swarmanoid_interface/process/exit_code.hpp"
+#include "swarmanoid_interface/process/math_library.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid::replay {
 namespace {

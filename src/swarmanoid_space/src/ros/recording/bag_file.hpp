@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/out_descriptor.hpp"
+#include "swarmanoid_space/output/out_descriptor.hpp"
 
 namespace swarmanoid {
 

@@ -6,7 +6,7 @@
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
 #include "swarmanoid_interface/frame_parts.hpp"
-#include "swarmanoid_space/controller_frames.hpp"
+#include "swarmanoid_space/lockstep/controller_frames.hpp"
 
 namespace swarmanoid {
 namespace {

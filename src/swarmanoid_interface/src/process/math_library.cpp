@@ -1,0 +1,90 @@
+#include "swarmanoid_interface/process/math_library.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <string_view>
+
+#if defined(__GLIBC__)
+#include <gnu/libc-version.h>
+#if defined(__x86_64__)
+#if defined(__clang__)
+// the header's own functions are C, and clang knows this word in C only. NOLINTNEXTLINE(bugprone-reserved-identifier)
+#define _Bool bool
+#endif
+#include <sys/platform/x86.h>
+#endif
+#endif
+
+namespace swarmanoid {
+namespace {
+
+constexpr const char* kVariable = "GLIBC_TUNABLES";
+constexpr std::string_view kName = "glibc.cpu.hwcaps=";
+
+/// As the C library itself chooses (sysdeps/x86_64/fpu/multiarch): what the processor has and nobody has hidden.
+bool isFused() {
+#if defined(__GLIBC__) && defined(__x86_64__)
+  return (CPU_FEATURE_ACTIVE(FMA) && CPU_FEATURE_ACTIVE(AVX2)) || CPU_FEATURE_ACTIVE(FMA4);
+#else
+  return false;
+#endif
+}
+
+bool lists(const std::string& features, const std::string& feature) {
+  return ("," + features + ",").find("," + feature + ",") != std::string::npos;
+}
+
+}  // namespace
+
+bool isMathLibraryFixed() { return !isFused(); }
+
+std::string mathLibrary() {
+#if defined(__GLIBC__)
+  std::string name = std::string("glibc ") + gnu_get_libc_version();
+#else
+  std::string name = "not glibc";
+#endif
+#if defined(__x86_64__)
+  name += isFused() ? ", x86-64 with FMA" : ", any x86-64";
+#endif
+  return name;
+}
+
+std::string tunablesOfFixedMathLibrary(const std::string& tunables) {
+  const std::string list = ":" + tunables;
+  const auto name = list.rfind(":" + std::string(kName));  // of several lists the last one counts
+  if (name == std::string::npos) {
+    return tunables + (tunables.empty() ? "" : ":") + std::string(kName) + "-FMA,-FMA4";
+  }
+  const auto start = name + kName.size();  // in the value as it was given, one character less
+  const auto end = std::min(tunables.find(':', start), tunables.size());
+  std::string features = tunables.substr(start, end - start);
+  for (const std::string feature : {"-FMA", "-FMA4"}) {
+    if (!lists(features, feature)) {
+      features += (features.empty() ? "" : ",") + feature;
+    }
+  }
+  return tunables.substr(0, start) + features + tunables.substr(end);
+}
+
+void fixMathLibrary(char** arguments) {
+  if (isMathLibraryFixed()) {
+    return;
+  }
+  const char* const found = std::getenv(kVariable);
+  const std::string before = found == nullptr ? "" : found;
+  const std::string after = tunablesOfFixedMathLibrary(before);
+  std::error_code error;
+  // by its name: as /proc/self/exe it would be called exe in lists of processes
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (after == before || error) {
+    return;  // asked for already, in vain; or nothing to start anew
+  }
+  setenv(kVariable, after.c_str(), 1);
+  execv(program.c_str(), arguments);
+}
+
+}  // namespace swarmanoid

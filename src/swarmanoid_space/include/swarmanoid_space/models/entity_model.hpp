@@ -1,0 +1,152 @@
+/// What an entity of one type is made of: shapes, height, joints, wheels, gripper, mounts. Shared by all entities of
+/// that type.
+///
+/// Robots' models come from their URDF (swarmanoid_description), those of blocks and preys from the experiment file.
+/// Frames: everything is in the body frame B: x ahead, y left, z up, origin where the entity's pose is (REP-103). A
+/// robot's origin is on the ground under its centre, a prey's at the centre of its lower face, a block's at its centre.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/color.hpp"
+
+namespace swarmanoid {
+
+/// A convex solid, in the body frame.
+struct CollisionShape {
+  enum class Kind { kCylinder, kBox, kSphere };
+
+  Kind kind = Kind::kCylinder;
+  Eigen::Vector3d half_extent = Eigen::Vector3d::Zero();  ///< cylinder: radius, radius, half height; sphere: radius [m]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< of the shape's centre [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  int joint = -1;  ///< of whose link it is part, as an index of EntityModel::joints; -1: of the body
+};
+
+/// A place on the body where a device sits.
+struct Mount {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+  int joint = -1;  ///< that turns it, as an index of EntityModel::joints; -1: none
+};
+
+/// How a part resists to being moved.
+struct Inertial {
+  double mass = 0.0;                                         ///< [kg]
+  Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();         ///< about the centre of mass, along body axes [kg m2]
+
+  /// Joins another part to this one.
+  void add(const Inertial& part);
+};
+
+struct EntityModel {
+  static constexpr std::size_t kMaxJoints = 8;
+  static constexpr std::size_t kMaxLeds = 16;
+
+  std::string type;   ///< the tag in `<arena>`: "footbot", "block", ...
+  std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...; one word
+
+  std::vector<CollisionShape> shapes;
+  double lowest = 0.0;             ///< of the shapes, along body z [m]
+  double highest = 0.0;            ///< of the shapes, along body z [m]
+  double bounding_radius = 0.0;    ///< of a sphere around the body's origin that holds all shapes [m]
+  double horizontal_radius = 0.0;  ///< of a circle around body z that holds all shapes seen from above [m]
+
+  // How it resists as a whole, with all joints at zero; of no meaning to engines without forces, and for what is not
+  // movable.
+  double mass = 0.0;                                         ///< [kg]
+  Eigen::Vector3d centre_of_mass = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();         ///< about the centre of mass, along body axes [kg m2]
+
+  bool is_robot = false;
+  bool is_movable = false;                ///< may be moved by an engine
+  bool is_ferromagnetic = false;          ///< magnets of ropes and eyebots hold on it
+  double origin_height = 0.0;             ///< of the body's origin over what it stands on [m]
+  std::optional<double> gripping_radius;  ///< there is a gripping strip, at this distance around body z [m]
+
+  /// A joint that turns a link, with all that hangs on it, against what carries it. Wheels are not among them.
+  struct Joint {
+    std::string name;  ///< of the joint in the URDF
+    std::string link;  ///< that it turns
+    int carrier = -1;  ///< the joint whose link carries this one; -1: the body does
+    // All places with all joints at zero, in the body frame.
+    Mount frame;                                      ///< of the link; the joint is at its origin
+    Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< positive turns are right-handed about it
+    double lower = 0.0;                               ///< [rad]; -infinity if it turns without end
+    double upper = 0.0;                               ///< [rad]; infinity if it turns without end
+    double max_speed = 0.0;                           ///< [rad/s]
+    double max_effort = 0.0;                          ///< [N m]
+    Inertial part;                                    ///< of the link and what is fixed to it
+  };
+  std::vector<Joint> joints;  ///< carriers before what they carry
+  Inertial body_part;         ///< what no joint turns
+
+  /// @return the index of a joint; -1 if there is none of that name
+  int findJoint(const std::string& name) const;
+
+  /// Differential drive: wheels on the body's y axis.
+  struct Wheels {
+    double radius = 0.0;      ///< [m]
+    double separation = 0.0;  ///< between the wheels' middles [m]
+    double max_speed = 0.0;   ///< angular velocity [rad/s]
+  };
+  std::optional<Wheels> wheels;
+
+  /// The gripper's tip, on the body's x axis.
+  struct Gripper {
+    double tip = 0.0;     ///< distance of the tip from body z [m]
+    double height = 0.0;  ///< above the body's origin [m]
+  };
+  std::optional<Gripper> gripper;
+
+  std::map<std::string, Mount> mounts;         ///< URDF frames by link name, relative to the body
+  std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points, at most 64, at which cameras see colour [m]
+  std::string urdf;                            ///< the whole URDF text; empty if there is none
+
+  /// Fills `lowest`, `highest` and the two radii from `shapes`.
+  void measureShapes();
+
+  /// Joins a part to what the model weighs so far.
+  void addMass(const Inertial& part);
+
+  /// @throws std::out_of_range naming the mount and the type
+  const Mount& mount(const std::string& name) const;
+};
+
+/// Reads a robot's URDF. The root link is `base_link`, the body frame. Links' collision elements (boxes, cylinders,
+/// spheres) become shapes, all links become mounts, both placed with all joints at zero. Revolute and continuous joints
+/// become joints (at most EntityModel::kMaxJoints). By name: `left_wheel` and `right_wheel`
+/// joints (continuous, axis y, with a limit of velocity; their child links' widest cylinder is the wheel) make a
+/// differential drive; a link `gripper_tip` makes a gripper; links `led_0`, `led_1`, ... (at most
+/// EntityModel::kMaxLeds) make LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is
+/// not a shape).
+/// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
+std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
+
+/// The model of a robot type of this installation (`swarmanoid_description/urdf/<type>.urdf`); loaded once a process.
+/// Thread-safe.
+/// @throws ConfigError if there is no such robot
+std::shared_ptr<const EntityModel> robotModel(const std::string& type);
+
+/// A solid upright box with the origin at its centre. @param size lengths along x, y, z [m]
+/// @param mass [kg]; 0: it is fixed to the ground
+std::shared_ptr<const EntityModel> blockModel(const Eigen::Vector3d& size, double mass = 0.0,
+                                              bool is_ferromagnetic = false);
+
+constexpr double kPreyMass = 0.3;  ///< what a prey weighs that the experiment file says nothing about [kg]
+
+/// A solid upright cylinder with the origin at the centre of its lower face and a gripping strip around it.
+/// Its one LED position, at the middle, is where cameras see its colour. @param radius, height [m]
+std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass = kPreyMass);
+
+/// A lamp: no shape, one LED position at its origin.
+std::shared_ptr<const EntityModel> lightModel();
+
+}  // namespace swarmanoid

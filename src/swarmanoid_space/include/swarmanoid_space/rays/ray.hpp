@@ -1,0 +1,35 @@
+/// Rays: how sensors and lasers feel for surfaces, across all engines.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_space/state/entities.hpp"
+
+namespace swarmanoid {
+
+/// A straight line from one point to another, in W [m].
+struct Segment {
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();
+};
+
+/// Where a segment first meets a surface. A segment that starts inside a solid meets it at fraction 0.
+struct RayHit {
+  double fraction = 1.0;  ///< of the way from `from` to `to`
+  Row row = kNoRow;       ///< what was met; kNoRow: nothing, or the terrain, which is no entity
+
+  /// Whether anything was met, be it an entity or the terrain.
+  bool isHit() const { return fraction < 1.0; }
+};
+
+/// Segments cast together, such as a ring of sensors: one look-up of what is near serves all.
+struct RayBundle {
+  Span<const Segment> segments;
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of a sphere that holds all segments
+  double radius = 0.0;                               ///< of that sphere [m]
+  Row ignored = kNoRow;                              ///< an entity that the rays pass through (who casts them)
+  Row also_ignored = kNoRow;                         ///< a second one (who is looked at)
+};
+
+}  // namespace swarmanoid

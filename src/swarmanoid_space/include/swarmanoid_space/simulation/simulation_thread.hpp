@@ -1,0 +1,143 @@
+/// Runs a simulation on a thread of its own, at a chosen pace; others pause it, step it and act on it between ticks.
+///
+/// Threads  all functions from any thread but the simulation's own. They wait for the tick boundary, so when one
+///          returns, what it asked for is done and nobody sees a half-updated space. A tick that waits for participants
+///          lets them through: see Simulation::tick.
+/// Time     paced by the wall clock; nothing here changes what a tick computes.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <future>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+
+/// The simulation's thread is in users' code, and has been for too long to wait for it (user_code_watch.hpp).
+class SimulationBusy : public std::runtime_error {
+ public:
+  /// @param call as lateUserCall() says it
+  explicit SimulationBusy(const std::string& call) : std::runtime_error("busy in " + call) {}
+};
+
+/// Whoever waits for the simulation's thread gets a SimulationBusy instead when that is late in users' code: what was
+/// asked for is not done then, unless it has begun.
+class SimulationThread {
+ public:
+  enum class State {
+    kPaused,
+    kRunning,
+    kStepping,  ///< paused, with ticks of a step under way
+    kFinished,  ///< only a reset goes on from here
+    kStopped    ///< for good: stop() was called, or a tick threw
+  };
+
+  struct Options {
+    bool paused = false;
+    double real_time_factor = 0.0;  ///< simulated seconds for each real one; 0: as fast as possible
+    /// Called at a tick boundary, on the simulation's thread, after every change of state and every completed call:
+    /// whoever publishes only now and then has to do it now. The text says why it is kStopped.
+    std::function<void(const Simulation&, State, const std::string&)> on_change;
+  };
+
+  struct StepResult {
+    bool is_complete = false;
+    std::string message;  ///< why it is not
+    std::uint64_t tick = 0;
+    Time time;  ///< never goes back, see Space::time_before_reset
+  };
+
+  /// Starts the simulation, which has not been started.
+  SimulationThread(std::unique_ptr<Simulation> simulation, Options options);
+  /// Stops; what visualisations write is completed.
+  ~SimulationThread();
+  SimulationThread(const SimulationThread&) = delete;
+  SimulationThread& operator=(const SimulationThread&) = delete;
+
+  State state() const;
+  /// Why it is kStopped; "" if it is not.
+  std::string stopReason() const;
+
+  /// Ends a step that is under way too. @return false if it was paused already @throws std::runtime_error if stopped
+  bool pause();
+  /// @return false if it was running already @throws std::runtime_error if finished or stopped
+  bool resume();
+  /// Makes `ticks` ticks as fast as possible and waits for them. Only while paused, one at a time.
+  StepResult step(std::uint64_t ticks);
+
+  /// Acts on the simulation at the next tick boundary. What `action` throws is thrown here.
+  /// @throws std::runtime_error if stopped
+  void call(const std::function<void(Simulation&)>& action);
+
+  /// The same for an action that calls users' code. It owns what it uses, for it may go on after this has thrown a
+  /// SimulationBusy.
+  void callUsers(const std::function<void(Simulation&)>& action);
+
+  /// The same for who only looks; nobody is told of it.
+  void look(const std::function<void(const Simulation&)>& action) const;
+
+  /// Back to before the first tick, paused or running as it is. See Simulation::reset.
+  /// @throws what that throws; the run is stopped then
+  void reset(std::optional<std::uint64_t> seed, bool rewind);
+
+  /// Ends the run at the next tick boundary, and completes what visualisations write. Later reasons are ignored.
+  void stop(const std::string& reason);
+
+ private:
+  struct JobKind {
+    bool is_change = true;
+    bool owns_all = false;  ///< nobody has to wait for its end
+  };
+  struct Job {
+    std::function<void()> action;
+    JobKind kind;
+    std::uint64_t number;
+    std::promise<void> done;
+  };
+  struct Step {
+    explicit Step(std::uint64_t ticks) : left(ticks) {}
+    std::uint64_t left;
+    std::promise<StepResult> done;
+  };
+
+  void run();
+  void runJobs(std::unique_lock<std::mutex>& lock);
+  void makeTick(std::unique_lock<std::mutex>& lock);
+  bool waitUntilDue(std::unique_lock<std::mutex>& lock);
+  void endStep(const std::string& problem);
+  void complete();
+  void announce();
+  void enqueueAndWait(std::function<void()> action, JobKind kind) const;
+  bool letGo(std::uint64_t job, JobKind kind) const;
+
+  std::unique_ptr<Simulation> simulation_;
+  Options options_;
+
+  mutable std::mutex mutex_;  // guards what follows
+  mutable std::condition_variable wake_;
+  mutable std::deque<Job> jobs_;
+  mutable std::uint64_t last_job_ = 0;
+  State state_ = State::kPaused;
+  bool is_over_ = false;                       // the thread takes no more jobs
+  mutable std::atomic<bool> has_jobs_{false};  // written under the mutex, read by a tick that waits
+  std::optional<std::string> stop_reason_;
+
+  // only used on the thread
+  std::optional<Step> step_;
+  bool is_tick_given_up_ = false;  // it is due, however long the others took
+  std::optional<std::chrono::steady_clock::time_point> next_tick_;
+
+  std::thread thread_;
+};
+
+}  // namespace swarmanoid

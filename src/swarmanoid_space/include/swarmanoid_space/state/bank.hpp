@@ -1,0 +1,98 @@
+/// Banks: all instances of one device type together, at addresses that stay as long as the robot does.
+///
+/// A bank is chunks of slots. Adding never moves a slot; removing leaves a hole that a later robot may fill. Devices
+/// meet by the string `Device::kType`, so plugins that were built apart share a bank.
+///
+/// Threads  add and remove only at a tick boundary; slots of different robots may be written at the same time.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_space/state/entities.hpp"
+
+namespace swarmanoid {
+
+class BankBase {
+ public:
+  virtual ~BankBase() = default;
+  /// @return the slot of an entity; null if it has none
+  virtual void* findSlot(Row row) = 0;
+  virtual void remove(Row row) = 0;
+};
+
+template <class Device>
+class Bank final : public BankBase {
+ public:
+  /// A slot with the device's initial value. @pre the entity has none
+  Device& add(Row row) {
+    const auto index = static_cast<std::size_t>(row);
+    if (slot_of_row_.size() <= index) {
+      slot_of_row_.resize(index + 1, nullptr);
+    }
+    if (holes_.empty()) {
+      chunks_.push_back(std::make_unique<Device[]>(kChunkSize));
+      for (std::size_t i = kChunkSize; i > 0; --i) {
+        holes_.push_back(&chunks_.back()[i - 1]);
+      }
+    }
+    Device* slot = holes_.back();
+    holes_.pop_back();
+    *slot = Device{};
+    slot_of_row_[index] = slot;
+    return *slot;
+  }
+
+  void remove(Row row) override {
+    if (Device* slot = find(row)) {
+      holes_.push_back(slot);
+      slot_of_row_[static_cast<std::size_t>(row)] = nullptr;
+    }
+  }
+
+  Device* find(Row row) const {
+    const auto index = static_cast<std::size_t>(row);
+    return index < slot_of_row_.size() ? slot_of_row_[index] : nullptr;
+  }
+
+  void* findSlot(Row row) override { return find(row); }
+
+ private:
+  static constexpr std::size_t kChunkSize = 256;
+
+  std::vector<std::unique_ptr<Device[]>> chunks_;
+  std::vector<Device*> holes_;
+  std::vector<Device*> slot_of_row_;
+};
+
+/// The banks of one purpose (readings, commands or actuation), by device type.
+class Banks {
+ public:
+  template <class Device>
+  Bank<Device>& bank() {
+    std::unique_ptr<BankBase>& bank = banks_[Device::kType];
+    if (!bank) {
+      bank = std::make_unique<Bank<Device>>();
+    }
+    return static_cast<Bank<Device>&>(*bank);
+  }
+
+  /// The device of an entity; null if it has none of that type.
+  template <class Device>
+  const Device* find(Row row) const {
+    return static_cast<const Device*>(find(Device::kType, row));
+  }
+  void* find(const std::string& type, Row row) const {
+    const auto bank = banks_.find(type);
+    return bank == banks_.end() ? nullptr : bank->second->findSlot(row);
+  }
+
+  void clear() { banks_.clear(); }
+
+ private:
+  std::map<std::string, std::unique_ptr<BankBase>> banks_;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,79 @@
+/// All entities, as arrays: one row an entity (thesis 3.4: identifier, position, heading).
+///
+/// A row is reused after its entity is deleted; an entity number never is. Whatever must not depend on history (hashes,
+/// random streams, orders) goes by entity number, which is what `order` is sorted by.
+///
+/// Frames: W, the space's own frame, x, y, z with z up. SI units.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
+
+namespace swarmanoid {
+
+using Row = std::int32_t;            ///< where an entity stands in the arrays; valid within a tick
+using EntityNumber = std::uint64_t;  ///< an entity for ever; the first is 1, 0 is nobody
+
+constexpr Row kNoRow = -1;
+constexpr EntityNumber kNobody = 0;
+
+/// Position and orientation in W.
+struct Pose {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();
+  Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+};
+
+/// Velocities of the body's origin, expressed in W.
+struct Twist {
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< [m/s]
+  Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
+};
+
+/// From the Euler angles of experiment files: turns about W's x, then y, then z axis. @param angles [rad]
+Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles);
+
+/// The inverse: alpha and gamma from -pi to pi, beta from -pi/2 to pi/2 [rad]; at the ends of beta alpha is 0.
+Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& orientation);
+
+class Entities {
+ public:
+  /// @pre no entity has that name
+  Row add(const std::string& name, std::shared_ptr<const EntityModel> model, const Pose& pose, Color color);
+  void remove(Row row);
+  /// Forgets everything, entity numbers too.
+  void clear() { *this = Entities(); }
+
+  /// @return kNoRow if there is none
+  Row find(const std::string& name) const;
+  Row find(EntityNumber number) const;
+
+  std::size_t size() const { return order.size(); }
+  /// One more than the highest row in use; rows below may be holes.
+  std::size_t rowCount() const { return number.size(); }
+  bool isAlive(Row row) const { return number[static_cast<std::size_t>(row)] != kNobody; }
+
+  std::vector<Row> order;  ///< living rows, by entity number
+
+  // Columns, by row. `pose` and `twist` are written by the engine that moves the entity, and by nobody else.
+  std::vector<EntityNumber> number;
+  std::vector<std::string> name;
+  std::vector<std::shared_ptr<const EntityModel>> model;
+  std::vector<Pose> pose;
+  std::vector<Twist> twist;
+  std::vector<Color> color;  ///< of the entity's own surface (preys); black: none that a camera would see
+
+ private:
+  std::vector<Row> holes_;
+  std::unordered_map<std::string, Row> row_by_name_;
+  EntityNumber last_number_ = 0;
+};
+
+}  // namespace swarmanoid

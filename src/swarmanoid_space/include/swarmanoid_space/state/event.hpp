@@ -1,0 +1,40 @@
+/// What happened in a tick, in words that a recording can tell the story with.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "swarmanoid_space/state/entities.hpp"
+
+namespace swarmanoid {
+
+struct Event {
+  enum class Kind {
+    kAttached,          ///< `entity` grips `other`
+    kReleased,          ///< `entity` let go of `other`
+    kControllerFailed,  ///< the controller of `entity` threw or commanded a number that is none; the robot stops
+    kLeftArena,         ///< `entity` is outside the arena's size since this tick
+    kOverflow,          ///< a sensor of `entity` saw more than it can report
+    kSpawned,
+    kDeleted,
+    kMoved,         ///< put elsewhere from outside
+    kIntervention,  ///< anything else that came from outside
+    kFinished,
+    kHandedOver,       ///< another engine moves `entity` from now on; the text says which
+    kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why
+    kEngineTrouble,    ///< an engine had to make do with something worse than its method; the text says which and what
+    kParticipantLate,  ///< a process that commands robots has not answered in time; the text says what follows
+    kParticipantJoined,  ///< one has registered, or is back
+    kAnswerRefused       ///< one answered twice, or for a wrong tick; the first time
+  };
+
+  Kind kind;
+  std::string entity;
+  std::string other;
+  std::string text;
+};
+
+/// "attached", "released", ...
+const char* toString(Event::Kind kind);
+
+}  // namespace swarmanoid

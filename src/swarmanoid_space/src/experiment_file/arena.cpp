@@ -1,0 +1,160 @@
+// <arena>: what stands where.
+#include <algorithm>
+#include <cmath>
+
+#include "door.hpp"
+#include "reader.hpp"
+#include "swarmanoid_space/models/entity_type.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid::experiment {
+namespace {
+
+constexpr double kRadPerDeg = M_PI / 180.0;
+
+std::vector<std::string> arenaTags() {
+  std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
+  const std::vector<std::string> others = tagsIn("arena");
+  tags.insert(tags.end(), others.begin(), others.end());
+  return tags;
+}
+
+/// The choice that an attribute makes; without the attribute the choice is `fallback`, if there is one.
+std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
+                       const std::optional<std::string>& fallback) {
+  Parameter choice = makeParameter(name, Parameter::Type::kChoice, "", std::nullopt, {}, "");
+  choice.choices = choices;
+  const auto given = element.attribute(name);
+  std::string text = fallback ? given.value_or(*fallback) : element.requireAttribute(name);
+  checkValue(choice, text, element.attributeLocation(name));
+  return text;
+}
+
+EntityDescription readEntity(const XmlElement& element, bool is_distributed, Reader& reader) {
+  element.allowAttributes(attributesOf("arena/*"));
+  const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEntity, element, "");
+  EntityDescription entity;
+  entity.location = element.location();
+  entity.type = entry.description.label;
+  entity.id = element.requireAttribute("id");
+  reader.takeId("entity", entity.id, element);
+
+  const std::vector<Parameter> table = entityParameters(entry.description, is_distributed);
+  const bool is_robot = makePlugin<EntityType>(entry)->isRobot();
+  entity.parameters =
+      readParameters(element, table, is_robot ? std::vector<std::string>{"controller"} : std::vector<std::string>{});
+  entity.position = is_distributed ? Eigen::Vector3d(0, 0, 0) : entity.parameters.vector3("position");
+  entity.angles = entity.parameters.vector3("orientation") * kRadPerDeg;
+  entity.color = entity.parameters.color("color", colors::kBlack);
+  if (const auto controller = element.child("controller")) {
+    controller->allowAttributes(attributesOf("arena/*/controller"));
+    entity.source = *parseCommandSource(readChoice(*controller, "source", commandSources(), commandSources().front()));
+    if (const auto timeout = controller->attribute("timeout")) {
+      const SourceLocation location = controller->attributeLocation("timeout");
+      const double seconds = parseNumber(*timeout, "timeout", location, kCommandTimeoutRange);
+      if (entity.source != CommandSource::kTopics) {
+        throw ConfigError(location, "found timeout with source=\"" + std::string(toString(entity.source)) +
+                                        "\", allowed: with source=\"topics\"");
+      }
+      entity.command_timeout = std::chrono::duration_cast<Duration>(std::chrono::duration<double>(seconds));
+    }
+    entity.controller = controller->text();
+    entity.controller_location = controller->location();
+    if (entity.controller.empty()) {
+      controller->refuse("controller: found '', allowed: the id of a controller");
+    }
+  }
+  return entity;
+}
+
+void readDistribute(const XmlElement& element, Reader& reader) {
+  element.allowAttributes(attributesOf("arena/distribute"));
+  std::vector<std::string> entity_tags = Registry::instance().labels(PluginKind::kEntity);
+  const Configuration values = readParameters(element, distributeParameters(), entity_tags);
+  Distribution distribution;
+  distribution.quantity = static_cast<std::size_t>(parseInteger(element.requireAttribute("quantity"), "quantity",
+                                                                element.attributeLocation("quantity"), kQuantityRange));
+  const bool is_grid = readChoice(element, "layout", layouts(), layouts().front()) == "grid";
+  distribution.layout = is_grid ? Distribution::Layout::kGrid : Distribution::Layout::kUniform;
+  distribution.location = element.location();
+  distribution.minimum = values.vector3("minimum");
+  distribution.maximum = values.vector3("maximum");
+  if (!((distribution.maximum - distribution.minimum).minCoeff() >= 0.0)) {
+    element.child("maximum")->refuse("maximum: found '" + values.text("maximum") +
+                                     "', allowed: nothing below minimum, '" + values.text("minimum") + "'");
+  }
+  distribution.random_heading = values.boolean("random_heading");
+  distribution.max_trials = static_cast<int>(values.integer("max_trials"));
+
+  std::vector<EntityDescription> prototypes;
+  for (const XmlElement& child : element.children()) {
+    if (std::find(entity_tags.begin(), entity_tags.end(), child.name()) != entity_tags.end()) {
+      prototypes.push_back(readEntity(child, true, reader));
+    }
+  }
+  if (prototypes.size() != 1) {
+    element.refuse("found " + std::to_string(prototypes.size()) + " entities in <distribute>, allowed: one");
+  }
+  if (distribution.random_heading && prototypes[0].angles.z() != 0.0) {
+    const Configuration& orientation = *prototypes[0].parameters.find("orientation");
+    throw ConfigError(orientation.location(), "orientation: found '" + orientation.text() +
+                                                  "' while random_heading is true, allowed: a third angle of 0");
+  }
+  prototypes[0].distribution = distribution;
+  reader.takeNumberedIds(prototypes[0].id, distribution.quantity, element);
+  reader.experiment.arena.entities.push_back(std::move(prototypes[0]));
+}
+
+void readFloorPatch(const XmlElement& element, Reader& reader) {
+  element.allowAttributes(attributesOf("arena/floor_patch"));
+  FloorPatch patch;
+  patch.location = element.location();
+  patch.id = element.requireAttribute("id");
+  reader.takeId("entity", patch.id, element);
+  const Configuration values = readParameters(element, floorPatchParameters());
+  patch.position = values.vector3("position");
+  patch.radius = values.number("radius");
+  patch.size = values.vector2("size");
+  patch.color = values.color("color");
+  const bool has_size = patch.size != Eigen::Vector2d::Zero();
+  if ((patch.radius > 0.0) == has_size || (has_size && !(patch.size.minCoeff() > 0.0))) {
+    element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
+                   values.text("size") + "', allowed: one of them greater than 0");
+  }
+  reader.experiment.arena.floor_patches.push_back(patch);
+}
+
+}  // namespace
+
+void readArena(const XmlElement& section, Reader& reader) {
+  section.allowAttributes(attributesOf("arena"));
+  ArenaDescription& arena = reader.experiment.arena;
+  arena.location = section.location();
+  const std::string size = section.requireAttribute("size");
+  const std::vector<double> lengths =
+      parseNumbers(size, 3, "size", section.attributeLocation("size"), limits::kArenaSide);
+  arena.size = {lengths[0], lengths[1], lengths[2]};
+  const bool is_3d = readChoice(section, "optimization", optimizations(), std::nullopt) == "3D";
+  arena.optimization = is_3d ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
+  arena.bounded =
+      parseBoolean(section.attribute("bounded").value_or("false"), "bounded", section.attributeLocation("bounded"));
+
+  section.allowChildren(arenaTags());
+  for (const XmlElement& element : section.children()) {
+    if (element.name() == "distribute") {
+      readDistribute(element, reader);
+    } else if (element.name() == "floor_patch") {
+      readFloorPatch(element, reader);
+    } else if (element.name() == "heightfield") {
+      readHeightfield(element, reader);
+    } else {
+      arena.entities.push_back(readEntity(element, false, reader));
+    }
+  }
+  // as whoever builds the space does, so that a mistake is reported before anything is built
+  for (const EntityDescription& entity : arena.entities) {
+    door::check(entity, reader.experiment);
+  }
+}
+
+}  // namespace swarmanoid::experiment

@@ -1,0 +1,199 @@
+#include "door.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "parameter_table.hpp"
+#include "swarmanoid_space/models/entity_type.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid::door {
+namespace {
+
+[[noreturn]] void refuse(const SourceLocation& location, const std::string& what, const std::string& found,
+                         const std::string& allowed) {
+  throw ConfigError(location, what + ": found '" + found + "', allowed: " + allowed);
+}
+
+std::string textOf(const Eigen::Vector3d& v) {
+  return numberText(v.x()) + ", " + numberText(v.y()) + ", " + numberText(v.z());
+}
+
+SourceLocation locationOf(const EntityDescription& entity, const char* value) {
+  const Configuration* found = entity.parameters.find(value);
+  return found == nullptr || found->location().file.empty() ? entity.location : found->location();
+}
+
+const Registry::Entry& requireType(const EntityDescription& entity) {
+  const Registry::Entry* entry = Registry::instance().find(PluginKind::kEntity, entity.type);
+  if (entry == nullptr) {
+    const std::vector<std::string> known = Registry::instance().labels(PluginKind::kEntity);
+    refuse(entity.location, "type", entity.type, joinNames(known) + didYouMean(entity.type, known));
+  }
+  return *entry;
+}
+
+/// Each value once, of those that the type has, and within its bounds.
+void checkValues(const EntityDescription& entity, const PluginDescription& type) {
+  const std::vector<Parameter> table = experiment::entityParameters(type, false);
+  std::vector<std::string> names;
+  for (const Parameter& parameter : table) {
+    names.push_back(parameter.name);
+  }
+  std::set<std::string> given;
+  for (const Configuration& value : entity.parameters.children()) {
+    const SourceLocation& location = value.location().file.empty() ? entity.location : value.location();
+    const auto known = std::find(names.begin(), names.end(), value.name());
+    if (known == names.end()) {
+      refuse(location, "parameter of a " + entity.type, value.name(),
+             joinNames(names) + didYouMean(value.name(), names));
+    }
+    if (!given.insert(value.name()).second) {
+      throw ConfigError(location, "found a second '" + value.name() + "' of a " + entity.type + ", allowed: one");
+    }
+    experiment::checkValue(table[static_cast<std::size_t>(known - names.begin())], value.text(), location);
+  }
+  for (const Parameter& parameter : type.parameters) {
+    if (!parameter.value && given.count(parameter.name) == 0) {
+      throw ConfigError(entity.location, "a " + entity.type + " needs the parameter '" + parameter.name + "'");
+    }
+  }
+}
+
+void checkDevices(const SourceLocation& location, const EntityDescription& entity, PluginKind kind,
+                  const std::vector<DeviceDescription>& devices) {
+  for (const DeviceDescription& device : devices) {
+    const Registry::Entry* entry = Registry::instance().find(kind, device.type, device.implementation);
+    if (entry == nullptr) {
+      continue;  // its library is not loaded: `swarmanoid validate --no-libraries`
+    }
+    const auto& robots = entry->description.robots;
+    if (!robots.empty() && std::find(robots.begin(), robots.end(), entity.type) == robots.end()) {
+      throw ConfigError(location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
+                                      device.type + "', which a " + entity.type +
+                                      " does not have; it is for: " + joinNames(robots));
+    }
+  }
+}
+
+void checkController(const EntityDescription& entity, const EntityType& type, const Experiment& experiment) {
+  if (entity.controller.empty()) {
+    return;
+  }
+  const SourceLocation& location =
+      entity.controller_location.file.empty() ? entity.location : entity.controller_location;
+  if (!type.isRobot()) {
+    throw ConfigError(location, "a " + entity.type + " has no controller, found '" + entity.controller + "'");
+  }
+  const auto& controllers = experiment.controllers;
+  const auto found = std::find_if(controllers.begin(), controllers.end(),
+                                  [&](const auto& candidate) { return candidate.id == entity.controller; });
+  if (found == controllers.end()) {
+    std::vector<std::string> known;
+    for (const ControllerDescription& candidate : controllers) {
+      known.push_back(candidate.id);
+    }
+    throw ConfigError(location, "controller of a " + entity.type + ": " +
+                                    experiment::unknownName("the id", entity.controller, known));
+  }
+  checkDevices(location, entity, PluginKind::kActuator, found->actuators);
+  checkDevices(location, entity, PluginKind::kSensor, found->sensors);
+}
+
+/// Values that come from code do not know where they stand.
+std::shared_ptr<const EntityModel> makeModel(const EntityType& type, const EntityDescription& entity) {
+  try {
+    return type.makeModel(entity.parameters);
+  } catch (const ConfigError& error) {
+    if (error.location().file.empty()) {
+      throw ConfigError(entity.location, error.what());
+    }
+    throw;
+  }
+}
+
+}  // namespace
+
+bool isName(const std::string& text) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_good = [&](char c) { return is_letter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !text.empty() && is_letter(text[0]) && std::all_of(text.begin(), text.end(), is_good);
+}
+
+void check(const EntityDescription& entity, const Experiment& experiment) {
+  if (!isName(entity.id)) {
+    refuse(entity.location, "name", entity.id, kNamesAllowed);
+  }
+  const Registry::Entry& entry = requireType(entity);
+  checkValues(entity, entry.description);
+  if (!entity.angles.allFinite()) {
+    refuse(locationOf(entity, "orientation"), "orientation", textOf(entity.angles), "three finite numbers");
+  }
+  const auto type = makePlugin<EntityType>(entry);
+  checkController(entity, *type, experiment);
+  const auto model = makeModel(*type, entity);
+  if (!entity.distribution) {
+    checkPosition("position", entity.position, *model, experiment.arena, locationOf(entity, "position"));
+    return;
+  }
+  const Distribution& places = *entity.distribution;
+  checkPosition("minimum", places.minimum, *model, experiment.arena, places.location);
+  checkPosition("maximum", places.maximum, *model, experiment.arena, places.location);
+}
+
+void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
+                   const ArenaDescription& arena, const SourceLocation& location) {
+  constexpr double kEdge = 1e-3;  // m: as for the event left_arena
+  const double lowest = arena.terrain ? std::min(0.0, arena.terrain->bounds().min().z()) : 0.0;
+  Eigen::Vector3d least(-kEdge, -kEdge, lowest - kEdge);
+  Eigen::Vector3d most = arena.size.array() + kEdge;
+  if (!model.is_movable) {
+    least.fill(limits::kCoordinate.minimum);
+    most.fill(limits::kCoordinate.maximum);
+  }
+  const bool is_inside = (position.array() >= least.array()).all() && (position.array() <= most.array()).all();
+  if (is_inside) {
+    return;  // what is no number is not
+  }
+  if (!model.is_movable) {
+    refuse(location, what, textOf(position), "3 numbers, each " + limits::kCoordinate.toString());
+  }
+  refuse(location, what, textOf(position),
+         "in the arena, from 0, 0, " + numberText(lowest) + " to " + textOf(arena.size));
+}
+
+std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& claims,
+                        const std::vector<Named<Engine>>& engines) {
+  std::vector<Seat> seats;
+  bool is_moved = false;
+  const bool has_mover =
+      std::any_of(claims.begin(), claims.end(), [](const Claim& claim) { return claim.role == Role::kMove; });
+  for (const Claim& claim : claims) {
+    const auto found =
+        std::find_if(engines.begin(), engines.end(), [&](const auto& engine) { return engine->id() == claim.engine; });
+    if (found == engines.end()) {
+      std::vector<std::string> known;
+      for (const auto& engine : engines) {
+        known.push_back(engine->id());
+      }
+      throw ConfigError(claim.location, experiment::unknownName("the engine", claim.engine, known));
+    }
+    if (std::any_of(seats.begin(), seats.end(), [&](const Seat& seat) { return seat.engine == found->get(); })) {
+      throw ConfigError(claim.location,
+                        "found the entity '" + entity + "' twice in the engine '" + claim.engine + "', allowed: once");
+    }
+    // without a stated mover the first engine that lists the entity moves it
+    const Role role = claim.role.value_or(has_mover || is_moved ? Role::kMirror : Role::kMove);
+    if (role == Role::kMove && is_moved) {
+      throw ConfigError(claim.location,
+                        "found a second role=\"move\" for the entity '" + entity + "', allowed: one engine moves it");
+    }
+    is_moved = is_moved || role == Role::kMove;
+    seats.push_back({found->get(), role});
+  }
+  return seats;
+}
+
+}  // namespace swarmanoid::door

@@ -1,0 +1,85 @@
+// <engines> and <arena_physics>: which engines there are, and which entity is in which.
+#include "reader.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid::experiment {
+
+void readEngines(const XmlElement& section, Reader& reader) {
+  section.allowAttributes({});
+  section.refuseText();
+  for (const XmlElement& element : section.children()) {
+    element.allowAttributes(attributesOf("engines/*"));
+    EngineDescription engine;
+    engine.location = element.location();
+    engine.id = element.requireAttribute("id");
+    engine.library = element.attribute("library").value_or("");
+    reader.takeId("engine", engine.id, element);
+    const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEngine, element, engine.library);
+    engine.label = entry.description.label;
+    engine.parameters = readPluginParameters(element, entry.description);
+    reader.experiment.engines.push_back(std::move(engine));
+    if (reader.experiment.engines.size() > limits::kMostEngines) {
+      element.refuse("found more than " + std::to_string(limits::kMostEngines) + " engines, allowed: at most as many");
+    }
+  }
+}
+
+namespace {
+
+MappingDescription::Member readMember(const XmlElement& element, const KnownNames& entities) {
+  element.allowAttributes(attributesOf("arena_physics/engine/entity"));
+  element.allowChildren({});
+  MappingDescription::Member member;
+  member.location = element.location();
+  member.entity = element.requireAttribute("id");
+  if (!entities.has(member.entity)) {
+    throw ConfigError(element.attributeLocation("id"), unknownName("the entity", member.entity, entities.all));
+  }
+  if (const auto role = element.attribute("role")) {
+    Parameter choice = makeParameter("role", Parameter::Type::kChoice, "", std::nullopt, {}, "");
+    choice.choices = roles();
+    checkValue(choice, *role, element.attributeLocation("role"));
+    member.role = *role == "move" ? Role::kMove : Role::kMirror;
+  }
+  return member;
+}
+
+}  // namespace
+
+void readArenaPhysics(const XmlElement& section, Reader& reader) {
+  section.allowAttributes({});
+  section.allowChildren(tagsIn("arena_physics"));
+  KnownNames engines;
+  for (const EngineDescription& engine : reader.experiment.engines) {
+    engines.add(engine.id);
+  }
+  KnownNames entities;
+  for (const EntityDescription& entity : reader.experiment.arena.entities) {
+    entities.add(entity.id);
+  }
+  for (const XmlElement& element : section.children()) {
+    if (element.name() == "handover") {
+      readHandover(element, entities, engines, reader);
+      continue;
+    }
+    element.allowAttributes(attributesOf("arena_physics/engine"));
+    element.allowChildren(tagsIn("arena_physics/engine"));
+    MappingDescription mapping;
+    mapping.location = element.location();
+    mapping.engine = element.requireAttribute("id");
+    if (!engines.has(mapping.engine)) {
+      throw ConfigError(element.attributeLocation("id"), unknownName("the engine", mapping.engine, engines.all));
+    }
+    for (const MappingDescription& other : reader.experiment.mappings) {
+      if (other.engine == mapping.engine) {
+        element.refuse("found the engine '" + mapping.engine + "' twice, allowed: once");
+      }
+    }
+    for (const XmlElement& child : element.children()) {
+      mapping.members.push_back(readMember(child, entities));  // twice or not is seen when it comes into the space
+    }
+    reader.experiment.mappings.push_back(std::move(mapping));
+  }
+}
+
+}  // namespace swarmanoid::experiment

@@ -1,0 +1,52 @@
+/// Reading the values of an element by a table of parameters, the same tables that the schema is made from.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+#include "xml_element.hpp"
+
+namespace swarmanoid::experiment {
+
+/// Reads each child element that the table knows, checks it, and fills in defaults for those that are not there.
+/// @param others child elements that are allowed too and left alone
+/// @throws ConfigError for an unknown, doubled, missing or malformed value
+Configuration readParameters(const XmlElement& element, const std::vector<Parameter>& table,
+                             const std::vector<std::string>& others = {});
+
+/// Checks one value against its parameter. @throws ConfigError
+void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location);
+
+/// Short ways to write a table.
+Parameter makeParameter(const std::string& name, Parameter::Type type, const std::string& unit,
+                        std::optional<std::string> value, Range range, const std::string& description);
+
+// The tables of the sections themselves.
+const std::vector<Parameter>& frameworkParameters();
+/// Where an entity is. In <distribute> it has no position, and need not be turned.
+std::vector<Parameter> placementParameters(bool is_distributed);
+/// Of an entity: those of its type, and its placement. In <distribute> it has no position, and need not be turned.
+std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
+/// Of <floor_patch>; `radius` and `size` exclude each other.
+const std::vector<Parameter>& floorPatchParameters();
+/// Of <heightfield>.
+const std::vector<Parameter>& heightfieldParameters();
+/// Of <distribute>; quantity and layout are attributes.
+const std::vector<Parameter>& distributeParameters();
+/// Of <inside> and <outside> in <handover>.
+const std::vector<Parameter>& boxParameters();
+
+// What attributes may be.
+constexpr Range kCommandTimeoutRange{0.001, 3600.0};  // s
+constexpr Range kQuantityRange{1.0, static_cast<double>(limits::kMostEntities)};
+const std::vector<std::string>& layouts();
+const std::vector<std::string>& optimizations();
+const std::vector<std::string>& roles();
+/// Who may command a robot.
+const std::vector<std::string>& commandSources();
+/// What the ends of a grip are called.
+const std::vector<std::string>& gripEnds();
+
+}  // namespace swarmanoid::experiment

@@ -1,0 +1,264 @@
+// From a file or a text to an Experiment.
+#include "reader.hpp"
+
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+
+#include "door.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/experiment_file/unchecked_experiment.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid {
+namespace experiment {
+namespace {
+
+std::vector<std::string>& pendingWarnings() {
+  thread_local std::vector<std::string> warnings;
+  return warnings;
+}
+
+/// 12 in "x_12"; 0 if the name does not end so.
+std::size_t numberOf(const std::string& name, const std::string& prefix) {
+  const char* first = name.data() + prefix.size() + 1;
+  const char* end = name.data() + name.size();
+  std::size_t number = 0;
+  const bool has_prefix = name.size() > prefix.size() + 1 && name.compare(0, prefix.size() + 1, prefix + "_") == 0;
+  const bool is_written_so = has_prefix && *first != '0' && std::from_chars(first, end, number).ptr == end;
+  return is_written_so ? number : 0;
+}
+
+}  // namespace
+
+void Reader::refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
+                         const XmlElement& element) {
+  throw ConfigError(element.attributeLocation("id"),
+                    "the " + kind + " id '" + id + "' is taken already, in " + by.toString());
+}
+
+void Reader::takeId(const std::string& kind, const std::string& id, const XmlElement& element) {
+  if (!door::isName(id)) {
+    throw ConfigError(element.attributeLocation("id"), "id: found '" + id + "', allowed: " + door::kNamesAllowed);
+  }
+  const auto [known, is_new] = ids.emplace(kind + " " + id, element.location());
+  if (!is_new) {
+    refuseTaken(kind, id, known->second, element);
+  }
+  const std::size_t underline = id.rfind('_');
+  const auto group =
+      kind == "entity" && underline != std::string::npos ? groups.find(id.substr(0, underline)) : groups.end();
+  if (group != groups.end()) {
+    const std::size_t number = numberOf(id, group->first);
+    if (number > 0 && number <= group->second.count) {
+      refuseTaken(kind, id, group->second.location, element);
+    }
+  }
+}
+
+void Reader::takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element) {
+  const std::string first = "entity " + prefix + "_";
+  for (auto known = ids.lower_bound(first); known != ids.end() && known->first.rfind(first, 0) == 0; ++known) {
+    const std::string id = known->first.substr(std::string("entity ").size());
+    const std::size_t number = numberOf(id, prefix);
+    if (number > 0 && number <= count) {
+      refuseTaken("entity", id, known->second, element);
+    }
+  }
+  groups[prefix] = {count, element.location()};
+}
+
+void Reader::needLibrary(const std::string& library, const SourceLocation& location) {
+  if (loads_libraries) {
+    loadPluginLibrary(library, experiment.framework.controller_path, location);
+  } else {
+    unloaded.insert(library);
+  }
+}
+
+const Registry::Entry& Reader::standIn(PluginKind kind, const std::string& label) {
+  unknown.push_back({kind, {}, nullptr});
+  unknown.back().description.label = label;
+  unknown.back().description.free_parameters = true;
+  return unknown.back();
+}
+
+/// The first library's plugin would be used, silently, where the second one's is asked for.
+void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library) {
+  if (library.empty()) {
+    return;
+  }
+  const std::filesystem::path path(library);
+  const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
+  for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
+    const bool is_its_own = conflict.kind == entry.kind && conflict.label == entry.description.label;
+    if (is_its_own && conflict.second_library == file && conflict.first_library != file) {
+      element.refuse("found the label '" + conflict.label + "' in two libraries (" + conflict.first_library + ", " +
+                     conflict.second_library + "), allowed: one in a process");
+    }
+  }
+}
+
+const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
+  if (!library.empty()) {
+    needLibrary(library, element.attributeLocation("library"));
+  }
+  const Registry::Entry* entry = Registry::instance().find(kind, element.name());
+  if (entry == nullptr && !loads_libraries && !library.empty()) {
+    return standIn(kind, element.name());
+  }
+  if (entry == nullptr) {
+    element.refuse(unknownName(toString(kind), element.name(), Registry::instance().labels(kind)));
+  }
+  refuseSecondLibrary(*entry, element, library);
+  return *entry;
+}
+
+Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
+                                   const std::vector<std::string>& others) {
+  return plugin.free_parameters ? element.toConfiguration() : readParameters(element, plugin.parameters, others);
+}
+
+namespace {
+
+/// Sections may come in any order, but later ones refer to earlier ones: read them in an order of our own.
+void readSections(const XmlElement& root, Reader& reader) {
+  root.allowAttributes({});
+  root.allowChildren(tagsIn(""));
+  const auto framework = root.child("framework");
+  const auto arena = root.child("arena");
+  if (!framework || !arena) {
+    root.refuse(std::string("<ahss-config> needs <") + (framework ? "arena" : "framework") + ">");
+  }
+  readFramework(*framework, reader);
+  if (const auto section = root.child("controllers")) {
+    readControllers(*section, reader);
+  }
+  readArena(*arena, reader);
+  if (const auto section = root.child("engines")) {
+    readEngines(*section, reader);
+  }
+  if (const auto section = root.child("arena_physics")) {
+    readArenaPhysics(*section, reader);
+  }
+  const auto visualisations = root.child("visualisations");
+  const auto visualizations = root.child("visualizations");
+  if (visualisations && visualizations) {
+    visualizations->refuse("found <visualizations> beside <visualisations>, allowed: one of them");
+  }
+  if (visualisations || visualizations) {
+    readVisualisations(visualisations ? *visualisations : *visualizations, reader);
+  }
+}
+
+std::string xmlProblem(const tinyxml2::XMLDocument& document) {
+  switch (document.ErrorID()) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "found an empty file, allowed: an <ahss-config> element";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "found a closing tag that does not match the open element";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "found a malformed attribute, allowed: name=\"value\", each name once";
+    case tinyxml2::XML_ERROR_PARSING:
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "found a tag that is malformed or never closed";
+    default:
+      return std::string("found malformed XML (") + tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + ")";
+  }
+}
+
+}  // namespace
+}  // namespace experiment
+
+/// Reads and checks the document; what it warns of is kept for takeExperimentWarnings.
+void experiment::readDocument(const XmlElement& root, Reader& reader) {
+  const auto& conflicts = Registry::instance().conflicts();
+  const std::size_t first_new = conflicts.size();
+  readSections(root, reader);
+  auto& warnings = pendingWarnings();
+  warnings.insert(warnings.end(), reader.warnings.begin(), reader.warnings.end());
+  for (std::size_t i = first_new; i < conflicts.size(); ++i) {
+    warnings.push_back(describe(conflicts[i]));
+  }
+}
+
+namespace {
+
+void readText(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
+              experiment::Reader& reader) {
+  using experiment::XmlElement;
+  experiment::checkWellFormed(text, name);
+  tinyxml2::XMLDocument document;
+  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) {
+    throw ConfigError({name, document.ErrorLineNum()}, experiment::xmlProblem(document));
+  }
+  const tinyxml2::XMLElement* root = document.RootElement();
+  if (root == nullptr) {
+    throw ConfigError({name, 0}, "found no element, allowed: an <ahss-config> element");
+  }
+  const XmlElement root_element(root, &name);
+  if (root_element.name() != "ahss-config") {
+    root_element.refuse("found the root element <" + root_element.name() + ">, allowed: <ahss-config>");
+  }
+  if (const tinyxml2::XMLElement* second = root->NextSiblingElement()) {
+    XmlElement(second, &name)
+        .refuse("found <" + std::string(second->Name()) + "> after the root element, allowed: nothing");
+  }
+  const auto marks = experiment::applyOverrides(document, overrides);
+  reader.experiment.file = name;
+  reader.experiment.name = std::filesystem::path(name).stem().string();
+  reader.experiment.text = text;
+  reader.experiment.files = {name};
+  experiment::readDocument(root_element, reader);
+}
+
+std::string textOf(const std::string& file) {
+  std::error_code ignored;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || std::filesystem::is_directory(file, ignored)) {
+    throw ConfigError({file, 0}, "cannot be read");
+  }
+  std::string text;
+  for (std::vector<char> part(std::size_t{1} << 16U); in;) {
+    in.read(part.data(), static_cast<std::streamsize>(part.size()));
+    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
+    if (text.size() > limits::kLongestText) {
+      throw ConfigError({file, 0}, "found a file without an end in sight, allowed: at most " +
+                                       std::to_string(limits::kLongestText) + " characters");
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
+  experiment::Reader reader;
+  readText(text, name, overrides, reader);
+  return std::move(reader.experiment);
+}
+
+Experiment readExperiment(const std::string& file, const std::vector<Override>& overrides) {
+  return parseExperiment(textOf(file), file, overrides);
+}
+
+UncheckedExperiment readWithoutLibraries(const std::string& file, const std::vector<Override>& overrides) {
+  experiment::Reader reader;
+  reader.loads_libraries = false;
+  readText(textOf(file), file, overrides, reader);
+  return {std::move(reader.experiment), {reader.unloaded.begin(), reader.unloaded.end()}};
+}
+
+void loadBuiltInPlugins() {
+  for (const char* library : {"swarmanoid_engines", "swarmanoid_devices", "swarmanoid_visualisations"}) {
+    loadPluginLibrary(library, {}, {});
+  }
+}
+
+std::vector<std::string> takeExperimentWarnings() {
+  std::vector<std::string> warnings;
+  warnings.swap(experiment::pendingWarnings());
+  return warnings;
+}
+
+}  // namespace swarmanoid

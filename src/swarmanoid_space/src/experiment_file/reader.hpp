@@ -1,0 +1,94 @@
+/// What the readers of the sections share, and the readers themselves, one file each.
+#pragma once
+
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "parameter_table.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "tags.hpp"
+#include "xml_element.hpp"
+
+namespace swarmanoid::experiment {
+
+/// The experiment under construction, and what its parts must not collide with.
+struct Reader {
+  Experiment experiment;
+  std::map<std::string, SourceLocation>
+      ids;  ///< of controllers, entities, patches, engines, handovers, visualisations, by kind
+  /// Ids prefix_1 to prefix_count, which are taken by entities of a distribution.
+  struct Group {
+    std::size_t count = 0;
+    SourceLocation location;
+  };
+  std::map<std::string, Group> groups;  ///< by prefix
+  std::vector<std::string> warnings;
+  bool loads_libraries = true;
+  std::set<std::string> unloaded;       ///< libraries that were named, if it does not load them
+  std::deque<Registry::Entry> unknown;  ///< stand for what is in these
+
+  /// @throws ConfigError if it is no name, or is taken within its kind ("controller", "entity", "engine", ...)
+  void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
+  /// Likewise the entities' ids prefix_1, prefix_2, ..., however many.
+  void takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element);
+
+  /// Loads the library, or notes it. @throws ConfigError
+  void needLibrary(const std::string& library, const SourceLocation& location);
+
+  /// For a plugin that is in a library which was not loaded: reads whatever stands there.
+  const Registry::Entry& standIn(PluginKind kind, const std::string& label);
+
+  /// The registry's entry for a tag; loads `library` first if it is not empty.
+  /// @throws ConfigError naming what there is
+  const Registry::Entry& requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library);
+
+ private:
+  [[noreturn]] static void refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
+                                       const XmlElement& element);
+};
+
+/// Names that there are, found fast however many they are.
+struct KnownNames {
+  std::vector<std::string> all;
+  std::set<std::string> lookup;
+
+  void add(const std::string& name) {
+    all.push_back(name);
+    lookup.insert(name);
+  }
+  bool has(const std::string& name) const { return lookup.count(name) != 0; }
+};
+
+/// Which of two libraries with one label is meant must not depend on which was loaded first.
+/// @param library that the element asks for; "": any
+/// @throws ConfigError if it is not the one that has the plugin, for another with that label was first
+void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library);
+
+void readFramework(const XmlElement& section, Reader& reader);
+void readControllers(const XmlElement& section, Reader& reader);
+void readArena(const XmlElement& section, Reader& reader);
+/// <heightfield> in <arena>, at most one.
+void readHeightfield(const XmlElement& element, Reader& reader);
+void readEngines(const XmlElement& section, Reader& reader);
+void readArenaPhysics(const XmlElement& section, Reader& reader);
+/// @param entities, engines the ids that there are
+void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader);
+void readVisualisations(const XmlElement& section, Reader& reader);
+
+/// Reads all sections. The reader's experiment has its name, file and text.
+void readDocument(const XmlElement& root, Reader& reader);
+
+/// What a plugin reads. Of one that is in a library which was not loaded, whatever stands there.
+/// @param others children that are no parameters
+Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
+                                   const std::vector<std::string>& others = {});
+
+/// Sets values in the document before it is read.
+/// @return what the document's elements point to, so it must live as long as they are read
+/// @throws ConfigError for a path that leads nowhere, or to more than one place
+std::deque<OverrideMarks> applyOverrides(tinyxml2::XMLDocument& document, const std::vector<Override>& overrides);
+
+}  // namespace swarmanoid::experiment

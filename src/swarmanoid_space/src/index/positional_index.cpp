@@ -1,0 +1,171 @@
+#include "swarmanoid_space/index/positional_index.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid {
+namespace {
+
+constexpr double kSmallestCell = 0.25;  // m: about a robot and what it senses
+constexpr int kMostCellsPerAxis = 1024;
+constexpr double kMostCells = 1U << 20U;
+
+int clampedCell(double coordinate, double inverse_cell_size, int count) {
+  // written so that a number that is none ends in cell 0
+  const double cell = coordinate * inverse_cell_size;
+  return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
+}
+
+/// Of an entity's shapes, in W.
+Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
+  Eigen::AlignedBox3d bounds(pose.position);
+  for (const CollisionShape& shape : model.shapes) {
+    const Eigen::Matrix3d turn = (pose.orientation * shape.orientation).toRotationMatrix();
+    const Eigen::Vector3d centre = pose.position + pose.orientation * shape.position;
+    const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
+    const Eigen::Vector3d extent = is_sphere ? Eigen::Vector3d(Eigen::Vector3d::Constant(shape.half_extent.x()))
+                                             : Eigen::Vector3d(turn.cwiseAbs() * shape.half_extent);
+    bounds.extend(centre - extent).extend(centre + extent);
+  }
+  return bounds;
+}
+
+}  // namespace
+
+void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities) {
+  size_ = size;
+  optimization_ = optimization;
+  // about one entity a cell: fewer would make large ranges slow, more would make small ones slow
+  const double volume = optimization == Optimization::k2D ? size.x() * size.y() : size.x() * size.y() * size.z();
+  const double per_entity = volume / static_cast<double>(std::max<std::size_t>(expected_entities, 1));
+  cell_size_ =
+      std::max(kSmallestCell, optimization == Optimization::k2D ? std::sqrt(per_entity) : std::cbrt(per_entity));
+  cell_size_ = std::max(cell_size_, size.maxCoeff() / kMostCellsPerAxis);
+  cell_size_ = std::max(cell_size_, std::cbrt(volume / kMostCells));
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool flat_axis = axis == 2 && optimization == Optimization::k2D;
+    cells_[static_cast<std::size_t>(axis)] = flat_axis ? 1 : static_cast<int>(std::ceil(size[axis] / cell_size_));
+  }
+  inverse_cell_size_ = 1.0 / cell_size_;
+  first_item_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+}
+
+PositionalIndex::Cell PositionalIndex::cellOf(const Eigen::Vector3d& position) const {
+  return {clampedCell(position.x(), inverse_cell_size_, cells_[0]),
+          clampedCell(position.y(), inverse_cell_size_, cells_[1]),
+          clampedCell(position.z(), inverse_cell_size_, cells_[2])};
+}
+
+std::size_t PositionalIndex::flat(const Cell& cell) const {
+  return (static_cast<std::size_t>(cell[2]) * cells_[1] + cell[1]) * cells_[0] + cell[0];
+}
+
+void PositionalIndex::rebuild(const Entities& entities) {
+  // counting sort by cell: count, prefix sums, place
+  constexpr std::uint32_t kLarge = ~0U;
+  large_items_.clear();
+  largest_small_radius_ = 0.0;
+  std::fill(first_item_.begin(), first_item_.end(), 0U);
+  cell_of_entity_.resize(entities.order.size());
+  for (std::size_t k = 0; k < entities.order.size(); ++k) {
+    const auto i = static_cast<std::size_t>(entities.order[k]);
+    const double radius = entities.model[i]->bounding_radius;
+    if (radius > cell_size_) {
+      cell_of_entity_[k] = kLarge;
+      large_items_.push_back({boundsOf(*entities.model[i], entities.pose[i]), entities.order[k]});
+      continue;
+    }
+    largest_small_radius_ = std::max(largest_small_radius_, radius);
+    cell_of_entity_[k] = static_cast<std::uint32_t>(flat(cellOf(entities.pose[i].position)));
+    ++first_item_[cell_of_entity_[k]];
+  }
+  std::uint32_t sum = 0;
+  for (std::uint32_t& first : first_item_) {
+    sum += first;
+    first = sum;
+  }
+  items_.resize(sum);
+  for (std::size_t k = entities.order.size(); k-- > 0;) {
+    if (cell_of_entity_[k] != kLarge) {
+      items_[--first_item_[cell_of_entity_[k]]] = itemOf(entities, entities.order[k]);
+    }
+  }
+}
+
+PositionalIndex::Item PositionalIndex::itemOf(const Entities& entities, Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  const EntityModel& model = *entities.model[i];
+  const Eigen::Vector3d& p = entities.pose[i].position;
+  const Eigen::Quaterniond& q = entities.pose[i].orientation;
+  const bool is_upright = q.x() == 0.0 && q.y() == 0.0;
+  if (is_upright && !model.shapes.empty()) {
+    return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row};
+  }
+  return {p.head<2>(), model.bounding_radius, p.z() - model.bounding_radius, p.z() + model.bounding_radius, row};
+}
+
+template <class Visit>
+void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
+  for (const LargeItem& large : large_items_) {
+    if (large.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(large.row)) {
+      return;
+    }
+  }
+  constexpr double kRounding = 1e-9;  // m: the cells must hold all that the exact comparison below accepts
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius + largest_small_radius_ + kRounding);
+  const Cell low = cellOf(centre - reach);
+  const Cell high = cellOf(centre + reach);
+  for (int z = low[2]; z <= high[2]; ++z) {
+    for (int y = low[1]; y <= high[1]; ++y) {
+      // cells of one line are neighbours in memory
+      const std::uint32_t first = first_item_[flat({low[0], y, z})];
+      const std::uint32_t last = first_item_[flat({high[0], y, z}) + 1];
+      for (std::uint32_t k = first; k < last; ++k) {
+        const Item& item = items_[k];
+        const double item_reach = radius + item.radius;
+        const bool meets = (item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
+                           item.low <= centre.z() + radius && item.high >= centre.z() - radius;
+        if (meets && !visit(item.row)) {
+          return;
+        }
+      }
+    }
+  }
+}
+
+void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const {
+  visitNear(centre, radius, [&](Row row) {
+    found.push_back(row);
+    return true;
+  });
+}
+
+std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
+  // an origin may lie outside its entity's own bounds, by no more than the largest of them
+  std::vector<Row> found;
+  for (const LargeItem& large : large_items_) {
+    found.push_back(large.row);
+  }
+  const double largest = largest_small_radius_;
+  visitNear(centre, radius + largest, [&](Row row) {
+    found.push_back(row);
+    return true;
+  });
+  const auto number = [&](Row row) { return entities.number[static_cast<std::size_t>(row)]; };
+  std::sort(found.begin(), found.end(), [&](Row a, Row b) { return number(a) < number(b); });
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  const auto is_far = [&](Row row) {
+    const Eigen::Vector3d& origin = entities.pose[static_cast<std::size_t>(row)].position;
+    return (origin - centre).squaredNorm() > radius * radius;
+  };
+  found.erase(std::remove_if(found.begin(), found.end(), is_far), found.end());
+  return found;
+}
+
+std::vector<Row> PositionalIndex::within(const Entities& entities, Row around, double radius) const {
+  std::vector<Row> found = within(entities, entities.pose[static_cast<std::size_t>(around)].position, radius);
+  found.erase(std::remove(found.begin(), found.end(), around), found.end());
+  return found;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,186 @@
+// Part of phase 2: readings go to the participants, and their answers become commands. Nothing but the participants'
+// frames is touched before all have answered, so a tick can be given up while it waits.
+#include <algorithm>
+#include <stdexcept>
+
+#include "../assembly/cast.hpp"
+#include "swarmanoid_interface/frame_parts.hpp"
+#include "swarmanoid_space/lockstep/controller_frames.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
+
+namespace swarmanoid {
+namespace {
+
+void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver& driver) {
+  VariableParts parts;  // actuators with spans would need a place that lasts; there are none
+  for (const DeviceLayout& actuator : robot.actuators) {
+    try {
+      readBlock(*findDeviceType(actuator.type), in, space.commands.find(actuator.type, driver.row), parts);
+    } catch (const ByteError& error) {
+      throw ByteError(actuator.type + ": " + error.what());
+    }
+  }
+  for (const auto& [key, value] : readDebugValues(in)) {
+    driver.robot->debug(key, value);
+  }
+}
+
+/// What is said of a robot that has been deleted, or commanded by others, since the participant was asked.
+void skipAnswer(ByteReader& in, RobotWord word, const RemoteRobot& robot) {
+  if (word == RobotWord::kFailed) {
+    in.text();
+  } else if (word == RobotWord::kStepped) {
+    for (std::size_t i = 0; i < robot.actuators.size(); ++i) {
+      in.block();
+    }
+    readDebugValues(in);
+  }
+}
+
+ControllerState& stateOf(const Driver& driver, Space& space) {
+  return space.controllers[static_cast<std::size_t>(driver.row)];
+}
+
+void fail(Driver& driver, const std::string& reason, Space& space) {
+  stateOf(driver, space).word = RobotWord::kFailed;
+  driver.has_failed = true;
+  driver.failure = reason;
+}
+
+}  // namespace
+
+bool Lockstep::isCommandable(std::size_t driver, const std::vector<Driver>& drivers) {
+  return driver != kNoDriver && !drivers[driver].has_failed;
+}
+
+void Lockstep::ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers) {
+  participant.is_new = false;
+  participant.needs_frame = false;
+  participant.is_answered = false;
+  SensorFrame& frame = participant.frame;
+  frame.stamp.run = space.run;
+  frame.stamp.tick = space.tick;
+  frame.seed = space.seed;
+  frame.time = space.time;
+  frame.clocktick = space.clocktick;
+  frame.data.clear();
+  ByteWriter out(frame.data);
+  participant.is_asked = false;
+  participant.is_present.assign(participant.robots.size(), false);
+  for (std::size_t i = 0; i < participant.robots.size(); ++i) {
+    const std::size_t driver = participant.drivers[i];
+    const bool is_present = isCommandable(driver, drivers);
+    participant.is_present[i] = is_present;
+    out.number(static_cast<std::uint8_t>(is_present));
+    if (is_present) {
+      participant.is_asked = true;
+      writeReadings(space, drivers[driver].row, participant.robots[i].sensors, out);
+    }
+  }
+  participant.sent = Clock::now();
+}
+
+std::vector<std::shared_ptr<Lockstep::Participant>> Lockstep::askAll(const Space& space,
+                                                                     const std::vector<Driver>& drivers) {
+  std::vector<std::shared_ptr<Participant>> asked;
+  for (const auto& participant : participants_) {
+    if (participant->needs_frame) {
+      ask(*participant, space, drivers);
+      if (participant->is_asked) {
+        asked.push_back(participant);
+      }
+    }
+  }
+  return asked;
+}
+
+void Lockstep::forgetWhoHasGone(const std::vector<Driver>& drivers) {
+  for (const auto& participant : participants_) {
+    if (participant->needs_frame) {
+      continue;
+    }
+    participant->is_asked = false;
+    for (std::size_t i = 0; i < participant->robots.size(); ++i) {
+      participant->is_asked =
+          participant->is_asked || (participant->is_present[i] && isCommandable(participant->drivers[i], drivers));
+    }
+  }
+}
+
+bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<Event>& events,
+                        const Robot::LogSink& log, const Disturbed& is_disturbed) {
+  Lock lock(mutex_);
+  if (participants_.empty() && offered_.empty()) {
+    return true;
+  }
+  startWaiting(space);
+  forgetWhoHasGone(drivers);
+  while (!isDone() && !is_cancelled_ && stop_reason_.empty()) {
+    reportAll(lock, events, log);
+    const auto asked = askAll(space, drivers);
+    if (isDone() || !asked.empty()) {
+      lock.unlock();
+      for (const auto& participant : asked) {
+        participant->send(participant->frame);
+      }
+      lock.lock();
+    } else if (is_disturbed && is_disturbed()) {
+      given_up_ = Clock::now();
+      return false;
+    } else if (changed_.wait_until(lock, nextDeadline()) == std::cv_status::timeout) {
+      checkDeadlines(space);
+    }
+  }
+  finishWaiting(space);
+  reportAll(lock, events, log);
+  if (!stop_reason_.empty() || is_cancelled_) {
+    throw std::runtime_error(is_cancelled_ ? "stopped while waiting for participants" : stop_reason_);
+  }
+  for (const Offered& offered : offered_) {
+    stateOf(drivers[offered.driver], space).word = RobotWord::kNothing;
+  }
+  for (const auto& participant : participants_) {
+    if (participant->is_asked && participant->is_answered) {
+      apply(*participant, space, drivers);
+      participant->has_applied = true;
+    }
+  }
+  return true;
+}
+
+void Lockstep::apply(const Participant& participant, Space& space, std::vector<Driver>& drivers) {
+  ByteReader in(participant.answer.data);
+  for (std::size_t i = 0; i < participant.robots.size(); ++i) {
+    const std::size_t driver = participant.drivers[i];
+    const bool is_commanded = participant.is_present[i] && isCommandable(driver, drivers);
+    if (is_commanded && !participant.has_applied) {
+      ++stateOf(drivers[driver], space).starts;
+    }
+    try {
+      const auto word = static_cast<RobotWord>(in.number<std::uint8_t>());
+      if (is_commanded && word == RobotWord::kStepped) {
+        readCommands(in, participant.robots[i], space, drivers[driver]);
+        stateOf(drivers[driver], space).word = RobotWord::kStepped;
+      } else if (is_commanded && word == RobotWord::kFailed) {
+        fail(drivers[driver], in.text(), space);
+      } else if (participant.is_present[i] && (word == RobotWord::kStepped || word == RobotWord::kFailed)) {
+        skipAnswer(in, word, participant.robots[i]);
+      } else if (participant.is_present[i] || word != RobotWord::kNothing) {
+        throw ByteError("found the word " + std::to_string(static_cast<int>(word)) + ", which does not fit");
+      }
+    } catch (const ByteError& error) {
+      // what follows cannot be read either
+      for (std::size_t k = i; k < participant.robots.size(); ++k) {
+        if (participant.drivers[k] != kNoDriver && !drivers[participant.drivers[k]].has_failed) {
+          fail(drivers[participant.drivers[k]],
+               "participant '" + participant.name + "' sent a bad command frame: " + participant.robots[i].name + ": " +
+                   error.what(),
+               space);
+        }
+      }
+      return;
+    }
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,167 @@
+#include "swarmanoid_space/models/entity_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace swarmanoid {
+namespace {
+
+using Eigen::Vector3d;
+
+/// How far a shape reaches from its centre along body z, up and down alike [m].
+double reachAlongZ(const CollisionShape& shape) {
+  const Vector3d z = shape.orientation.conjugate() * Vector3d::UnitZ();  // in the shape's frame
+  const Vector3d& half = shape.half_extent;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kCylinder:
+      return half.x() * std::hypot(z.x(), z.y()) + half.z() * std::abs(z.z());
+    case CollisionShape::Kind::kBox:
+      return half.dot(z.cwiseAbs());
+    case CollisionShape::Kind::kSphere:
+      break;
+  }
+  return half.x();
+}
+
+/// Distance of the shape's farthest point from the body's origin [m].
+double reachFromOrigin(const CollisionShape& shape) {
+  const Vector3d centre = (shape.orientation.conjugate() * shape.position).cwiseAbs();  // in the shape's frame
+  const Vector3d& half = shape.half_extent;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kCylinder:
+      return std::hypot(std::hypot(centre.x(), centre.y()) + half.x(), centre.z() + half.z());
+    case CollisionShape::Kind::kBox:
+      return (centre + half).norm();
+    case CollisionShape::Kind::kSphere:
+      break;
+  }
+  return centre.norm() + half.x();
+}
+
+/// Distance of the shape's farthest point from body z [m].
+double reachFromAxis(const CollisionShape& shape) {
+  const Vector3d& half = shape.half_extent;
+  const double offset = std::hypot(shape.position.x(), shape.position.y());
+  const bool is_upright = std::abs((shape.orientation * Vector3d::UnitZ()).z()) > 1.0 - 1e-9;
+  if (shape.kind == CollisionShape::Kind::kSphere || (shape.kind == CollisionShape::Kind::kCylinder && is_upright)) {
+    return offset + half.x();
+  }
+  double reach = 0.0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vector3d signs((corner & 1) != 0 ? 1.0 : -1.0, (corner & 2) != 0 ? 1.0 : -1.0,
+                         (corner & 4) != 0 ? 1.0 : -1.0);
+    const Vector3d point = shape.position + shape.orientation * half.cwiseProduct(signs);
+    reach = std::max(reach, std::hypot(point.x(), point.y()));
+  }
+  return reach;
+}
+
+}  // namespace
+
+void EntityModel::measureShapes() {
+  lowest = 0.0;
+  highest = 0.0;
+  bounding_radius = 0.0;
+  horizontal_radius = 0.0;
+  if (!shapes.empty()) {
+    lowest = std::numeric_limits<double>::infinity();
+    highest = -lowest;
+  }
+  for (const CollisionShape& shape : shapes) {
+    const double reach = reachAlongZ(shape);
+    lowest = std::min(lowest, shape.position.z() - reach);
+    highest = std::max(highest, shape.position.z() + reach);
+    bounding_radius = std::max(bounding_radius, reachFromOrigin(shape));
+    horizontal_radius = std::max(horizontal_radius, reachFromAxis(shape));
+  }
+}
+
+void Inertial::add(const Inertial& part) {
+  // both moments are brought to the common centre (parallel axes)
+  const auto atDistance = [](double m, const Vector3d& r) -> Eigen::Matrix3d {
+    return m * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+  };
+  const double total = mass + part.mass;
+  if (!(total > 0.0)) {
+    return;
+  }
+  const Vector3d common = (mass * centre_of_mass + part.mass * part.centre_of_mass) / total;
+  inertia +=
+      part.inertia + atDistance(mass, centre_of_mass - common) + atDistance(part.mass, part.centre_of_mass - common);
+  centre_of_mass = common;
+  mass = total;
+}
+
+void EntityModel::addMass(const Inertial& part) {
+  Inertial whole{mass, centre_of_mass, inertia};
+  whole.add(part);
+  mass = whole.mass;
+  centre_of_mass = whole.centre_of_mass;
+  inertia = whole.inertia;
+}
+
+int EntityModel::findJoint(const std::string& name) const {
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i].name == name) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
+const Mount& EntityModel::mount(const std::string& name) const {
+  const auto found = mounts.find(name);
+  if (found == mounts.end()) {
+    throw std::out_of_range("entity type '" + type + "' has no mount '" + name + "'");
+  }
+  return found->second;
+}
+
+std::shared_ptr<const EntityModel> blockModel(const Vector3d& size, double mass, bool is_ferromagnetic) {
+  auto model = std::make_shared<EntityModel>();
+  model->type = "block";
+  model->title = "Block";
+  CollisionShape box;
+  box.kind = CollisionShape::Kind::kBox;
+  box.half_extent = size / 2.0;
+  model->shapes.push_back(box);
+  model->measureShapes();
+  model->is_movable = mass > 0.0;
+  model->is_ferromagnetic = is_ferromagnetic;
+  model->origin_height = size.z() / 2.0;
+  const Vector3d square = size.cwiseProduct(size) / 12.0;
+  const Vector3d moments(square.y() + square.z(), square.x() + square.z(), square.x() + square.y());
+  model->addMass({mass, Vector3d::Zero(), mass * moments.asDiagonal().toDenseMatrix()});
+  return model;
+}
+
+std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass) {
+  auto model = std::make_shared<EntityModel>();
+  model->type = "cylindric_prey";
+  model->title = "CylindricPrey";  // one word: tools that read the text table split it at white space
+  const Vector3d middle(0.0, 0.0, height / 2.0);
+  CollisionShape cylinder;
+  cylinder.half_extent = {radius, radius, height / 2.0};
+  cylinder.position = middle;
+  model->shapes.push_back(cylinder);
+  model->is_movable = true;
+  model->gripping_radius = radius;
+  model->led_positions.push_back(middle);
+  model->measureShapes();
+  const double across = radius * radius / 4.0 + height * height / 12.0;
+  const Vector3d moments(across, across, radius * radius / 2.0);
+  model->addMass({mass, middle, mass * moments.asDiagonal().toDenseMatrix()});
+  return model;
+}
+
+std::shared_ptr<const EntityModel> lightModel() {
+  auto model = std::make_shared<EntityModel>();
+  model->type = "light";
+  model->title = "Light";
+  model->led_positions.push_back(Vector3d::Zero());
+  return model;
+}
+
+}  // namespace swarmanoid

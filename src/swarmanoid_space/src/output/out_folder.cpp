@@ -1,0 +1,176 @@
+#include "swarmanoid_space/output/out_folder.hpp"
+
+#include <fcntl.h>
+#include <link.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+
+#include "inside_folder.hpp"
+
+namespace swarmanoid {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// @param descriptor of a file, or negative @return another one of it, if it is that of a standard stream, which users'
+/// code may have closed: all that is printed would go into the file
+int besideStandardStreams(int descriptor) {
+  if (descriptor < 0 || descriptor > STDERR_FILENO) {
+    return descriptor;
+  }
+  const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
+  const int reason = errno;
+  // nobody else is to get that number
+  const int nothing = open("/dev/null", O_RDWR | O_CLOEXEC);
+  dup2(nothing, descriptor);
+  close(nothing);
+  errno = reason;
+  return moved;
+}
+
+}  // namespace
+
+OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules rules)
+    : folder_(folder), prefix_(prefix), rules_(rules) {
+  if (folder.empty()) {
+    return;
+  }
+  std::error_code problem;
+  fs::path missing = fs::absolute(folder, problem).lexically_normal();
+  while (!problem && !missing.empty() && !fs::exists(missing, problem) && missing != missing.parent_path()) {
+    made_folders_.push_back(missing);
+    missing = missing.parent_path();
+  }
+  problem.clear();
+  fs::create_directories(folder, problem);
+  if (!problem && !fs::is_directory(folder)) {
+    problem = std::make_error_code(std::errc::not_a_directory);
+  }
+  if (problem) {
+    throw ConfigError({prefix + "out", 0}, "cannot make the folder '" + folder + "': " + problem.message());
+  }
+}
+
+OutFolder::~OutFolder() {
+  std::error_code ignored;
+  for (const fs::path& file : made_files_) {
+    fs::remove(file, ignored);
+  }
+  for (const fs::path& folder : made_folders_) {
+    fs::remove(folder, ignored);  // not if others have put something there
+  }
+}
+
+void OutFolder::keep() {
+  made_files_.clear();
+  made_folders_.clear();
+}
+
+void OutFolder::protect(const std::string& file) {
+  struct stat found {};
+  if (stat(file.c_str(), &found) == 0) {
+    taken_.emplace(Identity{found.st_dev, found.st_ino}, "");
+  }
+}
+
+void OutFolder::protectLoadedLibraries() {
+  protect("/proc/self/exe");
+  const auto protectOne = [](dl_phdr_info* info, std::size_t, void* self) {
+    static_cast<OutFolder*>(self)->protect(info->dlpi_name);
+    return 0;
+  };
+  dl_iterate_phdr(protectOne, this);
+}
+
+void OutFolder::refuse(const Writer& writer, const std::string& name, const std::string& problem) {
+  const std::string text = "found '" + name + "', " + problem;
+  if (writer.is_in_experiment) {
+    throw ConfigError(writer.location, writer.name + ": file: " + text);
+  }
+  throw ConfigError({writer.name, 0}, text);
+}
+
+std::string OutFolder::option(const std::string& first, const std::string& second) const {
+  return prefix_ + first + (second.empty() ? "" : (prefix_ == "--" ? "-" : "_") + second);
+}
+
+fs::path OutFolder::placeOf(const std::string& name, const Writer& writer) const {
+  if (name.empty()) {
+    refuse(writer, name, "allowed: a file");
+  }
+  fs::path path = folder_ / name;
+  const fs::path last = path.filename();
+  const bool is_name = !last.empty() && last != "." && last != "..";
+  if (writer.is_in_experiment && !rules_.anywhere && !(is_name && isInside(path.parent_path(), folder_))) {
+    refuse(writer, name, "allowed: a file in " + realPath(folder_).string() + ", or " + option("write", "anywhere"));
+  }
+  return path;
+}
+
+/// @return whether it is there, and may be written all the same
+bool OutFolder::mayReplace(const fs::path& path, const std::string& name, const Writer& writer) const {
+  struct stat found {};
+  if (lstat(path.c_str(), &found) != 0) {
+    return false;
+  }
+  if (S_ISLNK(found.st_mode) && (stat(path.c_str(), &found) != 0 || S_ISREG(found.st_mode) || S_ISDIR(found.st_mode))) {
+    refuse(writer, name, "which is a link, allowed: a name that is none");
+  }
+  if (S_ISDIR(found.st_mode) || S_ISBLK(found.st_mode)) {
+    refuse(writer, name,
+           std::string("which is a ") + (S_ISDIR(found.st_mode) ? "folder" : "disk") + ", allowed: a file");
+  }
+  if (!S_ISREG(found.st_mode)) {
+    return true;  // a device or a pipe: nothing in it can be lost
+  }
+  const auto taken = taken_.find({found.st_dev, found.st_ino});
+  if (taken != taken_.end()) {
+    refuse(writer, name,
+           (taken->second.empty() ? "which this run reads" : "which " + taken->second + " writes") +
+               ", allowed: another name");
+  }
+  if (!rules_.replace) {
+    refuse(writer, name,
+           "which is there already, allowed: another name, " +
+               (writer.is_in_experiment ? "another folder (" + option("out") + "), " : "") + "or " + option("force") +
+               " to replace it");
+  }
+  return true;
+}
+
+OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
+  const fs::path path = placeOf(name, writer);
+  const bool is_there = mayReplace(path, name, writer);
+  std::error_code ignored;
+  const bool is_file = !is_there || fs::is_regular_file(path, ignored);
+  // a pipe that nobody reads is not waited for; a file must not have become a link meanwhile
+  const int flags = O_CLOEXEC | O_NOCTTY |
+                    (is_file ? O_RDWR | O_NOFOLLOW | (is_there ? 0 : O_CREAT | O_EXCL) : O_WRONLY | O_NONBLOCK);
+  constexpr mode_t kMode = 0666;
+  const int descriptor = besideStandardStreams(::open(path.c_str(), flags, kMode));
+  struct stat opened {};
+  if (descriptor < 0 || fstat(descriptor, &opened) != 0) {
+    throw ConfigError(writer.is_in_experiment ? writer.location : SourceLocation{writer.name, 0},
+                      (writer.is_in_experiment ? writer.name + ": " : "") + "cannot write " + path.string() + ": " +
+                          std::strerror(errno));
+  }
+  // somebody may have put something else there since it was looked at
+  const bool is_what_was_there = S_ISREG(opened.st_mode) == is_file && !S_ISBLK(opened.st_mode);
+  if (!is_what_was_there || (is_file && !taken_.emplace(Identity{opened.st_dev, opened.st_ino}, writer.name).second)) {
+    close(descriptor);
+    refuse(writer, name, "which changes while it is opened, allowed: a file of this run alone");
+  }
+  if (!is_file) {
+    fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
+  }
+  if (!is_there) {
+    made_files_.push_back(fs::absolute(path, ignored));
+  }
+  return {descriptor, path.string(), writer.name};
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,16 @@
+// Phase 3: commands are checked, limited and given noise.
+#include "phases.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+
+namespace swarmanoid::phases {
+
+void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty) {
+  faulty.clear();
+  for (const auto& group : groups) {
+    for (const auto& actuator : group->actuators) {
+      callPlugin("actuate", actuator.part, space.tick, [&] { actuator->actuate(space, faulty); });
+    }
+  }
+}
+
+}  // namespace swarmanoid::phases

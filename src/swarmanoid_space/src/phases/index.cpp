@@ -1,0 +1,23 @@
+// Phase 6: the positional index learns the new poses; who has left the arena is noted.
+#include "phases.hpp"
+
+namespace swarmanoid::phases {
+
+void index(Space& space) {
+  constexpr double kEdge = 1e-3;  // m: what rests on the ground may sink in by less
+  space.index.rebuild(space.entities);
+  const Eigen::Vector3d& size = space.size;
+  const double lowest = space.lowestGround();
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    const Eigen::Vector3d& p = space.entities.pose[i].position;
+    const Eigen::Vector3d least(-kEdge, -kEdge, lowest - kEdge);
+    const bool is_outside = !((p.array() >= least.array()).all() && (p.array() <= size.array() + kEdge).all());
+    if (is_outside && space.outside[i] == 0 && space.entities.model[i]->is_movable) {
+      space.events.push_back({Event::Kind::kLeftArena, space.entities.name[i], "", ""});
+    }
+    space.outside[i] = is_outside ? 1 : 0;
+  }
+}
+
+}  // namespace swarmanoid::phases

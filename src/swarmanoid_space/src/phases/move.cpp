@@ -1,0 +1,60 @@
+// Phase 4: every engine moves what it is in charge of, engines beside each other.
+#include <stdexcept>
+
+#include "../assembly/stopwatch.hpp"
+#include "phases.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+
+namespace swarmanoid::phases {
+namespace {
+
+bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orientation.coeffs().allFinite(); }
+
+/// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity are as their last one left
+/// them.
+bool areAllFinite(const std::vector<Pose>& poses) {
+  Eigen::Array3d positions = Eigen::Array3d::Zero();
+  Eigen::Array4d orientations = Eigen::Array4d::Zero();
+  for (const Pose& pose : poses) {
+    positions += pose.position.array();
+    orientations += pose.orientation.coeffs().array();
+  }
+  return positions.allFinite() && orientations.allFinite();
+}
+
+/// An engine whose computation has broken down must not hand it on: to grips, the index, sensors, recordings.
+void refuseWhatIsNotFinite(const Space& space) {
+  if (areAllFinite(space.entities.pose)) {
+    return;
+  }
+  for (const Row row : space.entities.order) {
+    const auto i = static_cast<std::size_t>(row);
+    if (!isFinite(space.entities.pose[i])) {
+      const std::string who = space.mover[i] == nullptr ? "nobody" : "engine '" + space.mover[i]->id() + "'";
+      throw std::runtime_error(who + " has moved " + space.entities.model[i]->type + " '" + space.entities.name[i] +
+                               "' to a pose that is not finite");
+    }
+  }
+}
+
+}  // namespace
+
+void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
+          std::vector<double>& seconds) {
+  seconds.resize(engines.size());
+  workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      callPlugin("readMirrors", engines[i].part, space.tick, [&] { engines[i]->readMirrors(space); });
+    }
+  });
+  workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      Stopwatch stopwatch;
+      callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, space.clocktick); });
+      stopwatch.lap(seconds[i]);
+    }
+  });
+  refuseWhatIsNotFinite(space);
+}
+
+}  // namespace swarmanoid::phases

@@ -1,0 +1,49 @@
+/// The phases of a tick, one file each, in this order. What a phase reads and writes is in its signature.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "../assembly/cast.hpp"
+
+namespace swarmanoid::phases {
+
+/// Banks of sensors read the space and fill the readings. Again in the same tick they fill in the same.
+void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
+
+/// Sensors say what there is to say of the tick's readings.
+void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups);
+
+/// What has come over topics becomes the commands of the robots that are commanded so; who is told nothing for its
+/// time-out stops.
+void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log);
+
+/// Every controller of this process turns readings into commands; those of participants have done so before, see
+/// Lockstep::exchange. An exception marks its driver as failed.
+void control(Space& space, std::vector<Driver>& drivers, const Workers& workers);
+
+/// Whoever is being stopped gets the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
+void stopSafely(Space& space, std::vector<Driver>& drivers);
+
+/// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
+void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
+
+/// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.
+void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
+          std::vector<double>& seconds);
+
+/// Grips are made and broken; what depends on the new poses follows.
+void connect(Space& space, const std::vector<Named<Engine>>& engines,
+             const std::vector<std::unique_ptr<ControllerGroup>>& groups);
+
+/// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
+void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverWatch>& watches,
+              std::vector<std::vector<Seat>>& seats);
+
+/// The positional index learns the new poses; who has left the arena is noted.
+void index(Space& space);
+
+/// Everybody who looks at the run does so. @return whether one asks to finish
+bool show(const Space& space, const std::vector<Viewer>& viewers);
+
+}  // namespace swarmanoid::phases

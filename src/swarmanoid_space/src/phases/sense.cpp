@@ -1,0 +1,26 @@
+// Phase 1: banks of sensors read the space and fill the readings.
+#include "phases.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+
+namespace swarmanoid::phases {
+
+void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers) {
+  constexpr std::size_t kGrain = 128;
+  for (const auto& group : groups) {
+    for (const auto& sensor : group->sensors) {
+      workers.forRanges(sensor->seatCount(), kGrain, [&](std::size_t first, std::size_t last) {
+        callPlugin("sense", sensor.part, space.tick, [&] { sensor->sense(space, first, last); });
+      });
+    }
+  }
+}
+
+void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups) {
+  for (const auto& group : groups) {
+    for (const auto& sensor : group->sensors) {
+      callPlugin("report", sensor.part, space.tick, [&] { sensor->report(space); });
+    }
+  }
+}
+
+}  // namespace swarmanoid::phases

@@ -1,0 +1,126 @@
+#include "swarmanoid_space/rays/solid_ray.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace swarmanoid {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+// A LED this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
+constexpr double kSameDepth = 1e-6;
+
+/// The part of a segment that is inside something: from `enter` to `leave`, as fractions.
+struct Inside {
+  double enter = -kNever;
+  double leave = kNever;
+
+  void clip(double from, double to) {
+    enter = std::max(enter, from);
+    leave = std::min(leave, to);
+  }
+};
+
+void clipToSlab(Inside& inside, double start, double step, double half_width) {
+  if (step == 0.0) {
+    if (std::abs(start) > half_width) {
+      inside.clip(kNever, -kNever);
+    }
+    return;
+  }
+  const double a = (-half_width - start) / step;
+  const double b = (half_width - start) / step;
+  inside.clip(std::min(a, b), std::max(a, b));
+}
+
+/// Clips to |p + t s|^2 <= radius^2, in as many dimensions as the vectors have.
+template <class Vector>
+void clipToRound(Inside& inside, const Vector& start, const Vector& step, double radius) {
+  const double a = step.squaredNorm();
+  const double b = start.dot(step);
+  const double c = start.squaredNorm() - radius * radius;
+  if (a == 0.0) {
+    if (c > 0.0) {
+      inside.clip(kNever, -kNever);
+    }
+    return;
+  }
+  const double discriminant = b * b - a * c;
+  if (discriminant < 0.0) {
+    inside.clip(kNever, -kNever);
+    return;
+  }
+  const double root = std::sqrt(discriminant);
+  inside.clip((-b - root) / a, (-b + root) / a);
+}
+
+/// Of a segment in the shape's frame.
+Inside insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
+                const Eigen::Vector3d& step) {
+  Inside inside;
+  switch (kind) {
+    case CollisionShape::Kind::kBox:
+      for (int axis = 0; axis < 3; ++axis) {
+        clipToSlab(inside, start[axis], step[axis], half_extent[axis]);
+      }
+      break;
+    case CollisionShape::Kind::kCylinder:
+      clipToSlab(inside, start.z(), step.z(), half_extent.z());
+      clipToRound(inside, Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(step.head<2>()), half_extent.x());
+      break;
+    case CollisionShape::Kind::kSphere:
+      clipToRound(inside, start, step, half_extent.x());
+      break;
+  }
+  return inside;
+}
+
+/// Adds the LEDs that one shape hides. @param shape where its joint has turned it
+void addHidden(const CollisionShape& shape, const EntityModel& model, const Eigen::Vector3d& eye, const LedSet& asked,
+               LedSet& hidden) {
+  const Eigen::Vector3d half_extent = (shape.half_extent.array() - kLedHeight).max(0.5 * shape.half_extent.array());
+  const Eigen::Matrix3d to_shape = shape.orientation.conjugate().toRotationMatrix();
+  const Eigen::Vector3d start = to_shape * (eye - shape.position);
+  for (std::size_t k = 0; k < std::min(model.led_positions.size(), asked.size()); ++k) {
+    if (!asked[k] || hidden[k]) {
+      continue;
+    }
+    const Eigen::Vector3d step = to_shape * (model.led_positions[k] - eye);
+    const Inside inside = insideOf(shape.kind, half_extent, start, step);
+    // what goes on behind the LED is a hull around it, or does not stand before it
+    hidden[k] = inside.enter <= inside.leave && inside.leave >= 0.0 && inside.leave <= 1.0 + kSameDepth;
+  }
+}
+
+}  // namespace
+
+double firstMeeting(const Segment& segment, const EntityModel& model, const Pose& pose) {
+  const Eigen::Quaterniond to_body = pose.orientation.conjugate();
+  const Eigen::Vector3d start = to_body * (segment.from - pose.position);
+  const Eigen::Vector3d step = to_body * (segment.to - segment.from);
+  double first = kNever;
+  for (const CollisionShape& shape : model.shapes) {
+    const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
+    const Inside inside = insideOf(shape.kind, shape.half_extent, to_shape * (start - shape.position), to_shape * step);
+    if (inside.enter <= inside.leave && inside.leave >= 0.0 && inside.enter <= 1.0) {
+      first = std::min(first, std::max(inside.enter, 0.0));
+    }
+  }
+  return first;
+}
+
+LedSet hiddenLeds(const EntityModel& model, const JointState* joints, const Eigen::Vector3d& eye, const LedSet& asked) {
+  LedSet hidden;
+  for (const CollisionShape& shape : model.shapes) {
+    if (shape.joint < 0) {
+      addHidden(shape, model, eye, asked, hidden);
+    } else {
+      addHidden(placeOf(model, joints, shape), model, eye, asked, hidden);
+    }
+  }
+  return hidden;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,145 @@
+// Rays against a terrain, cell by cell: along a segment the height over each triangle is linear.
+#include <algorithm>
+#include <cmath>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/rays/terrain.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// A part of a segment, as fractions of it.
+struct Piece {
+  double from = 0.0;
+  double to = 1.0;
+};
+
+Piece clipToRectangle(const Segment& segment, const Eigen::AlignedBox3d& bounds) {
+  const Eigen::Vector3d way = segment.to - segment.from;
+  Piece piece;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double to_low = bounds.min()[axis] - segment.from[axis];
+    const double to_high = bounds.max()[axis] - segment.from[axis];
+    if (way[axis] == 0.0) {
+      if (to_low > 0.0 || to_high < 0.0) {
+        return {kInfinity, -kInfinity};
+      }
+      continue;
+    }
+    piece.from = std::max(piece.from, std::min(to_low / way[axis], to_high / way[axis]));
+    piece.to = std::min(piece.to, std::max(to_low / way[axis], to_high / way[axis]));
+  }
+  return piece;
+}
+
+/// The fraction at which a coordinate reaches a line of the grid.
+double reaching(double line, double start, double way) { return way == 0.0 ? kInfinity : (line - start) / way; }
+
+}  // namespace
+
+/// Goes along a segment, and notes where it first comes from above the ground to below.
+class Terrain::Descent {
+ public:
+  Descent(const Terrain& terrain, const Segment& segment, double start)
+      : terrain_(terrain),
+        from_(segment.from),
+        way_(segment.to - segment.from),
+        // who comes from outside comes through the air; who starts in the ground does not
+        is_above_(start > 0.0 || from_.z() >= terrain.heightAt(from_.x(), from_.y())) {}
+
+  bool hasMet() const { return meeting_ != kInfinity; }
+  double meeting() const { return meeting_; }
+  bool isAbove() const { return is_above_; }
+
+  void passCell(const Eigen::Vector2i& cell, Piece piece) {
+    const Eigen::Vector2d& step = terrain_.step_;
+    // on which side of the cell's diagonal it begins, and where it crosses that
+    const double side =
+        (from_.x() - terrain_.lineX(cell.x())) * step.y() - (from_.y() - terrain_.lineY(cell.y())) * step.x();
+    const double change = way_.x() * step.y() - way_.y() * step.x();
+    const double crossing = change == 0.0 ? kInfinity : -side / change;
+    if (crossing > piece.from && crossing < piece.to) {
+      const int first = change > 0.0 ? 1 : 0;
+      passTriangle(cell, first, {piece.from, crossing});
+      if (!hasMet()) {
+        passTriangle(cell, 1 - first, {crossing, piece.to});
+      }
+    } else {
+      passTriangle(cell, side + 0.5 * (piece.from + piece.to) * change >= 0.0 ? 0 : 1, piece);
+    }
+  }
+
+ private:
+  void passTriangle(const Eigen::Vector2i& cell, int half, Piece piece) {
+    const auto heightOver = [&](double t) {
+      const Eigen::Vector3d point = from_ + t * way_;
+      return point.z() - terrain_.heightInCell(cell, point.x(), point.y(), half);
+    };
+    const double before = heightOver(piece.from);
+    const double after = heightOver(piece.to);
+    if (is_above_ && before < 0.0) {
+      meeting_ = piece.from;  // a cliff, or heights that differ by rounding
+    } else if (before >= 0.0 && after < 0.0) {
+      meeting_ = piece.from + (piece.to - piece.from) * before / (before - after);
+    }
+    is_above_ = after >= 0.0;
+  }
+
+  const Terrain& terrain_;
+  Eigen::Vector3d from_;
+  Eigen::Vector3d way_;
+  bool is_above_;
+  double meeting_ = kInfinity;
+};
+
+double Terrain::firstMeeting(const Segment& segment) const {
+  const Piece inside = clipToRectangle(segment, bounds_);
+  const Eigen::Vector3d way = segment.to - segment.from;
+  const auto heightOf = [&](double t) { return segment.from.z() + t * way.z(); };
+  const double top = std::max(0.0, bounds_.max().z());
+  if (inside.from > inside.to || std::min(heightOf(inside.from), heightOf(inside.to)) > top) {
+    return kInfinity;
+  }
+  if (inside.from > 0.0 && heightOf(inside.from) < 0.0) {
+    return inside.from;  // it comes through the floor
+  }
+  const Eigen::Vector3d first = segment.from + inside.from * way;
+  Eigen::Vector2i cell = cellAt(first.x(), first.y());
+  Descent descent(*this, segment, inside.from);
+  double from = inside.from;
+  while (true) {
+    const double next_x = reaching(lineX(cell.x() + (way.x() > 0.0 ? 1 : 0)), segment.from.x(), way.x());
+    const double next_y = reaching(lineY(cell.y() + (way.y() > 0.0 ? 1 : 0)), segment.from.y(), way.y());
+    const double to = std::max(from, std::min({next_x, next_y, inside.to}));
+    descent.passCell(cell, {from, to});
+    if (descent.hasMet()) {
+      return descent.meeting();
+    }
+    const int axis = next_x <= next_y ? 0 : 1;
+    cell[axis] += way[axis] > 0.0 ? 1 : -1;
+    if (to >= inside.to || cell[axis] < 0 || cell[axis] >= (axis == 0 ? columns_ : rows_) - 1) {
+      break;
+    }
+    from = to;
+  }
+  // beside a rim that is lower there is the floor
+  return inside.to < 1.0 && descent.isAbove() && heightOf(inside.to) < 0.0 ? inside.to : kInfinity;
+}
+
+bool Terrain::mayMeet(const RayBundle& rays) const {
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(rays.radius);
+  const Eigen::Vector2d centre = rays.centre.head<2>();
+  const Cells cells = cellsIn(centre - reach, centre + reach);
+  return cells.high.x() >= 0 && rays.centre.z() - rays.radius < std::max(0.0, highestIn(cells));
+}
+
+void Terrain::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+  for (std::size_t k = 0; k < rays.segments.size(); ++k) {
+    const double fraction = firstMeeting(rays.segments[k]);
+    if (fraction < hits[k].fraction) {
+      hits[k] = {fraction, kNoRow};
+    }
+  }
+}
+
+}  // namespace swarmanoid

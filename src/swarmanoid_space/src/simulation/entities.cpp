@@ -1,0 +1,203 @@
+// Adding entities to a simulation and taking them out of it: decide first, then commit.
+#include <algorithm>
+
+#include "../assembly/cast.hpp"
+#include "../assembly/handover.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_space/models/entity_type.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+namespace {
+
+[[noreturn]] void refuseStart(const ControllerDescription& controller, const std::string& robot,
+                              const std::string& why) {
+  throw ConfigError(controller.location,
+                    "controller '" + controller.id + "' of '" + robot + "' does not start: " + why);
+}
+
+}  // namespace
+
+std::vector<std::string> devicesOf(const ControllerGroup* group) {
+  std::vector<std::string> devices;
+  if (group != nullptr) {
+    for (const auto& sensor : group->sensors) {
+      devices.emplace_back(sensor->type());
+    }
+    for (const auto& actuator : group->actuators) {
+      devices.emplace_back(actuator->type());
+    }
+  }
+  return devices;
+}
+
+void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                                const std::vector<Seat>& seats) const {
+  const std::vector<std::string> devices = devicesOf(cast_->findGroup(entity.controller));
+  for (const Seat& seat : seats) {
+    const std::string in_engine = "' in engine '" + seat.engine->id() + "': ";
+    std::string problem = seat.engine->misplacement(model, pose);
+    if (problem.empty() && seat.role == Role::kMove) {
+      problem = refusalOf(*seat.engine, model, devices, seats);
+    }
+    if (!problem.empty()) {
+      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);
+    }
+    const Row other = seat.engine->overlap(model, pose, space_.entities.find(entity.id));
+    if (other != kNoRow) {
+      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + "overlaps '" +
+                                             space_.entities.name[static_cast<std::size_t>(other)] + "'");
+    }
+  }
+}
+
+Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Seat>& seats) {
+  if (space_.entities.find(entity.id) != kNoRow) {
+    throw ConfigError(entity.location, "an entity '" + entity.id + "' exists already");
+  }
+  const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, entity.type));
+  const auto model = type->makeModel(entity.parameters);
+  const Pose pose{entity.position, orientationFromAngles(entity.angles)};
+  refuseBadPlace(entity, *model, pose, seats);
+
+  const Row row = space_.entities.add(entity.id, model, pose, entity.color);
+  const auto i = static_cast<std::size_t>(row);
+  space_.fitRows();
+  std::fill_n(space_.ledsOf(row), EntityModel::kMaxLeds, colors::kBlack);
+  std::fill_n(space_.jointsOf(row), EntityModel::kMaxJoints, JointState{});
+  space_.outside[i] = 0;
+  space_.mover[i] = nullptr;
+  space_.controllers[i] = ControllerState{};
+  cast_->seats.resize(space_.entities.rowCount());
+  cast_->seats[i].clear();
+  try {
+    if (!entity.controller.empty()) {
+      giveController(row, entity);
+    }
+  } catch (...) {
+    removeEntity(row);
+    throw;
+  }
+  for (const Seat& seat : seats) {
+    callPlugin("add", cast_->partOf(*seat.engine), UserCode::kNoTick,
+               [&] { seat.engine->add(space_, row, seat.role); });
+    cast_->seats[i].push_back(seat);
+    if (seat.role == Role::kMove) {
+      space_.mover[i] = seat.engine;
+    }
+  }
+  if (seats.empty()) {
+    space_.entities_without_engine.push_back(row);
+  }
+  return row;
+}
+
+void Simulation::giveController(Row row, const EntityDescription& entity) {
+  const auto i = static_cast<std::size_t>(row);
+  ControllerGroup* group = cast_->findGroup(entity.controller);
+  auto robot = std::make_unique<Robot>(entity.id, entity.type, space_.seed);
+  robot->setLogSink(log_sink_);
+  Driver& driver = cast_->drivers.emplace_back();  // entity numbers only grow
+  driver.row = row;
+  driver.robot = robot.get();
+  driver.group = group;
+  driver.step = {"step", group->part, driver.robot->name()};
+  driver.source = entity.source;
+  driver.command_timeout = entity.command_timeout;
+  space_.robots[i] = std::move(robot);
+  space_.controllers[i] = {group->description, 1, RobotWord::kNothing};
+  try {
+    for (const auto& sensor : group->sensors) {
+      driver.robot->provideSensor(sensor->type(), sensor->add(space_, row));
+    }
+    for (const auto& actuator : group->actuators) {
+      driver.robot->provideActuator(actuator->type(), actuator->add(space_, row));
+    }
+    if (driver.source == CommandSource::kController) {
+      driver.controller = startController(group->make, group->part, *driver.robot, group->description->parameters);
+    }
+    refuseUnlessReachable(driver, driver.source);
+  } catch (const ConfigError& error) {
+    if (!error.location().file.empty()) {
+      throw;
+    }
+    refuseStart(*group->description, entity.id, describeException());
+  } catch (...) {
+    refuseStart(*group->description, entity.id, describeException());
+  }
+}
+
+void Simulation::destroyController(Driver& driver) {
+  const std::string failure = endController(driver.controller, driver.group->part, *driver.robot);
+  if (!failure.empty()) {
+    failures_.push_back({driver.robot->name(), space_.tick, failure});
+    pending_events_.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", failure});
+    if (log_sink_) {
+      log_sink_(LogLevel::kError, driver.robot->name(), "controller failed: " + failure);
+    }
+  }
+}
+
+void Simulation::destroyControllers() {
+  for (Driver& driver : cast_->drivers) {
+    destroyController(driver);
+  }
+}
+
+void Simulation::removeEntity(Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  if (Driver* driver = cast_->findDriver(space_.entities, row)) {
+    destroyController(*driver);
+    for (const auto& sensor : driver->group->sensors) {
+      sensor->remove(space_, row);
+    }
+    for (const auto& actuator : driver->group->actuators) {
+      actuator->remove(space_, row);
+    }
+    cast_->drivers.erase(cast_->drivers.begin() + (driver - cast_->drivers.data()));
+  }
+  space_.robots[i].reset();
+  space_.controllers[i] = ControllerState{};
+  space_.structure.isolate(row);
+  space_.attachments.isolate(row);
+  for (const Seat& seat : cast_->seats[i]) {
+    callPlugin("remove", cast_->partOf(*seat.engine), UserCode::kNoTick, [&] { seat.engine->remove(space_, row); });
+  }
+  cast_->seats[i].clear();
+  space_.mover[i] = nullptr;
+  auto& lone = space_.entities_without_engine;
+  lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+  space_.entities.remove(row);
+}
+
+void Simulation::unbuild() {
+  for (Driver& driver : cast_->drivers) {
+    destroyController(driver);
+  }
+  cast_->drivers.clear();
+  for (const auto& engine : cast_->engines) {
+    engine->clear();
+  }
+  cast_->groups.clear();
+  cast_->seats.clear();
+  cast_->watches.clear();
+  space_.entities.clear();
+  space_.structure.clear();
+  space_.attachments.clear();
+  space_.joints.clear();
+  space_.leds.clear();
+  space_.laser_spots.clear();
+  space_.events.clear();
+  space_.overflows.clear();
+  space_.readings.clear();
+  space_.commands.clear();
+  space_.actuation.clear();
+  space_.mover.clear();
+  space_.robots.clear();
+  space_.controllers.clear();
+  space_.outside.clear();
+  space_.entities_without_engine.clear();
+}
+
+}  // namespace swarmanoid

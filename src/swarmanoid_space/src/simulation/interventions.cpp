@@ -1,0 +1,91 @@
+// What comes from outside, between ticks.
+#include "../experiment_file/door.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+
+void Simulation::spawn(const EntityDescription& entity, const std::vector<std::string>& engines) {
+  door::check(entity, experiment_);
+  std::vector<door::Claim> claims;
+  for (const std::string& engine : engines) {
+    claims.push_back({engine, std::nullopt, entity.location});
+  }
+  const std::vector<Seat> seats = door::seats(entity.id, claims, cast_->engines);
+  if (space_.entities.size() >= limits::kMostEntities) {
+    throw ConfigError(entity.location, "found " + std::to_string(space_.entities.size()) +
+                                           " entities in the arena already, allowed: no more");
+  }
+  addEntity(entity, seats);
+  offerRobots();
+  space_.index.rebuild(space_.entities);
+  pending_events_.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});
+}
+
+void Simulation::remove(const std::string& name) {
+  const Row row = space_.entities.find(name);
+  if (row == kNoRow) {
+    throw ConfigError({}, "there is no entity '" + name + "'");
+  }
+  removeEntity(row);
+  offerRobots();
+  space_.index.rebuild(space_.entities);
+  pending_events_.push_back({Event::Kind::kDeleted, name, "", ""});
+}
+
+void Simulation::move(const std::string& name, const Pose& pose) {
+  const Row row = space_.entities.find(name);
+  if (row == kNoRow) {
+    throw ConfigError({}, "there is no entity '" + name + "'");
+  }
+  const auto i = static_cast<std::size_t>(row);
+  if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
+    throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
+  }
+  door::checkPosition("position", pose.position, *space_.entities.model[i], experiment_.arena, {});
+  Pose target = pose;
+  target.orientation.normalize();
+  EntityDescription entity;
+  entity.id = name;
+  entity.type = space_.entities.model[i]->type;
+  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target, cast_->seats[i]);
+  // what is connected would be torn apart
+  space_.structure.isolate(row);
+  space_.attachments.isolate(row);
+  space_.entities.pose[i] = target;
+  space_.entities.twist[i] = Twist{};
+  for (const Seat& seat : cast_->seats[i]) {
+    seat.engine->place(space_, row);
+  }
+  space_.index.rebuild(space_.entities);
+  pending_events_.push_back({Event::Kind::kMoved, name, "", ""});
+}
+
+void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
+  failures_.clear();
+  pending_events_.clear();
+  unbuild();  // controllers that fail in destroy are failures and events of the run that begins
+  logged_overflows_ = 0;
+  finish_asked_ = false;
+  finished_ = false;
+  ++space_.run;
+  if (rewind) {
+    space_.time_before_reset = Duration::zero();
+  } else {
+    space_.time_before_reset += space_.time - kEpoch + space_.clocktick;  // one more: no stamp is used twice
+  }
+  if (seed) {
+    space_.seed = *seed;
+    experiment_.framework.seed = *seed;
+  }
+  restoreEngineParameters();
+  build();
+  for (Viewer& viewer : cast_->viewers) {
+    viewer.is_finished = false;
+    callPlugin("reset", viewer.part, UserCode::kNoTick, [&] { viewer->reset(); });
+  }
+  start();
+}
+
+}  // namespace swarmanoid

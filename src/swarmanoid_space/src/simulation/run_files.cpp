@@ -1,0 +1,29 @@
+#include "swarmanoid_space/simulation/run_files.hpp"
+
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+
+std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment& experiment) {
+  if (files.records_bag) {
+    loadPluginLibrary("swarmanoid_recording", {}, {});
+  }
+  auto out = std::make_shared<OutFolder>(files.folder, files.prefix, files.rules);
+  for (const std::string& file : experiment.files) {
+    out->protect(file);
+  }
+  out->protectLoadedLibraries();
+  return out;
+}
+
+void addVisualisation(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
+                      const Configuration& parameters) {
+  const Registry::Entry& entry = Registry::instance().require(PluginKind::kVisualisation, parameters.name());
+  auto visualisation = makePlugin<Visualisation>(entry);
+  context.experiment = &simulation.experiment();
+  context.asked_by = asked_by;
+  visualisation->configure(id, parameters, context);
+  simulation.addVisualisation(visualisation);
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,241 @@
+// The tick, on one screen, and the life of a run around it.
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+
+#include "../assembly/cast.hpp"
+#include "../assembly/stopwatch.hpp"
+#include "../phases/phases.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+
+namespace swarmanoid {
+
+PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
+  sense += other.sense;
+  control += other.control;
+  actuate += other.actuate;
+  move += other.move;
+  connect += other.connect;
+  index += other.index;
+  show += other.show;
+  engines.resize(std::max(engines.size(), other.engines.size()), 0.0);
+  for (std::size_t i = 0; i < other.engines.size(); ++i) {
+    engines[i] += other.engines[i];
+  }
+  return *this;
+}
+
+bool Simulation::tick(const std::function<bool()>& is_disturbed) {
+  if (isFinished()) {
+    return true;
+  }
+  Stopwatch stopwatch;
+  phases::sense(space_, cast_->groups, cast_->workers);
+  stopwatch.lap(phase_times_.sense);
+  if (!cast_->lockstep.exchange(space_, cast_->drivers, pending_events_, log_sink_, is_disturbed)) {
+    return false;
+  }
+  space_.events.assign(pending_events_.begin(), pending_events_.end());
+  pending_events_.clear();
+  phases::report(space_, cast_->groups);
+  if (supplied_.commands != nullptr) {
+    phases::obeyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
+  }
+  phases::control(space_, cast_->drivers, cast_->workers);
+  restoreLocale();
+  stopwatch.lap(phase_times_.control);
+  phases::actuate(space_, cast_->groups, cast_->faulty);
+  noteFailures();
+  phases::stopSafely(space_, cast_->drivers);
+  stopwatch.lap(phase_times_.actuate);
+  phases::move(space_, cast_->engines, cast_->workers, phase_times_.engines);
+  stopwatch.lap(phase_times_.move);
+  phases::connect(space_, cast_->engines, cast_->groups);
+  phases::handOver(space_, cast_->drivers, cast_->watches, cast_->seats);
+  stopwatch.lap(phase_times_.connect);
+  phases::index(space_);
+  stopwatch.lap(phase_times_.index);
+  logNewOverflows();
+
+  ++space_.tick;
+  space_.time += space_.clocktick;
+  if (space_.tick >= experiment_.framework.max_clock) {
+    space_.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
+  }
+  finish_asked_ = phases::show(space_, cast_->viewers);
+  stopwatch.lap(phase_times_.show);
+  if (stopwatch.last() >= next_flush_) {
+    double seconds = 0.0;
+    flush();
+    stopwatch.lap(seconds);
+    phase_times_.show += seconds;
+  }
+  return true;
+}
+
+void Simulation::noteFailures() {
+  for (const Row row : cast_->faulty) {
+    Driver* driver = cast_->findDriver(space_.entities, row);
+    if (!driver->has_failed) {
+      driver->has_failed = true;
+      driver->failure = kNotFinite;
+      space_.controllers[static_cast<std::size_t>(row)].word = RobotWord::kFailed;
+    }
+  }
+  for (Driver& driver : cast_->drivers) {
+    if (!driver.has_failed || driver.failure.empty()) {
+      continue;
+    }
+    driver.stops_since = space_.time;
+    failures_.push_back({driver.robot->name(), space_.tick, driver.failure});
+    space_.events.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", driver.failure});
+    if (log_sink_) {
+      log_sink_(LogLevel::kError, driver.robot->name(),
+                "controller failed in tick " + std::to_string(space_.tick) + ", the robot stops: " + driver.failure);
+    }
+    driver.failure.clear();
+  }
+}
+
+/// Once a device: a crowded run would say little else.
+void Simulation::logNewOverflows() {
+  for (; logged_overflows_ < space_.overflows.size(); ++logged_overflows_) {
+    const Overflow& overflow = space_.overflows[logged_overflows_];
+    if (log_sink_) {
+      log_sink_(LogLevel::kWarning, overflow.robot,
+                overflow.text + " in sight in tick " + std::to_string(overflow.first_tick) +
+                    ", the rest is left out; this is said once");
+    }
+  }
+}
+
+void Simulation::start() {
+  is_started_ = true;
+  phases::index(space_);
+  space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
+  pending_events_.clear();
+  finish_asked_ = phases::show(space_, cast_->viewers);
+  flush();
+}
+
+bool Simulation::isFinished() const {
+  return finish_asked_ || finished_ || space_.tick >= experiment_.framework.max_clock;
+}
+
+namespace {
+
+/// One that cannot write its file must not keep the others from writing theirs.
+template <class Action>
+void callAll(std::vector<Viewer>& viewers, const char* phase, Action action) {
+  std::exception_ptr first_problem;
+  for (Viewer& viewer : viewers) {
+    try {
+      callPlugin(phase, viewer.part, UserCode::kNoTick, [&] { action(viewer); });
+    } catch (...) {
+      first_problem = first_problem ? first_problem : std::current_exception();
+    }
+  }
+  if (first_problem) {
+    std::rethrow_exception(first_problem);
+  }
+}
+
+}  // namespace
+
+void Simulation::flush() {
+  next_flush_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  callAll(cast_->viewers, "flush", [](Viewer& viewer) { viewer->flush(); });
+}
+
+void Simulation::finish() {
+  finished_ = true;
+  // a run that has not begun has nothing to complete, and may not touch the files of an older one
+  if (!is_started_) {
+    return;
+  }
+  callAll(cast_->viewers, "finish", [](Viewer& viewer) {
+    if (!viewer.is_finished && !viewer.is_given_up) {
+      viewer.is_finished = true;  // before the call: if that does not return, the others are still to be called
+      viewer->finish();
+    }
+  });
+}
+
+void Simulation::giveUp(const std::string& part) {
+  for (Viewer& viewer : cast_->viewers) {
+    viewer.is_given_up = viewer.is_given_up || viewer.part == part;
+  }
+}
+
+std::size_t Simulation::robotCount() const { return cast_->drivers.size(); }
+
+Metrics Simulation::metrics() const {
+  Metrics metrics;
+  for (const Viewer& viewer : cast_->viewers) {
+    if (!viewer.is_given_up) {
+      viewer->addMetrics(metrics);
+    }
+  }
+  return metrics;
+}
+
+std::optional<bool> Simulation::success() const {
+  std::optional<bool> result;
+  for (const Viewer& viewer : cast_->viewers) {
+    if (const auto judged = viewer.is_given_up ? std::nullopt : viewer->success()) {
+      result = result.value_or(true) && *judged;
+    }
+  }
+  return result;
+}
+
+void Simulation::addVisualisation(std::shared_ptr<Visualisation> visualisation) {
+  const std::string part = "visualisation '" + visualisation->id() + "'";
+  cast_->viewers.push_back({{std::move(visualisation), part}});
+}
+
+void Simulation::setLogSink(Robot::LogSink sink) {
+  log_sink_ = std::move(sink);
+  for (Driver& driver : cast_->drivers) {
+    driver.robot->setLogSink(log_sink_);
+  }
+}
+
+Engine* Simulation::Cast::findEngine(const std::string& id) const {
+  for (const auto& engine : engines) {
+    if (engine->id() == id) {
+      return engine.get();
+    }
+  }
+  return nullptr;
+}
+
+const std::string& Simulation::Cast::partOf(const Engine& engine) const {
+  return std::find_if(engines.begin(), engines.end(), [&](const auto& known) { return known.get() == &engine; })->part;
+}
+
+ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {
+  for (const auto& group : groups) {
+    if (group->description->id == id) {
+      return group.get();
+    }
+  }
+  return nullptr;
+}
+
+Driver* Simulation::Cast::findDriver(const Entities& entities, Row row) {
+  if (row == kNoRow) {
+    return nullptr;
+  }
+  const auto numberOf = [&](Row of) { return entities.number[static_cast<std::size_t>(of)]; };
+  const auto found =
+      std::lower_bound(drivers.begin(), drivers.end(), numberOf(row),
+                       [&](const Driver& driver, EntityNumber number) { return numberOf(driver.row) < number; });
+  return found != drivers.end() && found->row == row ? &*found : nullptr;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,111 @@
+// Who commands a robot: its controller here, a participant elsewhere, whoever publishes to its topics, or nobody.
+#include <set>
+
+#include "../assembly/cast.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_space/lockstep/controller_frames.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+namespace {
+
+RemoteRobot describe(const Driver& driver) { return describeRobot(*driver.robot, *driver.group->description); }
+
+}  // namespace
+
+const char* toString(CommandSource source) {
+  switch (source) {
+    case CommandSource::kController:
+      return "controller";
+    case CommandSource::kRemote:
+      return "remote";
+    case CommandSource::kTopics:
+      return "topics";
+    case CommandSource::kNone:
+      return "none";
+  }
+  return "";
+}
+
+std::optional<CommandSource> parseCommandSource(const std::string& text) {
+  for (const CommandSource source :
+       {CommandSource::kController, CommandSource::kRemote, CommandSource::kTopics, CommandSource::kNone}) {
+    if (text == toString(source)) {
+      return source;
+    }
+  }
+  return std::nullopt;
+}
+
+Lockstep& Simulation::lockstep() { return cast_->lockstep; }
+
+void Simulation::interrupt() { cast_->lockstep.cancel(); }
+
+void Simulation::wake() { cast_->lockstep.wake(); }
+
+void Simulation::refuseUnlessReachable(const Driver& driver, CommandSource source) const {
+  if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
+    describe(driver);
+  }
+}
+
+void Simulation::offerRobots() {
+  std::vector<std::pair<RemoteRobot, std::size_t>> robots;
+  for (std::size_t i = 0; i < cast_->drivers.size(); ++i) {
+    if (cast_->drivers[i].source == CommandSource::kRemote) {
+      robots.emplace_back(describe(cast_->drivers[i]), i);
+    }
+  }
+  cast_->lockstep.offer(robots, space_);
+  if (supplied_.commands != nullptr) {
+    std::set<std::string> told_by_topics;
+    for (const Driver& driver : cast_->drivers) {
+      if (driver.source == CommandSource::kTopics) {
+        told_by_topics.insert(driver.robot->name());
+      }
+    }
+    supplied_.commands->accept(std::move(told_by_topics));
+  }
+}
+
+void Simulation::setCommandSource(const std::string& robot, CommandSource source) {
+  Driver* driver = cast_->findDriver(space_.entities, space_.entities.find(robot));
+  if (driver == nullptr) {
+    throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
+  }
+  if (driver->source == source) {
+    return;
+  }
+  std::shared_ptr<Controller> controller;
+  try {
+    if (source == CommandSource::kController) {
+      controller = startController(driver->group->make, driver->group->part, *driver->robot,
+                                   driver->group->description->parameters);
+    }
+    refuseUnlessReachable(*driver, source);
+    if (source == CommandSource::kTopics && supplied_.commands == nullptr) {
+      throw std::runtime_error("nobody listens to topics here, that needs ROS");
+    }
+    if (source == CommandSource::kTopics && !supplied_.commands->isOpen(robot)) {
+      throw std::runtime_error("its devices have no topics; name it in ~device_topics");
+    }
+  } catch (...) {
+    throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + describeException());
+  }
+  destroyController(*driver);
+  driver->controller = std::move(controller);
+  ++space_.controllers[static_cast<std::size_t>(driver->row)].starts;
+  pending_events_.push_back(
+      {Event::Kind::kIntervention, robot, "",
+       std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});
+  driver->source = source;
+  driver->is_told = false;
+  driver->stops_since.reset();
+  if (source == CommandSource::kNone || source == CommandSource::kTopics) {
+    driver->stops_since = space_.time;
+  }
+  offerRobots();
+}
+
+}  // namespace swarmanoid

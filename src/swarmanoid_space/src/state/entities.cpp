@@ -1,0 +1,76 @@
+#include "swarmanoid_space/state/entities.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace swarmanoid {
+
+Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles) {
+  using Eigen::AngleAxisd;
+  using Eigen::Vector3d;
+  return AngleAxisd(angles.z(), Vector3d::UnitZ()) * AngleAxisd(angles.y(), Vector3d::UnitY()) *
+         AngleAxisd(angles.x(), Vector3d::UnitX());
+}
+
+Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
+  const double sine_beta = std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0);
+  constexpr double kUpright = 1.0 - 1e-12;
+  if (std::abs(sine_beta) > kUpright) {
+    // ahead is straight up or down: turns about x and z are turns about the same line, and gamma takes both
+    const double half_gamma = std::atan2(std::copysign(1.0, -sine_beta) * q.x(), q.w());
+    return {0.0, std::copysign(M_PI / 2.0, sine_beta), std::remainder(2.0 * half_gamma, 2.0 * M_PI)};
+  }
+  const double alpha = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
+  const double gamma = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
+  return {alpha, std::asin(sine_beta), gamma};
+}
+
+Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityModel> entity_model,
+                  const Pose& entity_pose, Color entity_color) {
+  Row row = static_cast<Row>(number.size());
+  if (holes_.empty()) {
+    number.emplace_back();
+    name.emplace_back();
+    model.emplace_back();
+    pose.emplace_back();
+    twist.emplace_back();
+    color.emplace_back();
+  } else {
+    row = holes_.back();
+    holes_.pop_back();
+  }
+  const auto i = static_cast<std::size_t>(row);
+  number[i] = ++last_number_;
+  name[i] = entity_name;
+  model[i] = std::move(entity_model);
+  pose[i] = entity_pose;
+  twist[i] = Twist{};
+  color[i] = entity_color;
+  order.push_back(row);  // numbers only grow
+  row_by_name_[entity_name] = row;
+  return row;
+}
+
+void Entities::remove(Row row) {
+  const auto i = static_cast<std::size_t>(row);
+  row_by_name_.erase(name[i]);
+  number[i] = kNobody;
+  name[i].clear();
+  model[i].reset();
+  order.erase(std::find(order.begin(), order.end(), row));
+  holes_.push_back(row);
+}
+
+Row Entities::find(const std::string& entity_name) const {
+  const auto found = row_by_name_.find(entity_name);
+  return found == row_by_name_.end() ? kNoRow : found->second;
+}
+
+Row Entities::find(EntityNumber entity_number) const {
+  const auto found = std::lower_bound(order.begin(), order.end(), entity_number, [&](Row row, EntityNumber value) {
+    return number[static_cast<std::size_t>(row)] < value;
+  });
+  return found != order.end() && number[static_cast<std::size_t>(*found)] == entity_number ? *found : kNoRow;
+}
+
+}  // namespace swarmanoid
