@@ -26,9 +26,10 @@ struct FieldName {
 ///     visitor.number(name, double)
 ///     visitor.vector(name, Eigen::Vector3d)
 ///     visitor.quaternion(name, Eigen::Quaterniond)
-///     visitor.colors(name, first, count)           `first` is a row of EntityModel::kMaxLeds colours, of which `count`
-///     are in use visitor.entity(name, EntityNumber)           another entity; kNobody: none visitor.ordinal(number)
-///     which of a kind the next fields are of; their names say it too visitor.text(name, std::string)
+///     visitor.colors(name, first, count)           `first` is a row of kMaxLeds colours, of which `count` are in use
+///     visitor.entity(name, EntityNumber)           another entity; kNoEntity: none
+///     visitor.ordinal(number)                      which of a kind the next fields are of; their names say it too
+///     visitor.text(name, std::string)
 /// and those of `visitor.detail()`, for what follows from the rest or does nothing to it, if that is not null.
 /// Nothing is copied: names live as long as the call.
 template <class Visitor>
@@ -50,7 +51,7 @@ class StateVisit {
 
  private:
   static std::size_t at(Row row) { return static_cast<std::size_t>(row); }
-  EntityNumber numberOf(Row row) const { return row == kNoRow ? kNobody : space_.entities.number[at(row)]; }
+  EntityNumber numberOf(Row row) const { return row == kNoRow ? kNoEntity : space_.entities.number[at(row)]; }
 
   void visitBody(Row row) {
     const Entities& entities = space_.entities;

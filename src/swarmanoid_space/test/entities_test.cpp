@@ -46,7 +46,7 @@ TEST(EntitiesTest, ANumberOfTheDeadFindsNobodyEvenWhenItsRowLivesAgain) {
   EXPECT_EQ(entities.find(number_of_b), kNoRow);
   EXPECT_EQ(entities.find("b"), again);
   EXPECT_EQ(entities.find(entities.number[static_cast<std::size_t>(again)]), again);
-  EXPECT_EQ(entities.find(kNobody), kNoRow);
+  EXPECT_EQ(entities.find(kNoEntity), kNoRow);
   EXPECT_EQ(entities.find(EntityNumber{1000}), kNoRow);
 }
 

@@ -109,7 +109,7 @@ struct Body {
   Body(const Body&) = delete;
   Body& operator=(const Body&) = delete;
 
-  EntityNumber number = kNobody;
+  EntityNumber number = kNoEntity;
   Row row = kNoRow;
   Role role = Role::kMove;
   std::shared_ptr<const EntityModel> model;

@@ -28,7 +28,7 @@ struct Body {
   double along = 0.0;  ///< of the origin, along the plane's normal [m]
   const PlanarModel* model = nullptr;
   const EntityModel* entity = nullptr;
-  EntityNumber number = kNobody;
+  EntityNumber number = kNoEntity;
   Row row = kNoRow;
 
   // What it is told; null if it has no such device, or not the parts for it.

@@ -53,7 +53,7 @@ class Actuator {
 template <class Device>
 struct BasicActuatorSeat {
   Row row = kNoRow;
-  EntityNumber number = kNobody;
+  EntityNumber number = kNoEntity;
   Device* command = nullptr;
   Device* actuation = nullptr;
   RandomStream random;

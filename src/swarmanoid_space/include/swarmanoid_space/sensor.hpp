@@ -48,7 +48,7 @@ class Sensor {
 template <class Device>
 struct BasicSensorSeat {
   Row row = kNoRow;
-  EntityNumber number = kNobody;
+  EntityNumber number = kNoEntity;
   Device* readings = nullptr;
   RandomStream random;
 };

@@ -32,7 +32,7 @@ namespace swarmanoid {
 
 /// A bright spot that a laser pointer makes where its beam meets a surface or the floor.
 struct LaserSpot {
-  EntityNumber owner = kNobody;
+  EntityNumber owner = kNoEntity;
   Eigen::Vector3d source = Eigen::Vector3d::Zero();    ///< where the beam leaves the pointer [m]
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< where it ends [m]
   Color color;

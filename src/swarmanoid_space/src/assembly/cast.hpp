@@ -78,7 +78,7 @@ struct HandoverWatch {
   const HandoverDescription* rule = nullptr;
   Engine* engine = nullptr;
   Row row = kNoRow;
-  EntityNumber number = kNobody;
+  EntityNumber number = kNoEntity;
   bool was_true = false;    ///< the condition, at the end of the last tick
   bool is_due = false;      ///< it became true, is still true, and nothing has come of it yet
   bool is_refused = false;  ///< since then; that has been told

@@ -24,7 +24,7 @@ void RobotTopics::adopt(const std::vector<AttachmentPoint::Request>& parts) {
   for (const AttachmentPoint::Request& part : parts) {
     if (part.kind == PluginKind::kVisualisation) {
       topics_[part.id] = std::static_pointer_cast<Visualisation>(point_.part(part.kind, part.id));
-      served_[part.id] = kNobody;  // its number is known once the space is looked at
+      served_[part.id] = kNoEntity;  // its number is known once the space is looked at
     }
   }
 }
@@ -61,7 +61,7 @@ void RobotTopics::follow(const Space& space) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (auto& [robot, number] : served_) {
-      if (number == kNobody && present.count(robot) > 0) {
+      if (number == kNoEntity && present.count(robot) > 0) {
         number = present[robot];
       }
     }

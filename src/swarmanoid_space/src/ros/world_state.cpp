@@ -157,7 +157,7 @@ void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& m
 
 bool OutsideChanges::look(const Space& space) {
   const std::vector<Row>& order = space.entities.order;
-  const EntityNumber last = order.empty() ? kNobody : space.entities.number[static_cast<std::size_t>(order.back())];
+  const EntityNumber last = order.empty() ? kNoEntity : space.entities.number[static_cast<std::size_t>(order.back())];
   bool is_change = !has_looked_ || space.run != run_ || order.size() != count_ || last != last_;
   for (const Event& event : space.events) {
     is_change = is_change || event.kind == Event::Kind::kMoved || event.kind == Event::Kind::kSpawned ||

@@ -54,7 +54,7 @@ Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityMo
 void Entities::remove(Row row) {
   const auto i = static_cast<std::size_t>(row);
   row_by_name_.erase(name[i]);
-  number[i] = kNobody;
+  number[i] = kNoEntity;
   name[i].clear();
   model[i].reset();
   order.erase(std::find(order.begin(), order.end(), row));

@@ -48,7 +48,7 @@ class OutsideChanges {
   bool has_looked_ = false;
   std::uint64_t run_ = 0;
   std::size_t count_ = 0;
-  EntityNumber last_ = kNobody;
+  EntityNumber last_ = kNoEntity;
 };
 
 }  // namespace swarmanoid

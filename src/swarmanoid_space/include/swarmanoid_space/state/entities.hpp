@@ -23,7 +23,7 @@ using Row = std::int32_t;            ///< where an entity stands in the arrays; 
 using EntityNumber = std::uint64_t;  ///< an entity for ever; the first is 1, 0 is nobody
 
 constexpr Row kNoRow = -1;
-constexpr EntityNumber kNobody = 0;
+constexpr EntityNumber kNoEntity = 0;
 
 /// Position and orientation in W.
 struct Pose {
@@ -58,7 +58,7 @@ class Entities {
   std::size_t size() const { return order.size(); }
   /// One more than the highest row in use; rows below may be holes.
   std::size_t rowCount() const { return number.size(); }
-  bool isAlive(Row row) const { return number[static_cast<std::size_t>(row)] != kNobody; }
+  bool isAlive(Row row) const { return number[static_cast<std::size_t>(row)] != kNoEntity; }
 
   std::vector<Row> order;  ///< living rows, by entity number
 

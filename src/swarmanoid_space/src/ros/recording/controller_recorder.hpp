@@ -33,7 +33,7 @@ class ControllerRecorder {
  private:
   struct Recorded {
     Registration registration;  // of this robot alone
-    EntityNumber number = kNobody;
+    EntityNumber number = kNoEntity;
     std::uint32_t starts = 0;
   };
 

@@ -36,7 +36,7 @@ class MessageVisitor {
     }
   }
   void entity(const FieldName& name, EntityNumber number) {
-    const Row row = number == kNobody ? kNoRow : space_.entities.find(number);
+    const Row row = number == kNoEntity ? kNoRow : space_.entities.find(number);
     text(name, row == kNoRow ? std::string() : space_.entities.name[static_cast<std::size_t>(row)]);
   }
   void ordinal(std::uint64_t) {}
