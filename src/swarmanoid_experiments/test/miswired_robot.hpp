@@ -28,7 +28,7 @@ class MiswiredRobot {
           SensorFrame sensed = frame;
           rewire(sensed.data, robot_.sensors);
           CommandFrame answer = host_->answer(sensed);
-          if (answer.data[0] == static_cast<std::uint8_t>(RobotWord::kStepped)) {
+          if (answer.data[0] == static_cast<std::uint8_t>(StepStatus::kStepped)) {
             rewire(answer.data, robot_.actuators);
           }
           lockstep.answer(answer);

@@ -139,14 +139,14 @@ void ControllerHost::read(const SensorFrame& frame) {
 }
 
 void ControllerHost::write(const Hosted& hosted, ByteWriter& out) const {
-  const RobotWord word = !hosted.is_present        ? RobotWord::kNothing
-                         : !hosted.failure.empty() ? RobotWord::kFailed
-                                                   : RobotWord::kStepped;
-  out.number(static_cast<std::uint8_t>(word));
-  if (word == RobotWord::kFailed) {
+  const StepStatus status = !hosted.is_present        ? StepStatus::kNothing
+                            : !hosted.failure.empty() ? StepStatus::kFailed
+                                                      : StepStatus::kStepped;
+  out.number(static_cast<std::uint8_t>(status));
+  if (status == StepStatus::kFailed) {
     out.text(hosted.failure);
   }
-  if (word != RobotWord::kStepped) {
+  if (status != StepStatus::kStepped) {
     return;
   }
   for (const Device& device : hosted.actuators) {

@@ -189,7 +189,7 @@ void RobotLoop::makeFrame() {
 
 std::string RobotLoop::readAnswer() {
   ByteReader in(answer_->data);
-  if (static_cast<RobotWord>(in.number<std::uint8_t>()) != RobotWord::kStepped) {
+  if (static_cast<StepStatus>(in.number<std::uint8_t>()) != StepStatus::kStepped) {
     return in.text();
   }
   std::string failure;

@@ -61,7 +61,7 @@ SensorFrame frameOf(std::uint64_t run, std::uint64_t tick, bool is_present = tru
 }
 
 struct Answer {
-  RobotWord word;
+  StepStatus status;
   double left = -1.0;
   double right = -1.0;
   std::string text;
@@ -69,15 +69,15 @@ struct Answer {
 
 Answer read(const CommandFrame& frame) {
   ByteReader in(frame.data);
-  Answer answer{static_cast<RobotWord>(in.number<std::uint8_t>()), -1.0, -1.0, ""};
-  if (answer.word == RobotWord::kStepped) {
+  Answer answer{static_cast<StepStatus>(in.number<std::uint8_t>()), -1.0, -1.0, ""};
+  if (answer.status == StepStatus::kStepped) {
     ByteReader block = in.block();
     block.number(answer.left);
     block.number(answer.right);
     EXPECT_EQ(1U, in.number<std::uint32_t>());
     EXPECT_EQ("state", in.text());
     answer.text = in.text();
-  } else if (answer.word == RobotWord::kFailed) {
+  } else if (answer.status == StepStatus::kFailed) {
     answer.text = in.text();
   }
   EXPECT_EQ(0U, in.left());
@@ -123,7 +123,7 @@ TEST(ControllerHostTest, AnewAfterAResetAndWhenTheRobotComesBack) {
   host.answer(frameOf(0, 0));
   EXPECT_EQ(2.0, read(host.answer(frameOf(0, 1))).left);
   EXPECT_EQ(1.0, read(host.answer(frameOf(1, 0))).left);
-  EXPECT_EQ(RobotWord::kNothing, read(host.answer(frameOf(1, 1, false))).word);
+  EXPECT_EQ(StepStatus::kNothing, read(host.answer(frameOf(1, 1, false))).status);
   EXPECT_EQ(1.0, read(host.answer(frameOf(1, 2))).left);
 }
 
@@ -131,7 +131,7 @@ TEST(ControllerHostTest, SaysWhyAControllerFailed) {
   ControllerHost host(
       oneRobot(), [] { return std::make_shared<Counter>(); }, nullptr);
   const Answer answer = read(host.answer(frameOf(0, 0, true, true)));
-  EXPECT_EQ(RobotWord::kFailed, answer.word);
+  EXPECT_EQ(StepStatus::kFailed, answer.status);
   EXPECT_EQ("it holds something", answer.text);
 }
 

@@ -42,20 +42,20 @@ bool commandsNoNumber(const Answer& answer, const RemoteRobot& robot) {
 Answer answerOf(const CommandFrame& frame, const RemoteRobot& robot) {
   ByteReader in(frame.data);
   Answer answer;
-  answer.word = static_cast<RobotWord>(in.number<std::uint8_t>());
-  switch (answer.word) {
-    case RobotWord::kNothing:
+  answer.status = static_cast<StepStatus>(in.number<std::uint8_t>());
+  switch (answer.status) {
+    case StepStatus::kNothing:
       break;
-    case RobotWord::kFailed:
+    case StepStatus::kFailed:
       answer.failure = in.text();
       break;
-    case RobotWord::kStepped: {
+    case StepStatus::kStepped: {
       answer.commands = readBlocks(in, robot.actuators.size());
       answer.debug = readDebugValues(in);
       break;
     }
     default:
-      throw ByteError("found the word " + std::to_string(static_cast<int>(answer.word)) + ", allowed: 0 to 2");
+      throw ByteError("found the status " + std::to_string(static_cast<int>(answer.status)) + ", allowed: 0 to 2");
   }
   refuseRest(in);
   return answer;
@@ -70,10 +70,11 @@ std::vector<Bytes> readingsOf(const SensorFrame& frame, const RemoteRobot& robot
 }
 
 bool isSame(const Answer& recorded, const Answer& replayed, const RemoteRobot& robot) {
-  if (recorded.word == RobotWord::kFailed && recorded.failure == kNotFinite && replayed.word == RobotWord::kStepped) {
+  if (recorded.status == StepStatus::kFailed && recorded.failure == kNotFinite &&
+      replayed.status == StepStatus::kStepped) {
     return commandsNoNumber(replayed, robot);
   }
-  return recorded.word == replayed.word && recorded.failure == replayed.failure &&
+  return recorded.status == replayed.status && recorded.failure == replayed.failure &&
          recorded.commands == replayed.commands;
 }
 

@@ -12,9 +12,9 @@
 
 namespace swarmanoid::replay {
 
-/// What a controller did in a tick: the word of its command frame, taken apart.
+/// What a controller did in a tick, read from its command frame.
 struct Answer {
-  RobotWord word = RobotWord::kNothing;
+  StepStatus status = StepStatus::kNothing;
   std::string failure;
   std::vector<Bytes> commands;  ///< of each actuator, in the order of the robot's description
   std::vector<std::pair<std::string, std::string>> debug;

@@ -14,13 +14,13 @@ std::string secondsOf(Time time) {
   return text;
 }
 
-std::string wordOf(const Answer& answer) {
-  switch (answer.word) {
-    case RobotWord::kStepped:
+std::string statusOf(const Answer& answer) {
+  switch (answer.status) {
+    case StepStatus::kStepped:
       return "stepped";
-    case RobotWord::kFailed:
+    case StepStatus::kFailed:
       return "failed: " + answer.failure;
-    case RobotWord::kNothing:
+    case StepStatus::kNothing:
       break;
   }
   return "did nothing";
@@ -115,10 +115,11 @@ std::string report(const RecordedRun& run, const std::string& title, const Compa
   text += "first difference: " + run.robot().name + ", tick " + std::to_string(difference.sensors.stamp.tick) + ", " +
           secondsOf(difference.sensors.time) + " s\n";
   const bool have_both_stepped =
-      difference.recorded.word == RobotWord::kStepped && difference.replayed.word == RobotWord::kStepped;
-  text += have_both_stepped ? deviceDifferences(run.robot(), difference)
-                            : "  the controller: " + both(wordOf(difference.recorded), wordOf(difference.replayed)) +
-                                  devices(run.robot().actuators, difference.replayed.commands, "    replayed ", ": ");
+      difference.recorded.status == StepStatus::kStepped && difference.replayed.status == StepStatus::kStepped;
+  text += have_both_stepped
+              ? deviceDifferences(run.robot(), difference)
+              : "  the controller: " + both(statusOf(difference.recorded), statusOf(difference.replayed)) +
+                    devices(run.robot().actuators, difference.replayed.commands, "    replayed ", ": ");
   const std::vector<Bytes> readings = readingsOf(difference.sensors, run.robot());
   text += readings.empty() ? "" : "  readings\n" + devices(run.robot().sensors, readings, "    ", ": ");
   return text + debugValues(difference);
@@ -161,8 +162,8 @@ std::string table(const RecordedRun& run, TickRange range) {
       continue;
     }
     const Answer answer = answerOf(*tick.commands, robot);
-    if (answer.word != RobotWord::kStepped) {
-      text += begin + "controller\t\t" + wordOf(answer) + "\n";
+    if (answer.status != StepStatus::kStepped) {
+      text += begin + "controller\t\t" + statusOf(answer) + "\n";
     }
     text += devices(robot.actuators, answer.commands, begin + "command\t", "\t");
     for (const auto& [key, value] : answer.debug) {

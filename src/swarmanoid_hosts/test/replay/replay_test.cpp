@@ -151,7 +151,7 @@ TEST(ReplayTest, ANumberThatIsNoneIsWhatTheSpaceStoppedTheRobotFor) {
   CommandFrame& last = *run.ticks[4].commands;
   last.data.clear();
   ByteWriter out(last.data);
-  out.number(static_cast<std::uint8_t>(RobotWord::kFailed));
+  out.number(static_cast<std::uint8_t>(StepStatus::kFailed));
   out.text(kNotFinite);
   EXPECT_EQ("fb_1: all 5 ticks are equal\n", reportOf(run));
   EXPECT_EQ(0U, reportOf(with(run, "broken_at", 9)).find("fb_1: 4 of 5 ticks are equal\n"));

@@ -116,14 +116,14 @@ TEST_F(DiffTest, ReadingsAndCommandsAreNamedByDeviceAndField) {
     swarmanoid_msgs::SensorFrame sensor_frame;
     sensor_frame.data = readings;
     bag.write("/fb_1/controller/sensors", ros::Time(1.0), sensor_frame);
-    std::vector<std::uint8_t> words;
-    ByteWriter commands(words);
-    commands.number(static_cast<std::uint8_t>(RobotWord::kStepped));
+    std::vector<std::uint8_t> bytes;
+    ByteWriter commands(bytes);
+    commands.number(static_cast<std::uint8_t>(StepStatus::kStepped));
     commands.number(std::uint32_t{8});
     commands.number(command);
     commands.number(std::uint32_t{0});
     swarmanoid_msgs::CommandFrame command_frame;
-    command_frame.data = words;
+    command_frame.data = bytes;
     bag.write("/fb_1/controller/commands", ros::Time(1.0), command_frame);
     bag.write("/space/named_state", ros::Time(1.1), state(1, {"fb_1/x"}, {command}, {}));
     return file(name);

@@ -43,7 +43,8 @@ struct CommandFrame {
   Bytes data;
 };
 
-enum class RobotWord : std::uint8_t { kNothing = 0, kStepped = 1, kFailed = 2 };
+/// What came of a control step: a controller was not asked or not in time, has written commands, or has thrown.
+enum class StepStatus : std::uint8_t { kNothing = 0, kStepped = 1, kFailed = 2 };
 
 /// A device of a robot, with the layout that its bytes have.
 struct DeviceLayout {

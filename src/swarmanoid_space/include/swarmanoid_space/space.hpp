@@ -38,11 +38,12 @@ struct LaserSpot {
   Color color;
 };
 
-/// The controller of a robot, and what became of it in a tick.
+/// The controller of a robot, and what came of its control step in a tick.
 struct ControllerState {
   const ControllerDescription* description = nullptr;  ///< null: the entity has none
   std::uint32_t starts = 0;                            ///< how often it was started, here or in another process
-  RobotWord word = RobotWord::kNothing;  ///< kNothing: not asked, or late; the commands are those of an earlier tick
+  StepStatus status =
+      StepStatus::kNothing;  ///< kNothing: not asked, or late; the commands are those of an earlier tick
 };
 
 class Space {

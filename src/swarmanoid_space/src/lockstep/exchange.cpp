@@ -26,10 +26,10 @@ void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver
 }
 
 /// What is said of a robot that has been deleted, or commanded by others, since the participant was asked.
-void skipAnswer(ByteReader& in, RobotWord word, const RemoteRobot& robot) {
-  if (word == RobotWord::kFailed) {
+void skipAnswer(ByteReader& in, StepStatus status, const RemoteRobot& robot) {
+  if (status == StepStatus::kFailed) {
     in.text();
-  } else if (word == RobotWord::kStepped) {
+  } else if (status == StepStatus::kStepped) {
     for (std::size_t i = 0; i < robot.actuators.size(); ++i) {
       in.block();
     }
@@ -42,7 +42,7 @@ ControllerState& stateOf(const Driver& driver, Space& space) {
 }
 
 void fail(Driver& driver, const std::string& reason, Space& space) {
-  stateOf(driver, space).word = RobotWord::kFailed;
+  stateOf(driver, space).status = StepStatus::kFailed;
   driver.has_failed = true;
   driver.failure = reason;
 }
@@ -137,7 +137,7 @@ bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<
     throw std::runtime_error(is_cancelled_ ? "stopped while waiting for participants" : stop_reason_);
   }
   for (const Offered& offered : offered_) {
-    stateOf(drivers[offered.driver], space).word = RobotWord::kNothing;
+    stateOf(drivers[offered.driver], space).status = StepStatus::kNothing;
   }
   for (const auto& participant : participants_) {
     if (participant->is_asked && participant->is_answered) {
@@ -157,16 +157,16 @@ void Lockstep::apply(const Participant& participant, Space& space, std::vector<D
       ++stateOf(drivers[driver], space).starts;
     }
     try {
-      const auto word = static_cast<RobotWord>(in.number<std::uint8_t>());
-      if (is_commanded && word == RobotWord::kStepped) {
+      const auto status = static_cast<StepStatus>(in.number<std::uint8_t>());
+      if (is_commanded && status == StepStatus::kStepped) {
         readCommands(in, participant.robots[i], space, drivers[driver]);
-        stateOf(drivers[driver], space).word = RobotWord::kStepped;
-      } else if (is_commanded && word == RobotWord::kFailed) {
+        stateOf(drivers[driver], space).status = StepStatus::kStepped;
+      } else if (is_commanded && status == StepStatus::kFailed) {
         fail(drivers[driver], in.text(), space);
-      } else if (participant.is_present[i] && (word == RobotWord::kStepped || word == RobotWord::kFailed)) {
-        skipAnswer(in, word, participant.robots[i]);
-      } else if (participant.is_present[i] || word != RobotWord::kNothing) {
-        throw ByteError("found the word " + std::to_string(static_cast<int>(word)) + ", which does not fit");
+      } else if (participant.is_present[i] && (status == StepStatus::kStepped || status == StepStatus::kFailed)) {
+        skipAnswer(in, status, participant.robots[i]);
+      } else if (participant.is_present[i] || status != StepStatus::kNothing) {
+        throw ByteError("found the status " + std::to_string(static_cast<int>(status)) + ", which does not fit");
       }
     } catch (const ByteError& error) {
       // what follows cannot be read either

@@ -10,14 +10,14 @@ void control(Space& space, std::vector<Driver>& drivers, const Workers& workers)
     for (std::size_t i = first; i < last; ++i) {
       Driver& driver = drivers[i];
       if (driver.source == CommandSource::kRemote) {
-        continue;  // its participant has said its word
+        continue;  // its participant has answered
       }
-      RobotWord& word = space.controllers[static_cast<std::size_t>(driver.row)].word;
-      word = RobotWord::kNothing;
+      StepStatus& status = space.controllers[static_cast<std::size_t>(driver.row)].status;
+      status = StepStatus::kNothing;
       if (!driver.has_failed && driver.controller != nullptr) {
         driver.has_failed = !stepController(*driver.controller, driver.step, *driver.robot, space.tick, space.time,
                                             space.clocktick, driver.failure);
-        word = driver.has_failed ? RobotWord::kFailed : RobotWord::kStepped;
+        status = driver.has_failed ? StepStatus::kFailed : StepStatus::kStepped;
       }
     }
   });

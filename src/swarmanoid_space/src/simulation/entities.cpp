@@ -106,7 +106,7 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   driver.source = entity.source;
   driver.command_timeout = entity.command_timeout;
   space_.robots[i] = std::move(robot);
-  space_.controllers[i] = {group->description, 1, RobotWord::kNothing};
+  space_.controllers[i] = {group->description, 1, StepStatus::kNothing};
   try {
     for (const auto& sensor : group->sensors) {
       driver.robot->provideSensor(sensor->type(), sensor->add(space_, row));

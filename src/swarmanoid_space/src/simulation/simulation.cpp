@@ -83,7 +83,7 @@ void Simulation::noteFailures() {
     if (!driver->has_failed) {
       driver->has_failed = true;
       driver->failure = kNotFinite;
-      space_.controllers[static_cast<std::size_t>(row)].word = RobotWord::kFailed;
+      space_.controllers[static_cast<std::size_t>(row)].status = StepStatus::kFailed;
     }
   }
   for (Driver& driver : cast_->drivers) {

@@ -101,7 +101,7 @@ Values commands(const std::string& robot, const std::optional<CommandFrame>& fra
   for (const auto& [name, value] : answer.debug) {
     values.emplace_back(robot + "/debug " + name, value);
   }
-  if (answer.word == RobotWord::kFailed) {
+  if (answer.status == StepStatus::kFailed) {
     values.emplace_back(robot + "/failure", answer.failure);
   }
   return values;

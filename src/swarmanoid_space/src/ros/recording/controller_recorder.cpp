@@ -58,7 +58,7 @@ void ControllerRecorder::record(const Space& space, BagWriter& bag) {
   for (const Row row : space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
     const ControllerState& controller = space.controllers[i];
-    if (controller.word == RobotWord::kNothing || !isWanted(space.entities.name[i])) {
+    if (controller.status == StepStatus::kNothing || !isWanted(space.entities.name[i])) {
       continue;
     }
     Recorded& recorded = recorded_[space.entities.name[i]];
@@ -99,12 +99,12 @@ void ControllerRecorder::writeTick(const Space& space, Row row, const Recorded& 
   sensors.number(std::uint8_t{1});
   writeReadings(space, row, robot.sensors, sensors);
 
-  const RobotWord word = space.controllers[i].word;
+  const StepStatus status = space.controllers[i].status;
   commands_.stamp = sensors_.stamp;
   commands_.data.clear();
   ByteWriter commands(commands_.data);
-  commands.number(static_cast<std::uint8_t>(word));
-  if (word == RobotWord::kFailed) {
+  commands.number(static_cast<std::uint8_t>(status));
+  if (status == StepStatus::kFailed) {
     commands.text(failureOf(name, space));
   } else {
     writeCommands(space, row, robot.actuators, commands);
