@@ -86,12 +86,12 @@ class Carousel final : public swarmanoid::Engine {
   }
   void connect(Space&) override {}
 
-  bool mayMeet(const swarmanoid::RayBundle&) const override { return !riders_.empty(); }
+  bool mayHit(const swarmanoid::RayBundle&) const override { return !riders_.empty(); }
   void castRays(const swarmanoid::RayBundle& rays, swarmanoid::Span<swarmanoid::RayHit> hits) const override {
     for (const Rider& rider : riders_) {
       for (std::size_t k = 0; k < rays.segments.size() && rider.row != rays.ignored && rider.row != rays.also_ignored;
            ++k) {
-        const double fraction = swarmanoid::firstMeeting(rays.segments[k], *rider.model, rider.pose);
+        const double fraction = swarmanoid::closestHit(rays.segments[k], *rider.model, rider.pose);
         if (fraction < hits[k].fraction) {
           hits[k] = {fraction, rider.row};
         }

@@ -117,9 +117,9 @@ TEST(PlanarModelTest, AxesSayWhereTheBodyIsAheadInThePlane) {
 
 TEST(PlanarModelTest, BandsThatTouchDoNotMeet) {
   const Band table{0.7, 0.1 + 0.2 + 0.45};
-  EXPECT_FALSE(table.meets({0.0, 0.2}, 0.0, 0.75));
-  EXPECT_TRUE(table.meets({0.0, 0.2}, 0.0, 0.74));
-  EXPECT_FALSE(table.meets({0.0, 0.15}, 0.0, 0.0));
+  EXPECT_FALSE(table.overlaps({0.0, 0.2}, 0.0, 0.75));
+  EXPECT_TRUE(table.overlaps({0.0, 0.2}, 0.0, 0.74));
+  EXPECT_FALSE(table.overlaps({0.0, 0.15}, 0.0, 0.0));
 }
 
 TEST(PlanarModelTest, PlacedShapesTurnAndShift) {

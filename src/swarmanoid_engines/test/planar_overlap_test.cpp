@@ -29,7 +29,7 @@ PlanarShape square(const Vector2d& centre, double angle = 0.0) {
 }
 
 /// Overlap does not depend on who is asked.
-bool meet(const PlanarShape& a, const PlanarShape& b) {
+bool areOverlapping(const PlanarShape& a, const PlanarShape& b) {
   EXPECT_EQ(overlap(a, b), overlap(b, a));
   return overlap(a, b);
 }
@@ -38,50 +38,50 @@ constexpr double kDeep = 1e-6;   // m: clearly beyond the tolerance
 constexpr double kNear = 1e-10;  // m: within it
 
 TEST(PlanarOverlapTest, Circles) {
-  EXPECT_FALSE(meet(circle({0.0, 0.0}, 0.5), circle({0.6, 0.8}, 0.5)));
-  EXPECT_FALSE(meet(circle({0.0, 0.0}, 0.5), circle({1.0 - kNear, 0.0}, 0.5)));
-  EXPECT_TRUE(meet(circle({0.0, 0.0}, 0.5), circle({1.0 - kDeep, 0.0}, 0.5)));
-  EXPECT_TRUE(meet(circle({0.0, 0.0}, 0.5), circle({0.0, 0.0}, 0.1)));
+  EXPECT_FALSE(areOverlapping(circle({0.0, 0.0}, 0.5), circle({0.6, 0.8}, 0.5)));
+  EXPECT_FALSE(areOverlapping(circle({0.0, 0.0}, 0.5), circle({1.0 - kNear, 0.0}, 0.5)));
+  EXPECT_TRUE(areOverlapping(circle({0.0, 0.0}, 0.5), circle({1.0 - kDeep, 0.0}, 0.5)));
+  EXPECT_TRUE(areOverlapping(circle({0.0, 0.0}, 0.5), circle({0.0, 0.0}, 0.1)));
 }
 
 TEST(PlanarOverlapTest, CircleAtASide) {
-  EXPECT_FALSE(meet(circle({1.5, 0.3}, 0.5), square({0.0, 0.0})));
-  EXPECT_FALSE(meet(circle({1.5 - kNear, 0.3}, 0.5), square({0.0, 0.0})));
-  EXPECT_TRUE(meet(circle({1.5 - kDeep, 0.3}, 0.5), square({0.0, 0.0})));
+  EXPECT_FALSE(areOverlapping(circle({1.5, 0.3}, 0.5), square({0.0, 0.0})));
+  EXPECT_FALSE(areOverlapping(circle({1.5 - kNear, 0.3}, 0.5), square({0.0, 0.0})));
+  EXPECT_TRUE(areOverlapping(circle({1.5 - kDeep, 0.3}, 0.5), square({0.0, 0.0})));
 }
 
 TEST(PlanarOverlapTest, CircleAtACorner) {
   // the corner is at (1, 1); the circle's centre 0.5 away, along (0.6, 0.8)
-  EXPECT_FALSE(meet(circle({1.3, 1.4}, 0.5), square({0.0, 0.0})));
-  EXPECT_TRUE(meet(circle({1.3 - kDeep, 1.4}, 0.5), square({0.0, 0.0})));
+  EXPECT_FALSE(areOverlapping(circle({1.3, 1.4}, 0.5), square({0.0, 0.0})));
+  EXPECT_TRUE(areOverlapping(circle({1.3 - kDeep, 1.4}, 0.5), square({0.0, 0.0})));
   // the bounding boxes meet, the shapes do not
-  EXPECT_FALSE(meet(circle({1.4, 1.4}, 0.5), square({0.0, 0.0})));
+  EXPECT_FALSE(areOverlapping(circle({1.4, 1.4}, 0.5), square({0.0, 0.0})));
 }
 
 TEST(PlanarOverlapTest, CircleInsideAndAround) {
-  EXPECT_TRUE(meet(circle({0.2, 0.1}, 0.1), square({0.0, 0.0})));
-  EXPECT_TRUE(meet(circle({0.2, 0.1}, 5.0), square({0.0, 0.0})));
+  EXPECT_TRUE(areOverlapping(circle({0.2, 0.1}, 0.1), square({0.0, 0.0})));
+  EXPECT_TRUE(areOverlapping(circle({0.2, 0.1}, 5.0), square({0.0, 0.0})));
 }
 
 TEST(PlanarOverlapTest, SquaresSideBySide) {
-  EXPECT_FALSE(meet(square({0.0, 0.0}), square({2.0, 0.7})));
-  EXPECT_FALSE(meet(square({0.0, 0.0}), square({2.0 - kNear, 0.7})));
-  EXPECT_TRUE(meet(square({0.0, 0.0}), square({2.0 - kDeep, 0.7})));
-  EXPECT_FALSE(meet(square({0.0, 0.0}), square({2.0, 2.0})));
+  EXPECT_FALSE(areOverlapping(square({0.0, 0.0}), square({2.0, 0.7})));
+  EXPECT_FALSE(areOverlapping(square({0.0, 0.0}), square({2.0 - kNear, 0.7})));
+  EXPECT_TRUE(areOverlapping(square({0.0, 0.0}), square({2.0 - kDeep, 0.7})));
+  EXPECT_FALSE(areOverlapping(square({0.0, 0.0}), square({2.0, 2.0})));
 }
 
 TEST(PlanarOverlapTest, ADiamondPointsAtASide) {
   // its corner reaches sqrt(2) from its centre
   const double touching = 1.0 + std::sqrt(2.0);
-  EXPECT_FALSE(meet(square({0.0, 0.0}), square({touching, 0.4}, M_PI / 4.0)));
-  EXPECT_TRUE(meet(square({0.0, 0.0}), square({touching - kDeep, 0.4}, M_PI / 4.0)));
+  EXPECT_FALSE(areOverlapping(square({0.0, 0.0}), square({touching, 0.4}, M_PI / 4.0)));
+  EXPECT_TRUE(areOverlapping(square({0.0, 0.0}), square({touching - kDeep, 0.4}, M_PI / 4.0)));
 }
 
 TEST(PlanarOverlapTest, ADiamondPassesACornerThatItsBoxWouldHit) {
   // the diamond's side runs along x + y = const, 1 from its centre; the corner (1, 1) is on it at centre 1 + 1/sqrt(2)
   const double touching = 1.0 + 1.0 / std::sqrt(2.0);
-  EXPECT_FALSE(meet(square({0.0, 0.0}), square({touching, touching}, M_PI / 4.0)));
-  EXPECT_TRUE(meet(square({0.0, 0.0}), square({touching - kDeep, touching - kDeep}, M_PI / 4.0)));
+  EXPECT_FALSE(areOverlapping(square({0.0, 0.0}), square({touching, touching}, M_PI / 4.0)));
+  EXPECT_TRUE(areOverlapping(square({0.0, 0.0}), square({touching - kDeep, touching - kDeep}, M_PI / 4.0)));
 }
 
 TEST(PlanarOverlapTest, ASmallPolygonInsideALargeOne) {
@@ -91,7 +91,7 @@ TEST(PlanarOverlapTest, ASmallPolygonInsideALargeOne) {
   }
   small.centre = {0.5, 0.5};
   small.radius *= 0.1;
-  EXPECT_TRUE(meet(small, square({0.0, 0.0})));
+  EXPECT_TRUE(areOverlapping(small, square({0.0, 0.0})));
 }
 
 }  // namespace

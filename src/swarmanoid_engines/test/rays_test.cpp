@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(RaysTest, ACircleIsMetAtItsNearSide) {
+TEST(RaysTest, ACircleIsHitAtItsNearSide) {
   World world;
   const Row disc = world.add(discModel(0.5, 1.0), flatPose(5.0, 5.0));
   const RayHit hit = world.castRay({3.0, 5.0, 0.5}, {6.0, 5.0, 0.5});
@@ -22,7 +22,7 @@ TEST(RaysTest, ACircleIsMetAtItsNearSide) {
   EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {4.4, 5.0, 0.5}).row, kNoRow);  // too short
 }
 
-TEST(RaysTest, ASlantedRayMeetsASideOfABox) {
+TEST(RaysTest, ASlantedRayHitsASideOfABox) {
   World world;
   const Row box = world.addBlock({1.0, 2.0, 1.0}, {5.0, 5.0, 0.5});
   const RayHit hit = world.castRay({3.5, 4.0, 0.1}, {5.5, 6.0, 0.9});
@@ -36,7 +36,7 @@ TEST(RaysTest, ABoxTurnedByAnEighthShowsItsCorner) {
   EXPECT_NEAR(world.castRay({3.0, 5.0, 0.5}, {5.0, 5.0, 0.5}).fraction, (2.0 - std::sqrt(0.5)) / 2.0, 1e-12);
 }
 
-TEST(RaysTest, ARayFromAboveMeetsTheTop) {
+TEST(RaysTest, ARayFromAboveHitsTheTop) {
   World world;
   const Row footbot = world.addFootbot(flatPose(5.0, 5.0));
   const RayHit top = world.castRay({5.0, 5.0, 1.146}, {5.0, 5.0, 0.146 - 1.0});
@@ -47,7 +47,7 @@ TEST(RaysTest, ARayFromAboveMeetsTheTop) {
   EXPECT_EQ(world.castRay({5.2, 5.0, 1.0}, {5.2, 5.0, 0.0}).row, kNoRow);
 }
 
-TEST(RaysTest, ARayFromBelowMeetsTheUnderside) {
+TEST(RaysTest, ARayFromBelowHitsTheUnderside) {
   World world;
   world.addBlock({1.0, 1.0, 0.1}, {5.0, 5.0, 0.75});
   EXPECT_NEAR(world.castRay({5.2, 5.2, 0.2}, {5.2, 5.2, 1.2}).fraction, 0.5, 1e-12);
@@ -71,7 +71,7 @@ TEST(RaysTest, ARayAlongAFaceOutsideMisses) {
   EXPECT_NE(world.castRay({3.0, 5.5 - 1e-9, 0.5}, {7.0, 5.5 - 1e-9, 0.5}).row, kNoRow);
 }
 
-TEST(RaysTest, TwoEntitiesCanBeIgnoredAndTheNextIsMet) {
+TEST(RaysTest, TwoEntitiesCanBeIgnoredAndTheNextIsHit) {
   World world;
   std::vector<Row> rows;
   for (int i = 0; i < 3; ++i) {
@@ -83,7 +83,7 @@ TEST(RaysTest, TwoEntitiesCanBeIgnoredAndTheNextIsMet) {
   EXPECT_EQ(world.space.castRay(segment, rows[1], rows[0]).row, rows[2]);
 }
 
-TEST(RaysTest, OfSurfacesInTheSamePlaceTheOlderIsMet) {
+TEST(RaysTest, OfSurfacesInTheSamePlaceTheOlderIsHit) {
   for (const bool reversed : {false, true}) {
     World world;
     const Row first = world.addToSpace(blockModel({1.0, 1.0, 1.0}), flatPose(5.0, 5.5, 0.0, 0.5));
@@ -95,7 +95,7 @@ TEST(RaysTest, OfSurfacesInTheSamePlaceTheOlderIsMet) {
   }
 }
 
-TEST(RaysTest, AMirrorIsMetByTheEngineThatMovesIt) {
+TEST(RaysTest, AMirrorIsHitByTheEngineThatMovesIt) {
   World world;
   Kinematics2d other;
   const Row mirror = world.addToSpace(discModel(0.5, 1.0), flatPose(5.0, 5.0));
@@ -127,7 +127,7 @@ TEST(RaysTest, ARobotOnTheMoveSeesWhatComesNear) {
   }
 }
 
-/// The same entities in an engine, and in none: then the space meets their solids itself, with other code.
+/// The same entities in an engine, and in none: then the space hits their solids itself, with other code.
 class RandomRaysTest : public testing::TestWithParam<const char*> {
  protected:
   void fill(World& world, World& reference, const std::string& axis) {
@@ -152,12 +152,12 @@ class RandomRaysTest : public testing::TestWithParam<const char*> {
   std::mt19937 random_{7};
 };
 
-TEST_P(RandomRaysTest, TenThousandRaysMeetWhatTheSolidsSay) {
+TEST_P(RandomRaysTest, TenThousandRaysHitWhatTheSolidsSay) {
   World world({3.0, 3.0, 3.0}, 1, GetParam());
   World reference({3.0, 3.0, 3.0}, 1, GetParam());
   fill(world, reference, GetParam());
   std::uniform_real_distribution<double> place(0.0, 3.0);
-  int met = 0;
+  int hit_count = 0;
   for (int i = 0; i < 10000; ++i) {
     const Vector3d from(place(random_), place(random_), place(random_));
     const Vector3d to(place(random_), place(random_), place(random_));
@@ -166,15 +166,15 @@ TEST_P(RandomRaysTest, TenThousandRaysMeetWhatTheSolidsSay) {
     const RayHit expected = reference.castRay(from, to, ignored);
     ASSERT_NEAR(hit.fraction, expected.fraction, 1e-9) << i;
     ASSERT_TRUE(hit.row == expected.row || hit.fraction == 0.0) << i;  // inside several, either will do
-    met += hit.row != kNoRow ? 1 : 0;
+    hit_count += hit.row != kNoRow ? 1 : 0;
   }
-  EXPECT_GT(met, 2000);
-  EXPECT_LT(met, 9000);
+  EXPECT_GT(hit_count, 2000);
+  EXPECT_LT(hit_count, 9000);
 }
 
 INSTANTIATE_TEST_SUITE_P(Axes, RandomRaysTest, testing::Values("x", "y", "z"));
 
-TEST_P(RandomRaysTest, ABundleMeetsWhatItsRaysMeetAlone) {
+TEST_P(RandomRaysTest, ABundleHitsWhatItsRaysHitAlone) {
   World world({3.0, 3.0, 3.0}, 1, GetParam());
   World unused({3.0, 3.0, 3.0}, 1, GetParam());
   fill(world, unused, GetParam());

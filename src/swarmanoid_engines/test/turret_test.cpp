@@ -80,7 +80,7 @@ TEST(TurretTest, TurnsOnAtASpeedUpToItsLimit) {
   }
 }
 
-TEST(TurretTest, RaysMeetTheGripperWhereItWasTurned) {
+TEST(TurretTest, RaysHitTheGripperWhereItWasTurned) {
   World world;
   const Row footbot = world.addTurret(flatPose(2.0, 2.0));
   world.turret(footbot).holdAngle(M_PI / 2.0);

@@ -62,7 +62,7 @@ class GlideEngine : public Engine {
     }
   }
   void connect(Space&) override {}
-  bool mayMeet(const RayBundle&) const override { return false; }
+  bool mayHit(const RayBundle&) const override { return false; }
   void castRays(const RayBundle&, Span<RayHit>) const override {}
 
  private:

@@ -41,50 +41,50 @@ class OcclusionTest : public testing::Test {
  protected:
   Row row(const std::string& name) const { return space.entities.find(name); }
 
-  /// Who is met, and how far from the start [m]; "" for nobody.
-  std::pair<std::string, double> met(const Vector3d& from, const Vector3d& to, Row ignored = kNoRow,
-                                     Row also_ignored = kNoRow) const {
+  /// The entity that is hit, and how far from the start [m]; "" for none.
+  std::pair<std::string, double> closestHit(const Vector3d& from, const Vector3d& to, Row ignored = kNoRow,
+                                            Row also_ignored = kNoRow) const {
     const RayHit hit = space.castRay({from, to}, ignored, also_ignored);
     return {hit.row == kNoRow ? "" : space.entities.name[static_cast<std::size_t>(hit.row)],
             hit.fraction * (to - from).norm()};
   }
 
-  void expectMet(const std::string& name, double distance, const Vector3d& from, const Vector3d& to) const {
-    EXPECT_EQ(met(from, to).first, name);
-    EXPECT_NEAR(met(from, to).second, distance, 1e-9);
+  void expectHit(const std::string& name, double distance, const Vector3d& from, const Vector3d& to) const {
+    EXPECT_EQ(closestHit(from, to).first, name);
+    EXPECT_NEAR(closestHit(from, to).second, distance, 1e-9);
   }
 
   std::unique_ptr<Simulation> simulation = world();
   const Space& space = simulation->space();
 };
 
-TEST_F(OcclusionTest, MeetsWhatStandsInEachEngineAndInNone) {
-  expectMet("wall", 1.95, {3.0, 2.0, 0.3}, {7.0, 2.0, 0.3});
-  expectMet("fb", 0.915, {0.0, 5.0, 0.1}, {1.0, 5.0, 0.1});
-  expectMet("prey", 0.9, {2.0, 5.0, 0.1}, {4.0, 5.0, 0.1});
-  expectMet("eb", 1.75, {3.0, 5.0, 1.2}, {7.0, 5.0, 1.2});
-  expectMet("free", 0.9, {7.0, 5.0, 0.1}, {9.0, 5.0, 0.1});
-  expectMet("pillar", 1.9, {3.0, 8.0, 0.5}, {7.0, 8.0, 0.5});
+TEST_F(OcclusionTest, HitsWhatStandsInEachEngineAndInNone) {
+  expectHit("wall", 1.95, {3.0, 2.0, 0.3}, {7.0, 2.0, 0.3});
+  expectHit("fb", 0.915, {0.0, 5.0, 0.1}, {1.0, 5.0, 0.1});
+  expectHit("prey", 0.9, {2.0, 5.0, 0.1}, {4.0, 5.0, 0.1});
+  expectHit("eb", 1.75, {3.0, 5.0, 1.2}, {7.0, 5.0, 1.2});
+  expectHit("free", 0.9, {7.0, 5.0, 0.1}, {9.0, 5.0, 0.1});
+  expectHit("pillar", 1.9, {3.0, 8.0, 0.5}, {7.0, 8.0, 0.5});
 }
 
-TEST_F(OcclusionTest, TheNearestIsMetWhicheverEngineItIsIn) {
+TEST_F(OcclusionTest, TheNearestIsHitWhicheverEngineItIsIn) {
   // from the footbot to the block in no engine the prey comes first; seen from the other end the block does
-  expectMet("prey", 1.7, {1.2, 5.0, 0.1}, {9.0, 5.0, 0.1});
-  expectMet("free", 0.9, {9.0, 5.0, 0.1}, {1.2, 5.0, 0.1});
+  expectHit("prey", 1.7, {1.2, 5.0, 0.1}, {9.0, 5.0, 0.1});
+  expectHit("free", 0.9, {9.0, 5.0, 0.1}, {1.2, 5.0, 0.1});
   // down through the eyebot's body, which ends at z = 1, onto nothing
-  expectMet("eb", 3.0 - 1.54, {5.0, 5.0, 3.0}, {5.0, 5.0, 0.0});
+  expectHit("eb", 3.0 - 1.54, {5.0, 5.0, 3.0}, {5.0, 5.0, 0.0});
 }
 
-TEST_F(OcclusionTest, NothingIsMetOverUnderBesideAndShortOfThings) {
-  EXPECT_EQ(met({3.0, 2.0, 0.51}, {7.0, 2.0, 0.51}).first, "") << "over the wall";
-  EXPECT_EQ(met({3.0, 3.01, 0.3}, {7.0, 3.01, 0.3}).first, "") << "past its end";
-  EXPECT_EQ(met({3.0, 2.0, 0.3}, {4.949, 2.0, 0.3}).first, "") << "short of it";
-  EXPECT_EQ(met({3.0, 5.0, 0.9}, {7.0, 5.0, 0.9}).first, "") << "under the eyebot";
+TEST_F(OcclusionTest, NothingIsHitOverUnderBesideAndShortOfThings) {
+  EXPECT_EQ(closestHit({3.0, 2.0, 0.51}, {7.0, 2.0, 0.51}).first, "") << "over the wall";
+  EXPECT_EQ(closestHit({3.0, 3.01, 0.3}, {7.0, 3.01, 0.3}).first, "") << "past its end";
+  EXPECT_EQ(closestHit({3.0, 2.0, 0.3}, {4.949, 2.0, 0.3}).first, "") << "short of it";
+  EXPECT_EQ(closestHit({3.0, 5.0, 0.9}, {7.0, 5.0, 0.9}).first, "") << "under the eyebot";
 }
 
 TEST_F(OcclusionTest, WhatIsInTwoEnginesIsOneThing) {
-  EXPECT_EQ(met({3.0, 8.0, 0.5}, {7.0, 8.0, 0.5}, row("pillar")).first, "") << "ignored in both engines";
-  EXPECT_EQ(met({3.0, 8.0, 1.5}, {7.0, 8.0, 1.5}, kNoRow, row("pillar")).first, "");
+  EXPECT_EQ(closestHit({3.0, 8.0, 0.5}, {7.0, 8.0, 0.5}, row("pillar")).first, "") << "ignored in both engines";
+  EXPECT_EQ(closestHit({3.0, 8.0, 1.5}, {7.0, 8.0, 1.5}, kNoRow, row("pillar")).first, "");
 }
 
 TEST_F(OcclusionTest, BothEndsAreLookedThroughAndNothingElse) {
@@ -102,42 +102,42 @@ TEST_F(OcclusionTest, FollowsWhatIsMovedAndForgetsWhatIsRemoved) {
   const Vector3d from(2.0, 5.0, 0.1);
   const Vector3d to(4.0, 5.0, 0.1);
   simulation->move("prey", {{3.5, 5.0, 0.0}, Eigen::Quaterniond::Identity()});
-  expectMet("prey", 1.4, from, to);
+  expectHit("prey", 1.4, from, to);
   simulation->move("free", {{2.5, 5.0, 0.1}, Eigen::Quaterniond::Identity()});
-  expectMet("free", 0.4, from, to);
+  expectHit("free", 0.4, from, to);
   simulation->remove("free");
   simulation->remove("prey");
-  EXPECT_EQ(met(from, to).first, "");
+  EXPECT_EQ(closestHit(from, to).first, "");
 }
 
-TEST_F(OcclusionTest, WhoeverCouldBeMetIsAnnouncedAndNobodyFarOff) {
-  const auto mayMeet = [&](const Vector3d& centre, double radius, Row ignored = kNoRow, Row also_ignored = kNoRow) {
+TEST_F(OcclusionTest, WhoeverCouldBeHitIsAnnouncedAndNobodyFarOff) {
+  const auto mayHit = [&](const Vector3d& centre, double radius, Row ignored = kNoRow, Row also_ignored = kNoRow) {
     RayBundle rays;
     rays.centre = centre;
     rays.radius = radius;
     rays.ignored = ignored;
     rays.also_ignored = also_ignored;
-    return space.mayMeet(rays);
+    return space.mayHit(rays);
   };
-  int meetings = 0;
+  int hit_count = 0;
   for (int i = 0; i < 4000; ++i) {
     // all over the arena, by steps that never fall together
     const Vector3d centre(std::fmod(i * 0.377, 10.0), std::fmod(i * 0.731, 10.0), std::fmod(i * 0.113, 1.0));
     const double radius = 0.05 + std::fmod(i * 0.0717, 0.6);
     const Vector3d way = radius * Vector3d(std::cos(i), std::sin(i), 0.0);
     if (space.castRay({centre - way, centre + way}).row != kNoRow) {
-      ++meetings;
-      ASSERT_TRUE(mayMeet(centre, radius)) << centre.transpose() << " radius " << radius;
+      ++hit_count;
+      ASSERT_TRUE(mayHit(centre, radius)) << centre.transpose() << " radius " << radius;
     }
   }
-  EXPECT_GT(meetings, 50);
-  EXPECT_FALSE(mayMeet({8.0, 1.5, 0.1}, 1.0));
-  EXPECT_TRUE(mayMeet({3.0, 5.0, 0.1}, 0.5));
-  EXPECT_FALSE(mayMeet({3.0, 5.0, 0.1}, 0.5, row("prey")));
-  EXPECT_FALSE(mayMeet({8.0, 5.0, 0.1}, 0.5, kNoRow, row("free")));
+  EXPECT_GT(hit_count, 50);
+  EXPECT_FALSE(mayHit({8.0, 1.5, 0.1}, 1.0));
+  EXPECT_TRUE(mayHit({3.0, 5.0, 0.1}, 0.5));
+  EXPECT_FALSE(mayHit({3.0, 5.0, 0.1}, 0.5, row("prey")));
+  EXPECT_FALSE(mayHit({8.0, 5.0, 0.1}, 0.5, kNoRow, row("free")));
 }
 
-TEST_F(OcclusionTest, ABundleMeetsWhatItsRaysMeetOneByOne) {
+TEST_F(OcclusionTest, ABundleHitsWhatItsRaysHitOneByOne) {
   std::vector<Segment> segments;
   for (int i = 0; i < 360; ++i) {
     const double angle = i * M_PI / 180.0;
@@ -150,14 +150,14 @@ TEST_F(OcclusionTest, ABundleMeetsWhatItsRaysMeetOneByOne) {
   bundle.ignored = row("prey");
   std::vector<RayHit> hits(segments.size());
   space.castRays(bundle, hits);
-  std::size_t met_something = 0;
+  std::size_t hit_count = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const RayHit alone = space.castRay(segments[i], row("prey"));
     EXPECT_EQ(hits[i].row, alone.row) << i << " degrees";
     EXPECT_DOUBLE_EQ(hits[i].fraction, alone.fraction) << i << " degrees";
-    met_something += alone.row != kNoRow ? 1 : 0;
+    hit_count += alone.row != kNoRow ? 1 : 0;
   }
-  EXPECT_GT(met_something, 20U);
+  EXPECT_GT(hit_count, 20U);
 }
 
 }  // namespace

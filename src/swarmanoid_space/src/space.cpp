@@ -16,9 +16,9 @@ bool isInReach(const Space& space, const RayBundle& rays, Row row) {
 
 }  // namespace
 
-bool Space::mayMeet(const RayBundle& rays) const {
-  return (terrain && terrain->mayMeet(rays)) ||
-         std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayMeet(rays); }) ||
+bool Space::mayHit(const RayBundle& rays) const {
+  return (terrain && terrain->mayHit(rays)) ||
+         std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayHit(rays); }) ||
          std::any_of(entities_without_engine.begin(), entities_without_engine.end(),
                      [&](Row row) { return isInReach(*this, rays, row); });
 }
@@ -39,7 +39,7 @@ void Space::castRays(const RayBundle& rays, Span<RayHit> hits) const {
     }
     const auto i = static_cast<std::size_t>(row);
     for (std::size_t k = 0; k < rays.segments.size(); ++k) {
-      const double fraction = firstMeeting(rays.segments[k], *entities.model[i], entities.pose[i]);
+      const double fraction = closestHit(rays.segments[k], *entities.model[i], entities.pose[i]);
       if (fraction < hits[k].fraction) {
         hits[k] = {fraction, row};
       }

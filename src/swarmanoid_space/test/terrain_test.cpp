@@ -1,4 +1,4 @@
-// Heights of images, and where rays meet them.
+// Heights of images, and where rays hit them.
 #include "swarmanoid_space/rays/terrain.hpp"
 
 #include <gtest/gtest.h>
@@ -105,7 +105,7 @@ TEST(TerrainTest, HeightsBetweenVerticesAreThoseOfTriangles) {
   EXPECT_DOUBLE_EQ(cell.heightAt(0.25, 0.75), 0.0);
 }
 
-TEST(TerrainTest, RaysMeetAPlaneWhereItIs) {
+TEST(TerrainTest, RaysHitAPlaneWhereItIs) {
   const Terrain terrain = made(30, 20, &plane);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -118,13 +118,13 @@ TEST(TerrainTest, RaysMeetAPlaneWhereItIs) {
     const double above = part(random);
     const double below = part(random);
     const Segment down{somewhere(above), somewhere(-below)};
-    ASSERT_NEAR(terrain.firstMeeting(down), above / (above + below), 1e-12);
-    ASSERT_EQ(terrain.firstMeeting({down.to, down.from}), kNever);  // from below
-    ASSERT_EQ(terrain.firstMeeting({somewhere(above), somewhere(below)}), kNever);
+    ASSERT_NEAR(terrain.closestHit(down), above / (above + below), 1e-12);
+    ASSERT_EQ(terrain.closestHit({down.to, down.from}), kNever);  // from below
+    ASSERT_EQ(terrain.closestHit({somewhere(above), somewhere(below)}), kNever);
   }
 }
 
-TEST(TerrainTest, RaysMeetABumpWhereItsTrianglesAre) {
+TEST(TerrainTest, RaysHitABumpWhereItsTrianglesAre) {
   const Terrain terrain = made(30, 20, &bump);
   std::mt19937 random(3);
   std::uniform_real_distribution<double> part(0.0, 1.0);
@@ -137,45 +137,45 @@ TEST(TerrainTest, RaysMeetABumpWhereItsTrianglesAre) {
     if (ray.from.z() < terrain.heightAt(ray.from.x(), ray.from.y())) {
       continue;
     }
-    // step by step: above it until the meeting, and below just behind it
-    const double meeting = terrain.firstMeeting(ray);
+    // step by step: above it until the hit, and below just behind it
+    const double hit = terrain.closestHit(ray);
     const auto over = [&](double t) {
       const Vector3d point = ray.from + t * (ray.to - ray.from);
       return point.z() - terrain.heightAt(point.x(), point.y());
     };
-    for (double t = 0.0; t < std::min(1.0, meeting); t += 0.001) {
+    for (double t = 0.0; t < std::min(1.0, hit); t += 0.001) {
       ASSERT_GT(over(t), -1e-12);
     }
-    if (meeting <= 1.0) {
+    if (hit <= 1.0) {
       ++hits;
-      ASSERT_NEAR(over(meeting), 0.0, 1e-12);
-      ASSERT_LT(over(std::min(1.0, meeting + 1e-6)), 0.0);
+      ASSERT_NEAR(over(hit), 0.0, 1e-12);
+      ASSERT_LT(over(std::min(1.0, hit + 1e-6)), 0.0);
     }
   }
   EXPECT_GT(hits, 300);
 }
 
-TEST(TerrainTest, AVerticalRayMeetsTheHeight) {
+TEST(TerrainTest, AVerticalRayHitsTheHeight) {
   const Terrain terrain = made(30, 20, &bump);
   for (const auto& [x, y] : {std::pair(2.03, 4.01), std::pair(2.0, 4.0), std::pair(1.0, 2.0), std::pair(3.9, 5.8)}) {
-    EXPECT_NEAR(terrain.firstMeeting({{x, y, 2.0}, {x, y, -1.0}}), (2.0 - terrain.heightAt(x, y)) / 3.0, 1e-12);
+    EXPECT_NEAR(terrain.closestHit({{x, y, 2.0}, {x, y, -1.0}}), (2.0 - terrain.heightAt(x, y)) / 3.0, 1e-12);
   }
-  EXPECT_EQ(terrain.firstMeeting({{0.9, 2.0, 2.0}, {0.9, 2.0, -1.0}}), kNever);
+  EXPECT_EQ(terrain.closestHit({{0.9, 2.0, 2.0}, {0.9, 2.0, -1.0}}), kNever);
 }
 
 TEST(TerrainTest, TheRimIsACliff) {
   const Terrain mesa({1.0, 1.0}, {1.0, 1.0}, 2, 2, {0.2, 0.2, 0.2, 0.2});
-  EXPECT_NEAR(mesa.firstMeeting({{0.0, 1.5, 0.1}, {2.0, 1.5, 0.1}}), 0.5, 1e-12);
-  EXPECT_EQ(mesa.firstMeeting({{0.0, 1.5, 0.21}, {2.0, 1.5, 0.21}}), kNever);
-  EXPECT_EQ(mesa.firstMeeting({{1.5, 1.5, 0.1}, {3.0, 1.5, 0.1}}), kNever);  // from within the ground
+  EXPECT_NEAR(mesa.closestHit({{0.0, 1.5, 0.1}, {2.0, 1.5, 0.1}}), 0.5, 1e-12);
+  EXPECT_EQ(mesa.closestHit({{0.0, 1.5, 0.21}, {2.0, 1.5, 0.21}}), kNever);
+  EXPECT_EQ(mesa.closestHit({{1.5, 1.5, 0.1}, {3.0, 1.5, 0.1}}), kNever);  // from within the ground
   const Terrain hole({1.0, 1.0}, {1.0, 1.0}, 2, 2, {-0.2, -0.2, -0.2, -0.2});
-  EXPECT_NEAR(hole.firstMeeting({{1.5, 1.5, -0.1}, {2.5, 1.5, -0.1}}), 0.5, 1e-12);
-  EXPECT_NEAR(hole.firstMeeting({{1.5, 1.5, 0.0}, {2.5, 1.5, -0.1}}), 0.5, 1e-12);
-  EXPECT_EQ(hole.firstMeeting({{1.5, 1.5, 0.1}, {2.5, 1.5, 0.1}}), kNever);
-  EXPECT_NEAR(hole.firstMeeting({{2.5, 1.5, 0.1}, {1.5, 1.5, -0.2}}), 0.5, 1e-12);  // from outside, through the floor
+  EXPECT_NEAR(hole.closestHit({{1.5, 1.5, -0.1}, {2.5, 1.5, -0.1}}), 0.5, 1e-12);
+  EXPECT_NEAR(hole.closestHit({{1.5, 1.5, 0.0}, {2.5, 1.5, -0.1}}), 0.5, 1e-12);
+  EXPECT_EQ(hole.closestHit({{1.5, 1.5, 0.1}, {2.5, 1.5, 0.1}}), kNever);
+  EXPECT_NEAR(hole.closestHit({{2.5, 1.5, 0.1}, {1.5, 1.5, -0.2}}), 0.5, 1e-12);  // from outside, through the floor
 }
 
-TEST(TerrainTest, WhatABundleMayMeetHoldsAllThatItMeets) {
+TEST(TerrainTest, WhatABundleMayHitHoldsAllThatItHits) {
   const Terrain terrain = made(30, 20, &bump);
   std::mt19937 random(4);
   std::uniform_real_distribution<double> part(-1.0, 1.0);
@@ -185,21 +185,21 @@ TEST(TerrainTest, WhatABundleMayMeetHoldsAllThatItMeets) {
     rays.centre = {2.5 + 3.0 * part(random), 4.0 + 3.0 * part(random), 0.6 * part(random)};
     rays.radius = 0.3;
     const Vector3d way = rays.radius * Vector3d(part(random), part(random), part(random)).normalized();
-    if (!terrain.mayMeet(rays)) {
+    if (!terrain.mayHit(rays)) {
       ++misses;
-      ASSERT_GT(terrain.firstMeeting({rays.centre - way, rays.centre + way}), 1.0);
+      ASSERT_GT(terrain.closestHit({rays.centre - way, rays.centre + way}), 1.0);
     }
   }
   EXPECT_GT(misses, 500);
   RayBundle high;
   high.centre = {2.0, 4.0, 0.8};
   high.radius = 0.3;
-  EXPECT_FALSE(terrain.mayMeet(high));
+  EXPECT_FALSE(terrain.mayHit(high));
   high.radius = 0.5;
-  EXPECT_TRUE(terrain.mayMeet(high));
+  EXPECT_TRUE(terrain.mayHit(high));
 }
 
-TEST(TerrainTest, RaysThroughTheSpaceMeetIt) {
+TEST(TerrainTest, RaysThroughTheSpaceHitIt) {
   Space space;
   space.terrain = std::make_shared<const Terrain>(made(30, 20, &bump));
   const RayHit hit = space.castRay({{2.0, 4.0, 1.0}, {2.0, 4.0, 0.0}});

@@ -1,4 +1,4 @@
-// The laser pointer: its beam ends on the first surface it meets, or on the ground, and makes a red spot there.
+// The laser pointer: its beam ends on the first surface it hits, or on the ground, and makes a red spot there.
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 
 #include <algorithm>

@@ -85,7 +85,7 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
     rays.centre = pose.position + pose.orientation * ring.centre;
     rays.radius = ring.radius + range_;
     rays.ignored = seat.row;
-    if (!space.mayMeet(rays)) {
+    if (!space.mayHit(rays)) {
       if (!seat.is_clear) {
         seat.readings->value.fill(0.0F);
         seat.is_clear = true;

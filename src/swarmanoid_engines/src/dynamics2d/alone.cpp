@@ -73,7 +73,7 @@ void Dynamics2d::warnOthers(BodyIndex index) {
     RigidBody& reached = rigid(other_index);
     const double gap = bodies_.distanceTo(other_index, centre) - body.model->radius;
     if (other_index != index && gap <= rigid_body.way + reached.way &&
-        body.model->band.meets(other.model->band, body.along, other.along)) {
+        body.model->band.overlaps(other.model->band, body.along, other.along)) {
       rigid_body.is_reached = true;
       const bool is_news = !reached.is_reached;
       reached.is_reached = true;
@@ -94,7 +94,7 @@ void Dynamics2d::lookAround(BodyIndex index) {
   bodies_.visitNear(centre, body.model->radius + kLookAhead, [&](BodyIndex other_index) {
     const Body& other = bodies_[other_index];
     if (other_index != index && !rigid(other_index).is_fast &&
-        body.model->band.meets(other.model->band, body.along, other.along)) {
+        body.model->band.overlaps(other.model->band, body.along, other.along)) {
       gap = std::min(gap, bodies_.distanceTo(other_index, centre) - body.model->radius);
     }
     return true;

@@ -21,7 +21,7 @@ class Contacts final : public b2ContactFilter, public b2ContactListener {
   bool ShouldCollide(b2Fixture* a, b2Fixture* b) override {
     const Body& body_a = bodies_[indexOf(a)];
     const Body& body_b = bodies_[indexOf(b)];
-    return shapeOf(body_a, a).band.meets(shapeOf(body_b, b).band, body_a.along, body_b.along);
+    return shapeOf(body_a, a).band.overlaps(shapeOf(body_b, b).band, body_a.along, body_b.along);
   }
   void BeginContact(b2Contact* contact) override { count(*contact, 1); }
   void EndContact(b2Contact* contact) override { count(*contact, -1); }

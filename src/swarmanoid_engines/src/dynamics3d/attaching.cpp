@@ -62,7 +62,7 @@ Dynamics3d::Surface Dynamics3d::findSurface(const Body& robot, const Segment& se
         if (body == &robot || body->is_seen_elsewhere) {
           return true;
         }
-        const double fraction = firstMeeting(segment, body->seen(), body->pose);
+        const double fraction = closestHit(segment, body->seen(), body->pose);
         if (fraction < nearest || (found.body != nullptr && fraction == nearest && body->number < found.body->number)) {
           found.body = find(body->row);
           nearest = fraction;

@@ -122,8 +122,8 @@ struct Body {
   std::vector<Solid> solids;
   Eigen::Vector3d pull = Eigen::Vector3d::Zero();  ///< by grips, as of late [N]
 
-  Pose pose;                       ///< of B, as of the end of the last tick: what rays meet
-  bool is_seen_elsewhere = false;  ///< a mirror; rays meet the entity in the engine that moves it
+  Pose pose;                       ///< of B, as of the end of the last tick: what rays hit
+  bool is_seen_elsewhere = false;  ///< a mirror; rays hit the entity in the engine that moves it
 
   // What it is told; null if it has no such device, or not the parts for it.
   const FootbotWheels* wheels = nullptr;
@@ -136,7 +136,7 @@ struct Body {
   std::unique_ptr<Holding> holding;  ///< null: it has neither hands nor a rope nor a magnet
   Turret turret;
 
-  /// What rays meet: the model with its shapes where the joints have turned them.
+  /// What rays hit: the model with its shapes where the joints have turned them.
   const EntityModel& seen() const { return posed_ == nullptr ? *model : *posed_; }
   void poseShapes(const JointState* joints);
 

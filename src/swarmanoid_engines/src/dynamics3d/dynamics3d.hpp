@@ -17,7 +17,7 @@
 ///
 /// Terrain is ground as the level one is, and takes its place in its rectangle (ground_contacts.hpp).
 ///
-/// Rays meet the entities' shapes as they were after the last tick; a mirror is not met, the engine that moves it
+/// Rays hit the entities' shapes as they were after the last tick; a mirror is not hit, the engine that moves it
 /// answers for it. ODE itself is not asked, so any number of threads may cast rays.
 #pragma once
 
@@ -67,7 +67,7 @@ class Dynamics3d final : public Engine {
   void readMirrors(const Space& space) override;
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
-  bool mayMeet(const RayBundle& rays) const override;
+  bool mayHit(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override;

@@ -16,13 +16,13 @@ Eigen::AlignedBox3d boxAround(const RayBundle& rays) {
 
 }  // namespace
 
-bool Dynamics3d::mayMeet(const RayBundle& rays) const {
-  bool may_meet = false;
+bool Dynamics3d::mayHit(const RayBundle& rays) const {
+  bool may_hit = false;
   seen_.visitNear(boxAround(rays), [&](const Body* body, const Eigen::AlignedBox3d& bounds) {
-    may_meet = isVisibleTo(rays, *body) && bounds.squaredExteriorDistance(rays.centre) <= rays.radius * rays.radius;
-    return !may_meet;
+    may_hit = isVisibleTo(rays, *body) && bounds.squaredExteriorDistance(rays.centre) <= rays.radius * rays.radius;
+    return !may_hit;
   });
-  return may_meet;
+  return may_hit;
 }
 
 void Dynamics3d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
@@ -36,9 +36,9 @@ void Dynamics3d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
       if (!around.intersects(bounds)) {
         continue;
       }
-      const double fraction = firstMeeting(segment, body->seen(), body->pose);
+      const double fraction = closestHit(segment, body->seen(), body->pose);
       RayHit& hit = hits[k];
-      // between surfaces at the same distance the older entity is met, whatever the order of the look-up
+      // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
       const Body* rival = fraction == hit.fraction && hit.row != kNoRow ? find(hit.row) : nullptr;
       if (fraction < hit.fraction || (rival != nullptr && body->number < rival->number)) {
         hit = {fraction, body->row};

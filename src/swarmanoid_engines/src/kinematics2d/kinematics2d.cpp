@@ -37,9 +37,7 @@ void Kinematics2d::place(Space& space, Row row) {
   is_somebody_new_ = true;
 }
 
-bool Kinematics2d::mayMeet(const RayBundle& rays) const {
-  return !areAllOutOfReach(rays) && PlanarEngine::mayMeet(rays);
-}
+bool Kinematics2d::mayHit(const RayBundle& rays) const { return !areAllOutOfReach(rays) && PlanarEngine::mayHit(rays); }
 
 void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   if (!areAllOutOfReach(rays)) {

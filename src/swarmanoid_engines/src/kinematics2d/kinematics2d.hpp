@@ -16,7 +16,7 @@
 /// around the robot. One that would overlap another with its gripper or with what that holds turns as far as is free.
 /// What a passive one holds trails behind the robot like a trailer: its centre is never moved to the side.
 ///
-/// Rays meet bodies as prisms over their planar shapes. A mirror of what another engine moves is not met: that engine
+/// Rays hit bodies as prisms over their planar shapes. A mirror of what another engine moves is not hit: that engine
 /// answers for it.
 #pragma once
 
@@ -70,7 +70,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   void readMirrors(const Space& space) override;
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
-  bool mayMeet(const RayBundle& rays) const override;
+  bool mayHit(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
 

@@ -150,7 +150,7 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex par
     }
     const Body& other = bodies_[other_index];
     const bool keeps_height = other.role == Role::kMove || !other.is_movable;
-    if (keeps_height && !body.model->band.meets(other.model->band, body.along, other.along)) {
+    if (keeps_height && !body.model->band.overlaps(other.model->band, body.along, other.along)) {
       clearance.at_all_heights = false;
       return true;
     }

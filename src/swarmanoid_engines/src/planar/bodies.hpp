@@ -44,7 +44,7 @@ struct Body {
   bool is_movable = false;
   bool is_large = false;   ///< wider than what the grid is for, such as a wall
   bool has_moved = false;  ///< since the start of the tick
-  /// A mirror: rays meet the entity in the engine that moves it, where it is up to date.
+  /// A mirror: rays hit the entity in the engine that moves it, where it is up to date.
   bool is_seen_elsewhere = false;
 };
 

@@ -11,7 +11,7 @@ namespace {
 template <class Visit>
 bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
                 std::vector<PlanarShape>& scratch, Visit visit) {
-  if (!model.band.meets(other.model->band, along, other.along)) {
+  if (!model.band.overlaps(other.model->band, along, other.along)) {
     return false;
   }
   const double cosine = other.pose.cosine;
@@ -20,7 +20,7 @@ bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, 
               pose.sine * cosine - pose.cosine * sine, scratch);
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     for (const PlanarShape& shape : other.model->shapes) {
-      if (scratch[i].band.meets(shape.band, along, other.along) && visit(scratch[i], shape)) {
+      if (scratch[i].band.overlaps(shape.band, along, other.along) && visit(scratch[i], shape)) {
         return true;
       }
     }

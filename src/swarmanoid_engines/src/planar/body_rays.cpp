@@ -14,7 +14,7 @@ class PlanarRays {
  public:
   static constexpr std::size_t kMost = 32;
 
-  PlanarRays() {}  // the columns are left as they are: most bundles meet nobody
+  PlanarRays() {}  // the columns are left as they are: most bundles hit nothing
   bool isEmpty() const { return count_ == 0; }
 
   void assign(const Plane& plane, Span<const Segment> segments) {
@@ -90,13 +90,13 @@ bool isVisibleTo(const RayBundle& rays, const Body& body) {
   return body.row != rays.ignored && body.row != rays.also_ignored && !body.is_seen_elsewhere;
 }
 
-void meetBody(const Bodies& bodies, const PlanarRay& ray, const Body& body, RayHit& hit) {
+void hitBody(const Bodies& bodies, const PlanarRay& ray, const Body& body, RayHit& hit) {
   for (const PlanarShape& shape : body.model->shapes) {
-    const double fraction = meeting(ray, shape, body.along);
+    const double fraction = closestHit(ray, shape, body.along);
     if (fraction > hit.fraction) {
       continue;
     }
-    // between surfaces at the same distance the older entity is met, whatever the order of the look-up
+    // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
     const BodyIndex rival = hit.row == kNoRow ? kNoBody : bodies.find(hit.row);
     if (fraction < hit.fraction || (rival != kNoBody && body.number < bodies[rival].number)) {
       hit = {fraction, body.row};
@@ -106,13 +106,13 @@ void meetBody(const Bodies& bodies, const PlanarRay& ray, const Body& body, RayH
 
 }  // namespace
 
-bool mayMeet(const Bodies& bodies, const RayBundle& rays) {
-  bool may_meet = false;
+bool mayHit(const Bodies& bodies, const RayBundle& rays) {
+  bool may_hit = false;
   bodies.visitNear(bodies.plane().toLocal(rays.centre), rays.radius, [&](BodyIndex index) {
-    may_meet = isVisibleTo(rays, bodies[index]);
-    return !may_meet;
+    may_hit = isVisibleTo(rays, bodies[index]);
+    return !may_hit;
   });
-  return may_meet;
+  return may_hit;
 }
 
 void castRays(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
@@ -132,7 +132,7 @@ void castRays(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
       const std::size_t near = planar_rays.findNear(body.pose.position, body.model->radius);
       for (std::size_t i = 0; i < near; ++i) {
         const std::size_t k = planar_rays.near()[i];
-        meetBody(bodies, planar_rays.relativeTo(body.pose, k), body, hits[first + k]);
+        hitBody(bodies, planar_rays.relativeTo(body.pose, k), body, hits[first + k]);
       }
       return true;
     });

@@ -1,4 +1,4 @@
-/// Rays against the bodies of a plane, extruded to their heights. A mirror of what another engine moves is not met:
+/// Rays against the bodies of a plane, extruded to their heights. A mirror of what another engine moves is not hit:
 /// that engine answers for it.
 #pragma once
 
@@ -7,8 +7,8 @@
 
 namespace swarmanoid::planar {
 
-/// Whether a ray of the bundle could meet a body. Thread-safe.
-bool mayMeet(const Bodies& bodies, const RayBundle& rays);
+/// Whether a ray of the bundle could hit a body. Thread-safe.
+bool mayHit(const Bodies& bodies, const RayBundle& rays);
 
 /// As Engine::castRays. Thread-safe.
 void castRays(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);

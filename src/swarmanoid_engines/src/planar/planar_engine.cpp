@@ -96,7 +96,7 @@ Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const
   return found == kNoBody ? kNoRow : bodies_[found].row;
 }
 
-bool PlanarEngine::mayMeet(const RayBundle& rays) const { return planar::mayMeet(bodies_, rays); }
+bool PlanarEngine::mayHit(const RayBundle& rays) const { return planar::mayHit(bodies_, rays); }
 
 void PlanarEngine::castRays(const RayBundle& rays, Span<RayHit> hits) const { planar::castRays(bodies_, rays, hits); }
 

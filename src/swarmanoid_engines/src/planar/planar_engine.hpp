@@ -20,7 +20,7 @@ class PlanarEngine : public Engine {
   std::string misplacement(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
-  bool mayMeet(const RayBundle& rays) const override;
+  bool mayHit(const RayBundle& rays) const override;
   void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override { return {subclock_, "", {}}; }

@@ -15,7 +15,7 @@ struct Inside {
     enter = std::max(enter, from);
     leave = std::min(leave, to);
   }
-  void empty() { enter = kNoMeeting; }
+  void empty() { enter = kNoHit; }
   bool isEmpty() const { return enter > leave; }
 };
 
@@ -67,33 +67,33 @@ void clipToPolygon(Inside& inside, const PlanarRay& ray, const PlanarShape& poly
       return;
     }
     if (approach < 0.0) {
-      inside.clip(-distance / approach, kNoMeeting);
+      inside.clip(-distance / approach, kNoHit);
     } else if (approach > 0.0) {
-      inside.clip(-kNoMeeting, -distance / approach);
+      inside.clip(-kNoHit, -distance / approach);
     }
   }
 }
 
 }  // namespace
 
-double meeting(const PlanarRay& ray, const PlanarShape& shape, double offset) {
+double closestHit(const PlanarRay& ray, const PlanarShape& shape, double offset) {
   // the ray's line misses the circle around the shape: so it is most of the time
   const Eigen::Vector2d start = ray.from - shape.centre;
   const double across = start.x() * ray.step.y() - start.y() * ray.step.x();
   if (across * across > shape.radius * shape.radius * ray.step.squaredNorm() && !ray.step.isZero(0.0)) {
-    return kNoMeeting;
+    return kNoHit;
   }
   Inside inside;
   clipToBand(inside, ray, shape.band, offset);
   if (inside.isEmpty()) {
-    return kNoMeeting;
+    return kNoHit;
   }
   if (shape.isCircle()) {
     clipToCircle(inside, ray, shape);
   } else {
     clipToPolygon(inside, ray, shape);
   }
-  return inside.isEmpty() ? kNoMeeting : inside.enter;
+  return inside.isEmpty() ? kNoHit : inside.enter;
 }
 
 }  // namespace swarmanoid::planar

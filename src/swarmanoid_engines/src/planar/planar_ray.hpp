@@ -1,4 +1,4 @@
-/// Where a ray meets a planar shape, extruded to its band of heights.
+/// Where a ray hits a planar shape, extruded to its band of heights.
 #pragma once
 
 #include <limits>
@@ -15,10 +15,10 @@ struct PlanarRay {
   double climb = 0.0;
 };
 
-constexpr double kNoMeeting = std::numeric_limits<double>::infinity();
+constexpr double kNoHit = std::numeric_limits<double>::infinity();
 
-/// The fraction of the ray at which it first meets the shape, 0 if it starts inside; kNoMeeting if it does not.
+/// The fraction of the ray at which it first hits the shape, 0 if it starts inside; kNoHit if it does not.
 /// @param offset is added to the shape's band
-double meeting(const PlanarRay& ray, const PlanarShape& shape, double offset);
+double closestHit(const PlanarRay& ray, const PlanarShape& shape, double offset);
 
 }  // namespace swarmanoid::planar

@@ -29,7 +29,7 @@ inline double overlapOf(const World& world, Row a, Row b) {
   const double height_b = world.pose(b).position.z();
   for (const planar::PlanarShape& mine : placedShapes(world, a)) {
     for (const planar::PlanarShape& other : placedShapes(world, b)) {
-      if (mine.band.meets(other.band, height_a, height_b) && planar::overlap(mine, other)) {
+      if (mine.band.overlaps(other.band, height_a, height_b) && planar::overlap(mine, other)) {
         deepest = std::max(deepest, planar::penetration(mine, other).depth);
       }
     }

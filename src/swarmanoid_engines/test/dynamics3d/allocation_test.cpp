@@ -50,7 +50,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
         hits[k] = RayHit{};
       }
       bundle.segments = Span<const Segment>(segments.data(), segments.size());
-      if (world.engine.mayMeet(bundle)) {
+      if (world.engine.mayHit(bundle)) {
         world.engine.castRays(bundle, Span<RayHit>(hits.data(), hits.size()));
       }
     }

@@ -50,7 +50,7 @@ TEST(ArmsTest, MotorsHoldWhatHangsOnThem) {
   EXPECT_NEAR(world.effort(robot, "left_shoulder"), -torque, 0.01 * torque);
 }
 
-TEST(ArmsTest, RaysMeetThemWhereTheyAre) {
+TEST(ArmsTest, RaysHitThemWhereTheyAre) {
   HandbotWorld world;
   const Row robot = world.addHandbot(flatPose(2.0, 2.0));
   const Vector3d hand(2.17, 2.11, 0.5);

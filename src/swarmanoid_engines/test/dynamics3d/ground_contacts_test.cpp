@@ -184,7 +184,7 @@ class OdeHeightfield {
   dGeomID geom_ = nullptr;
 };
 
-TEST(RayTest, MeetsTheSameTrianglesAsInOde) {
+TEST(RayTest, HitsTheSameTrianglesAsInOde) {
   unsigned long seed = 1;
   const Turn turn(seed);
   const auto terrain = terrainOf(
@@ -199,7 +199,7 @@ TEST(RayTest, MeetsTheSameTrianglesAsInOde) {
     const Segment ray{somewhere(0.3), somewhere(0.25 * part(random))};
     const double length = (ray.to - ray.from).norm();
     const double expected = ode.distance(ray);
-    const double fraction = terrain->firstMeeting(ray);
+    const double fraction = terrain->closestHit(ray);
     if (expected < length) {
       ASSERT_NEAR(fraction * length, expected, 1e-9) << "ray " << i;
       ++hits;

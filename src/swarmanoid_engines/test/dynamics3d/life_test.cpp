@@ -109,7 +109,7 @@ TEST(LifeTest, OverlapIsThatOfSolids) {
     for (int k = 0; k < 60 && !overlap; ++k) {
       // a segment of no length meets a solid if it is inside
       const Vector3d point = pose_a.position + 0.4 * Vector3d(random(), random(), random());
-      ASSERT_FALSE(firstMeeting({point, point}, a, pose_a) <= 1.0 && firstMeeting({point, point}, b, pose_b) <= 1.0);
+      ASSERT_FALSE(closestHit({point, point}, a, pose_a) <= 1.0 && closestHit({point, point}, b, pose_b) <= 1.0);
     }
     const Vector3d to_b = pose_b.position - pose_a.position;
     const Pose apart{pose_a.position + 1.0 * to_b.normalized(), pose_b.orientation};

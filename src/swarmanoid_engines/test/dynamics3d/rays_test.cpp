@@ -1,4 +1,4 @@
-// Rays meet the shapes as they are.
+// Rays hit the shapes as they are.
 #include <gtest/gtest.h>
 
 #include "swarmanoid_space/rays/solid_ray.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-TEST(RaysTest, TheNearestSurfaceIsMet) {
+TEST(RaysTest, TheNearestSurfaceIsHit) {
   World world;
   const Row prey = world.addPrey(0.1, 0.2, 0.3, 2.0, 2.0);
   const Row block = world.addBlock({0.2, 0.2, 0.2}, 1.0, flatPose(2.5, 2.0, 0.0, 0.1));
@@ -22,7 +22,7 @@ TEST(RaysTest, TheNearestSurfaceIsMet) {
   EXPECT_EQ(world.castRay({1.0, 2.0, 0.3}, {3.0, 2.0, 0.3}).row, kNoRow);  // above them
 }
 
-TEST(RaysTest, WhatLiesIsMetAsItLies) {
+TEST(RaysTest, WhatLiesIsHitAsItLies) {
   World world;
   const Eigen::Quaterniond lying(Eigen::AngleAxisd(M_PI / 2.0, Vector3d::UnitY()));  // body z along x
   const Row prey = world.add(cylindricPreyModel(0.1, 0.4), {{2.0, 2.0, 0.1}, lying});
@@ -33,7 +33,7 @@ TEST(RaysTest, WhatLiesIsMetAsItLies) {
   EXPECT_NEAR(down.fraction, 0.9, 1e-12);
 }
 
-TEST(RaysTest, BetweenEqualDistancesTheOlderIsMet) {
+TEST(RaysTest, BetweenEqualDistancesTheOlderIsHit) {
   World world;
   const Row older = world.addBlock({0.25, 0.25, 0.25}, 0.0, flatPose(2.0, 2.125, 0.0, 0.125));
   world.addBlock({0.25, 0.25, 0.25}, 0.0, flatPose(2.0, 1.875, 0.0, 0.125));
@@ -44,7 +44,7 @@ TEST(RaysTest, BetweenEqualDistancesTheOlderIsMet) {
   EXPECT_EQ(reverse.castRay({1.0, 2.0, 0.1}, {3.0, 2.0, 0.1}).row, first);
 }
 
-TEST(RaysTest, AMirrorIsMetInTheEngineThatMovesIt) {
+TEST(RaysTest, AMirrorIsHitInTheEngineThatMovesIt) {
   World world;
   World mover;
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.2), flatPose(2.0, 2.0), Role::kMirror);
@@ -66,13 +66,13 @@ TEST(RaysTest, LookingOnlyAtWhatIsNearLosesNothing) {
               pose, i % 2 == 0 ? Role::kMove : Role::kMirror);
   }
   world.step(3);
-  int met = 0;
+  int hit_count = 0;
   for (int i = 0; i < 500; ++i) {
     const Segment segment{{4.0 * random(), 4.0 * random(), random()}, {4.0 * random(), 4.0 * random(), random()}};
     RayHit expected;
     for (const Row row : world.space.entities.order) {
       const auto k = static_cast<std::size_t>(row);
-      const double fraction = firstMeeting(segment, *world.space.entities.model[k], world.space.entities.pose[k]);
+      const double fraction = closestHit(segment, *world.space.entities.model[k], world.space.entities.pose[k]);
       if (fraction < expected.fraction) {
         expected = {fraction, row};
       }
@@ -80,9 +80,9 @@ TEST(RaysTest, LookingOnlyAtWhatIsNearLosesNothing) {
     const RayHit hit = world.space.castRay(segment);
     ASSERT_EQ(hit.row, expected.row);
     ASSERT_EQ(hit.fraction, expected.fraction);
-    met += hit.row != kNoRow ? 1 : 0;
+    hit_count += hit.row != kNoRow ? 1 : 0;
   }
-  EXPECT_GT(met, 100);
+  EXPECT_GT(hit_count, 100);
 }
 
 }  // namespace

@@ -7,8 +7,8 @@
 /// `connect`).
 ///
 /// Phases   configure, reconfigure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`.
-///          connect: `connect`. mayMeet, castRays, draw, health: any time but during `move`.
-/// Threads  engines move at the same time as each other; mayMeet and castRays are called from many threads.
+///          connect: `connect`. mayHit, castRays, draw, health: any time but during `move`.
+/// Threads  engines move at the same time as each other; mayHit and castRays are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
 /// Handover (thesis chapter 5)
@@ -115,10 +115,10 @@ class Engine {
   /// Makes and breaks grips from the actuation of this tick.
   virtual void connect(Space& space) = 0;
 
-  /// Whether a ray of the bundle could meet anything here; in doubt, yes. The segments are not looked at, so who asks
+  /// Whether a ray of the bundle could hit anything here; in doubt, yes. The segments are not looked at, so who asks
   /// first need not have made them.
-  virtual bool mayMeet(const RayBundle& rays) const = 0;
-  /// For each segment: if it meets an entity of this engine nearer than `hits` says so far, that hit replaces it.
+  virtual bool mayHit(const RayBundle& rays) const = 0;
+  /// For each segment: if it hits an entity of this engine nearer than `hits` says so far, that hit replaces it.
   virtual void castRays(const RayBundle& rays, Span<RayHit> hits) const = 0;
 
   /// Shows people what the engine works with. Allocates; called on request only.

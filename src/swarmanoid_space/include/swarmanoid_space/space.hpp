@@ -30,7 +30,7 @@
 
 namespace swarmanoid {
 
-/// A bright spot that a laser pointer makes where its beam meets a surface or the floor.
+/// A bright spot that a laser pointer makes where its beam hits a surface or the floor.
 struct LaserSpot {
   EntityNumber owner = kNoEntity;
   Eigen::Vector3d source = Eigen::Vector3d::Zero();    ///< where the beam leaves the pointer [m]
@@ -100,9 +100,9 @@ class Space {
   Color* ledsOf(Row row) { return &leds[static_cast<std::size_t>(row) * EntityModel::kMaxLeds]; }
   const Color* ledsOf(Row row) const { return &leds[static_cast<std::size_t>(row) * EntityModel::kMaxLeds]; }
 
-  /// Whether a ray of the bundle could meet anything; in doubt, yes. Its segments are not looked at. Far cheaper than
+  /// Whether a ray of the bundle could hit anything; in doubt, yes. Its segments are not looked at. Far cheaper than
   /// casting. Thread-safe outside `move`.
-  bool mayMeet(const RayBundle& rays) const;
+  bool mayHit(const RayBundle& rays) const;
   /// Casts rays against everything: the terrain, all engines, and entities in no engine. For each segment the nearest
   /// hit.
   /// Thread-safe outside `move`.

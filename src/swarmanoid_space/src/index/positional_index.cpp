@@ -123,9 +123,9 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
       for (std::uint32_t k = first; k < last; ++k) {
         const Item& item = items_[k];
         const double item_reach = radius + item.radius;
-        const bool meets = (item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
-                           item.low <= centre.z() + radius && item.high >= centre.z() - radius;
-        if (meets && !visit(item.row)) {
+        const bool overlaps = (item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
+                              item.low <= centre.z() + radius && item.high >= centre.z() - radius;
+        if (overlaps && !visit(item.row)) {
           return;
         }
       }

@@ -96,7 +96,7 @@ void addHidden(const CollisionShape& shape, const EntityModel& model, const Eige
 
 }  // namespace
 
-double firstMeeting(const Segment& segment, const EntityModel& model, const Pose& pose) {
+double closestHit(const Segment& segment, const EntityModel& model, const Pose& pose) {
   const Eigen::Quaterniond to_body = pose.orientation.conjugate();
   const Eigen::Vector3d start = to_body * (segment.from - pose.position);
   const Eigen::Vector3d step = to_body * (segment.to - segment.from);

@@ -47,8 +47,8 @@ class Terrain::Descent {
         // who comes from outside comes through the air; who starts in the ground does not
         is_above_(start > 0.0 || from_.z() >= terrain.heightAt(from_.x(), from_.y())) {}
 
-  bool hasMet() const { return meeting_ != kInfinity; }
-  double meeting() const { return meeting_; }
+  bool hasHit() const { return hit_ != kInfinity; }
+  double hit() const { return hit_; }
   bool isAbove() const { return is_above_; }
 
   void passCell(const Eigen::Vector2i& cell, Piece piece) {
@@ -61,7 +61,7 @@ class Terrain::Descent {
     if (crossing > piece.from && crossing < piece.to) {
       const int first = change > 0.0 ? 1 : 0;
       passTriangle(cell, first, {piece.from, crossing});
-      if (!hasMet()) {
+      if (!hasHit()) {
         passTriangle(cell, 1 - first, {crossing, piece.to});
       }
     } else {
@@ -78,9 +78,9 @@ class Terrain::Descent {
     const double before = heightOver(piece.from);
     const double after = heightOver(piece.to);
     if (is_above_ && before < 0.0) {
-      meeting_ = piece.from;  // a cliff, or heights that differ by rounding
+      hit_ = piece.from;  // a cliff, or heights that differ by rounding
     } else if (before >= 0.0 && after < 0.0) {
-      meeting_ = piece.from + (piece.to - piece.from) * before / (before - after);
+      hit_ = piece.from + (piece.to - piece.from) * before / (before - after);
     }
     is_above_ = after >= 0.0;
   }
@@ -89,10 +89,10 @@ class Terrain::Descent {
   Eigen::Vector3d from_;
   Eigen::Vector3d way_;
   bool is_above_;
-  double meeting_ = kInfinity;
+  double hit_ = kInfinity;
 };
 
-double Terrain::firstMeeting(const Segment& segment) const {
+double Terrain::closestHit(const Segment& segment) const {
   const Piece inside = clipToRectangle(segment, bounds_);
   const Eigen::Vector3d way = segment.to - segment.from;
   const auto heightOf = [&](double t) { return segment.from.z() + t * way.z(); };
@@ -112,8 +112,8 @@ double Terrain::firstMeeting(const Segment& segment) const {
     const double next_y = reaching(lineY(cell.y() + (way.y() > 0.0 ? 1 : 0)), segment.from.y(), way.y());
     const double to = std::max(from, std::min({next_x, next_y, inside.to}));
     descent.passCell(cell, {from, to});
-    if (descent.hasMet()) {
-      return descent.meeting();
+    if (descent.hasHit()) {
+      return descent.hit();
     }
     const int axis = next_x <= next_y ? 0 : 1;
     cell[axis] += way[axis] > 0.0 ? 1 : -1;
@@ -126,7 +126,7 @@ double Terrain::firstMeeting(const Segment& segment) const {
   return inside.to < 1.0 && descent.isAbove() && heightOf(inside.to) < 0.0 ? inside.to : kInfinity;
 }
 
-bool Terrain::mayMeet(const RayBundle& rays) const {
+bool Terrain::mayHit(const RayBundle& rays) const {
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(rays.radius);
   const Eigen::Vector2d centre = rays.centre.head<2>();
   const Cells cells = cellsIn(centre - reach, centre + reach);
@@ -135,7 +135,7 @@ bool Terrain::mayMeet(const RayBundle& rays) const {
 
 void Terrain::castRays(const RayBundle& rays, Span<RayHit> hits) const {
   for (std::size_t k = 0; k < rays.segments.size(); ++k) {
-    const double fraction = firstMeeting(rays.segments[k]);
+    const double fraction = closestHit(rays.segments[k]);
     if (fraction < hits[k].fraction) {
       hits[k] = {fraction, kNoRow};
     }

@@ -45,14 +45,14 @@ struct Text {
   double x, y, width, height;
 };
 
-bool meet(const Text& a, const Text& b) {
+bool areOverlapping(const Text& a, const Text& b) {
   return std::abs(a.x - b.x) < 0.5 * (a.width + b.width) && std::abs(a.y - b.y) < 0.5 * (a.height + b.height);
 }
 
 void expectApart(const std::vector<Marker>& labels) {
   for (std::size_t i = 0; i < labels.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      EXPECT_FALSE(meet(Text(labels[i]), Text(labels[j]))) << labels[i].text << ", " << labels[j].text;
+      EXPECT_FALSE(areOverlapping(Text(labels[i]), Text(labels[j]))) << labels[i].text << ", " << labels[j].text;
     }
   }
 }

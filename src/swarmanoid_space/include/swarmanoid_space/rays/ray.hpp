@@ -14,12 +14,12 @@ struct Segment {
   Eigen::Vector3d to = Eigen::Vector3d::Zero();
 };
 
-/// Where a segment first meets a surface. A segment that starts inside a solid meets it at fraction 0.
+/// Where a segment first hits a surface. A segment that starts inside a solid hits it at fraction 0.
 struct RayHit {
   double fraction = 1.0;  ///< of the way from `from` to `to`
-  Row row = kNoRow;       ///< what was met; kNoRow: nothing, or the terrain, which is no entity
+  Row row = kNoRow;       ///< what was hit; kNoRow: nothing, or the terrain, which is no entity
 
-  /// Whether anything was met, be it an entity or the terrain.
+  /// Whether anything was hit, be it an entity or the terrain.
   bool isHit() const { return fraction < 1.0; }
 };
 

@@ -1,4 +1,4 @@
-/// Where a segment meets the solids of an entity, as they are: for entities in no engine, and for engines that have no
+/// Where a segment hits the solids of an entity, as they are: for entities in no engine, and for engines that have no
 /// shapes of their own to cast rays against; and whether an entity's solids hide its own LEDs.
 #pragma once
 
@@ -11,8 +11,8 @@
 
 namespace swarmanoid {
 
-/// The fraction of `segment` at which it first meets the entity's shapes; more than 1 if it does not. Thread-safe.
-double firstMeeting(const Segment& segment, const EntityModel& model, const Pose& pose);
+/// The fraction of `segment` at which it first hits the entity's shapes; more than 1 if it does not. Thread-safe.
+double closestHit(const Segment& segment, const EntityModel& model, const Pose& pose);
 
 /// How far LEDs stand out of the surfaces on which they sit [m].
 constexpr double kLedHeight = 0.005;

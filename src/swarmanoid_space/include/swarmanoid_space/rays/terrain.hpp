@@ -4,7 +4,7 @@
 /// corner of least x and y to that of most x and y, as ODE's heightfields are when they lie with z upwards.
 ///
 /// Below the triangles is solid ground, and around the rectangle the floor at z = 0: where the rim is at another height
-/// there is a cliff. Rays meet the ground where they go into it; those that come from below the surface pass through
+/// there is a cliff. Rays hit the ground where they go into it; those that come from below the surface pass through
 /// it, so engines that move robots in a plane under a hill are not disturbed.
 ///
 /// Threads: const from any number of them.
@@ -56,16 +56,16 @@ class Terrain {
   Eigen::Vector2i cellAt(double x, double y) const;
   /// The triangle above or below the point, or that of the nearest cell.
   Triangle triangleAt(double x, double y) const;
-  /// The cells that a rectangle meets.
+  /// The cells that a rectangle overlaps.
   Cells cellsIn(const Eigen::Vector2d& low, const Eigen::Vector2d& high) const;
   /// The highest vertex of these cells [m]; -infinity for none.
   double highestIn(const Cells& cells) const;
 
   /// The fraction of the segment at which it first goes into the ground; infinity if it does not.
-  double firstMeeting(const Segment& segment) const;
-  /// Whether a ray of the bundle could meet the ground; in doubt, yes. Its segments are not looked at.
-  bool mayMeet(const RayBundle& rays) const;
-  /// For each segment: if it meets the ground nearer than `hits` says so far, that hit replaces it.
+  double closestHit(const Segment& segment) const;
+  /// Whether a ray of the bundle could hit the ground; in doubt, yes. Its segments are not looked at.
+  bool mayHit(const RayBundle& rays) const;
+  /// For each segment: if it hits the ground nearer than `hits` says so far, that hit replaces it.
   void castRays(const RayBundle& rays, Span<RayHit> hits) const;
 
  private:
