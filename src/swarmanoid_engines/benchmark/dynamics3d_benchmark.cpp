@@ -87,7 +87,7 @@ class RawWorld {
       for (Body* body : driven_) {
         body->treels = *treels++;
       }
-      dSpaceCollide(space_, this, &RawWorld::meet);
+      dSpaceCollide(space_, this, &RawWorld::collide);
       dWorldStep(world_, kStep);
       dJointGroupEmpty(joints_);
     }
@@ -119,9 +119,9 @@ class RawWorld {
     }
   }
 
-  static void meet(void* data, dGeomID a, dGeomID b) {
+  static void collide(void* data, dGeomID a, dGeomID b) {
     if (dGeomIsSpace(a) != 0 || dGeomIsSpace(b) != 0) {
-      dSpaceCollide2(a, b, data, &RawWorld::meet);
+      dSpaceCollide2(a, b, data, &RawWorld::collide);
       return;
     }
     static_cast<RawWorld*>(data)->join(a, b);

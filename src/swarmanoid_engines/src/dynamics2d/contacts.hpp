@@ -11,8 +11,8 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// Shapes whose bands of heights do not meet pass over each other. The body's number is in Box2D's user data, and that
-/// of the shape in its fixtures'.
+/// Shapes whose bands of heights do not overlap pass over each other. The body's number is in Box2D's user data, and
+/// that of the shape in its fixtures'.
 class Contacts final : public b2ContactFilter, public b2ContactListener {
  public:
   Contacts(const planar::Bodies& bodies, std::vector<RigidBody>& rigid_bodies)

@@ -99,7 +99,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void startTick(const Space& space, double tick);
   void choosePieces(double step);
   void moveInBox2d();
-  void meetGround(BodyIndex index);
+  void joinGround(BodyIndex index);
   void setGroundFriction(BodyIndex index);
   void finishTick(Space& space);
 

@@ -95,7 +95,7 @@ void Dynamics2d::moveInBox2d() {
 void Dynamics2d::startTick(const Space& space, double tick) {
   bodies_.findLateDevices(space);
   for (const BodyIndex index : newcomers_) {
-    meetGround(index);
+    joinGround(index);
   }
   newcomers_.clear();
   longest_way_ = 0.0;
@@ -133,7 +133,7 @@ void Dynamics2d::startTick(const Space& space, double tick) {
   }
 }
 
-void Dynamics2d::meetGround(BodyIndex index) {
+void Dynamics2d::joinGround(BodyIndex index) {
   const Body& body = bodies_[index];
   const RigidBody& rigid_body = rigid(index);
   if (body.wheels != nullptr || body.flight != nullptr) {

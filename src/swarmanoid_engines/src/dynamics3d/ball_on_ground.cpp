@@ -58,8 +58,8 @@ bool isNearest(const GroundSurface& ground, const Vector3d& point, const Vector3
 
 }  // namespace
 
-void meetPoint(const GroundSurface& ground, const Vector3d& point, double radius, double margin,
-               SurfaceContacts& contacts) {
+void collidePoint(const GroundSurface& ground, const Vector3d& point, double radius, double margin,
+                  SurfaceContacts& contacts) {
   const auto column = ground.columnAt(point);
   if (!column) {
     return;
@@ -82,17 +82,17 @@ void meetPoint(const GroundSurface& ground, const Vector3d& point, double radius
   contacts.add(contact);
 }
 
-void meetBall(const GroundSurface& ground, const PlacedSolid& ball, double margin, SurfaceContacts& contacts) {
+void collideBall(const GroundSurface& ground, const PlacedSolid& ball, double margin, SurfaceContacts& contacts) {
   constexpr double kBehind = 1e-9;
   const Vector3d& centre = ball.centre;
   const double radius = ball.half.x();
   const double reach = radius + margin;
   const auto column = ground.columnAt(centre);
   if (column && centre.z() < column->height) {
-    meetPoint(ground, centre, radius, margin, contacts);
+    collidePoint(ground, centre, radius, margin, contacts);
     return;
   }
-  const auto meet = [&](const Triangle& triangle) {
+  const auto collide = [&](const Triangle& triangle) {
     const Vector3d nearest = nearestOf(triangle, centre);
     const double distance = (centre - nearest).norm();
     if (distance >= reach || triangle.normal.dot(centre - nearest) <= kBehind * distance) {
@@ -105,8 +105,8 @@ void meetBall(const GroundSurface& ground, const PlacedSolid& ball, double margi
   };
   const Vector3d around = Vector3d::Constant(reach);
   const Eigen::AlignedBox3d box(centre - around, centre + around);
-  ground.visitTriangles(box, meet);
-  ground.visitCliffs(box, meet);
+  ground.visitTriangles(box, collide);
+  ground.visitCliffs(box, collide);
   const auto level = ground.levelAt(centre);
   if (level && centre.z() - *level < reach) {
     contacts.add({centre - radius * Vector3d::UnitZ(), Vector3d::UnitZ(), reach - (centre.z() - *level)});

@@ -56,7 +56,7 @@ class SortedBounds {
     }
   }
 
-  /// Calls visit(item, bounds) for all whose box meets `box`, in no particular order, until it returns false.
+  /// Calls visit(item, bounds) for all whose box overlaps `box`, in no particular order, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::AlignedBox3d& box, Visit visit) const {
     for (const Entry& entry : wide_) {
@@ -74,7 +74,7 @@ class SortedBounds {
     }
   }
 
-  /// Calls visit(a, b) once for all pairs of items whose boxes meet.
+  /// Calls visit(a, b) once for all pairs of items whose boxes overlap.
   template <class Visit>
   void visitPairs(Visit visit) const {
     for (std::size_t i = 0; i < entries_.size(); ++i) {
@@ -86,13 +86,13 @@ class SortedBounds {
       }
     }
     for (std::size_t i = 0; i < wide_.size(); ++i) {
-      const auto meet = [&](const Entry& other) {
+      const auto visitOverlapping = [&](const Entry& other) {
         if (other.bounds.intersects(wide_[i].bounds)) {
           visit(wide_[i].item, other.item);
         }
       };
-      std::for_each(wide_.begin() + static_cast<std::ptrdiff_t>(i) + 1, wide_.end(), meet);
-      std::for_each(entries_.begin(), entries_.end(), meet);
+      std::for_each(wide_.begin() + static_cast<std::ptrdiff_t>(i) + 1, wide_.end(), visitOverlapping);
+      std::for_each(entries_.begin(), entries_.end(), visitOverlapping);
     }
   }
 

@@ -117,30 +117,30 @@ void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) 
     }
   });
   std::sort(pairs_.begin(), pairs_.end());
-  meetAll(bodies);
+  collideAll(bodies);
 }
 
 void Contacts::makeAgain(const std::vector<Body*>& bodies) {
   friction_.startAgain();
-  meetAll(bodies);
+  collideAll(bodies);
 }
 
-void Contacts::meetAll(const std::vector<Body*>& bodies) {
+void Contacts::collideAll(const std::vector<Body*>& bodies) {
   joints_made_ = 0;
   points_.clear();
   for (Body* body : bodies) {
     if (body->is_dynamic) {
-      meetGround(*body);
+      collideGround(*body);
     }
   }
   for (const auto& [first, second] : pairs_) {
-    meetPair(*bodies[static_cast<std::size_t>(first)], *bodies[static_cast<std::size_t>(second)]);
+    collidePair(*bodies[static_cast<std::size_t>(first)], *bodies[static_cast<std::size_t>(second)]);
   }
 }
 
 double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
   double deepest = 0.0;
-  const auto meet = [&](const Body* other, const Eigen::AlignedBox3d&) {
+  const auto collide = [&](const Body* other, const Eigen::AlignedBox3d&) {
     for (const Solid& its : other->solids) {
       std::array<dContactGeom, kMostFound> found;
       if (other == &body || areJoined(body, *other) || areApart(solid.geom, its.geom)) {
@@ -153,30 +153,30 @@ double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
     }
     return true;
   };
-  near_.visitNear(boxAround(solid.geom), meet);
+  near_.visitNear(boxAround(solid.geom), collide);
   return deepest;
 }
 
-void Contacts::meetGround(Body& body) {
+void Contacts::collideGround(Body& body) {
   const double reach = settings_.ground_height + kMargin / 2.0;
   for (const Solid& solid : body.solids) {
     if (ground_.isRoughAt(solid.box)) {
-      meetRoughGround(body, solid);
+      collideRoughGround(body, solid);
     } else if (level_ground_.geom != nullptr && solid.box.min().z() <= reach) {
-      meetSolids(body, solid, nullptr, level_ground_);
+      collideSolids(body, solid, nullptr, level_ground_);
     }
   }
 }
 
-void Contacts::meetRoughGround(Body& body, const Solid& solid) {
-  SurfaceContacts contacts = dynamics3d::meetGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
+void Contacts::collideRoughGround(Body& body, const Solid& solid) {
+  SurfaceContacts contacts = dynamics3d::collideGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
   contacts.keepSpread(kMostUsed);
   for (const SurfaceContact& contact : contacts) {
     makeJoint(body, solid, nullptr, level_ground_, geometryOf(contact, solid.geom, nullptr));
   }
 }
 
-void Contacts::meetPair(Body& a, Body& b) {
+void Contacts::collidePair(Body& a, Body& b) {
   for (const Solid& solid_a : a.solids) {
     for (const Solid& solid_b : b.solids) {
       const bool are_both_balls = solid_a.kind != Solid::Kind::kPlain && solid_b.kind != Solid::Kind::kPlain;
@@ -187,17 +187,17 @@ void Contacts::meetPair(Body& a, Body& b) {
       // who drives, and who has a rigid body, comes first: ODE takes surface motion as that of its first body
       const bool swaps = solid_b.kind != Solid::Kind::kPlain || (solid_a.kind == Solid::Kind::kPlain && !a.is_dynamic);
       if (swaps) {
-        meetSolids(b, solid_b, &a, solid_a);
+        collideSolids(b, solid_b, &a, solid_a);
       } else {
-        meetSolids(a, solid_a, &b, solid_b);
+        collideSolids(a, solid_a, &b, solid_b);
       }
     }
   }
 }
 
-void Contacts::meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b) {
+void Contacts::collideSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b) {
   std::array<dContactGeom, kMostFound> found;
-  int count = b == nullptr ? meetPlane(solid_a.geom, solid_b.geom, found.data())
+  int count = b == nullptr ? collidePlane(solid_a.geom, solid_b.geom, found.data())
                            : collideSides(solid_a.geom, solid_b.geom, found.data());
   if (count == 0 && b != nullptr) {
     count = collideFaces(solid_a.geom, solid_b.geom, found.data());

@@ -54,11 +54,11 @@ class Contacts {
  private:
   /// Refreshes the boxes of its solids too.
   static Eigen::AlignedBox3d boundsNow(Body& body);
-  void meetGround(Body& body);
-  void meetRoughGround(Body& body, const Solid& solid);
-  void meetAll(const std::vector<Body*>& bodies);
-  void meetPair(Body& a, Body& b);
-  void meetSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
+  void collideGround(Body& body);
+  void collideRoughGround(Body& body, const Solid& solid);
+  void collideAll(const std::vector<Body*>& bodies);
+  void collidePair(Body& a, Body& b);
+  void collideSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
   void makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b, dContactGeom geometry);
   void breakTies(dSurfaceParameters& surface);
 

@@ -146,16 +146,16 @@ int collideFaces(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
     return 0;  // they touch with their sides, if at all
   }
   SurfaceContacts contacts;
-  const auto meet = [&](const Vector3d& point) {
+  const auto collide = [&](const Vector3d& point) {
     const double depth_there = faces.depthOf(point);
     if (depth_there > -kLookAhead) {
       contacts.add({point, is_first ? faces.out : Vector3d(-faces.out), depth_there});
     }
   };
   // the corners of what the two faces have in common
-  visitSpokes(faces, meet);
-  visitCrossings(faces, meet);
-  visitCovered(faces, meet);
+  visitSpokes(faces, collide);
+  visitCrossings(faces, collide);
+  visitCovered(faces, collide);
   contacts.keepSpread(4);
   int count = 0;
   for (const SurfaceContact& contact : contacts) {

@@ -32,7 +32,7 @@ struct Cylinder {
 
 }  // namespace
 
-int meetPlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
+int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
   constexpr double kFlat = 0.9;        // of the axis along the normal: it stands, or is about to
   constexpr double kLookAhead = 4e-3;  // m above the plane
   if (dGeomGetClass(geom) != dCylinderClass) {

@@ -15,7 +15,7 @@ int collideSides(dGeomID a, dGeomID b, dContactGeom* found);
 /// A cylinder on a plane: on a face four contacts around it, on its side two, on an edge one of them.
 /// @param found room for four
 /// @return their number; 0 if the first geom is no cylinder
-int meetPlane(dGeomID cylinder, dGeomID plane, dContactGeom* found);
+int collidePlane(dGeomID cylinder, dGeomID plane, dContactGeom* found);
 
 /// A cylinder that stands on a face of a box, or bears one: the corners of what their faces have in common, at most
 /// four that are spread.

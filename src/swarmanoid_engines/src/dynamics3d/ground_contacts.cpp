@@ -4,7 +4,7 @@
 
 namespace swarmanoid::dynamics3d {
 
-SurfaceContacts meetGround(const GroundSurface& ground, const PlacedSolid& solid, double margin) {
+SurfaceContacts collideGround(const GroundSurface& ground, const PlacedSolid& solid, double margin) {
   SurfaceContacts contacts;
   const Eigen::AlignedBox3d bounds = solid.bounds();
   if (bounds.min().z() > ground.highestAt(bounds) + margin) {
@@ -12,15 +12,15 @@ SurfaceContacts meetGround(const GroundSurface& ground, const PlacedSolid& solid
   }
   switch (solid.kind) {
     case CollisionShape::Kind::kSphere:
-      meetBall(ground, solid, margin, contacts);
+      collideBall(ground, solid, margin, contacts);
       break;
     case CollisionShape::Kind::kBox:
-      meetCorners(ground, solid, margin, contacts);
-      meetRidges(ground, solid, margin, contacts);
+      collideCorners(ground, solid, margin, contacts);
+      collideRidges(ground, solid, margin, contacts);
       break;
     case CollisionShape::Kind::kCylinder:
-      meetRims(ground, solid, margin, contacts);
-      meetRidges(ground, solid, margin, contacts);
+      collideRims(ground, solid, margin, contacts);
+      collideRidges(ground, solid, margin, contacts);
       break;
   }
   return contacts;
@@ -38,7 +38,7 @@ double riseOut(const GroundSurface& ground, const std::vector<CollisionShape>& s
       if (!ground.isRoughAt(solid.bounds())) {
         continue;
       }
-      for (const SurfaceContact& contact : meetGround(ground, solid, 0.0)) {
+      for (const SurfaceContact& contact : collideGround(ground, solid, 0.0)) {
         depth = std::max(depth, contact.depth / std::max(contact.normal.z(), kLeastUpwards));
       }
     }

@@ -15,22 +15,22 @@ namespace swarmanoid::dynamics3d {
 
 /// All contacts of a solid that is nearer to the ground than `margin` [m]. Allocates nothing.
 /// @pre ground.isRoughAt(solid's bounds)
-SurfaceContacts meetGround(const GroundSurface& ground, const PlacedSolid& solid, double margin);
+SurfaceContacts collideGround(const GroundSurface& ground, const PlacedSolid& solid, double margin);
 
 /// By how much shapes must be lifted until none of them is in the ground [m]; 0 if none is.
 /// @pre ground.isRoughAt(entity's bounds)
 double riseOut(const GroundSurface& ground, const std::vector<CollisionShape>& shapes, const Pose& body);
 
-// The parts of meetGround.
+// The parts of collideGround.
 
 /// A point of a solid: out of the ground it is in, on the shorter way, if it is by a cliff.
 /// @param radius of a ball around the point
-void meetPoint(const GroundSurface& ground, const Eigen::Vector3d& point, double radius, double margin,
-               SurfaceContacts& contacts);
-void meetBall(const GroundSurface& ground, const PlacedSolid& ball, double margin, SurfaceContacts& contacts);
-void meetCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, SurfaceContacts& contacts);
-void meetRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, SurfaceContacts& contacts);
+void collidePoint(const GroundSurface& ground, const Eigen::Vector3d& point, double radius, double margin,
+                  SurfaceContacts& contacts);
+void collideBall(const GroundSurface& ground, const PlacedSolid& ball, double margin, SurfaceContacts& contacts);
+void collideCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, SurfaceContacts& contacts);
+void collideRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, SurfaceContacts& contacts);
 /// @param solid a box or a cylinder
-void meetRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, SurfaceContacts& contacts);
+void collideRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, SurfaceContacts& contacts);
 
 }  // namespace swarmanoid::dynamics3d

@@ -81,39 +81,39 @@ Face faceOver(Kind kind, const Vector3d& half, const Vector3d& point, const Vect
 
 }  // namespace
 
-void meetCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, SurfaceContacts& contacts) {
+void collideCorners(const GroundSurface& ground, const PlacedSolid& box, double margin, SurfaceContacts& contacts) {
   for (int i = 0; i < 8; ++i) {
     const Vector3d signs((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
-    meetPoint(ground, box.centre + box.axes * box.half.cwiseProduct(signs), 0.0, margin, contacts);
+    collidePoint(ground, box.centre + box.axes * box.half.cwiseProduct(signs), 0.0, margin, contacts);
   }
 }
 
-void meetRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, SurfaceContacts& contacts) {
+void collideRims(const GroundSurface& ground, const PlacedSolid& cylinder, double margin, SurfaceContacts& contacts) {
   constexpr int kPlaces = 8;  // around a face, so that it can stand
   const Vector3d axis = cylinder.axes.col(2);
-  const auto meet = [&](const Vector3d& across) {
+  const auto collideAt = [&](const Vector3d& across) {
     for (const double side : {-1.0, 1.0}) {
-      meetPoint(ground, cylinder.centre + side * cylinder.half.z() * axis + across, 0.0, margin, contacts);
+      collidePoint(ground, cylinder.centre + side * cylinder.half.z() * axis + across, 0.0, margin, contacts);
     }
   };
   // the rims' lowest points over each slope
   Vector3d last = Vector3d::Zero();
-  const auto meetDeepest = [&](const GroundSurface::Triangle& triangle) {
+  const auto collideDeepest = [&](const GroundSurface::Triangle& triangle) {
     const Vector3d across = triangle.normal - triangle.normal.dot(axis) * axis;
     if (triangle.normal != last && across.norm() > 1e-9) {
-      meet(-cylinder.half.x() * across.normalized());
+      collideAt(-cylinder.half.x() * across.normalized());
     }
     last = triangle.normal;
   };
-  ground.visitTriangles(cylinder.bounds(), meetDeepest);
-  ground.visitCliffs(cylinder.bounds(), meetDeepest);
+  ground.visitTriangles(cylinder.bounds(), collideDeepest);
+  ground.visitCliffs(cylinder.bounds(), collideDeepest);
   for (int i = 0; i < kPlaces; ++i) {
     const double angle = 2.0 * M_PI * i / kPlaces;
-    meet(cylinder.half.x() * (std::cos(angle) * cylinder.axes.col(0) + std::sin(angle) * cylinder.axes.col(1)));
+    collideAt(cylinder.half.x() * (std::cos(angle) * cylinder.axes.col(0) + std::sin(angle) * cylinder.axes.col(1)));
   }
 }
 
-void meetRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, SurfaceContacts& contacts) {
+void collideRidges(const GroundSurface& ground, const PlacedSolid& solid, double margin, SurfaceContacts& contacts) {
   const Vector3d half = solid.half.array() + margin;
   ground.visitRidges(solid.bounds(), [&](const Ridge& ridge) {
     const Vector3d start = solid.axes.transpose() * (ridge.from - solid.centre);

@@ -21,7 +21,7 @@ struct Band {
   double low = 0.0;
   double high = 0.0;
 
-  /// Bands that only touch do not meet: a box may stand on a table.
+  /// Bands that only touch do not overlap: a box may stand on a table.
   bool overlaps(const Band& other, double my_offset, double other_offset) const {
     return low + my_offset < other.high + other_offset - kContactTolerance &&
            other.low + other_offset < high + my_offset - kContactTolerance;

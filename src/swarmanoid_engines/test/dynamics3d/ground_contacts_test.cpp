@@ -40,7 +40,7 @@ TEST(BallTest, HasOneContactOnAPlaneWhateverTheTriangles) {
     const Vector3d foot(5.0 + part(random), 5.0 + part(random), 0.0);
     const Vector3d on_plane = foot + plane(foot.x(), foot.y()) * Vector3d::UnitZ();
     const double depth = 0.0015 * part(random);
-    const SurfaceContacts contacts = meetGround(ground, ballAt(0.03, on_plane + (0.03 - depth) * normal), 0.002);
+    const SurfaceContacts contacts = collideGround(ground, ballAt(0.03, on_plane + (0.03 - depth) * normal), 0.002);
     ASSERT_EQ(contacts.size(), 1U);
     ASSERT_LT((contacts[0].normal - normal).norm(), 1e-9);
     ASSERT_NEAR(contacts[0].depth, depth + 0.002, 1e-9);
@@ -52,14 +52,14 @@ TEST(BallTest, StandsOnARidgeAndInAValley) {
     for (const double aside : {-0.2, 0.0, 0.1, 0.3}) {
       const GroundSurface hill(ridge(0.6), 0.0);
       const Vector3d centre(5.0 + aside * radius, 5.02, 0.5 + 0.95 * radius);
-      const SurfaceContacts on_top = meetGround(hill, ballAt(radius, centre), 0.0);
+      const SurfaceContacts on_top = collideGround(hill, ballAt(radius, centre), 0.0);
       ASSERT_EQ(on_top.size(), 1U) << aside;
       EXPECT_LT((on_top[0].normal - Vector3d(aside, 0.0, 0.95).normalized()).norm(), 1e-9);
       EXPECT_NEAR(on_top[0].depth, radius * (1.0 - std::hypot(aside, 0.95)), 1e-9);
     }
     const GroundSurface valley(ridge(-0.6), 0.0);
     const double height = radius * std::hypot(1.0, 0.6);
-    const SurfaceContacts below = meetGround(valley, ballAt(radius, {5.0, 5.02, 0.5 + height - 1e-4}), 0.0);
+    const SurfaceContacts below = collideGround(valley, ballAt(radius, {5.0, 5.02, 0.5 + height - 1e-4}), 0.0);
     ASSERT_EQ(below.size(), 2U);
     EXPECT_LT((below[0].normal + below[1].normal).head<2>().norm(), 1e-9);
   }
@@ -68,7 +68,7 @@ TEST(BallTest, StandsOnARidgeAndInAValley) {
 TEST(BallTest, IsPushedUpHoweverDeepItIs) {
   const GroundSurface ground(ridge(0.6), 0.0);
   for (const double depth : {0.01, 0.1, 1.0}) {
-    const SurfaceContacts contacts = meetGround(ground, ballAt(0.01, {5.1, 5.0, 0.44 - depth}), 0.0);
+    const SurfaceContacts contacts = collideGround(ground, ballAt(0.01, {5.1, 5.0, 0.44 - depth}), 0.0);
     ASSERT_EQ(contacts.size(), 1U);
     EXPECT_GT(contacts[0].normal.z(), 0.5);
     EXPECT_NEAR(contacts[0].depth, 0.01 + depth * contacts[0].normal.z(), 1e-9);
@@ -78,7 +78,7 @@ TEST(BallTest, IsPushedUpHoweverDeepItIs) {
 TEST(BallTest, PassesFromTheLevelGroundOntoTheTerrainWithoutASeam) {
   const GroundSurface ground(terrainOf([](double, double) { return 0.0; }, 0.05), 0.0);
   for (double x = 3.9; x < 4.1; x += 0.0013) {
-    const SurfaceContacts contacts = meetGround(ground, ballAt(0.2, {x, 5.0, 0.199}), 0.0);
+    const SurfaceContacts contacts = collideGround(ground, ballAt(0.2, {x, 5.0, 0.199}), 0.0);
     ASSERT_EQ(contacts.size(), 1U) << x;
     EXPECT_LT((contacts[0].normal - Vector3d::UnitZ()).norm(), 1e-9) << x;
     EXPECT_NEAR(contacts[0].depth, 0.001, 1e-9) << x;
@@ -87,18 +87,18 @@ TEST(BallTest, PassesFromTheLevelGroundOntoTheTerrainWithoutASeam) {
 
 TEST(CliffTest, HoldsWhatComesFromAside) {
   const GroundSurface mesa(terrainOf([](double, double) { return 0.3; }, 0.05), 0.0);
-  const SurfaceContacts outside = meetGround(mesa, ballAt(0.05, {3.951, 5.0, 0.1}), 0.002);
+  const SurfaceContacts outside = collideGround(mesa, ballAt(0.05, {3.951, 5.0, 0.1}), 0.002);
   ASSERT_EQ(outside.size(), 1U);
   EXPECT_LT((outside[0].normal + Vector3d::UnitX()).norm(), 1e-9);
   EXPECT_NEAR(outside[0].depth, 0.003, 1e-9);
   const GroundSurface hole(terrainOf([](double, double) { return -0.3; }, 0.05), 0.0);
-  const SurfaceContacts inside = meetGround(hole, ballAt(0.05, {4.049, 5.0, -0.1}), 0.002);
+  const SurfaceContacts inside = collideGround(hole, ballAt(0.05, {4.049, 5.0, -0.1}), 0.002);
   ASSERT_EQ(inside.size(), 1U);
   EXPECT_LT((inside[0].normal - Vector3d::UnitX()).norm(), 1e-9);
   // a box with its lower edge a little in the wall
   const PlacedSolid box(shapeOf(CollisionShape::Kind::kBox, {0.05, 0.05, 0.05}),
                         {{3.951, 5.0, 0.1}, Eigen::Quaterniond::Identity()});
-  for (const SurfaceContact& contact : meetGround(mesa, box, 0.0)) {
+  for (const SurfaceContact& contact : collideGround(mesa, box, 0.0)) {
     EXPECT_LT((contact.normal + Vector3d::UnitX()).norm(), 1e-9);
     EXPECT_NEAR(contact.depth, 0.001, 1e-9);
   }
@@ -108,7 +108,7 @@ TEST(SolidTest, AFaceIsHeldByARidgeThatNoCornerMeets) {
   const GroundSurface ground(ridge(0.6), 0.0);
   const Pose pose{{5.0, 5.03, 0.5 + 0.05 - 0.001}, Eigen::Quaterniond(Eigen::AngleAxisd(0.3, Vector3d::UnitZ()))};
   for (const auto kind : {CollisionShape::Kind::kBox, CollisionShape::Kind::kCylinder}) {
-    SurfaceContacts contacts = meetGround(ground, PlacedSolid(shapeOf(kind, {0.06, 0.06, 0.05}), pose), 0.0);
+    SurfaceContacts contacts = collideGround(ground, PlacedSolid(shapeOf(kind, {0.06, 0.06, 0.05}), pose), 0.0);
     ASSERT_GE(contacts.size(), 2U);
     double low = 5.03;
     double high = 5.03;
@@ -131,7 +131,7 @@ TEST(SolidTest, ACylinderLiesOnItsSide) {
   const Pose pose{Vector3d(5.01, 5.02, 0.003) + 0.039 * normal,
                   Eigen::Quaterniond(Eigen::AngleAxisd(M_PI / 2.0, Vector3d::UnitX()))};
   const PlacedSolid cylinder(shapeOf(CollisionShape::Kind::kCylinder, {0.04, 0.04, 0.1}), pose);
-  SurfaceContacts contacts = meetGround(ground, cylinder, 0.0);
+  SurfaceContacts contacts = collideGround(ground, cylinder, 0.0);
   ASSERT_EQ(contacts.size(), 2U);
   for (const SurfaceContact& contact : contacts) {
     EXPECT_LT((contact.normal - normal).norm(), 1e-9);
