@@ -57,7 +57,7 @@ struct Diffusion {
 class RawWorld {
  public:
   explicit RawWorld(const Space& source) {
-    const Turn turn(seed_);
+    const OdeLock lock(seed_);
     world_ = dWorldCreate();
     dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
     dWorldSetCFM(world_, 1e-6);
@@ -71,7 +71,7 @@ class RawWorld {
     follow(source);
   }
   ~RawWorld() {
-    const Turn turn(seed_);
+    const OdeLock lock(seed_);
     bodies_.clear();
     dJointGroupDestroy(joints_);
     dSpaceDestroy(space_);
@@ -82,7 +82,7 @@ class RawWorld {
 
   /// One tick of `subclock` steps, with the treels of these steps.
   void tick(const Treels* treels, int subclock) {
-    const Turn turn(seed_);
+    const OdeLock lock(seed_);
     for (int i = 0; i < subclock; ++i) {
       for (Body* body : driven_) {
         body->treels = *treels++;

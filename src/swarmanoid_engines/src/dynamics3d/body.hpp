@@ -171,7 +171,7 @@ struct Body {
 };
 
 /// Makes the body and its solids at the entity's pose in the space.
-/// @pre no other body of that entity; a Turn is held
+/// @pre no other body of that entity; an OdeLock is held
 std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role role);
 
 }  // namespace swarmanoid::dynamics3d

@@ -23,11 +23,11 @@ class Contacts {
     Eigen::Vector3d normal;
   };
 
-  /// @param ground used where it is rough; elsewhere `settings` says what there is. @pre a Turn is held
+  /// @param ground used where it is rough; elsewhere `settings` says what there is. @pre an OdeLock is held
   void configure(dWorldID world, const Settings& settings, const GroundSurface& ground);
   /// Other surfaces from now on; the ground stays where it is.
   void reconfigure(const Settings& settings) { settings_ = settings; }
-  /// Gives everything back to ODE. @pre a Turn is held
+  /// Gives everything back to ODE. @pre an OdeLock is held
   void release();
 
   void add(Body& body) { near_.add(&body, boundsNow(body)); }
@@ -42,7 +42,7 @@ class Contacts {
   /// the bodies are back in the state of the last make
   void makeAgain(const std::vector<Body*>& bodies);
   /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
-  /// 0: not at all. Who is near, is as of the last step. @pre a Turn is held
+  /// 0: not at all. Who is near, is as of the last step. @pre an OdeLock is held
   double depthAmongBodies(const Body& body, const Solid& solid) const;
   /// Those of the last step.
   const std::vector<Point>& points() const { return points_; }

@@ -78,7 +78,7 @@ Row Dynamics3d::overlap(const EntityModel& model, const Pose& pose, Span<const R
 
 void Dynamics3d::add(Space& space, Row row, Role role) {
   const auto i = static_cast<std::size_t>(row);
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   makeWorld();
   if (by_row_.size() <= i) {
     by_row_.resize(i + 1);
@@ -127,7 +127,7 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
 }
 
 void Dynamics3d::remove(Space&, Row row) {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   const auto i = static_cast<std::size_t>(row);
   Body* body = by_row_[i].get();
   forgetHolds(*body);
@@ -139,7 +139,7 @@ void Dynamics3d::remove(Space&, Row row) {
 }
 
 void Dynamics3d::place(Space& space, Row row) {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   Body& body = *find(row);
   forgetHolds(body);
   body.treels = Treels{};
@@ -153,12 +153,12 @@ void Dynamics3d::place(Space& space, Row row) {
 }
 
 void Dynamics3d::clear() {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   destroyWorld();
 }
 
 Dynamics3d::~Dynamics3d() {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   destroyWorld();
 }
 

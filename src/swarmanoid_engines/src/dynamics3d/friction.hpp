@@ -21,7 +21,7 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// Frame W. Between `startStep` and the last `isCoulombs` of a step, a Turn is held.
+/// Frame W. Between `startStep` and the last `isCoulombs` of a step, an OdeLock is held.
 class Friction {
  public:
   /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2]

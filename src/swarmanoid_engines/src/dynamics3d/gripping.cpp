@@ -22,7 +22,7 @@ double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
 }  // namespace
 
 void Dynamics3d::connect(Space& space) {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   tellTrouble(space);
   for (Body* body : order_) {
     if (body->holding != nullptr && body->is_dynamic) {

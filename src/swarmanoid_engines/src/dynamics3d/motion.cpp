@@ -10,7 +10,7 @@
 namespace swarmanoid::dynamics3d {
 
 void Dynamics3d::readMirrors(const Space& space) {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   for (Body* body : order_) {
     if (body->rigid != nullptr && !body->is_dynamic) {
       takePose(space, *body);
@@ -19,7 +19,7 @@ void Dynamics3d::readMirrors(const Space& space) {
 }
 
 void Dynamics3d::move(Space& space, Duration dt) {
-  const Turn turn(seed_);
+  const OdeLock lock(seed_);
   if (world_ == nullptr) {
     return;
   }

@@ -49,13 +49,13 @@ void startLibrary() {
 
 }  // namespace
 
-Turn::Turn(unsigned long& seed) : lock_(processMutex()), seed_(seed) {
+OdeLock::OdeLock(unsigned long& seed) : lock_(processMutex()), seed_(seed) {
   startLibrary();
   dRandSetSeed(seed_);
 }
 
 long solverFailures() { return solver_failures; }
 
-Turn::~Turn() { seed_ = dRandGetSeed(); }
+OdeLock::~OdeLock() { seed_ = dRandGetSeed(); }
 
 }  // namespace swarmanoid::dynamics3d

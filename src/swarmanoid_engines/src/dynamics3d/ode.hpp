@@ -1,8 +1,8 @@
 /// The Open Dynamics Engine library, as this engine uses it: started once a process, used by one world at a time.
 ///
-/// ODE has state of the whole process (a random seed, default threading, counts of its users). Whoever calls it holds a
-/// Turn, which is a lock on all of that and puts the world's own random seed in and takes it out again; so worlds of
-/// one process neither disturb each other nor depend on who came first. ODE makes no threads here.
+/// ODE has state of the whole process (a random seed, default threading, counts of its users). Each caller holds an
+/// OdeLock, which excludes the other callers, puts the world's own random seed in, and takes it out again; so worlds of
+/// one process neither disturb each other nor depend on which came first. ODE makes no threads here.
 #pragma once
 
 #include <ode/ode.h>
@@ -16,20 +16,21 @@ namespace swarmanoid::dynamics3d {
 
 static_assert(std::is_same_v<dReal, double>, "ODE must be built in double precision");
 
-class Turn {
+/// Exclusive use of ODE in this process, with the random seed of one world.
+class OdeLock {
  public:
-  /// Waits until nobody else is in ODE. @param seed the world's; kept up to date
-  explicit Turn(unsigned long& seed);
-  ~Turn();
-  Turn(const Turn&) = delete;
-  Turn& operator=(const Turn&) = delete;
+  /// Waits until no other thread uses ODE. @param seed the world's; kept up to date
+  explicit OdeLock(unsigned long& seed);
+  ~OdeLock();
+  OdeLock(const OdeLock&) = delete;
+  OdeLock& operator=(const OdeLock&) = delete;
 
  private:
   std::unique_lock<std::mutex> lock_;
   unsigned long& seed_;
 };
 
-/// How often the exact solver has given up in this process, which ODE only prints. @pre a Turn is held
+/// How often the exact solver has given up in this process, which ODE only prints. @pre an OdeLock is held
 long solverFailures();
 
 inline Eigen::Vector3d toVector(const dReal* v) { return {v[0], v[1], v[2]}; }

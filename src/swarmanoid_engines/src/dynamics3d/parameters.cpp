@@ -92,7 +92,7 @@ void Dynamics3d::reconfigure(const Configuration& parameters) {
   settings_.rope_drag = wanted.rope_drag;
   settings_.magnet_strength = wanted.magnet_strength;
   if (world_ != nullptr) {
-    const Turn turn(seed_);
+    const OdeLock lock(seed_);
     dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
     dWorldSetQuickStepNumIterations(world_, settings_.iterations);
     contacts_.reconfigure(settings_);

@@ -186,7 +186,7 @@ class OdeHeightfield {
 
 TEST(RayTest, HitsTheSameTrianglesAsInOde) {
   unsigned long seed = 1;
-  const Turn turn(seed);
+  const OdeLock lock(seed);
   const auto terrain = terrainOf(
       [](double x, double y) { return 0.2 * std::sin(7.0 * x) * std::cos(5.0 * y) + 0.05 * std::sin(31.0 * x * y); },
       0.07);
