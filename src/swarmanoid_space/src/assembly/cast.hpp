@@ -74,14 +74,14 @@ struct Seat {
 };
 
 /// A rule for one entity, and how far it has come.
-struct HandoverWatch {
+struct HandoverTrigger {
   const HandoverDescription* rule = nullptr;
   Engine* engine = nullptr;
   Row row = kNoRow;
   EntityNumber number = kNoEntity;
   bool was_true = false;    ///< the condition, at the end of the last tick
   bool is_due = false;      ///< it became true, is still true, and nothing has come of it yet
-  bool is_refused = false;  ///< since then; that has been told
+  bool is_refused = false;  ///< since then; that has been reported
 };
 
 struct Simulation::Cast {
@@ -90,9 +90,9 @@ struct Simulation::Cast {
   Workers workers;
   std::vector<Named<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
-  std::vector<Driver> drivers;           ///< by entity number
-  std::vector<std::vector<Seat>> seats;  ///< by entity row
-  std::vector<HandoverWatch> watches;    ///< by entity number, then as in the file
+  std::vector<Driver> drivers;            ///< by entity number
+  std::vector<std::vector<Seat>> seats;   ///< by entity row
+  std::vector<HandoverTrigger> triggers;  ///< by entity number, then as in the file
   std::vector<Viewer> viewers;
   std::vector<Row> faulty;  ///< scratch of `actuate`
   Lockstep lockstep;

@@ -6,41 +6,41 @@
 namespace swarmanoid::phases {
 namespace {
 
-void attempt(Space& space, const std::vector<Driver>& drivers, HandoverWatch& watch,
+void attempt(Space& space, const std::vector<Driver>& drivers, HandoverTrigger& trigger,
              std::vector<std::vector<Seat>>& seats) {
-  if (space.mover[static_cast<std::size_t>(watch.row)] == watch.engine) {
-    watch.is_due = false;
+  if (space.mover[static_cast<std::size_t>(trigger.row)] == trigger.engine) {
+    trigger.is_due = false;
     return;
   }
-  const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, watch.row);
-  refreshMirrors(space, seats, *watch.engine);
-  const std::string problem = handoverProblem(space, drivers, seats, members, watch.row, *watch.engine);
+  const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, trigger.row);
+  refreshMirrors(space, seats, *trigger.engine);
+  const std::string problem = handoverProblem(space, drivers, seats, members, trigger.row, *trigger.engine);
   if (problem.empty()) {
-    commitHandover(space, drivers, seats, members, *watch.engine, space.events);
-    watch.is_due = false;
-  } else if (!watch.is_refused) {
-    watch.is_refused = true;  // told once; tried again each tick, for what is in the way may go
-    space.events.push_back({Event::Kind::kHandoverRefused, space.entities.name[static_cast<std::size_t>(watch.row)], "",
-                            "to " + watch.engine->id() + ": " + problem});
+    commitHandover(space, drivers, seats, members, *trigger.engine, space.events);
+    trigger.is_due = false;
+  } else if (!trigger.is_refused) {
+    trigger.is_refused = true;  // reported once; tried again each tick, for what is in the way may go
+    space.events.push_back({Event::Kind::kHandoverRefused, space.entities.name[static_cast<std::size_t>(trigger.row)],
+                            "", "to " + trigger.engine->id() + ": " + problem});
   }
 }
 
 }  // namespace
 
-void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverWatch>& watches,
+void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverTrigger>& triggers,
               std::vector<std::vector<Seat>>& seats) {
-  for (HandoverWatch& watch : watches) {
-    if (space.entities.number[static_cast<std::size_t>(watch.row)] != watch.number) {
-      continue;  // deleted; whoever has its row now is somebody else
+  for (HandoverTrigger& trigger : triggers) {
+    if (space.entities.number[static_cast<std::size_t>(trigger.row)] != trigger.number) {
+      continue;  // deleted; another entity may have its row now
     }
-    const bool is_true = holds(*watch.rule, space, watch.row);
-    if (is_true != watch.was_true) {
-      watch.is_due = is_true;
-      watch.is_refused = false;
+    const bool is_true = holds(*trigger.rule, space, trigger.row);
+    if (is_true != trigger.was_true) {
+      trigger.is_due = is_true;
+      trigger.is_refused = false;
     }
-    watch.was_true = is_true;
-    if (watch.is_due) {
-      attempt(space, drivers, watch, seats);
+    trigger.was_true = is_true;
+    if (trigger.is_due) {
+      attempt(space, drivers, trigger, seats);
     }
   }
 }

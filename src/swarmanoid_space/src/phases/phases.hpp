@@ -37,7 +37,7 @@ void connect(Space& space, const std::vector<Named<Engine>>& engines,
              const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
 /// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
-void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverWatch>& watches,
+void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverTrigger>& triggers,
               std::vector<std::vector<Seat>>& seats);
 
 /// The positional index learns the new poses; who has left the arena is noted.

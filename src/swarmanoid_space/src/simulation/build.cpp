@@ -124,7 +124,7 @@ void Simulation::build() {
   buildControllerGroups();
   buildBoundary();
   buildEntities();
-  buildWatches();
+  buildTriggers();
   offerRobots();
 }
 

@@ -181,7 +181,7 @@ void Simulation::unbuild() {
   }
   cast_->groups.clear();
   cast_->seats.clear();
-  cast_->watches.clear();
+  cast_->triggers.clear();
   space_.entities.clear();
   space_.structure.clear();
   space_.attachments.clear();

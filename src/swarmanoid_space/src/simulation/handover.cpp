@@ -72,7 +72,7 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
   commitHandover(space_, cast_->drivers, cast_->seats, members, *engine, pending_events_);
 }
 
-void Simulation::buildWatches() {
+void Simulation::buildTriggers() {
   const std::map<std::string, std::size_t> quantities = quantitiesIn(experiment_.arena);
   for (const HandoverDescription& rule : experiment_.handovers) {
     Engine* engine = cast_->findEngine(rule.engine);
@@ -98,11 +98,11 @@ void Simulation::buildWatches() {
                           "handover of " + model.type + " '" + name + "' to engine '" + rule.engine + "': " + problem);
       }
       // what is true from the start has not become true
-      cast_->watches.push_back({&rule, engine, row, space_.entities.number[i], holds(rule, space_, row)});
+      cast_->triggers.push_back({&rule, engine, row, space_.entities.number[i], holds(rule, space_, row)});
     }
   }
-  std::stable_sort(cast_->watches.begin(), cast_->watches.end(),
-                   [](const HandoverWatch& a, const HandoverWatch& b) { return a.number < b.number; });
+  std::stable_sort(cast_->triggers.begin(), cast_->triggers.end(),
+                   [](const HandoverTrigger& a, const HandoverTrigger& b) { return a.number < b.number; });
 }
 
 }  // namespace swarmanoid

@@ -166,7 +166,7 @@ class Simulation {
   void buildControllerGroups();
   void buildEntities();
   void buildBoundary();
-  void buildWatches();
+  void buildTriggers();
   void distribute(const EntityDescription& group, const std::vector<Seat>& seats);
   void noteFailures();
   void logNewOverflows();
