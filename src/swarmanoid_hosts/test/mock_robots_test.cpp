@@ -241,8 +241,8 @@ TEST(MockDriversWatchdog, StopsWhatHasHadNoCommandForTooLong) {
   advance(0.4);
   EXPECT_NEAR(0.08, bench.robot->pose().position.x(), 1e-9);
   advance(1.0);
-  EXPECT_TRUE(watchdog.hasBitten(0));
-  EXPECT_FALSE(watchdog.hasBitten(1)) << "it never had a command";
+  EXPECT_TRUE(watchdog.hasExpired(0));
+  EXPECT_FALSE(watchdog.hasExpired(1)) << "it never had a command";
   EXPECT_EQ(0.0, bench.command<FootbotWheels>().left);
   EXPECT_TRUE(bench.command<FootbotGripper>().closed);
   EXPECT_NEAR(0.09, bench.robot->pose().position.x(), 0.0021);

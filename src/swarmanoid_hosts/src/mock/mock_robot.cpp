@@ -45,7 +45,7 @@ void CommandWatchdog::advance(double dt) {
       continue;
     }
     silence_[i] += dt;
-    if (hasBitten(i)) {
+    if (hasExpired(i)) {
       const MockRobot::Actuator& actuator = mock_.actuators()[i];
       findSafeStop(actuator.device)(actuator.command, {silence_[i] - timeout_, {}, robot_});
     }

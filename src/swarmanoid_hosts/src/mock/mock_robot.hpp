@@ -90,8 +90,8 @@ class CommandWatchdog {
   void commanded(std::size_t actuator) { silence_[actuator] = 0.0; }
   /// To be called before the robot moves. @param dt [s]
   void advance(double dt);
-  /// Whether the actuator is being stopped.
-  bool hasBitten(std::size_t actuator) const { return silence_[actuator] > timeout_; }
+  /// Whether no command has come for longer than `timeout`: the actuator is being stopped.
+  bool hasExpired(std::size_t actuator) const { return silence_[actuator] > timeout_; }
 
  private:
   static constexpr double kNever = -1.0;  // had no command yet
