@@ -40,7 +40,7 @@ class Carousel final : public swarmanoid::Engine {
     rate_ = parameters.angle("rate", 0.0);
   }
 
-  std::string refusal(const EntityModel&, const std::vector<std::string>& devices) const override {
+  std::string unsupportedReason(const EntityModel&, const std::vector<std::string>& devices) const override {
     for (const std::string& device : devices) {
       if (device == swarmanoid::FootbotWheels::kType || device == swarmanoid::EyebotVelocity::kType) {
         return "device '" + device + "' cannot be simulated: who stands on a carousel does not drive";
@@ -48,7 +48,7 @@ class Carousel final : public swarmanoid::Engine {
     }
     return "";
   }
-  std::string misplacement(const EntityModel&, const Pose&) const override { return ""; }
+  std::string invalidPoseReason(const EntityModel&, const Pose&) const override { return ""; }
   Row overlap(const EntityModel&, const Pose&, swarmanoid::Span<const Row>) const override {
     return swarmanoid::kNoRow;
   }

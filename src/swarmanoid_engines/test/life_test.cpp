@@ -21,24 +21,25 @@ TEST(LifeTest, RefusesADeviceThatTheRobotHasNoPartsFor) {
   World world;
   EntityModel bare = *discModel(0.1, 0.1);
   bare.wheels.reset();
-  EXPECT_EQ(world.engine.refusal(*footbotModel(), {"footbot_wheels", "footbot_gripper", "footbot_proximity"}), "");
-  EXPECT_EQ(world.engine.refusal(bare, {"footbot_proximity", "eyebot_velocity"}), "");
-  EXPECT_EQ(world.engine.refusal(bare, {"footbot_wheels"}),
+  EXPECT_EQ(world.engine.unsupportedReason(*footbotModel(), {"footbot_wheels", "footbot_gripper", "footbot_proximity"}),
+            "");
+  EXPECT_EQ(world.engine.unsupportedReason(bare, {"footbot_proximity", "eyebot_velocity"}), "");
+  EXPECT_EQ(world.engine.unsupportedReason(bare, {"footbot_wheels"}),
             "device 'footbot_wheels' cannot be simulated: a robot of this type has no wheels");
-  EXPECT_EQ(world.engine.refusal(bare, {"footbot_gripper"}),
+  EXPECT_EQ(world.engine.unsupportedReason(bare, {"footbot_gripper"}),
             "device 'footbot_gripper' cannot be simulated: a robot of this type has no gripper");
-  EXPECT_EQ(world.engine.refusal(*footbotModel(), {"footbot_wheels", "eyebot_velocity"}),
+  EXPECT_EQ(world.engine.unsupportedReason(*footbotModel(), {"footbot_wheels", "eyebot_velocity"}),
             "device 'eyebot_velocity' cannot be simulated: another device drives the robot already");
-  EXPECT_NE(world.engine.refusal(*lightModel(), {}), "");
+  EXPECT_NE(world.engine.unsupportedReason(*lightModel(), {}), "");
 }
 
 TEST(LifeTest, SaysWhereAMisplacedRobotIsAndBelongs) {
   World world({10.0, 10.0, 4.0}, 1, "z", 2.0);
-  EXPECT_EQ(world.engine.misplacement(*footbotModel(), flatPose(1.0, 1.0, 0.0, 2.0 + 0.9e-6)), "");
-  EXPECT_EQ(world.engine.misplacement(*footbotModel(), flatPose(1.0, 1.0, 0.0, 0.5)),
+  EXPECT_EQ(world.engine.invalidPoseReason(*footbotModel(), flatPose(1.0, 1.0, 0.0, 2.0 + 0.9e-6)), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*footbotModel(), flatPose(1.0, 1.0, 0.0, 0.5)),
             "found at z = 0.5, allowed: in the engine's plane, z = 2");
-  EXPECT_NE(world.engine.misplacement(*footbotModel(), flatPose(1.0, 1.0, 0.0, 2.0 + 2e-6)), "");
-  EXPECT_EQ(world.engine.misplacement(*blockModel({1.0, 1.0, 1.0}), flatPose(1.0, 1.0, 0.0, 0.5)), "");
+  EXPECT_NE(world.engine.invalidPoseReason(*footbotModel(), flatPose(1.0, 1.0, 0.0, 2.0 + 2e-6)), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*blockModel({1.0, 1.0, 1.0}), flatPose(1.0, 1.0, 0.0, 0.5)), "");
 }
 
 TEST(LifeTest, RefusesARobotThatDoesNotStandOnItsTreels) {
@@ -47,11 +48,11 @@ TEST(LifeTest, RefusesARobotThatDoesNotStandOnItsTreels) {
     return Pose{{1.0, 1.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()))};
   };
   const Pose pose = tilted(0.17, {1.0, 0.4, 0.0});
-  EXPECT_EQ(world.engine.misplacement(*footbotModel(), pose),
+  EXPECT_EQ(world.engine.invalidPoseReason(*footbotModel(), pose),
             "found tilted, allowed: standing on its treels, its z axis along z");
-  EXPECT_NE(world.engine.misplacement(*footbotModel(), tilted(M_PI / 2.0, {0.0, 1.0, 0.0})), "");
-  EXPECT_EQ(world.engine.misplacement(*footbotModel(), tilted(0.83, {0.0, 0.0, 1.0})), "");
-  EXPECT_EQ(world.engine.misplacement(*cylindricPreyModel(0.1, 0.1), pose), "")
+  EXPECT_NE(world.engine.invalidPoseReason(*footbotModel(), tilted(M_PI / 2.0, {0.0, 1.0, 0.0})), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*footbotModel(), tilted(0.83, {0.0, 0.0, 1.0})), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*cylindricPreyModel(0.1, 0.1), pose), "")
       << "what has no treels may lie as it does";
 }
 

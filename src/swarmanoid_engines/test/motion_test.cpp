@@ -102,7 +102,7 @@ TEST_P(WallMotionTest, DrivesAheadAndTurnsToItsLeft) {
   pose.orientation = Quaterniond(AngleAxisd(wall.angle, wall.tilt));
   pose.position = Vector3d::Constant(5.0);
   pose.position[wall.axis[0] - 'x'] = distance;
-  ASSERT_EQ(world.engine.misplacement(*footbotModel(), pose), "");
+  ASSERT_EQ(world.engine.invalidPoseReason(*footbotModel(), pose), "");
   const Row row = world.addFootbot(pose);
   const double turn_rate = 0.3;
   world.drive(row, 0.1, turn_rate);

@@ -72,7 +72,7 @@ class Journey {
     for (const Row row : {prey, footbot}) {
       const auto i = static_cast<std::size_t>(row);
       const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
-      ASSERT_EQ(engine().misplacement(*posed, space.entities.pose[i]), "");
+      ASSERT_EQ(engine().invalidPoseReason(*posed, space.entities.pose[i]), "");
       ASSERT_EQ(engine().overlap(*posed, space.entities.pose[i], Span<const Row>()), kNoRow);
       space.mover[i] = &engine();
       engine().add(space, row, Role::kMove);
@@ -126,10 +126,10 @@ TEST(TurretHandoverTest, RobotsWithoutTurretAreRefusedByName) {
     const std::string expected = "device '" + std::string(device) +
                                  "' cannot be simulated: a robot of this type has no turret: no joint 'turret' that "
                                  "turns without end about its z axis";
-    EXPECT_EQ(kinematics2d::Kinematics2d().refusal(*bare, {device}), expected);
-    EXPECT_EQ(dynamics2d::Dynamics2d().refusal(*bare, {device}), expected);
-    EXPECT_EQ(dynamics3d::Dynamics3d().refusal(*bare, {device}), expected);
-    EXPECT_EQ(dynamics3d::Dynamics3d().refusal(*robotModel("footbot"), {device}), "");
+    EXPECT_EQ(kinematics2d::Kinematics2d().unsupportedReason(*bare, {device}), expected);
+    EXPECT_EQ(dynamics2d::Dynamics2d().unsupportedReason(*bare, {device}), expected);
+    EXPECT_EQ(dynamics3d::Dynamics3d().unsupportedReason(*bare, {device}), expected);
+    EXPECT_EQ(dynamics3d::Dynamics3d().unsupportedReason(*robotModel("footbot"), {device}), "");
   }
 }
 

@@ -244,7 +244,7 @@ TEST(DevicesPageTest, EnginesAreThoseThatTakeTheDevice) {
     std::string expected;
     for (const char* label : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
       const auto engine = makePlugin<Engine>(Registry::instance().require(PluginKind::kEngine, label));
-      if (engine->refusal(*robotModel(page[type].robot), {type}).empty()) {
+      if (engine->unsupportedReason(*robotModel(page[type].robot), {type}).empty()) {
         expected += std::string(expected.empty() ? "`" : ", `") + label + "`";
       }
     }

@@ -27,18 +27,18 @@ class GlideEngine : public Engine {
     id_ = id;
     takes_wheels_ = parameters.boolean("takes_wheels", false);
   }
-  std::string refusal(const EntityModel&, const std::vector<std::string>& devices) const override {
+  std::string unsupportedReason(const EntityModel&, const std::vector<std::string>& devices) const override {
     const bool has_wheels = std::find(devices.begin(), devices.end(), FootbotWheels::kType) != devices.end();
     return has_wheels && !takes_wheels_ ? "device 'footbot_wheels' cannot be simulated" : "";
   }
-  std::string misplacement(const EntityModel&, const Pose&) const override { return ""; }
+  std::string invalidPoseReason(const EntityModel&, const Pose&) const override { return ""; }
   Row overlap(const EntityModel&, const Pose&, Span<const Row> ignored) const override {
     const auto found = std::find_if(held_.begin(), held_.end(), [&](const Held& held) {
       return std::find(ignored.begin(), ignored.end(), held.row) == ignored.end();
     });
     return found == held_.end() ? kNoRow : found->row;
   }
-  std::string gripRefusal(const Space&, Row) const override { return ""; }
+  std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
   void add(Space&, Row row, Role role) override { held_.push_back({row, role}); }
   void remove(Space&, Row row) override {
     const auto is_it = [row](const Held& held) { return held.row == row; };

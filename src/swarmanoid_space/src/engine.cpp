@@ -4,14 +4,14 @@
 
 namespace swarmanoid {
 
-std::string Engine::stateRefusal(const Space& space, Row row) const {
-  std::string refusal;
+std::string Engine::unsupportedStateReason(const Space& space, Row row) const {
+  std::string reason;
   space.attachments.visit(row, [&](Attachment::Kind kind, const Attachment&) {
-    if (refusal.empty()) {
-      refusal = std::string("holds on to something by its ") + toString(kind) + ", which this engine cannot hold";
+    if (reason.empty()) {
+      reason = std::string("holds on to something by its ") + toString(kind) + ", which this engine cannot hold";
     }
   });
-  return refusal;
+  return reason;
 }
 
 }  // namespace swarmanoid

@@ -50,11 +50,11 @@ void DeviceTopics::take(Commanded& commanded, const DeviceTopic& device, const s
   Bytes command;
   ByteWriter out(command);
   findDeviceType(device.device)->write(commanded.device.get(), out);
-  const std::string refusal = commands_->put(id_, device.device, std::move(command));
-  if (!refusal.empty() && !commanded.is_refusal_told) {
-    ROS_WARN("%s/%s is refused: %s", id_.c_str(), device.name.c_str(), refusal.c_str());
+  const std::string reason = commands_->put(id_, device.device, std::move(command));
+  if (!reason.empty() && !commanded.is_refusal_reported) {
+    ROS_WARN("%s/%s is refused: %s", id_.c_str(), device.name.c_str(), reason.c_str());
   }
-  commanded.is_refusal_told = !refusal.empty();
+  commanded.is_refusal_reported = !reason.empty();
 }
 
 void DeviceTopics::addLeds(const Space& space, Row row) {

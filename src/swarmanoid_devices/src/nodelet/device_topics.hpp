@@ -38,7 +38,7 @@ class DeviceTopics final : public Visualisation {
   struct Commanded {
     std::shared_ptr<void> device;
     VariableParts parts;
-    bool is_refusal_told = false;
+    bool is_refusal_reported = false;
     ros::Subscriber subscriber;  // last, so that it goes first
   };
 

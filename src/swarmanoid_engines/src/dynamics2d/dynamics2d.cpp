@@ -109,21 +109,21 @@ void Dynamics2d::reconfigure(const Configuration& parameters) {
   }
 }
 
-std::string Dynamics2d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  std::string problem = PlanarEngine::refusal(model, devices);
+std::string Dynamics2d::unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const {
+  std::string problem = PlanarEngine::unsupportedReason(model, devices);
   if (problem.empty() && turnsLyingCylinder(model)) {
     return "has a cylinder on its turret that does not stand upright, which this engine cannot turn";
   }
   return problem.empty() ? problemWithModel(model) : problem;
 }
 
-std::string Dynamics2d::misplacement(const EntityModel& model, const Pose& pose) const {
+std::string Dynamics2d::invalidPoseReason(const EntityModel& model, const Pose& pose) const {
   const double farthest = bodies_.plane().toLocal(pose.position).cwiseAbs().maxCoeff();
   if (farthest > limits::kFarthestInSinglePrecision) {
     return "found at " + numberText(farthest) + " m from the origin, allowed: at most " +
            numberText(limits::kFarthestInSinglePrecision) + " m along each axis, since Box2D has single precision";
   }
-  return PlanarEngine::misplacement(model, pose);
+  return PlanarEngine::invalidPoseReason(model, pose);
 }
 
 void Dynamics2d::makeWorld() {

@@ -67,9 +67,9 @@ class Dynamics2d final : public planar::PlanarEngine {
 
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
-  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
-  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
-  std::string gripRefusal(const Space&, Row) const override { return ""; }
+  std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
+  std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
   void place(Space& space, Row row) override;

@@ -225,16 +225,16 @@ void Dynamics3d::tellForces(Space& space, const Body& robot) {
   }
 }
 
-std::string Dynamics3d::stateRefusal(const Space& space, Row row) const {
-  std::string refusal;
+std::string Dynamics3d::unsupportedStateReason(const Space& space, Row row) const {
+  std::string reason;
   space.attachments.visit(row, [&](Kind kind, const Attachment& attachment) {
     const auto i = static_cast<std::size_t>(attachment.held);
-    if (refusal.empty() && !space.entities.model[i]->is_movable && find(attachment.held) == nullptr) {
-      refusal = std::string("its ") + toString(kind) + " holds on to '" + space.entities.name[i] +
-                "', which is not in this engine";
+    if (reason.empty() && !space.entities.model[i]->is_movable && find(attachment.held) == nullptr) {
+      reason = std::string("its ") + toString(kind) + " holds on to '" + space.entities.name[i] +
+               "', which is not in this engine";
     }
   });
-  return refusal;
+  return reason;
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/device_refusal.hpp"
+#include "common/unsupported_devices.hpp"
 #include "dynamics3d/convex_overlap.hpp"
 #include "dynamics3d/ground_contacts.hpp"
 #include "dynamics3d/solids.hpp"
@@ -15,7 +15,7 @@
 
 namespace swarmanoid::dynamics3d {
 
-std::string Dynamics3d::clocktickRefusal(Duration clocktick) const {
+std::string Dynamics3d::unsupportedClocktickReason(Duration clocktick) const {
   const double step = toSeconds(clocktick) / settings_.subclock;
   if (step <= kLongestStep * (1.0 + 1e-9)) {
     return "";
@@ -27,14 +27,14 @@ std::string Dynamics3d::clocktickRefusal(Duration clocktick) const {
   return text.str();
 }
 
-std::string Dynamics3d::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
+std::string Dynamics3d::unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const {
   if (model.is_movable && !(model.mass > 0.0)) {
     return "has no mass, so this engine cannot move it";
   }
   if (model.is_movable && model.inertia.llt().info() != Eigen::Success) {
     return "has an inertia that no body has, so this engine cannot move it";
   }
-  return deviceRefusal(model, devices);
+  return unsupportedDevicesReason(model, devices);
 }
 
 void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
@@ -42,7 +42,7 @@ void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
       GroundSurface(terrain, settings_.has_ground ? std::optional<double>(settings_.ground_height) : std::nullopt);
 }
 
-std::string Dynamics3d::misplacement(const EntityModel& model, const Pose& pose) const {
+std::string Dynamics3d::invalidPoseReason(const EntityModel& model, const Pose& pose) const {
   constexpr double kInGround = 1e-4;       // m
   constexpr double kInRoughGround = 2e-3;  // m: treels' balls are soft, so that much of them may be in a slope
   if (!model.is_movable || model.shapes.empty()) {

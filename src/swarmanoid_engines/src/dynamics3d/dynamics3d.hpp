@@ -53,13 +53,13 @@ class Dynamics3d final : public Engine {
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
   void takeTerrain(const std::shared_ptr<const Terrain>& terrain) override;
-  std::string clocktickRefusal(Duration clocktick) const override;
-  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
-  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
+  std::string unsupportedClocktickReason(Duration clocktick) const override;
+  std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
-  std::string gripRefusal(const Space&, Row) const override { return ""; }
-  std::string stateRefusal(const Space& space, Row row) const override;
+  std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
+  std::string unsupportedStateReason(const Space& space, Row row) const override;
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
   void place(Space& space, Row row) override;

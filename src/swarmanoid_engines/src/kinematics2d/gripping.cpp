@@ -53,7 +53,7 @@ void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
   }
 }
 
-std::string Kinematics2d::gripRefusal(const Space& space, Row gripper) const {
+std::string Kinematics2d::unsupportedGripReason(const Space& space, Row gripper) const {
   const Row gripped = space.structure.grippedBy(gripper);
   const auto i = static_cast<std::size_t>(gripped);
   if (space.entities.model[i]->is_robot) {

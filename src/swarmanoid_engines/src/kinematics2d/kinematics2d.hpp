@@ -58,7 +58,7 @@ class Kinematics2d final : public planar::PlanarEngine {
  public:
   static PluginDescription describe();
 
-  std::string gripRefusal(const Space& space, Row gripper) const override;
+  std::string unsupportedGripReason(const Space& space, Row gripper) const override;
   void add(Space& space, Row row, Role role) override;
   void remove(Space& space, Row row) override;
   void place(Space& space, Row row) override;

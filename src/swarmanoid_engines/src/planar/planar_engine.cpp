@@ -4,9 +4,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "common/device_refusal.hpp"
 #include "common/parameter.hpp"
 #include "common/turret.hpp"
+#include "common/unsupported_devices.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/body_rays.hpp"
 #include "planar/draw_bodies.hpp"
@@ -49,8 +49,8 @@ void PlanarEngine::configure(const std::string& id, const Configuration& paramet
   bodies_.configure(Plane(axis[0], parameters.number("distance", 0.0, limits::kCoordinate)));
 }
 
-std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<std::string>& devices) const {
-  std::string problem = deviceRefusal(model, devices);
+std::string PlanarEngine::unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const {
+  std::string problem = unsupportedDevicesReason(model, devices);
   if (!problem.empty()) {
     return problem;
   }
@@ -60,7 +60,7 @@ std::string PlanarEngine::refusal(const EntityModel& model, const std::vector<st
 
 bool PlanarEngine::mayStandIdle(const std::string& device) const { return isSpatial(device); }
 
-std::string PlanarEngine::stateRefusal(const Space& space, Row row) const {
+std::string PlanarEngine::unsupportedStateReason(const Space& space, Row row) const {
   constexpr double kStretched = 0.02;  // rad
   const EntityModel& model = *space.entities.model[static_cast<std::size_t>(row)];
   const int turret = turretJoint(model);
@@ -70,10 +70,10 @@ std::string PlanarEngine::stateRefusal(const Space& space, Row row) const {
       return "its joint '" + model.joints[i].name + "' is not at zero";
     }
   }
-  return Engine::stateRefusal(space, row);
+  return Engine::unsupportedStateReason(space, row);
 }
 
-std::string PlanarEngine::misplacement(const EntityModel& model, const Pose& pose) const {
+std::string PlanarEngine::invalidPoseReason(const EntityModel& model, const Pose& pose) const {
   constexpr double kInPlane = 1e-6;  // m
   const Plane& plane = bodies_.plane();
   const double along = plane.along(pose.position);

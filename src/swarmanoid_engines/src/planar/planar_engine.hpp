@@ -12,12 +12,12 @@ namespace swarmanoid::planar {
 class PlanarEngine : public Engine {
  public:
   void configure(const std::string& id, const Configuration& parameters) override;
-  std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const override;
   /// Arms, hands, ropes and magnets.
   bool mayStandIdle(const std::string& device) const override;
-  std::string stateRefusal(const Space& space, Row row) const override;
+  std::string unsupportedStateReason(const Space& space, Row row) const override;
   /// What is not in the plane, and robots that do not stand on their treels: these drive along the plane only so.
-  std::string misplacement(const EntityModel& model, const Pose& pose) const override;
+  std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   bool mayHit(const RayBundle& rays) const override;

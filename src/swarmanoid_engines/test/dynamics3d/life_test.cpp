@@ -14,28 +14,28 @@ std::shared_ptr<const EntityModel> boxModel(double x, double y, double z) { retu
 
 TEST(LifeTest, StepsOverTenMillisecondsAreRefusedWithWhatIsAllowed) {
   const World coarse({{"subclock", "9"}});
-  EXPECT_EQ(coarse.engine.clocktickRefusal(std::chrono::milliseconds(100)),
+  EXPECT_EQ(coarse.engine.unsupportedClocktickReason(std::chrono::milliseconds(100)),
             "subclock: found 9 with ticks of 100 ms, which makes steps of 11.1111 ms; allowed: steps of at most 10 ms, "
             "here a subclock from 10");
   const World fine({{"subclock", "10"}});
-  EXPECT_EQ(fine.engine.clocktickRefusal(std::chrono::milliseconds(100)), "");
-  EXPECT_NE(fine.engine.clocktickRefusal(std::chrono::nanoseconds(100100000)), "");
+  EXPECT_EQ(fine.engine.unsupportedClocktickReason(std::chrono::milliseconds(100)), "");
+  EXPECT_NE(fine.engine.unsupportedClocktickReason(std::chrono::nanoseconds(100100000)), "");
 }
 
-TEST(LifeTest, RefusalsNameWhatIsMissing) {
+TEST(LifeTest, UnsupportedReasonsNameWhatIsMissing) {
   const World world;
-  EXPECT_EQ(world.engine.refusal(*robotModel("footbot"), {"footbot_wheels", "footbot_gripper"}), "");
-  EXPECT_EQ(world.engine.refusal(*robotModel("handbot"), {}), "");
-  EXPECT_EQ(world.engine.refusal(*blockModel({1.0, 1.0, 1.0}), {}), "");
-  EXPECT_EQ(world.engine.refusal(*robotModel("eyebot"), {"footbot_wheels"}),
+  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("footbot"), {"footbot_wheels", "footbot_gripper"}), "");
+  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("handbot"), {}), "");
+  EXPECT_EQ(world.engine.unsupportedReason(*blockModel({1.0, 1.0, 1.0}), {}), "");
+  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("eyebot"), {"footbot_wheels"}),
             "device 'footbot_wheels' cannot be simulated: a robot of this type has no wheels");
-  EXPECT_EQ(world.engine.refusal(*lightModel(), {}), "has no shape, so this engine has nothing to hold");
+  EXPECT_EQ(world.engine.unsupportedReason(*lightModel(), {}), "has no shape, so this engine has nothing to hold");
   EntityModel massless = *robotModel("footbot");
   massless.mass = 0.0;
-  EXPECT_EQ(world.engine.refusal(massless, {}), "has no mass, so this engine cannot move it");
+  EXPECT_EQ(world.engine.unsupportedReason(massless, {}), "has no mass, so this engine cannot move it");
   EntityModel flat = *robotModel("footbot");
   flat.inertia.setZero();
-  EXPECT_EQ(world.engine.refusal(flat, {}), "has an inertia that no body has, so this engine cannot move it");
+  EXPECT_EQ(world.engine.unsupportedReason(flat, {}), "has an inertia that no body has, so this engine cannot move it");
 }
 
 TEST(LifeTest, WhereTheLibraryGivesUpTheProcessDoesNot) {
@@ -57,16 +57,16 @@ TEST(LifeTest, WhereTheLibraryGivesUpTheProcessDoesNot) {
 TEST(LifeTest, NothingIsPlacedInTheGround) {
   const World world({{"ground_height", "0.5"}});
   const auto prey = cylindricPreyModel(0.1, 0.1);
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(1.0, 1.0, 0.0, 0.5)), "");
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(1.0, 1.0, 0.0, 2.0)), "");
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(1.0, 1.0, 0.0, 0.4)),
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(1.0, 1.0, 0.0, 0.5)), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(1.0, 1.0, 0.0, 2.0)), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(1.0, 1.0, 0.0, 0.4)),
             "found at z = 0.4, where it reaches down to z = 0.4, allowed: above the ground, which is at z = 0.5");
   const Pose tilted{{1.0, 1.0, 0.5}, Eigen::Quaterniond(Eigen::AngleAxisd(0.5, Vector3d::UnitX()))};
-  EXPECT_NE(world.engine.misplacement(*prey, tilted), "");
-  EXPECT_EQ(world.engine.misplacement(*prey, {{1.0, 1.0, 0.6}, tilted.orientation}), "");
-  EXPECT_EQ(world.engine.misplacement(*blockModel({1.0, 1.0, 1.0}), flatPose(1.0, 1.0)), "");  // it does not move
+  EXPECT_NE(world.engine.invalidPoseReason(*prey, tilted), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, {{1.0, 1.0, 0.6}, tilted.orientation}), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*blockModel({1.0, 1.0, 1.0}), flatPose(1.0, 1.0)), "");  // it does not move
   const World bottomless({{"ground", "false"}});
-  EXPECT_EQ(bottomless.engine.misplacement(*prey, flatPose(1.0, 1.0, 0.0, -9.0)), "");
+  EXPECT_EQ(bottomless.engine.invalidPoseReason(*prey, flatPose(1.0, 1.0, 0.0, -9.0)), "");
 }
 
 TEST(LifeTest, TouchingIsNoOverlap) {

@@ -190,13 +190,13 @@ TEST(RoughGroundTest, RefusesWhatStandsInTheGround) {
   World world;
   world.setTerrain(terrainOf([](double x, double) { return 0.2 * (x - 4.0); }, 0.05));
   const auto prey = cylindricPreyModel(0.1, 0.1);
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(5.0, 5.0, 0.0, 0.2)),
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(5.0, 5.0, 0.0, 0.2)),
             "found at z = 0.2, where it stands in the terrain, allowed: above it, here from z = 0.22");
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(5.0, 5.0, 0.0, 0.2201)), "");
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(5.0, 5.0, 0.0, 1.0)), "");
-  EXPECT_NE(world.engine.misplacement(*prey, flatPose(6.05, 5.0, 0.0, 0.1)), "");  // half in a cliff
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(6.5, 5.0, 0.0, 0.0)), "");   // outside
-  EXPECT_EQ(world.engine.misplacement(*prey, flatPose(6.5, 5.0, 0.0, -0.1)),
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(5.0, 5.0, 0.0, 0.2201)), "");
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(5.0, 5.0, 0.0, 1.0)), "");
+  EXPECT_NE(world.engine.invalidPoseReason(*prey, flatPose(6.05, 5.0, 0.0, 0.1)), "");  // half in a cliff
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(6.5, 5.0, 0.0, 0.0)), "");   // outside
+  EXPECT_EQ(world.engine.invalidPoseReason(*prey, flatPose(6.5, 5.0, 0.0, -0.1)),
             "found at z = -0.1, where it reaches down to z = -0.1, allowed: above the ground, which is at z = 0");
 }
 
@@ -208,7 +208,7 @@ TEST(RoughGroundTest, WhatItHasCarriedItDoesNotRefuse) {
   world.step(3);  // a fall presses its soft balls in for some 70 ms
   for (int tick = 0; tick < 100; ++tick) {
     world.step();
-    ASSERT_EQ(world.engine.misplacement(*robotModel("footbot"), world.pose(footbot)), "") << "tick " << tick;
+    ASSERT_EQ(world.engine.invalidPoseReason(*robotModel("footbot"), world.pose(footbot)), "") << "tick " << tick;
   }
 }
 

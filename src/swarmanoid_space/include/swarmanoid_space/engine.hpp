@@ -12,13 +12,13 @@
 /// Repeats  the same calls give the same bits.
 ///
 /// Handover (thesis chapter 5)
-///          an entity changes the engine that moves it, with all that it is connected to: `refusal`, `misplacement`,
-///          `overlap`, `gripRefusal` and `stateRefusal` decide, without any change; then the old engine gets `remove`
-///          for each member and the new one `add`, parents before children. The space keeps pose, twist, joints,
-///          grips, attachments, devices and everything else meanwhile, so what an engine knows beyond them, it makes
-///          anew from them.
+///          an entity changes the engine that moves it, with all that it is connected to: `unsupportedReason`,
+///          `invalidPoseReason`, `overlap`, `unsupportedGripReason` and `unsupportedStateReason` decide, without any
+///          change; then the old engine gets `remove` for each member and the new one `add`, parents before children.
+///          The space keeps pose, twist, joints, grips, attachments, devices and everything else meanwhile, so what an
+///          engine knows beyond them, it makes anew from them.
 ///
-/// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `refusal`.
+/// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `unsupportedReason`.
 #pragma once
 
 #include <memory>
@@ -59,7 +59,7 @@ class Engine {
   virtual void reconfigure(const Configuration& /*parameters*/) {}
 
   /// Why this engine cannot run with ticks of that length; "" if it can. Asked once, before entities are added.
-  virtual std::string clocktickRefusal(Duration /*clocktick*/) const { return ""; }
+  virtual std::string unsupportedClocktickReason(Duration /*clocktick*/) const { return ""; }
 
   /// The ground that is not level, or null. Told once, before entities are added, and stays over `clear`. Engines that
   /// move things in a plane make nothing of it.
@@ -67,7 +67,7 @@ class Engine {
 
   /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
   /// the device or the property. @param devices types of the controller's devices
-  virtual std::string refusal(const EntityModel& model, const std::vector<std::string>& devices) const = 0;
+  virtual std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const = 0;
 
   /// Whether a robot with that device, which this engine refuses, may be moved here all the same with the device idle,
   /// if another of the engines that hold the robot can simulate it: such as a handbot's rope while footbots carry the
@@ -75,7 +75,7 @@ class Engine {
   virtual bool mayStandIdle(const std::string& /*device*/) const { return false; }
 
   /// Why an entity cannot stand there, such as "is not in the plane z = 0"; "" if it can. Overlap is not looked at.
-  virtual std::string misplacement(const EntityModel& model, const Pose& pose) const = 0;
+  virtual std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const = 0;
 
   /// An entity of this engine that a new one at that pose would overlap; kNoRow if there is none.
   /// @param ignored entities that it may overlap, such as itself and what it is connected to
@@ -86,22 +86,22 @@ class Engine {
 
   /// Why this engine could not hold the grip that `gripper` has in `structure`, if it moved the whole structure; "" if
   /// it can. Asked before a handover. An engine that does not say otherwise holds no grips.
-  virtual std::string gripRefusal(const Space& /*space*/, Row /*gripper*/) const {
+  virtual std::string unsupportedGripReason(const Space& /*space*/, Row /*gripper*/) const {
     return "grips, and this engine holds no grips";
   }
 
   /// Likewise for the rest of an entity's state: what it holds on to in `attachments`, where its joints are.
-  virtual std::string stateRefusal(const Space& space, Row row) const;
+  virtual std::string unsupportedStateReason(const Space& space, Row row) const;
 
   /// Takes charge of an entity at the pose, and with the twist, that it has in the space; its devices are there too. As
   /// soon as both ends of a grip in `structure` are moved here, the grip holds here; likewise attachments, whose other
-  /// end may be fixed. @pre no misplacement, no overlap
+  /// end may be fixed. @pre the pose is valid, no overlap
   virtual void add(Space& space, Row row, Role role) = 0;
   /// Gives an entity back; its pose and twist in the space are already what they should be. Grips in `structure` stay,
   /// for whoever gets it next.
   virtual void remove(Space& space, Row row) = 0;
   /// The entity's pose in the space was set from outside; or it is a mirror, and a handover to this engine is to be
-  /// decided by where it is now. @pre no misplacement, no overlap, unless it is a mirror
+  /// decided by where it is now. @pre the pose is valid, no overlap, unless it is a mirror
   virtual void place(Space& space, Row row) = 0;
   /// Gives everything back.
   virtual void clear() = 0;

@@ -21,15 +21,15 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
     return "is fixed, no engine moves it";
   }
   const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
-  std::string problem = engine.misplacement(*posed, pose);
+  std::string problem = engine.invalidPoseReason(*posed, pose);
   if (problem.empty()) {
-    problem = refusalOf(engine, model, devicesOf(groupOf(drivers, row)), seats);
+    problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(drivers, row)), seats);
   }
   if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
-    problem = engine.gripRefusal(space, row);
+    problem = engine.unsupportedGripReason(space, row);
   }
   if (problem.empty()) {
-    problem = engine.stateRefusal(space, row);
+    problem = engine.unsupportedStateReason(space, row);
   }
   if (problem.empty()) {
     const Row other = engine.overlap(*posed, pose, members);
@@ -88,23 +88,23 @@ void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, E
   }
 }
 
-std::string refusalOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
-                      const std::vector<Seat>& seats) {
+std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
+                                const std::vector<Seat>& seats) {
   std::vector<std::string> needed = devices;
   for (const std::string& device : idleDevices(engine, model, devices)) {
-    const auto simulatesIt = [&](const Seat& seat) { return seat.engine->refusal(model, {device}).empty(); };
+    const auto simulatesIt = [&](const Seat& seat) { return seat.engine->unsupportedReason(model, {device}).empty(); };
     if (std::any_of(seats.begin(), seats.end(), simulatesIt)) {
       needed.erase(std::find(needed.begin(), needed.end(), device));
     }
   }
-  return engine.refusal(model, needed);
+  return engine.unsupportedReason(model, needed);
 }
 
 std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& model,
                                      const std::vector<std::string>& devices) {
   std::vector<std::string> idle;
   std::copy_if(devices.begin(), devices.end(), std::back_inserter(idle), [&](const std::string& device) {
-    return engine.mayStandIdle(device) && !engine.refusal(model, {device}).empty();
+    return engine.mayStandIdle(device) && !engine.unsupportedReason(model, {device}).empty();
   });
   return idle;
 }

@@ -14,8 +14,8 @@ void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, E
 /// Why the engine cannot move such an entity with these devices; "" if it can. A device that it cannot simulate, but
 /// that may stand idle, is no reason if another of the engines that hold the entity can simulate it.
 /// @param seats in which the engines hold the entity, or will
-std::string refusalOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
-                      const std::vector<Seat>& seats);
+std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
+                                const std::vector<Seat>& seats);
 
 /// Those of a robot's devices that stand idle while the engine moves it.
 std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& model,

@@ -101,7 +101,7 @@ void Simulation::buildEngines() {
       cast_->engines.push_back({makePlugin<Engine>(*entry), part});
       configure(cast_->engines.back(), description.location, description.id, description.parameters);
     }
-    const std::string problem = cast_->engines.back()->clocktickRefusal(experiment_.framework.clocktick);
+    const std::string problem = cast_->engines.back()->unsupportedClocktickReason(experiment_.framework.clocktick);
     if (!problem.empty()) {
       throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
     }

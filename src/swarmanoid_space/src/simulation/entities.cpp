@@ -37,9 +37,9 @@ void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityMod
   const std::vector<std::string> devices = devicesOf(cast_->findGroup(entity.controller));
   for (const Seat& seat : seats) {
     const std::string in_engine = "' in engine '" + seat.engine->id() + "': ";
-    std::string problem = seat.engine->misplacement(model, pose);
+    std::string problem = seat.engine->invalidPoseReason(model, pose);
     if (problem.empty() && seat.role == Role::kMove) {
-      problem = refusalOf(*seat.engine, model, devices, seats);
+      problem = unsupportedReasonOf(*seat.engine, model, devices, seats);
     }
     if (!problem.empty()) {
       throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);

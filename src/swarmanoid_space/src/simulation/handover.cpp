@@ -88,8 +88,9 @@ void Simulation::buildTriggers() {
       const EntityModel& model = *space_.entities.model[i];
       Driver* driver = cast_->findDriver(space_.entities, row);
       std::string problem =
-          model.is_movable ? refusalOf(*engine, model, devicesOf(driver ? driver->group : nullptr), cast_->seats[i])
-                           : "is fixed, no engine moves it";
+          model.is_movable
+              ? unsupportedReasonOf(*engine, model, devicesOf(driver ? driver->group : nullptr), cast_->seats[i])
+              : "is fixed, no engine moves it";
       if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && driver == nullptr) {
         problem = "has no controller, so it has no debug values";
       }

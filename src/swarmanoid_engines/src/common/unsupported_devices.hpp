@@ -10,6 +10,6 @@ namespace swarmanoid {
 
 /// Why such an entity cannot be moved with these devices: it lacks shapes, wheels, a gripper or a turret, or two
 /// devices would drive it; "" if nothing speaks against it.
-std::string deviceRefusal(const EntityModel& model, const std::vector<std::string>& devices);
+std::string unsupportedDevicesReason(const EntityModel& model, const std::vector<std::string>& devices);
 
 }  // namespace swarmanoid

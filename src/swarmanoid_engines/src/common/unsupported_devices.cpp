@@ -1,4 +1,4 @@
-#include "common/device_refusal.hpp"
+#include "common/unsupported_devices.hpp"
 
 #include <array>
 
@@ -37,7 +37,7 @@ constexpr std::array<Need, 8> kNeeds{{
 
 }  // namespace
 
-std::string deviceRefusal(const EntityModel& model, const std::vector<std::string>& devices) {
+std::string unsupportedDevicesReason(const EntityModel& model, const std::vector<std::string>& devices) {
   if (model.shapes.empty()) {
     return "has no shape, so this engine has nothing to hold";
   }

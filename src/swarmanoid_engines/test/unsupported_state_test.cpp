@@ -8,9 +8,9 @@
 namespace swarmanoid {
 namespace {
 
-class StateRefusalTest : public ::testing::Test {
+class UnsupportedStateTest : public ::testing::Test {
  protected:
-  StateRefusalTest() {
+  UnsupportedStateTest() {
     space.size = {10.0, 10.0, 3.0};
     for (Engine* engine : std::initializer_list<Engine*>{&kinematics, &forces, &spatial}) {
       engine->configure("engine", Configuration("engine", "", {}));
@@ -34,33 +34,34 @@ class StateRefusalTest : public ::testing::Test {
   Row ceiling = kNoRow;
 };
 
-TEST_F(StateRefusalTest, OfWhoHoldsOnToSomething) {
+TEST_F(UnsupportedStateTest, OfWhoHoldsOnToSomething) {
   space.attachments.attach(handbot, Attachment::Kind::kRope, {ceiling, Eigen::Vector3d::Zero(), 1.0, 0.0});
   const std::string in_a_plane = "holds on to something by its rope, which this engine cannot hold";
-  EXPECT_EQ(kinematics.stateRefusal(space, handbot), in_a_plane);
-  EXPECT_EQ(forces.stateRefusal(space, handbot), in_a_plane);
-  EXPECT_EQ(spatial.stateRefusal(space, handbot), "its rope holds on to 'ceiling', which is not in this engine");
+  EXPECT_EQ(kinematics.unsupportedStateReason(space, handbot), in_a_plane);
+  EXPECT_EQ(forces.unsupportedStateReason(space, handbot), in_a_plane);
+  EXPECT_EQ(spatial.unsupportedStateReason(space, handbot),
+            "its rope holds on to 'ceiling', which is not in this engine");
   spatial.add(space, ceiling, Role::kMove);
-  EXPECT_EQ(spatial.stateRefusal(space, handbot), "");
-  EXPECT_EQ(forces.stateRefusal(space, ceiling), "") << "it is held, and holds nothing";
+  EXPECT_EQ(spatial.unsupportedStateReason(space, handbot), "");
+  EXPECT_EQ(forces.unsupportedStateReason(space, ceiling), "") << "it is held, and holds nothing";
 }
 
-TEST_F(StateRefusalTest, OfWhoseArmsAreRaised) {
+TEST_F(UnsupportedStateTest, OfWhoseArmsAreRaised) {
   JointState& shoulder = space.jointsOf(handbot)[robotModel("handbot")->findJoint("left_shoulder")];
   for (const double angle : {0.01, 0.1}) {
     shoulder.angle = angle;
     const std::string expected = angle < 0.02 ? "" : "its joint 'left_shoulder' is not at zero";
-    EXPECT_EQ(kinematics.stateRefusal(space, handbot), expected);
-    EXPECT_EQ(forces.stateRefusal(space, handbot), expected);
-    EXPECT_EQ(spatial.stateRefusal(space, handbot), "");
+    EXPECT_EQ(kinematics.unsupportedStateReason(space, handbot), expected);
+    EXPECT_EQ(forces.unsupportedStateReason(space, handbot), expected);
+    EXPECT_EQ(spatial.unsupportedStateReason(space, handbot), "");
   }
 }
 
-TEST_F(StateRefusalTest, TurretsMayStandAnyhow) {
+TEST_F(UnsupportedStateTest, TurretsMayStandAnyhow) {
   space.jointsOf(footbot)[0].angle = 2.0;
-  EXPECT_EQ(kinematics.stateRefusal(space, footbot), "");
-  EXPECT_EQ(forces.stateRefusal(space, footbot), "");
-  EXPECT_EQ(spatial.stateRefusal(space, footbot), "");
+  EXPECT_EQ(kinematics.unsupportedStateReason(space, footbot), "");
+  EXPECT_EQ(forces.unsupportedStateReason(space, footbot), "");
+  EXPECT_EQ(spatial.unsupportedStateReason(space, footbot), "");
 }
 
 }  // namespace
