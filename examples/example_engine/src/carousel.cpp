@@ -87,7 +87,7 @@ class Carousel final : public swarmanoid::Engine {
   void connect(Space&) override {}
 
   bool mayHit(const swarmanoid::RayBundle&) const override { return !riders_.empty(); }
-  void castRays(const swarmanoid::RayBundle& rays, swarmanoid::Span<swarmanoid::RayHit> hits) const override {
+  void raycast(const swarmanoid::RayBundle& rays, swarmanoid::Span<swarmanoid::RayHit> hits) const override {
     for (const Rider& rider : riders_) {
       for (std::size_t k = 0; k < rays.segments.size() && rider.row != rays.ignored && rider.row != rays.also_ignored;
            ++k) {

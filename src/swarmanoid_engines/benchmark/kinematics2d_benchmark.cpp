@@ -86,7 +86,7 @@ void benchmarkRays(benchmark::State& state, double area_each) {
       bundle.centre = pose.position;
       bundle.radius = 0.2;
       bundle.ignored = row;
-      world->engine.castRays(bundle, hits);
+      world->engine.raycast(bundle, hits);
       benchmark::DoNotOptimize(hits.data());
     }
   }
@@ -115,7 +115,7 @@ void benchmarkLonelyRays(benchmark::State& state) {
     bundle.segments = segments;
     bundle.centre = lonely[i];
     bundle.radius = 0.2;
-    world->engine.castRays(bundle, hits);
+    world->engine.raycast(bundle, hits);
     benchmark::DoNotOptimize(hits.data());
     i = (i + 1) % lonely.size();
   }

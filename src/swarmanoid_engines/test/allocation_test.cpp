@@ -41,7 +41,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
         hits[k] = RayHit{};
       }
       bundle.segments = segments;
-      world.engine.castRays(bundle, hits);
+      world.engine.raycast(bundle, hits);
     }
   };
   for (int i = 0; i < 200; ++i) {

@@ -192,7 +192,7 @@ TEST_P(RandomRaysTest, ABundleHitsWhatItsRaysHitAlone) {
     }
     std::vector<RayHit> hits(segments.size());
     bundle.segments = segments;
-    world.space.castRays(bundle, hits);
+    world.space.raycast(bundle, hits);
     for (std::size_t k = 0; k < segments.size(); ++k) {
       const RayHit alone = world.space.castRay(segments[k]);
       ASSERT_EQ(hits[k].fraction, alone.fraction);

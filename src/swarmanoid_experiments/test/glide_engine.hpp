@@ -63,7 +63,7 @@ class GlideEngine : public Engine {
   }
   void connect(Space&) override {}
   bool mayHit(const RayBundle&) const override { return false; }
-  void castRays(const RayBundle&, Span<RayHit>) const override {}
+  void raycast(const RayBundle&, Span<RayHit>) const override {}
 
  private:
   struct Held {

@@ -149,7 +149,7 @@ TEST_F(OcclusionTest, ABundleHitsWhatItsRaysHitOneByOne) {
   bundle.radius = 5.1;
   bundle.ignored = row("prey");
   std::vector<RayHit> hits(segments.size());
-  space.castRays(bundle, hits);
+  space.raycast(bundle, hits);
   std::size_t hit_count = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     const RayHit alone = space.castRay(segments[i], row("prey"));

@@ -23,15 +23,15 @@ bool Space::mayHit(const RayBundle& rays) const {
                      [&](Row row) { return isInReach(*this, rays, row); });
 }
 
-void Space::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+void Space::raycast(const RayBundle& rays, Span<RayHit> hits) const {
   for (RayHit& hit : hits) {
     hit = RayHit{};
   }
   if (terrain) {
-    terrain->castRays(rays, hits);
+    terrain->raycast(rays, hits);
   }
   for (const Engine* engine : engines) {
-    engine->castRays(rays, hits);
+    engine->raycast(rays, hits);
   }
   for (const Row row : entities_without_engine) {
     if (!isInReach(*this, rays, row)) {
@@ -55,7 +55,7 @@ RayHit Space::castRay(const Segment& segment, Row ignored, Row also_ignored) con
   bundle.ignored = ignored;
   bundle.also_ignored = also_ignored;
   RayHit hit;
-  castRays(bundle, Span<RayHit>(&hit, 1));
+  raycast(bundle, Span<RayHit>(&hit, 1));
   return hit;
 }
 

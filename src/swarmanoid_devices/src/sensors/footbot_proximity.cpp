@@ -102,7 +102,7 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
       segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
     }
     rays.segments = Span<const Segment>(segments.data(), kCount);
-    space.castRays(rays, Span<RayHit>(hits.data(), kCount));
+    space.raycast(rays, Span<RayHit>(hits.data(), kCount));
     for (std::size_t i = 0; i < kCount; ++i) {
       const double closeness = 1.0 - hits[i].fraction;
       seat.readings->value[i] = static_cast<float>(closeness * closeness * closeness);

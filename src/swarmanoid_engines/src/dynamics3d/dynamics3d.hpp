@@ -68,7 +68,7 @@ class Dynamics3d final : public Engine {
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
   bool mayHit(const RayBundle& rays) const override;
-  void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+  void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override;
   const SolverCounts& solverCounts() const { return counts_; }

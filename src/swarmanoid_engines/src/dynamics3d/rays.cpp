@@ -25,7 +25,7 @@ bool Dynamics3d::mayHit(const RayBundle& rays) const {
   return may_hit;
 }
 
-void Dynamics3d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+void Dynamics3d::raycast(const RayBundle& rays, Span<RayHit> hits) const {
   seen_.visitNear(boxAround(rays), [&](const Body* body, const Eigen::AlignedBox3d& bounds) {
     if (!isVisibleTo(rays, *body) || bounds.squaredExteriorDistance(rays.centre) > rays.radius * rays.radius) {
       return true;

@@ -39,9 +39,9 @@ void Kinematics2d::place(Space& space, Row row) {
 
 bool Kinematics2d::mayHit(const RayBundle& rays) const { return !areAllOutOfReach(rays) && PlanarEngine::mayHit(rays); }
 
-void Kinematics2d::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+void Kinematics2d::raycast(const RayBundle& rays, Span<RayHit> hits) const {
   if (!areAllOutOfReach(rays)) {
-    PlanarEngine::castRays(rays, hits);
+    PlanarEngine::raycast(rays, hits);
   }
 }
 

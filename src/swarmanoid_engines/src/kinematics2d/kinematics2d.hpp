@@ -71,7 +71,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
   bool mayHit(const RayBundle& rays) const override;
-  void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+  void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
 
  private:

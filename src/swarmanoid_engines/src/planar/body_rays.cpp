@@ -115,7 +115,7 @@ bool mayHit(const Bodies& bodies, const RayBundle& rays) {
   return may_hit;
 }
 
-void castRays(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
+void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
   const Plane& plane = bodies.plane();
   const Eigen::Vector2d centre = plane.toLocal(rays.centre);
   for (std::size_t first = 0; first < rays.segments.size(); first += PlanarRays::kMost) {

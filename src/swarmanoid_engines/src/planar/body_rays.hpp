@@ -10,7 +10,7 @@ namespace swarmanoid::planar {
 /// Whether a ray of the bundle could hit a body. Thread-safe.
 bool mayHit(const Bodies& bodies, const RayBundle& rays);
 
-/// As Engine::castRays. Thread-safe.
-void castRays(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);
+/// As Engine::raycast. Thread-safe.
+void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);
 
 }  // namespace swarmanoid::planar

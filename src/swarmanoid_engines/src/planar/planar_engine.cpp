@@ -98,7 +98,7 @@ Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const
 
 bool PlanarEngine::mayHit(const RayBundle& rays) const { return planar::mayHit(bodies_, rays); }
 
-void PlanarEngine::castRays(const RayBundle& rays, Span<RayHit> hits) const { planar::castRays(bodies_, rays, hits); }
+void PlanarEngine::raycast(const RayBundle& rays, Span<RayHit> hits) const { planar::raycast(bodies_, rays, hits); }
 
 void PlanarEngine::draw(EngineDrawing& drawing) const { drawShapes(bodies_, drawing); }
 

@@ -21,7 +21,7 @@ class PlanarEngine : public Engine {
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   bool mayHit(const RayBundle& rays) const override;
-  void castRays(const RayBundle& rays, Span<RayHit> hits) const override;
+  void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override { return {subclock_, "", {}}; }
 

@@ -51,7 +51,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
       }
       bundle.segments = Span<const Segment>(segments.data(), segments.size());
       if (world.engine.mayHit(bundle)) {
-        world.engine.castRays(bundle, Span<RayHit>(hits.data(), hits.size()));
+        world.engine.raycast(bundle, Span<RayHit>(hits.data(), hits.size()));
       }
     }
   };

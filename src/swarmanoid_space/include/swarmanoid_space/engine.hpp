@@ -7,8 +7,8 @@
 /// `connect`).
 ///
 /// Phases   configure, reconfigure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`.
-///          connect: `connect`. mayHit, castRays, draw, health: any time but during `move`.
-/// Threads  engines move at the same time as each other; mayHit and castRays are called from many threads.
+///          connect: `connect`. mayHit, raycast, draw, health: any time but during `move`.
+/// Threads  engines move at the same time as each other; mayHit and raycast are called from many threads.
 /// Repeats  the same calls give the same bits.
 ///
 /// Handover (thesis chapter 5)
@@ -119,7 +119,7 @@ class Engine {
   /// first need not have made them.
   virtual bool mayHit(const RayBundle& rays) const = 0;
   /// For each segment: if it hits an entity of this engine nearer than `hits` says so far, that hit replaces it.
-  virtual void castRays(const RayBundle& rays, Span<RayHit> hits) const = 0;
+  virtual void raycast(const RayBundle& rays, Span<RayHit> hits) const = 0;
 
   /// Shows people what the engine works with. Allocates; called on request only.
   virtual void draw(EngineDrawing& /*drawing*/) const {}

@@ -106,7 +106,7 @@ class Space {
   /// Casts rays against everything: the terrain, all engines, and entities in no engine. For each segment the nearest
   /// hit.
   /// Thread-safe outside `move`.
-  void castRays(const RayBundle& rays, Span<RayHit> hits) const;
+  void raycast(const RayBundle& rays, Span<RayHit> hits) const;
   /// One ray, through up to two entities.
   RayHit castRay(const Segment& segment, Row ignored = kNoRow, Row also_ignored = kNoRow) const;
   /// Whether something other than the two stands between the points (thesis 3.4, "physical occlusions").

@@ -133,7 +133,7 @@ bool Terrain::mayHit(const RayBundle& rays) const {
   return cells.high.x() >= 0 && rays.centre.z() - rays.radius < std::max(0.0, highestIn(cells));
 }
 
-void Terrain::castRays(const RayBundle& rays, Span<RayHit> hits) const {
+void Terrain::raycast(const RayBundle& rays, Span<RayHit> hits) const {
   for (std::size_t k = 0; k < rays.segments.size(); ++k) {
     const double fraction = closestHit(rays.segments[k]);
     if (fraction < hits[k].fraction) {

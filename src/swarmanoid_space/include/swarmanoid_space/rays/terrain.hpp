@@ -66,7 +66,7 @@ class Terrain {
   /// Whether a ray of the bundle could hit the ground; in doubt, yes. Its segments are not looked at.
   bool mayHit(const RayBundle& rays) const;
   /// For each segment: if it hits the ground nearer than `hits` says so far, that hit replaces it.
-  void castRays(const RayBundle& rays, Span<RayHit> hits) const;
+  void raycast(const RayBundle& rays, Span<RayHit> hits) const;
 
  private:
   class Descent;
