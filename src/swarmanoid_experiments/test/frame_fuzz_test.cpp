@@ -68,7 +68,7 @@ class Mutator {
 
 TEST(FrameFuzzTest, ACommandFrameNeverHarmsTheSpace) {
   int failed = 0;
-  int obeyed = 0;
+  int applied = 0;
   for (int i = 0; i < frameCount(); ++i) {
     auto simulation = remoteRetrieval({kFootbots, kEyebot});
     FakeParticipant footbots(*simulation, "a", {"fb_1", "fb_2", "fb_3"});
@@ -90,10 +90,10 @@ TEST(FrameFuzzTest, ACommandFrameNeverHarmsTheSpace) {
     for (const Pose& pose : simulation->space().entities.pose) {
       EXPECT_TRUE(pose.position.allFinite() && pose.orientation.coeffs().allFinite()) << "frame " << i;
     }
-    ++(simulation->failures().empty() ? obeyed : failed);
+    ++(simulation->failures().empty() ? applied : failed);
   }
   EXPECT_GT(failed, frameCount() / 10);
-  EXPECT_GT(obeyed, frameCount() / 20);
+  EXPECT_GT(applied, frameCount() / 20);
 }
 
 TEST(FrameFuzzTest, ASensorFrameNeverHarmsWhoRunsControllers) {

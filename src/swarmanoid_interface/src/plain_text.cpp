@@ -18,9 +18,9 @@ const std::string& ownLocale() {
 
 const std::string& noted_when_loaded = ownLocale();
 
-void tellOnce() {
-  static std::atomic<bool> is_told{false};
-  if (!is_told.exchange(true)) {
+void reportOnce() {
+  static std::atomic<bool> is_reported{false};
+  if (!is_reported.exchange(true)) {
     std::fprintf(stderr, "swarmanoid: warning: users' code has changed the locale; it is put back\n");
   }
 }
@@ -35,16 +35,16 @@ std::string shortNumber(double value, int digits) {
 
 void restoreLocale() {
   if (uselocale(nullptr) != LC_GLOBAL_LOCALE) {
-    tellOnce();
+    reportOnce();
     uselocale(LC_GLOBAL_LOCALE);
   }
   // first that of C++, which may set the other one too
   if (std::locale() != std::locale::classic()) {
-    tellOnce();
+    reportOnce();
     std::locale::global(std::locale::classic());
   }
   if (noted_when_loaded != std::setlocale(LC_ALL, nullptr)) {
-    tellOnce();
+    reportOnce();
     std::setlocale(LC_ALL, noted_when_loaded.c_str());
   }
 }

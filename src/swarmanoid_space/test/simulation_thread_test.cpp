@@ -72,11 +72,11 @@ TEST(SimulationThreadTest, PauseEndsALongStep) {
 
 TEST(SimulationThreadTest, ResumesAndFinishes) {
   std::promise<void> finished;
-  bool is_told = false;
+  bool is_noticed = false;
   auto options = pausedAtFirst();
   options.on_change = [&](const Simulation&, State state, const std::string&) {
-    if (state == State::kFinished && !is_told) {
-      is_told = true;
+    if (state == State::kFinished && !is_noticed) {
+      is_noticed = true;
       finished.set_value();
     }
   };
@@ -217,7 +217,7 @@ TEST(SimulationThreadTest, ATickThatThrowsStopsTheRunAndKeepsResults) {
 
 TEST(SimulationThreadTest, WhoWaitsForUsersCodeThatIsLateIsToldSo) {
   UserCodeWatch::Options quiet;
-  quiet.tell = [](const std::string&) {};
+  quiet.report = [](const std::string&) {};
   const UserCodeWatch watch(quiet);
   SimulationThread thread(test::smallWorld(), pausedAtFirst());
   std::promise<void> end;

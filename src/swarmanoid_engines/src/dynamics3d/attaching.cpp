@@ -88,7 +88,7 @@ void Dynamics3d::connectAttachments(Space& space, Body& robot) {
   if (robot.holding->rope_command != nullptr) {
     connectRope(space, robot, toSeconds(space.clocktick));
   }
-  tellForces(space, robot);
+  reportForces(space, robot);
 }
 
 void Dynamics3d::connectHold(Space& space, Body& robot, Kind kind) {
@@ -213,7 +213,7 @@ void Dynamics3d::takeOverAttachments(const Space& space, Body& body) {
   }
 }
 
-void Dynamics3d::tellForces(Space& space, const Body& robot) {
+void Dynamics3d::reportForces(Space& space, const Body& robot) {
   if (robot.holding->rope.held != nullptr) {
     space.attachments.update(robot.row, Kind::kRope, robot.holding->rope.length, robot.holding->rope.tension);
   }

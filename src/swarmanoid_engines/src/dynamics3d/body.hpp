@@ -70,7 +70,7 @@ struct Grip {
   dJointID joint = nullptr;
   dJointFeedback feedback = {};
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the gripper, in B, without the noise of single steps [N]
-  bool is_broken = false;                           ///< in this tick; `connect` tells everybody
+  bool is_broken = false;                           ///< in this tick; `connect` reports it
   bool must_open = false;                           ///< it broke, and was not opened since
 };
 
@@ -84,7 +84,7 @@ struct Rope {
   dJointFeedback feedback = {};                        ///< of the step
   Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  ///< the anchor, from the launcher, in the step; in W
   double flown = 0.0;                                  ///< how far, if it was shot and has met nothing so far [m]
-  bool is_broken = false;                              ///< in this tick; `connect` tells everybody
+  bool is_broken = false;                              ///< in this tick; `connect` reports it
   bool must_rewind = false;  ///< it broke, met nothing to hold or lost what it held, and was not called back since
 };
 

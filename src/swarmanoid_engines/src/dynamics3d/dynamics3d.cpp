@@ -193,7 +193,7 @@ void Dynamics3d::destroyWorld() {
   }
   seed_ = 0;
   counts_ = SolverCounts{};
-  has_told_trouble_ = false;
+  has_reported_trouble_ = false;
 }
 
 }  // namespace swarmanoid::dynamics3d

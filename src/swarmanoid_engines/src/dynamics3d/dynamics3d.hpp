@@ -99,7 +99,7 @@ class Dynamics3d final : public Engine {
   void restoreStates();
   void makeRopeJoints(double step);
   void finishTick(Space& space);
-  void tellTrouble(Space& space);
+  void reportTrouble(Space& space);
 
   // attaching.cpp
   struct Surface {
@@ -117,7 +117,7 @@ class Dynamics3d final : public Engine {
   void hold(Body& robot, Attachment::Kind kind, Body& object, const Attachment& attachment);
   void detach(Space& space, Body& robot, Attachment::Kind kind, const std::string& why);
   void takeOverAttachments(const Space& space, Body& body);
-  static void tellForces(Space& space, const Body& robot);
+  static void reportForces(Space& space, const Body& robot);
   void drawAttachments(EngineDrawing& drawing) const;  // drawing.cpp
 
   // gripping.cpp
@@ -143,7 +143,7 @@ class Dynamics3d final : public Engine {
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
   int settling_ = 0;                // steps that are left until what was put down stands
   SolverCounts counts_;
-  bool has_told_trouble_ = false;
+  bool has_reported_trouble_ = false;
   std::vector<Treels>* recorded_treels_ = nullptr;
 };
 

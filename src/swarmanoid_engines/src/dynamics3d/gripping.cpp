@@ -23,7 +23,7 @@ double distanceToStrip(const Eigen::Vector3d& point, const Body& object) {
 
 void Dynamics3d::connect(Space& space) {
   const OdeLock lock(seed_);
-  tellTrouble(space);
+  reportTrouble(space);
   for (Body* body : order_) {
     if (body->holding != nullptr && body->is_dynamic) {
       connectAttachments(space, *body);

@@ -165,9 +165,9 @@ void Dynamics3d::makeRopeJoints(double step) {
   }
 }
 
-void Dynamics3d::tellTrouble(Space& space) {
-  if (counts_.iterative > 0 && !has_told_trouble_) {
-    has_told_trouble_ = true;
+void Dynamics3d::reportTrouble(Space& space) {
+  if (counts_.iterative > 0 && !has_reported_trouble_) {
+    has_reported_trouble_ = true;
     space.events.push_back({Event::Kind::kEngineTrouble, "", "",
                             "dynamics3d '" + id_ +
                                 "': the exact solver gave up, the iterative one made the step; from now on this is "

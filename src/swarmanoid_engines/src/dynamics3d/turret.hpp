@@ -21,7 +21,7 @@ struct Turret {
   double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
 };
 
-/// Looks for the robot's turret, and for what tells it where to turn.
+/// Looks for the robot's turret, and for the command of its motor.
 void findTurret(Body& body, const Space& space);
 
 /// The joint's state comes from the space, and the gripper's solids go where it says. @pre findTurret

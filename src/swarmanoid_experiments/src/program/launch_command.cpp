@@ -21,17 +21,17 @@
 namespace swarmanoid::program {
 namespace {
 
-volatile std::sig_atomic_t is_told_to_end = 0;
+volatile std::sig_atomic_t is_asked_to_end = 0;
 volatile std::sig_atomic_t had_result = 0;  // when the first signal came
 volatile std::sig_atomic_t roslaunch_pid = 0;
 std::string result_file;  // changes no more once signals are taken
 
 /// Ctrl-C in a terminal reaches roslaunch by itself; a signal that somebody sends to this process does not.
 void passOn(int signal, siginfo_t* sender, void*) {
-  if (is_told_to_end == 0) {
+  if (is_asked_to_end == 0) {
     had_result = access(result_file.c_str(), F_OK) == 0 ? 1 : 0;
   }
-  is_told_to_end = 1;
+  is_asked_to_end = 1;
   if (sender->si_code <= 0 && roslaunch_pid > 0) {
     kill(static_cast<pid_t>(roslaunch_pid), signal);
   }
@@ -76,10 +76,10 @@ ExitCode exitCode(const std::filesystem::path& file, std::optional<int> of_rosla
   if (std::ifstream(file) >> number) {
     const auto code = static_cast<ExitCode>(number);
     // roslaunch takes its nodes down one after the other: the space may have been unloaded before ROS shut down
-    const bool is_interrupted = code == ExitCode::kStopped && is_told_to_end != 0 && had_result == 0;
+    const bool is_interrupted = code == ExitCode::kStopped && is_asked_to_end != 0 && had_result == 0;
     return is_interrupted ? ExitCode::kInterrupted : code;
   }
-  if (is_told_to_end != 0) {
+  if (is_asked_to_end != 0) {
     return ExitCode::kInterrupted;
   }
   if (of_roslaunch.value_or(0) != 0) {

@@ -35,7 +35,7 @@ inline std::string entity(const std::string& type, const std::string& id, double
               "</orientation>", more, "</", type, ">");
 }
 
-/// A robot of a type that obeys the program.
+/// A robot of a type whose controller runs the program.
 inline std::string robot(const std::string& type, const std::string& id, double x, double y, double z,
                          double heading = 0.0) {
   return entity(type, id, x, y, z, heading, "<controller>" + type + "</controller>");

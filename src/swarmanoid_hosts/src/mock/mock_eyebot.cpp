@@ -14,12 +14,12 @@ namespace {
 class MockEyebot final : public MockRobot {
  public:
   MockEyebot(World world, Pose start) : MockRobot(std::move(world), std::move(start)) {
-    has(camera_);
-    has(magnet_state_);
-    obeys(velocity_);
-    obeys(laser_);
-    obeys(magnet_);
-    obeys(leds_);
+    provideSensor(camera_);
+    provideSensor(magnet_state_);
+    provideActuator(velocity_);
+    provideActuator(laser_);
+    provideActuator(magnet_);
+    provideActuator(leds_);
     sense();
   }
 

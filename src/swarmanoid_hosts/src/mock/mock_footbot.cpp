@@ -15,14 +15,14 @@ namespace {
 class MockFootbot final : public MockRobot {
  public:
   MockFootbot(World world, Pose start) : MockRobot(std::move(world), std::move(start)) {
-    has(proximity_);
-    has(camera_);
-    has(gripper_state_);
-    has(turret_state_);
-    obeys(wheels_);
-    obeys(gripper_);
-    obeys(turret_);
-    obeys(leds_);
+    provideSensor(proximity_);
+    provideSensor(camera_);
+    provideSensor(gripper_state_);
+    provideSensor(turret_state_);
+    provideActuator(wheels_);
+    provideActuator(gripper_);
+    provideActuator(turret_);
+    provideActuator(leds_);
     sense();
   }
 

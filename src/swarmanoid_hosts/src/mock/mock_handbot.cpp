@@ -14,12 +14,12 @@ namespace {
 class MockHandbot final : public MockRobot {
  public:
   MockHandbot(World world, Pose start) : MockRobot(std::move(world), std::move(start)) {
-    has(arms_state_);
-    has(hands_state_);
-    has(rope_state_);
-    obeys(arms_);
-    obeys(hands_);
-    obeys(rope_);
+    provideSensor(arms_state_);
+    provideSensor(hands_state_);
+    provideSensor(rope_state_);
+    provideActuator(arms_);
+    provideActuator(hands_);
+    provideActuator(rope_);
     sense();
   }
 

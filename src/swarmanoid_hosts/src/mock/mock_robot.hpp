@@ -52,11 +52,11 @@ class MockRobot {
   virtual void sense() = 0;
 
   template <class Device>
-  void has(const Device& reading) {
+  void provideSensor(const Device& reading) {
     sensors_.push_back({Device::kType, &reading});
   }
   template <class Device>
-  void obeys(Device& command) {
+  void provideActuator(Device& command) {
     actuators_.push_back({Device::kType, &command});
   }
 

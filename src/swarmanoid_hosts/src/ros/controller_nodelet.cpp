@@ -35,7 +35,7 @@ bool ControllerNodelet::runAlone() {
   const bool is_standalone = process::isStandalone(name);
   const auto provider = own.param("provider", std::string("lockstep"));
   UserCodeWatch::Options options;
-  options.tell = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  options.report = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
   watch_ = std::make_unique<UserCodeWatch>(options);
   try {
     if (provider == "topics") {

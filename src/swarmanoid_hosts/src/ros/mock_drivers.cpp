@@ -54,7 +54,7 @@ class Drivers {
     }
     for (std::size_t i = 0; i < robot_->actuators().size(); ++i) {
       if (has(robot_->actuators()[i].device)) {
-        obey(i);
+        subscribeCommands(i);
       }
     }
     constexpr std::uint32_t kQueue = 10;
@@ -93,7 +93,7 @@ class Drivers {
                                          : Configuration("world", "", {path, 0});
   }
 
-  void obey(std::size_t index) {
+  void subscribeCommands(std::size_t index) {
     const MockRobot::Actuator& actuator = robot_->actuators()[index];
     for (const DeviceTopic* topic : topicsOf(actuator.device)) {
       commands_.push_back(topic->subscribe(robot_handle_, *topic, actuator.command, parts_.emplace_back(),

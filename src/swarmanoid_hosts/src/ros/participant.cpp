@@ -79,7 +79,7 @@ bool Participant::registerWithSpace(swarmanoid_msgs::Register::Response& respons
   request.policy = own_.param("policy", std::string());
   space_ = own_.param("space", std::string("/space"));
   const std::string service = space_ + "/register";
-  bool is_told = false;
+  bool is_reported = false;
   while (!isOver()) {
     if (ros::service::exists(service, false) && ros::service::call(service, request, response)) {
       if (response.success == 0) {
@@ -87,9 +87,9 @@ bool Participant::registerWithSpace(swarmanoid_msgs::Register::Response& respons
       }
       return true;
     }
-    if (!is_told) {
+    if (!is_reported) {
       ROS_INFO("waiting for %s", service.c_str());
-      is_told = true;
+      is_reported = true;
     }
     constexpr double kInterval = 0.1;  // [s]
     ros::WallDuration(kInterval).sleep();

@@ -162,17 +162,17 @@ void RobotHost::say() {
   if (state == State::kWaiting) {
     ROS_INFO_DELAYED_THROTTLE(2.0, "%s: %s", name_.c_str(), text);
   }
-  if (state == told_state_) {
+  if (state == reported_state_) {
     return;
   }
   if (state == State::kStopped) {
     ROS_ERROR("%s: %s", name_.c_str(), text);
   } else if (loop_->whyItEnds() == RobotLoop::End::kFailed || loop_->whyItEnds() == RobotLoop::End::kMissing) {
-    ROS_FATAL_COND(told_state_ != State::kEnding, "%s: %s", name_.c_str(), text);
+    ROS_FATAL_COND(reported_state_ != State::kEnding, "%s: %s", name_.c_str(), text);
   } else {
     ROS_INFO("%s: %s", name_.c_str(), text);
   }
-  told_state_ = state;
+  reported_state_ = state;
 }
 
 void RobotHost::report(diagnostic_updater::DiagnosticStatusWrapper& status) {

@@ -67,8 +67,8 @@ class CarefulReader {
 /// One note, as it was when it was looked at last.
 struct Sight {
   std::uint64_t changes = 0;
-  double seconds = 0.0;      ///< of the call that is under way
-  double next_told = kLate;  ///< [s]
+  double seconds = 0.0;        ///< of the call that is under way
+  double next_report = kLate;  ///< [s]
 };
 
 struct OwnedCode {
@@ -119,7 +119,7 @@ class Watch {
   void lookAt(std::size_t i, double passed, std::optional<LateCall>& latest);
   void look(double passed);
   bool copy(const UserCallNote& note, const Sight& sight, OwnedCode& code) const;
-  void tell(const std::string& text) const;
+  void report(const std::string& text) const;
   bool holdUnlessOver(std::size_t i) const;
   void serveAsked(double passed);
   [[noreturn]] void endWith(const std::string& deed, const UserCode* code, ExitCode exit_code);
@@ -193,9 +193,9 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
     return;
   }
   const std::string text = describe(owned.code);
-  if (sight.seconds >= sight.next_told) {
-    tell("late: " + text + " has taken " + secondsText(sight.seconds) + " so far");
-    sight.next_told = sight.seconds + kAgain;
+  if (sight.seconds >= sight.next_report) {
+    report("late: " + text + " has taken " + secondsText(sight.seconds) + " so far");
+    sight.next_report = sight.seconds + kAgain;
   }
   if (sight.seconds >= kLate && (!latest || sight.seconds > latest->seconds)) {
     latest = LateCall{text, sight.seconds};
@@ -232,9 +232,9 @@ bool Watch::holdUnlessOver(std::size_t i) const {
   return !is_over;
 }
 
-void Watch::tell(const std::string& text) const {
-  if (options_.tell) {
-    options_.tell(text);
+void Watch::report(const std::string& text) const {
+  if (options_.report) {
+    options_.report(text);
   } else {
     std::fprintf(stderr, "swarmanoid: %s\n", text.c_str());
   }

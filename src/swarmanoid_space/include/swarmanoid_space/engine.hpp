@@ -39,7 +39,7 @@ namespace swarmanoid {
 
 class Space;
 
-/// What an engine tells those who watch over it. Not part of the state: nothing in the run may depend on it.
+/// What an engine reports about its own work. Not part of the state: nothing in the run may depend on it.
 struct EngineHealth {
   int steps_per_tick = 1;
   std::string warning;                                        ///< what somebody should know; "": all is well

@@ -59,7 +59,7 @@ struct Driver {
   UserCode step;                           ///< of the controller
   Duration command_timeout{};              ///< with kTopics, these three
   Time last_command = kEpoch;
-  bool is_told = false;             ///< a command has come, and not too long ago
+  bool is_commanded = false;        ///< a command has come, and not too long ago
   std::optional<Time> stops_since;  ///< nobody commands it any more, and its safe stop is not over
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails

@@ -28,7 +28,7 @@ class EngineParameters {
 
  private:
   bool set(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response);
-  /// Tells clients of changes, those too that did not come through here, such as a reset.
+  /// Reports changes to clients, also those that did not come through here, such as a reset.
   void publishChanges();
   NamedValues valuesNow() const;
 

@@ -46,8 +46,8 @@ class SpaceNodelet final : public nodelet::Nodelet {
   RemoteRules lookAround();
   void watchUsersCode();
   void keepWhatIsThere(const UserCodeEnd& end);
-  void tell(const swarmanoid_msgs::RunResult& result, bool is_good);
-  void tellExitCode(ExitCode code);
+  void report(const swarmanoid_msgs::RunResult& result, bool is_good);
+  void reportExitCode(ExitCode code);
   void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
@@ -106,12 +106,12 @@ void SpaceNodelet::onInit() {
   } catch (...) {
     const std::string reason = describeException();
     NODELET_FATAL("%s", reason.c_str());
-    tellExitCode(ExitCode::kBadInput);
+    reportExitCode(ExitCode::kBadInput);
     throw std::runtime_error(reason);  // the manager reports the nodelet as not loaded
   }
 }
 
-/// Tells of others who reach this process, and holds libraries to what is allowed then.
+/// Reports others who reach this process, and holds libraries to what is allowed then.
 RemoteRules SpaceNodelet::lookAround() {
   const auto warning = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
   RemoteRules rules = remoteRules(warning.has_value());
@@ -124,7 +124,7 @@ RemoteRules SpaceNodelet::lookAround() {
 
 void SpaceNodelet::watchUsersCode() {
   UserCodeWatch::Options options;
-  options.tell = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
+  options.report = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
   options.watchdog = options_.watchdog;
   watch_ = std::make_unique<UserCodeWatch>(options);
   closing_ =
@@ -135,7 +135,7 @@ void SpaceNodelet::watchUsersCode() {
 /// The process is about to end in the middle of users' code, and the simulation's thread stands still.
 void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   NODELET_FATAL("%s", end.reason.c_str());
-  tellExitCode(end.exit_code);
+  reportExitCode(end.exit_code);
   Simulation* simulation = simulation_;
   if (simulation == nullptr) {
     return;
@@ -153,7 +153,7 @@ void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
       message.failed_robots.push_back(end.robot);
     }
     display_->publish(message);
-    tell(message, false);
+    report(message, false);
     constexpr double kOnTheWay = 0.3;  // [s] for the last messages
     ros::WallDuration(kOnTheWay).sleep();
   }
@@ -192,11 +192,11 @@ void SpaceNodelet::startUp(Experiment experiment) {
     }
     if (!isRosEnding()) {
       NODELET_FATAL("%s", describeException().c_str());
-      tellExitCode(ExitCode::kBadInput);
+      reportExitCode(ExitCode::kBadInput);
       shutDownSoon(ExitCode::kBadInput);  // also if it is to stay at the end: there is nothing to look at
     } else if (thread_ == nullptr) {
       std::fprintf(stderr, "swarmanoid: interrupted before the first tick\n");  // ROS logs no more
-      tellExitCode(ExitCode::kInterrupted);
+      reportExitCode(ExitCode::kInterrupted);
     }
   }
 }
@@ -249,11 +249,11 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   const swarmanoid_msgs::RunResult message =
       runResult(*simulation_.load(), state == State::kFinished, stop_reason, display_->wallTime());
   display_->publish(message);
-  tell(message, state == State::kFinished);
+  report(message, state == State::kFinished);
   const ExitCode at_end = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
   const ExitCode if_stopped = isRosEnding() ? ExitCode::kInterrupted : ExitCode::kStopped;
   const ExitCode code = state == State::kFinished ? at_end : if_stopped;
-  tellExitCode(code);
+  reportExitCode(code);
   if (isRosEnding()) {
     return;  // it is ending already
   }
@@ -269,7 +269,7 @@ void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   thread_->stop(isRosEnding() ? "shut down" : std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded");
 }
 
-void SpaceNodelet::tell(const swarmanoid_msgs::RunResult& result, bool is_good) {
+void SpaceNodelet::report(const swarmanoid_msgs::RunResult& result, bool is_good) {
   const std::string text = describe(result);
   if (isRosEnding()) {
     std::printf("%s\n", text.c_str());  // ROS logs no more
@@ -281,7 +281,7 @@ void SpaceNodelet::tell(const swarmanoid_msgs::RunResult& result, bool is_good) 
   std::fflush(stdout);  // this process may end without it, or much later
 }
 
-void SpaceNodelet::tellExitCode(ExitCode code) {
+void SpaceNodelet::reportExitCode(ExitCode code) {
   for (const std::string& file : exit_code_files_) {
     try {
       writeExitCode(file, code);

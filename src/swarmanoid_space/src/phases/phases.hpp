@@ -14,9 +14,9 @@ void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup
 /// Sensors say what there is to say of the tick's readings.
 void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
-/// What has come over topics becomes the commands of the robots that are commanded so; who is told nothing for its
+/// What has come over topics becomes the commands of the robots with that source; a robot that gets none for its
 /// time-out stops.
-void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log);
+void applyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log);
 
 /// Every controller of this process turns readings into commands; those of participants have done so before, see
 /// Lockstep::exchange. An exception marks its driver as failed.

@@ -1,4 +1,4 @@
-// Part of phase 2: what has come over topics becomes commands; who gets none for too long stops.
+// Part of phase 2: what has come over topics becomes commands; a robot that gets none for too long stops.
 #include "phases.hpp"
 #include "swarmanoid_interface/command_mailbox.hpp"
 #include "swarmanoid_interface/device_type.hpp"
@@ -6,31 +6,31 @@
 namespace swarmanoid::phases {
 namespace {
 
-void tell(Space& space, const Driver& driver, LogLevel level, const std::string& text, const Robot::LogSink& log) {
+void report(Space& space, const Driver& driver, LogLevel level, const std::string& text, const Robot::LogSink& log) {
   space.events.push_back({Event::Kind::kIntervention, driver.robot->name(), "", text});
   if (log) {
     log(level, driver.robot->name(), text);
   }
 }
 
-/// @return whether there were any
-bool obey(const CommandMailbox::Commands& commands, Space& space, const Driver& driver) {
-  bool is_told = false;
+/// @return whether there was a command for the robot
+bool apply(const CommandMailbox::Commands& commands, Space& space, const Driver& driver) {
+  bool has_applied = false;
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
   for (const auto& actuator : driver.group->actuators) {
     const auto command = commands.find({driver.robot->name(), actuator->type()});
     if (command != commands.end()) {
       ByteReader in(command->second);
       findDeviceType(actuator->type())->read(in, space.commands.find(actuator->type(), driver.row), parts);
-      is_told = true;
+      has_applied = true;
     }
   }
-  return is_told;
+  return has_applied;
 }
 
 }  // namespace
 
-void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log) {
+void applyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log) {
   if (mailbox.isIdle()) {
     return;
   }
@@ -39,17 +39,17 @@ void obeyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mail
     if (driver.source != CommandSource::kTopics || driver.has_failed) {
       continue;
     }
-    if (obey(commands, space, driver)) {
+    if (apply(commands, space, driver)) {
       driver.last_command = space.time;
       driver.stops_since.reset();
-      if (!driver.is_told) {
-        driver.is_told = true;
-        tell(space, driver, LogLevel::kInfo, "commands come over topics", log);
+      if (!driver.is_commanded) {
+        driver.is_commanded = true;
+        report(space, driver, LogLevel::kInfo, "commands come over topics", log);
       }
-    } else if (driver.is_told && space.time - driver.last_command >= driver.command_timeout) {
-      driver.is_told = false;
+    } else if (driver.is_commanded && space.time - driver.last_command >= driver.command_timeout) {
+      driver.is_commanded = false;
       driver.stops_since = space.time;
-      tell(space, driver, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
+      report(space, driver, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
     }
   }
 }

@@ -43,7 +43,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   pending_events_.clear();
   phases::report(space_, cast_->groups);
   if (supplied_.commands != nullptr) {
-    phases::obeyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
+    phases::applyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
   }
   phases::control(space_, cast_->drivers, cast_->workers);
   restoreLocale();

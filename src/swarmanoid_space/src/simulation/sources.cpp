@@ -59,13 +59,13 @@ void Simulation::offerRobots() {
   }
   cast_->lockstep.offer(robots, space_);
   if (supplied_.commands != nullptr) {
-    std::set<std::string> told_by_topics;
+    std::set<std::string> commanded_by_topics;
     for (const Driver& driver : cast_->drivers) {
       if (driver.source == CommandSource::kTopics) {
-        told_by_topics.insert(driver.robot->name());
+        commanded_by_topics.insert(driver.robot->name());
       }
     }
-    supplied_.commands->accept(std::move(told_by_topics));
+    supplied_.commands->accept(std::move(commanded_by_topics));
   }
 }
 
@@ -100,7 +100,7 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
       {Event::Kind::kIntervention, robot, "",
        std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});
   driver->source = source;
-  driver->is_told = false;
+  driver->is_commanded = false;
   driver->stops_since.reset();
   if (source == CommandSource::kNone || source == CommandSource::kTopics) {
     driver->stops_since = space_.time;

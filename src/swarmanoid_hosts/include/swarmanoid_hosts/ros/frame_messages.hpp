@@ -1,4 +1,4 @@
-/// What space and participants tell each other, and what is recorded of it, as messages.
+/// What space and participants send each other, and what is recorded of it, as messages.
 #pragma once
 
 #include <swarmanoid_msgs/CommandFrame.h>

@@ -76,7 +76,7 @@ class RobotHost {
   diagnostic_updater::Updater diagnostics_;
 
   // of the thread
-  RobotLoop::State told_state_ = RobotLoop::State::kWaiting;
+  RobotLoop::State reported_state_ = RobotLoop::State::kWaiting;
   std::uint64_t missed_ = 0;  ///< periods
   std::uint64_t reported_missed_ = 0;
   Duration longest_{};  ///< work in a period since the last report

@@ -40,8 +40,8 @@ struct UserCodeEnd {
 class UserCodeWatch {
  public:
   struct Options {
-    std::function<void(const std::string&)> tell;  ///< of a late call, on the watch's thread; nothing: standard error
-    double watchdog = 0.0;                         ///< [s] of wall time for one call; 0: any time
+    std::function<void(const std::string&)> report;  ///< of a late call, on the watch's thread; nothing: standard error
+    double watchdog = 0.0;                           ///< [s] of wall time for one call; 0: any time
   };
 
   /// Takes over the signals of crashes. While there are several in a process the options of the first hold.
