@@ -49,8 +49,8 @@ struct ControllerGroup {
 /// Types of its devices; none without a group.
 std::vector<std::string> devicesOf(const ControllerGroup* group);
 
-/// One robot with its controller.
-struct Driver {
+/// One robot of the simulation, with its controller and its failure.
+struct RobotInstance {
   Row row = kNoRow;
   Robot* robot = nullptr;
   ControllerGroup* group = nullptr;
@@ -60,7 +60,7 @@ struct Driver {
   Duration command_timeout{};              ///< with kTopics, these three
   Time last_command = kEpoch;
   bool is_commanded = false;        ///< a command has come, and not too long ago
-  std::optional<Time> stops_since;  ///< nobody commands it any more, and its safe stop is not over
+  std::optional<Time> stops_since;  ///< no controller commands it any more, and its safe stop is not over
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };
@@ -90,7 +90,7 @@ struct Simulation::Cast {
   Workers workers;
   std::vector<Named<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
-  std::vector<Driver> drivers;            ///< by entity number
+  std::vector<RobotInstance> robots;      ///< by entity number
   std::vector<std::vector<Seat>> seats;   ///< by entity row
   std::vector<HandoverTrigger> triggers;  ///< by entity number, then as in the file
   std::vector<Viewer> viewers;
@@ -102,7 +102,7 @@ struct Simulation::Cast {
   const std::string& partOf(const Engine& engine) const;
   ControllerGroup* findGroup(const std::string& id) const;
   /// @return null for who has no controller, and for kNoRow
-  Driver* findDriver(const Entities& entities, Row row);
+  RobotInstance* findRobot(const Entities& entities, Row row);
 };
 
 }  // namespace swarmanoid

@@ -6,13 +6,13 @@
 namespace swarmanoid {
 namespace {
 
-const ControllerGroup* groupOf(const std::vector<Driver>& drivers, Row row) {
-  const auto driver =
-      std::find_if(drivers.begin(), drivers.end(), [row](const Driver& candidate) { return candidate.row == row; });
-  return driver == drivers.end() ? nullptr : driver->group;
+const ControllerGroup* groupOf(const std::vector<RobotInstance>& instances, Row row) {
+  const auto instance = std::find_if(instances.begin(), instances.end(),
+                                     [row](const RobotInstance& candidate) { return candidate.row == row; });
+  return instance == instances.end() ? nullptr : instance->group;
 }
 
-std::string problemOf(const Space& space, const std::vector<Driver>& drivers, const std::vector<Seat>& seats,
+std::string problemOf(const Space& space, const std::vector<RobotInstance>& instances, const std::vector<Seat>& seats,
                       const std::vector<Row>& members, Row row, const Engine& engine) {
   const auto i = static_cast<std::size_t>(row);
   const EntityModel& model = *space.entities.model[i];
@@ -23,7 +23,7 @@ std::string problemOf(const Space& space, const std::vector<Driver>& drivers, co
   const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
   std::string problem = engine.invalidPoseReason(*posed, pose);
   if (problem.empty()) {
-    problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(drivers, row)), seats);
+    problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(instances, row)), seats);
   }
   if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
     problem = engine.unsupportedGripReason(space, row);
@@ -109,12 +109,12 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
   return idle;
 }
 
-std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers,
+std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
                             const std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members, Row row,
                             const Engine& engine) {
   for (const Row member : members) {
     const std::string problem =
-        problemOf(space, drivers, seats[static_cast<std::size_t>(member)], members, member, engine);
+        problemOf(space, instances, seats[static_cast<std::size_t>(member)], members, member, engine);
     if (!problem.empty()) {
       const auto i = static_cast<std::size_t>(member);
       const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "': ";
@@ -124,7 +124,7 @@ std::string handoverProblem(const Space& space, const std::vector<Driver>& drive
   return "";
 }
 
-void commitHandover(Space& space, const std::vector<Driver>& drivers, std::vector<std::vector<Seat>>& seats,
+void commitHandover(Space& space, const std::vector<RobotInstance>& instances, std::vector<std::vector<Seat>>& seats,
                     const std::vector<Row>& members, Engine& engine, std::vector<Event>& events) {
   std::vector<Engine*> former;
   former.reserve(members.size());
@@ -137,7 +137,7 @@ void commitHandover(Space& space, const std::vector<Driver>& drivers, std::vecto
     space.mover[i] = &engine;
     engine.add(space, members[k], Role::kMove);
     std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id();
-    const auto idle = idleDevices(engine, *space.entities.model[i], devicesOf(groupOf(drivers, members[k])));
+    const auto idle = idleDevices(engine, *space.entities.model[i], devicesOf(groupOf(instances, members[k])));
     text += idle.empty() ? "" : "; idle there: " + joinNames(idle);
     events.push_back({Event::Kind::kHandedOver, space.entities.name[i], "", text});
   }

@@ -25,13 +25,13 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
 /// overlap each other is not looked at: they stood like this, and grip each other, in the engine that they come from.
 /// @pre its mirrors are refreshed
 /// @param row the member that it is about; what hinders another one is told with that one's name
-std::string handoverProblem(const Space& space, const std::vector<Driver>& drivers,
+std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
                             const std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members, Row row,
                             const Engine& engine);
 
 /// Lets the engine take charge of them. @param members parents before children @param events get one for each of them
 /// @pre no problem
-void commitHandover(Space& space, const std::vector<Driver>& drivers, std::vector<std::vector<Seat>>& seats,
+void commitHandover(Space& space, const std::vector<RobotInstance>& instances, std::vector<std::vector<Seat>>& seats,
                     const std::vector<Row>& members, Engine& engine, std::vector<Event>& events);
 
 /// Whether the condition of a rule is true for an entity now.

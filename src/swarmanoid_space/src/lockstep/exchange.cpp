@@ -11,17 +11,17 @@
 namespace swarmanoid {
 namespace {
 
-void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, Driver& driver) {
+void readCommands(ByteReader& in, const RemoteRobot& robot, Space& space, RobotInstance& instance) {
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
   for (const DeviceLayout& actuator : robot.actuators) {
     try {
-      readBlock(*findDeviceType(actuator.type), in, space.commands.find(actuator.type, driver.row), parts);
+      readBlock(*findDeviceType(actuator.type), in, space.commands.find(actuator.type, instance.row), parts);
     } catch (const ByteError& error) {
       throw ByteError(actuator.type + ": " + error.what());
     }
   }
   for (const auto& [key, value] : readDebugValues(in)) {
-    driver.robot->debug(key, value);
+    instance.robot->debug(key, value);
   }
 }
 
@@ -37,23 +37,23 @@ void skipAnswer(ByteReader& in, StepStatus status, const RemoteRobot& robot) {
   }
 }
 
-ControllerState& stateOf(const Driver& driver, Space& space) {
-  return space.controllers[static_cast<std::size_t>(driver.row)];
+ControllerState& stateOf(const RobotInstance& instance, Space& space) {
+  return space.controllers[static_cast<std::size_t>(instance.row)];
 }
 
-void fail(Driver& driver, const std::string& reason, Space& space) {
-  stateOf(driver, space).status = StepStatus::kFailed;
-  driver.has_failed = true;
-  driver.failure = reason;
+void fail(RobotInstance& instance, const std::string& reason, Space& space) {
+  stateOf(instance, space).status = StepStatus::kFailed;
+  instance.has_failed = true;
+  instance.failure = reason;
 }
 
 }  // namespace
 
-bool Lockstep::isCommandable(std::size_t driver, const std::vector<Driver>& drivers) {
-  return driver != kNoDriver && !drivers[driver].has_failed;
+bool Lockstep::isCommandable(std::size_t instance, const std::vector<RobotInstance>& instances) {
+  return instance != kNoInstance && !instances[instance].has_failed;
 }
 
-void Lockstep::ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers) {
+void Lockstep::ask(Participant& participant, const Space& space, const std::vector<RobotInstance>& instances) {
   participant.is_new = false;
   participant.needs_frame = false;
   participant.is_answered = false;
@@ -68,24 +68,24 @@ void Lockstep::ask(Participant& participant, const Space& space, const std::vect
   participant.is_asked = false;
   participant.is_present.assign(participant.robots.size(), false);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
-    const std::size_t driver = participant.drivers[i];
-    const bool is_present = isCommandable(driver, drivers);
+    const std::size_t instance = participant.instances[i];
+    const bool is_present = isCommandable(instance, instances);
     participant.is_present[i] = is_present;
     out.number(static_cast<std::uint8_t>(is_present));
     if (is_present) {
       participant.is_asked = true;
-      writeReadings(space, drivers[driver].row, participant.robots[i].sensors, out);
+      writeReadings(space, instances[instance].row, participant.robots[i].sensors, out);
     }
   }
   participant.sent = Clock::now();
 }
 
 std::vector<std::shared_ptr<Lockstep::Participant>> Lockstep::askAll(const Space& space,
-                                                                     const std::vector<Driver>& drivers) {
+                                                                     const std::vector<RobotInstance>& instances) {
   std::vector<std::shared_ptr<Participant>> asked;
   for (const auto& participant : participants_) {
     if (participant->needs_frame) {
-      ask(*participant, space, drivers);
+      ask(*participant, space, instances);
       if (participant->is_asked) {
         asked.push_back(participant);
       }
@@ -94,7 +94,7 @@ std::vector<std::shared_ptr<Lockstep::Participant>> Lockstep::askAll(const Space
   return asked;
 }
 
-void Lockstep::forgetWhoHasGone(const std::vector<Driver>& drivers) {
+void Lockstep::forgetWhoHasGone(const std::vector<RobotInstance>& instances) {
   for (const auto& participant : participants_) {
     if (participant->needs_frame) {
       continue;
@@ -102,22 +102,22 @@ void Lockstep::forgetWhoHasGone(const std::vector<Driver>& drivers) {
     participant->is_asked = false;
     for (std::size_t i = 0; i < participant->robots.size(); ++i) {
       participant->is_asked =
-          participant->is_asked || (participant->is_present[i] && isCommandable(participant->drivers[i], drivers));
+          participant->is_asked || (participant->is_present[i] && isCommandable(participant->instances[i], instances));
     }
   }
 }
 
-bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<Event>& events,
+bool Lockstep::exchange(Space& space, std::vector<RobotInstance>& instances, std::vector<Event>& events,
                         const Robot::LogSink& log, const Disturbed& is_disturbed) {
   Lock lock(mutex_);
   if (participants_.empty() && offered_.empty()) {
     return true;
   }
   startWaiting(space);
-  forgetWhoHasGone(drivers);
+  forgetWhoHasGone(instances);
   while (!isDone() && !is_cancelled_ && stop_reason_.empty()) {
     reportAll(lock, events, log);
-    const auto asked = askAll(space, drivers);
+    const auto asked = askAll(space, instances);
     if (isDone() || !asked.empty()) {
       lock.unlock();
       for (const auto& participant : asked) {
@@ -137,32 +137,32 @@ bool Lockstep::exchange(Space& space, std::vector<Driver>& drivers, std::vector<
     throw std::runtime_error(is_cancelled_ ? "stopped while waiting for participants" : stop_reason_);
   }
   for (const Offered& offered : offered_) {
-    stateOf(drivers[offered.driver], space).status = StepStatus::kNothing;
+    stateOf(instances[offered.instance], space).status = StepStatus::kNothing;
   }
   for (const auto& participant : participants_) {
     if (participant->is_asked && participant->is_answered) {
-      apply(*participant, space, drivers);
+      apply(*participant, space, instances);
       participant->has_applied = true;
     }
   }
   return true;
 }
 
-void Lockstep::apply(const Participant& participant, Space& space, std::vector<Driver>& drivers) {
+void Lockstep::apply(const Participant& participant, Space& space, std::vector<RobotInstance>& instances) {
   ByteReader in(participant.answer.data);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
-    const std::size_t driver = participant.drivers[i];
-    const bool is_commanded = participant.is_present[i] && isCommandable(driver, drivers);
+    const std::size_t instance = participant.instances[i];
+    const bool is_commanded = participant.is_present[i] && isCommandable(instance, instances);
     if (is_commanded && !participant.has_applied) {
-      ++stateOf(drivers[driver], space).starts;
+      ++stateOf(instances[instance], space).starts;
     }
     try {
       const auto status = static_cast<StepStatus>(in.number<std::uint8_t>());
       if (is_commanded && status == StepStatus::kStepped) {
-        readCommands(in, participant.robots[i], space, drivers[driver]);
-        stateOf(drivers[driver], space).status = StepStatus::kStepped;
+        readCommands(in, participant.robots[i], space, instances[instance]);
+        stateOf(instances[instance], space).status = StepStatus::kStepped;
       } else if (is_commanded && status == StepStatus::kFailed) {
-        fail(drivers[driver], in.text(), space);
+        fail(instances[instance], in.text(), space);
       } else if (participant.is_present[i] && (status == StepStatus::kStepped || status == StepStatus::kFailed)) {
         skipAnswer(in, status, participant.robots[i]);
       } else if (participant.is_present[i] || status != StepStatus::kNothing) {
@@ -171,8 +171,8 @@ void Lockstep::apply(const Participant& participant, Space& space, std::vector<D
     } catch (const ByteError& error) {
       // what follows cannot be read either
       for (std::size_t k = i; k < participant.robots.size(); ++k) {
-        if (participant.drivers[k] != kNoDriver && !drivers[participant.drivers[k]].has_failed) {
-          fail(drivers[participant.drivers[k]],
+        if (participant.instances[k] != kNoInstance && !instances[participant.instances[k]].has_failed) {
+          fail(instances[participant.instances[k]],
                "participant '" + participant.name + "' sent a bad command frame: " + participant.robots[i].name + ": " +
                    error.what(),
                space);

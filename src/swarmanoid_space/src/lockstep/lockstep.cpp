@@ -35,8 +35,8 @@ void Lockstep::setOptions(const Options& options) {
 void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space) {
   const std::lock_guard<std::mutex> lock(mutex_);
   offered_.clear();
-  for (const auto& [robot, driver] : robots) {
-    offered_.push_back({robot, driver, false});
+  for (const auto& [robot, instance] : robots) {
+    offered_.push_back({robot, instance, false});
   }
   for (const auto& participant : participants_) {
     resolve(*participant);
@@ -54,12 +54,12 @@ void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& rob
 }
 
 void Lockstep::resolve(Participant& participant) {
-  participant.drivers.assign(participant.robots.size(), kNoDriver);
+  participant.instances.assign(participant.robots.size(), kNoInstance);
   for (std::size_t i = 0; i < participant.robots.size(); ++i) {
     for (const Offered& offered : offered_) {
       if (offered.robot.name == participant.robots[i].name &&
           offered.robot.controller == participant.robots[i].controller) {
-        participant.drivers[i] = offered.driver;
+        participant.instances[i] = offered.instance;
       }
     }
   }
@@ -68,8 +68,8 @@ void Lockstep::resolve(Participant& participant) {
 void Lockstep::markCommanded() {
   for (Offered& offered : offered_) {
     offered.is_commanded = std::any_of(participants_.begin(), participants_.end(), [&](const auto& participant) {
-      const auto& drivers = participant->drivers;
-      return std::find(drivers.begin(), drivers.end(), offered.driver) != drivers.end();
+      const auto& instances = participant->instances;
+      return std::find(instances.begin(), instances.end(), offered.instance) != instances.end();
     });
   }
 }
@@ -98,17 +98,17 @@ Registration Lockstep::join(const Request& request, Send send) {
                                (known.empty() ? "none" : joinNames(known)) + didYouMean(robot, known));
     }
     for (const auto& other : participants_) {
-      const auto& drivers = other->drivers;
+      const auto& instances = other->instances;
       if (other->name != joined->name && !other->is_late &&
-          std::find(drivers.begin(), drivers.end(), found->driver) != drivers.end()) {
+          std::find(instances.begin(), instances.end(), found->instance) != instances.end()) {
         throw std::runtime_error("robot '" + robot + "' is commanded by participant '" + other->name + "'");
       }
     }
-    if (std::find(joined->drivers.begin(), joined->drivers.end(), found->driver) != joined->drivers.end()) {
+    if (std::find(joined->instances.begin(), joined->instances.end(), found->instance) != joined->instances.end()) {
       throw std::runtime_error("found robot '" + robot + "' twice, allowed: once");
     }
     joined->robots.push_back(found->robot);
-    joined->drivers.push_back(found->driver);
+    joined->instances.push_back(found->instance);
   }
   const bool is_again = replace(*joined);
   joined->frame.stamp.session = ++last_session_;
@@ -133,10 +133,11 @@ bool Lockstep::replace(Participant& joined) {
       joined.refused = (*other)->refused;
       joined.answers = (*other)->answers;
     }
-    const bool is_in_the_way = std::any_of((*other)->drivers.begin(), (*other)->drivers.end(), [&](std::size_t driver) {
-      return driver != kNoDriver &&
-             std::find(joined.drivers.begin(), joined.drivers.end(), driver) != joined.drivers.end();
-    });
+    const bool is_in_the_way =
+        std::any_of((*other)->instances.begin(), (*other)->instances.end(), [&](std::size_t instance) {
+          return instance != kNoInstance &&
+                 std::find(joined.instances.begin(), joined.instances.end(), instance) != joined.instances.end();
+        });
     other = is_former_self || is_in_the_way ? participants_.erase(other) : other + 1;
   }
   return is_again;

@@ -4,20 +4,20 @@
 
 namespace swarmanoid::phases {
 
-void control(Space& space, std::vector<Driver>& drivers, const Workers& workers) {
+void control(Space& space, std::vector<RobotInstance>& instances, const Workers& workers) {
   constexpr std::size_t kGrain = 64;
-  workers.forRanges(drivers.size(), kGrain, [&](std::size_t first, std::size_t last) {
+  workers.forRanges(instances.size(), kGrain, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      Driver& driver = drivers[i];
-      if (driver.source == CommandSource::kRemote) {
+      RobotInstance& instance = instances[i];
+      if (instance.source == CommandSource::kRemote) {
         continue;  // its participant has answered
       }
-      StepStatus& status = space.controllers[static_cast<std::size_t>(driver.row)].status;
+      StepStatus& status = space.controllers[static_cast<std::size_t>(instance.row)].status;
       status = StepStatus::kNothing;
-      if (!driver.has_failed && driver.controller != nullptr) {
-        driver.has_failed = !stepController(*driver.controller, driver.step, *driver.robot, space.tick, space.time,
-                                            space.clocktick, driver.failure);
-        status = driver.has_failed ? StepStatus::kFailed : StepStatus::kStepped;
+      if (!instance.has_failed && instance.controller != nullptr) {
+        instance.has_failed = !stepController(*instance.controller, instance.step, *instance.robot, space.tick,
+                                              space.time, space.clocktick, instance.failure);
+        status = instance.has_failed ? StepStatus::kFailed : StepStatus::kStepped;
       }
     }
   });

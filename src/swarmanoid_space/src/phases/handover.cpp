@@ -6,7 +6,7 @@
 namespace swarmanoid::phases {
 namespace {
 
-void attempt(Space& space, const std::vector<Driver>& drivers, HandoverTrigger& trigger,
+void attempt(Space& space, const std::vector<RobotInstance>& instances, HandoverTrigger& trigger,
              std::vector<std::vector<Seat>>& seats) {
   if (space.mover[static_cast<std::size_t>(trigger.row)] == trigger.engine) {
     trigger.is_due = false;
@@ -14,9 +14,9 @@ void attempt(Space& space, const std::vector<Driver>& drivers, HandoverTrigger& 
   }
   const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, trigger.row);
   refreshMirrors(space, seats, *trigger.engine);
-  const std::string problem = handoverProblem(space, drivers, seats, members, trigger.row, *trigger.engine);
+  const std::string problem = handoverProblem(space, instances, seats, members, trigger.row, *trigger.engine);
   if (problem.empty()) {
-    commitHandover(space, drivers, seats, members, *trigger.engine, space.events);
+    commitHandover(space, instances, seats, members, *trigger.engine, space.events);
     trigger.is_due = false;
   } else if (!trigger.is_refused) {
     trigger.is_refused = true;  // reported once; tried again each tick, for what is in the way may go
@@ -27,7 +27,7 @@ void attempt(Space& space, const std::vector<Driver>& drivers, HandoverTrigger& 
 
 }  // namespace
 
-void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverTrigger>& triggers,
+void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
               std::vector<std::vector<Seat>>& seats) {
   for (HandoverTrigger& trigger : triggers) {
     if (space.entities.number[static_cast<std::size_t>(trigger.row)] != trigger.number) {
@@ -40,7 +40,7 @@ void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<Hand
     }
     trigger.was_true = is_true;
     if (trigger.is_due) {
-      attempt(space, drivers, trigger, seats);
+      attempt(space, instances, trigger, seats);
     }
   }
 }

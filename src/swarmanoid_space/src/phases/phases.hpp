@@ -16,14 +16,15 @@ void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& g
 
 /// What has come over topics becomes the commands of the robots with that source; a robot that gets none for its
 /// time-out stops.
-void applyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log);
+void applyTopics(Space& space, std::vector<RobotInstance>& instances, CommandMailbox& mailbox,
+                 const Robot::LogSink& log);
 
 /// Every controller of this process turns readings into commands; those of participants have done so before, see
-/// Lockstep::exchange. An exception marks its driver as failed.
-void control(Space& space, std::vector<Driver>& drivers, const Workers& workers);
+/// Lockstep::exchange. A robot whose controller throws is marked as failed.
+void control(Space& space, std::vector<RobotInstance>& instances, const Workers& workers);
 
 /// Whoever is being stopped gets the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
-void stopSafely(Space& space, std::vector<Driver>& drivers);
+void stopSafely(Space& space, std::vector<RobotInstance>& instances);
 
 /// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
@@ -37,7 +38,7 @@ void connect(Space& space, const std::vector<Named<Engine>>& engines,
              const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
 /// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
-void handOver(Space& space, const std::vector<Driver>& drivers, std::vector<HandoverTrigger>& triggers,
+void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
               std::vector<std::vector<Seat>>& seats);
 
 /// The positional index learns the new poses; who has left the arena is noted.

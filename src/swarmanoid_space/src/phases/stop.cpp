@@ -4,18 +4,18 @@
 
 namespace swarmanoid::phases {
 
-void stopSafely(Space& space, std::vector<Driver>& drivers) {
-  for (Driver& driver : drivers) {
-    if (!driver.stops_since) {
+void stopSafely(Space& space, std::vector<RobotInstance>& instances) {
+  for (RobotInstance& instance : instances) {
+    if (!instance.stops_since) {
       continue;
     }
-    const SafeStopMoment moment{toSeconds(space.time - *driver.stops_since), {}, *driver.robot};
+    const SafeStopMoment moment{toSeconds(space.time - *instance.stops_since), {}, *instance.robot};
     bool is_over = true;
-    for (const auto& actuator : driver.group->actuators) {
-      is_over = actuator->stop(space, driver.row, moment) && is_over;
+    for (const auto& actuator : instance.group->actuators) {
+      is_over = actuator->stop(space, instance.row, moment) && is_over;
     }
     if (is_over) {
-      driver.stops_since.reset();
+      instance.stops_since.reset();
     }
   }
 }

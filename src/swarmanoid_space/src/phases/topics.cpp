@@ -6,22 +6,23 @@
 namespace swarmanoid::phases {
 namespace {
 
-void report(Space& space, const Driver& driver, LogLevel level, const std::string& text, const Robot::LogSink& log) {
-  space.events.push_back({Event::Kind::kIntervention, driver.robot->name(), "", text});
+void report(Space& space, const RobotInstance& instance, LogLevel level, const std::string& text,
+            const Robot::LogSink& log) {
+  space.events.push_back({Event::Kind::kIntervention, instance.robot->name(), "", text});
   if (log) {
-    log(level, driver.robot->name(), text);
+    log(level, instance.robot->name(), text);
   }
 }
 
 /// @return whether there was a command for the robot
-bool apply(const CommandMailbox::Commands& commands, Space& space, const Driver& driver) {
+bool apply(const CommandMailbox::Commands& commands, Space& space, const RobotInstance& instance) {
   bool has_applied = false;
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
-  for (const auto& actuator : driver.group->actuators) {
-    const auto command = commands.find({driver.robot->name(), actuator->type()});
+  for (const auto& actuator : instance.group->actuators) {
+    const auto command = commands.find({instance.robot->name(), actuator->type()});
     if (command != commands.end()) {
       ByteReader in(command->second);
-      findDeviceType(actuator->type())->read(in, space.commands.find(actuator->type(), driver.row), parts);
+      findDeviceType(actuator->type())->read(in, space.commands.find(actuator->type(), instance.row), parts);
       has_applied = true;
     }
   }
@@ -30,26 +31,27 @@ bool apply(const CommandMailbox::Commands& commands, Space& space, const Driver&
 
 }  // namespace
 
-void applyTopics(Space& space, std::vector<Driver>& drivers, CommandMailbox& mailbox, const Robot::LogSink& log) {
+void applyTopics(Space& space, std::vector<RobotInstance>& instances, CommandMailbox& mailbox,
+                 const Robot::LogSink& log) {
   if (mailbox.isIdle()) {
     return;
   }
   const CommandMailbox::Commands commands = mailbox.take();
-  for (Driver& driver : drivers) {
-    if (driver.source != CommandSource::kTopics || driver.has_failed) {
+  for (RobotInstance& instance : instances) {
+    if (instance.source != CommandSource::kTopics || instance.has_failed) {
       continue;
     }
-    if (apply(commands, space, driver)) {
-      driver.last_command = space.time;
-      driver.stops_since.reset();
-      if (!driver.is_commanded) {
-        driver.is_commanded = true;
-        report(space, driver, LogLevel::kInfo, "commands come over topics", log);
+    if (apply(commands, space, instance)) {
+      instance.last_command = space.time;
+      instance.stops_since.reset();
+      if (!instance.is_commanded) {
+        instance.is_commanded = true;
+        report(space, instance, LogLevel::kInfo, "commands come over topics", log);
       }
-    } else if (driver.is_commanded && space.time - driver.last_command >= driver.command_timeout) {
-      driver.is_commanded = false;
-      driver.stops_since = space.time;
-      report(space, driver, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
+    } else if (instance.is_commanded && space.time - instance.last_command >= instance.command_timeout) {
+      instance.is_commanded = false;
+      instance.stops_since = space.time;
+      report(space, instance, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
     }
   }
 }

@@ -98,26 +98,26 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   ControllerGroup* group = cast_->findGroup(entity.controller);
   auto robot = std::make_unique<Robot>(entity.id, entity.type, space_.seed);
   robot->setLogSink(log_sink_);
-  Driver& driver = cast_->drivers.emplace_back();  // entity numbers only grow
-  driver.row = row;
-  driver.robot = robot.get();
-  driver.group = group;
-  driver.step = {"step", group->part, driver.robot->name()};
-  driver.source = entity.source;
-  driver.command_timeout = entity.command_timeout;
+  RobotInstance& instance = cast_->robots.emplace_back();  // entity numbers only grow
+  instance.row = row;
+  instance.robot = robot.get();
+  instance.group = group;
+  instance.step = {"step", group->part, instance.robot->name()};
+  instance.source = entity.source;
+  instance.command_timeout = entity.command_timeout;
   space_.robots[i] = std::move(robot);
   space_.controllers[i] = {group->description, 1, StepStatus::kNothing};
   try {
     for (const auto& sensor : group->sensors) {
-      driver.robot->provideSensor(sensor->type(), sensor->add(space_, row));
+      instance.robot->provideSensor(sensor->type(), sensor->add(space_, row));
     }
     for (const auto& actuator : group->actuators) {
-      driver.robot->provideActuator(actuator->type(), actuator->add(space_, row));
+      instance.robot->provideActuator(actuator->type(), actuator->add(space_, row));
     }
-    if (driver.source == CommandSource::kController) {
-      driver.controller = startController(group->make, group->part, *driver.robot, group->description->parameters);
+    if (instance.source == CommandSource::kController) {
+      instance.controller = startController(group->make, group->part, *instance.robot, group->description->parameters);
     }
-    refuseUnlessReachable(driver, driver.source);
+    refuseUnlessReachable(instance, instance.source);
   } catch (const ConfigError& error) {
     if (!error.location().file.empty()) {
       throw;
@@ -128,34 +128,34 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   }
 }
 
-void Simulation::destroyController(Driver& driver) {
-  const std::string failure = endController(driver.controller, driver.group->part, *driver.robot);
+void Simulation::destroyController(RobotInstance& instance) {
+  const std::string failure = endController(instance.controller, instance.group->part, *instance.robot);
   if (!failure.empty()) {
-    failures_.push_back({driver.robot->name(), space_.tick, failure});
-    pending_events_.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", failure});
+    failures_.push_back({instance.robot->name(), space_.tick, failure});
+    pending_events_.push_back({Event::Kind::kControllerFailed, instance.robot->name(), "", failure});
     if (log_sink_) {
-      log_sink_(LogLevel::kError, driver.robot->name(), "controller failed: " + failure);
+      log_sink_(LogLevel::kError, instance.robot->name(), "controller failed: " + failure);
     }
   }
 }
 
 void Simulation::destroyControllers() {
-  for (Driver& driver : cast_->drivers) {
-    destroyController(driver);
+  for (RobotInstance& instance : cast_->robots) {
+    destroyController(instance);
   }
 }
 
 void Simulation::removeEntity(Row row) {
   const auto i = static_cast<std::size_t>(row);
-  if (Driver* driver = cast_->findDriver(space_.entities, row)) {
-    destroyController(*driver);
-    for (const auto& sensor : driver->group->sensors) {
+  if (RobotInstance* instance = cast_->findRobot(space_.entities, row)) {
+    destroyController(*instance);
+    for (const auto& sensor : instance->group->sensors) {
       sensor->remove(space_, row);
     }
-    for (const auto& actuator : driver->group->actuators) {
+    for (const auto& actuator : instance->group->actuators) {
       actuator->remove(space_, row);
     }
-    cast_->drivers.erase(cast_->drivers.begin() + (driver - cast_->drivers.data()));
+    cast_->robots.erase(cast_->robots.begin() + (instance - cast_->robots.data()));
   }
   space_.robots[i].reset();
   space_.controllers[i] = ControllerState{};
@@ -172,10 +172,10 @@ void Simulation::removeEntity(Row row) {
 }
 
 void Simulation::unbuild() {
-  for (Driver& driver : cast_->drivers) {
-    destroyController(driver);
+  for (RobotInstance& instance : cast_->robots) {
+    destroyController(instance);
   }
-  cast_->drivers.clear();
+  cast_->robots.clear();
   for (const auto& engine : cast_->engines) {
     engine->clear();
   }

@@ -63,13 +63,13 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
   }
   const std::vector<Row> members = connectedTo(space_.entities, space_.structure, space_.attachments, row);
   refreshMirrors(space_, cast_->seats, *engine);
-  const std::string problem = handoverProblem(space_, cast_->drivers, cast_->seats, members, row, *engine);
+  const std::string problem = handoverProblem(space_, cast_->robots, cast_->seats, members, row, *engine);
   if (!problem.empty()) {
     throw ConfigError({}, space_.entities.model[i]->type + " '" + name + "' cannot be handed over to engine '" +
                               engine_id + "': " + problem);
   }
   pending_events_.push_back({Event::Kind::kIntervention, name, "", "handover to " + engine_id});
-  commitHandover(space_, cast_->drivers, cast_->seats, members, *engine, pending_events_);
+  commitHandover(space_, cast_->robots, cast_->seats, members, *engine, pending_events_);
 }
 
 void Simulation::buildTriggers() {
@@ -86,12 +86,12 @@ void Simulation::buildTriggers() {
       }
       const auto i = static_cast<std::size_t>(row);
       const EntityModel& model = *space_.entities.model[i];
-      Driver* driver = cast_->findDriver(space_.entities, row);
+      RobotInstance* instance = cast_->findRobot(space_.entities, row);
       std::string problem =
           model.is_movable
-              ? unsupportedReasonOf(*engine, model, devicesOf(driver ? driver->group : nullptr), cast_->seats[i])
+              ? unsupportedReasonOf(*engine, model, devicesOf(instance ? instance->group : nullptr), cast_->seats[i])
               : "is fixed, no engine moves it";
-      if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && driver == nullptr) {
+      if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && instance == nullptr) {
         problem = "has no controller, so it has no debug values";
       }
       if (!problem.empty()) {

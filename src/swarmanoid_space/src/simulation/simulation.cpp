@@ -36,26 +36,26 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   Stopwatch stopwatch;
   phases::sense(space_, cast_->groups, cast_->workers);
   stopwatch.lap(phase_times_.sense);
-  if (!cast_->lockstep.exchange(space_, cast_->drivers, pending_events_, log_sink_, is_disturbed)) {
+  if (!cast_->lockstep.exchange(space_, cast_->robots, pending_events_, log_sink_, is_disturbed)) {
     return false;
   }
   space_.events.assign(pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
   phases::report(space_, cast_->groups);
   if (supplied_.commands != nullptr) {
-    phases::applyTopics(space_, cast_->drivers, *supplied_.commands, log_sink_);
+    phases::applyTopics(space_, cast_->robots, *supplied_.commands, log_sink_);
   }
-  phases::control(space_, cast_->drivers, cast_->workers);
+  phases::control(space_, cast_->robots, cast_->workers);
   restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, cast_->groups, cast_->faulty);
   noteFailures();
-  phases::stopSafely(space_, cast_->drivers);
+  phases::stopSafely(space_, cast_->robots);
   stopwatch.lap(phase_times_.actuate);
   phases::move(space_, cast_->engines, cast_->workers, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
   phases::connect(space_, cast_->engines, cast_->groups);
-  phases::handOver(space_, cast_->drivers, cast_->triggers, cast_->seats);
+  phases::handOver(space_, cast_->robots, cast_->triggers, cast_->seats);
   stopwatch.lap(phase_times_.connect);
   phases::index(space_);
   stopwatch.lap(phase_times_.index);
@@ -79,25 +79,25 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
 
 void Simulation::noteFailures() {
   for (const Row row : cast_->faulty) {
-    Driver* driver = cast_->findDriver(space_.entities, row);
-    if (!driver->has_failed) {
-      driver->has_failed = true;
-      driver->failure = kNotFinite;
+    RobotInstance* instance = cast_->findRobot(space_.entities, row);
+    if (!instance->has_failed) {
+      instance->has_failed = true;
+      instance->failure = kNotFinite;
       space_.controllers[static_cast<std::size_t>(row)].status = StepStatus::kFailed;
     }
   }
-  for (Driver& driver : cast_->drivers) {
-    if (!driver.has_failed || driver.failure.empty()) {
+  for (RobotInstance& instance : cast_->robots) {
+    if (!instance.has_failed || instance.failure.empty()) {
       continue;
     }
-    driver.stops_since = space_.time;
-    failures_.push_back({driver.robot->name(), space_.tick, driver.failure});
-    space_.events.push_back({Event::Kind::kControllerFailed, driver.robot->name(), "", driver.failure});
+    instance.stops_since = space_.time;
+    failures_.push_back({instance.robot->name(), space_.tick, instance.failure});
+    space_.events.push_back({Event::Kind::kControllerFailed, instance.robot->name(), "", instance.failure});
     if (log_sink_) {
-      log_sink_(LogLevel::kError, driver.robot->name(),
-                "controller failed in tick " + std::to_string(space_.tick) + ", the robot stops: " + driver.failure);
+      log_sink_(LogLevel::kError, instance.robot->name(),
+                "controller failed in tick " + std::to_string(space_.tick) + ", the robot stops: " + instance.failure);
     }
-    driver.failure.clear();
+    instance.failure.clear();
   }
 }
 
@@ -171,7 +171,7 @@ void Simulation::giveUp(const std::string& part) {
   }
 }
 
-std::size_t Simulation::robotCount() const { return cast_->drivers.size(); }
+std::size_t Simulation::robotCount() const { return cast_->robots.size(); }
 
 Metrics Simulation::metrics() const {
   Metrics metrics;
@@ -200,8 +200,8 @@ void Simulation::addVisualisation(std::shared_ptr<Visualisation> visualisation) 
 
 void Simulation::setLogSink(Robot::LogSink sink) {
   log_sink_ = std::move(sink);
-  for (Driver& driver : cast_->drivers) {
-    driver.robot->setLogSink(log_sink_);
+  for (RobotInstance& instance : cast_->robots) {
+    instance.robot->setLogSink(log_sink_);
   }
 }
 
@@ -227,15 +227,15 @@ ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {
   return nullptr;
 }
 
-Driver* Simulation::Cast::findDriver(const Entities& entities, Row row) {
+RobotInstance* Simulation::Cast::findRobot(const Entities& entities, Row row) {
   if (row == kNoRow) {
     return nullptr;
   }
   const auto numberOf = [&](Row of) { return entities.number[static_cast<std::size_t>(of)]; };
-  const auto found =
-      std::lower_bound(drivers.begin(), drivers.end(), numberOf(row),
-                       [&](const Driver& driver, EntityNumber number) { return numberOf(driver.row) < number; });
-  return found != drivers.end() && found->row == row ? &*found : nullptr;
+  const auto found = std::lower_bound(
+      robots.begin(), robots.end(), numberOf(row),
+      [&](const RobotInstance& instance, EntityNumber number) { return numberOf(instance.row) < number; });
+  return found != robots.end() && found->row == row ? &*found : nullptr;
 }
 
 }  // namespace swarmanoid

@@ -10,7 +10,9 @@
 namespace swarmanoid {
 namespace {
 
-RemoteRobot describe(const Driver& driver) { return describeRobot(*driver.robot, *driver.group->description); }
+RemoteRobot describe(const RobotInstance& instance) {
+  return describeRobot(*instance.robot, *instance.group->description);
+}
 
 }  // namespace
 
@@ -44,25 +46,25 @@ void Simulation::interrupt() { cast_->lockstep.cancel(); }
 
 void Simulation::wake() { cast_->lockstep.wake(); }
 
-void Simulation::refuseUnlessReachable(const Driver& driver, CommandSource source) const {
+void Simulation::refuseUnlessReachable(const RobotInstance& instance, CommandSource source) const {
   if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
-    describe(driver);
+    describe(instance);
   }
 }
 
 void Simulation::offerRobots() {
   std::vector<std::pair<RemoteRobot, std::size_t>> robots;
-  for (std::size_t i = 0; i < cast_->drivers.size(); ++i) {
-    if (cast_->drivers[i].source == CommandSource::kRemote) {
-      robots.emplace_back(describe(cast_->drivers[i]), i);
+  for (std::size_t i = 0; i < cast_->robots.size(); ++i) {
+    if (cast_->robots[i].source == CommandSource::kRemote) {
+      robots.emplace_back(describe(cast_->robots[i]), i);
     }
   }
   cast_->lockstep.offer(robots, space_);
   if (supplied_.commands != nullptr) {
     std::set<std::string> commanded_by_topics;
-    for (const Driver& driver : cast_->drivers) {
-      if (driver.source == CommandSource::kTopics) {
-        commanded_by_topics.insert(driver.robot->name());
+    for (const RobotInstance& instance : cast_->robots) {
+      if (instance.source == CommandSource::kTopics) {
+        commanded_by_topics.insert(instance.robot->name());
       }
     }
     supplied_.commands->accept(std::move(commanded_by_topics));
@@ -70,20 +72,20 @@ void Simulation::offerRobots() {
 }
 
 void Simulation::setCommandSource(const std::string& robot, CommandSource source) {
-  Driver* driver = cast_->findDriver(space_.entities, space_.entities.find(robot));
-  if (driver == nullptr) {
+  RobotInstance* instance = cast_->findRobot(space_.entities, space_.entities.find(robot));
+  if (instance == nullptr) {
     throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
   }
-  if (driver->source == source) {
+  if (instance->source == source) {
     return;
   }
   std::shared_ptr<Controller> controller;
   try {
     if (source == CommandSource::kController) {
-      controller = startController(driver->group->make, driver->group->part, *driver->robot,
-                                   driver->group->description->parameters);
+      controller = startController(instance->group->make, instance->group->part, *instance->robot,
+                                   instance->group->description->parameters);
     }
-    refuseUnlessReachable(*driver, source);
+    refuseUnlessReachable(*instance, source);
     if (source == CommandSource::kTopics && supplied_.commands == nullptr) {
       throw std::runtime_error("nobody listens to topics here, that needs ROS");
     }
@@ -93,17 +95,17 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
   } catch (...) {
     throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + describeException());
   }
-  destroyController(*driver);
-  driver->controller = std::move(controller);
-  ++space_.controllers[static_cast<std::size_t>(driver->row)].starts;
+  destroyController(*instance);
+  instance->controller = std::move(controller);
+  ++space_.controllers[static_cast<std::size_t>(instance->row)].starts;
   pending_events_.push_back(
       {Event::Kind::kIntervention, robot, "",
-       std::string("commands from ") + toString(source) + ", no more from " + toString(driver->source)});
-  driver->source = source;
-  driver->is_commanded = false;
-  driver->stops_since.reset();
+       std::string("commands from ") + toString(source) + ", no more from " + toString(instance->source)});
+  instance->source = source;
+  instance->is_commanded = false;
+  instance->stops_since.reset();
   if (source == CommandSource::kNone || source == CommandSource::kTopics) {
-    driver->stops_since = space_.time;
+    instance->stops_since = space_.time;
   }
   offerRobots();
 }

@@ -25,7 +25,7 @@
 
 namespace swarmanoid {
 
-struct Driver;
+struct RobotInstance;
 
 /// What becomes of a tick when a participant is late.
 enum class LatePolicy {
@@ -84,7 +84,7 @@ class Lockstep {
 
   void setOptions(const Options& options);
   /// Between ticks, whenever robots, their devices or their commanders have changed.
-  /// @param robots with the indices of their drivers
+  /// @param robots with the indices of their instances
   void offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space);
   /// Sends the readings to all participants, waits for their answers, and makes these the commands of the robots.
   ///
@@ -97,8 +97,8 @@ class Lockstep {
   /// @param is_disturbed asked before each wait, see `wake`; may be empty
   /// @return false: it was disturbed, nothing has changed, call it again for the same tick
   /// @throws std::runtime_error naming who is late, by LatePolicy::kStop, or if it is cancelled
-  bool exchange(Space& space, std::vector<Driver>& drivers, std::vector<Event>& events, const Robot::LogSink& log,
-                const Disturbed& is_disturbed);
+  bool exchange(Space& space, std::vector<RobotInstance>& instances, std::vector<Event>& events,
+                const Robot::LogSink& log, const Disturbed& is_disturbed);
   /// A waiting `exchange` asks again whether it is disturbed. From any thread.
   void wake();
   /// `exchange` waits no more, now and later.
@@ -106,17 +106,17 @@ class Lockstep {
 
  private:
   using Clock = std::chrono::steady_clock;
-  static constexpr std::size_t kNoDriver = ~std::size_t{0};
+  static constexpr std::size_t kNoInstance = ~std::size_t{0};
 
   struct Offered {
     RemoteRobot robot;
-    std::size_t driver = 0;
+    std::size_t instance = 0;
     bool is_commanded = false;
   };
   struct Participant {
     std::string name;
     std::vector<RemoteRobot> robots;
-    std::vector<std::size_t> drivers;  // of the robots; kNoDriver: not to be commanded now
+    std::vector<std::size_t> instances;  // of the robots; kNoInstance: not to be commanded now
     Send send;
     LatePolicy policy = LatePolicy::kWait;
     Seconds timeout{1.0};
@@ -145,11 +145,11 @@ class Lockstep {
   void markCommanded();
   /// Drops its former self, and who is late with a robot of it. @return whether there was a former self
   bool replace(Participant& joined);
-  void ask(Participant& participant, const Space& space, const std::vector<Driver>& drivers);
+  void ask(Participant& participant, const Space& space, const std::vector<RobotInstance>& instances);
   /// @return those to whom a frame is to be sent
-  std::vector<std::shared_ptr<Participant>> askAll(const Space& space, const std::vector<Driver>& drivers);
+  std::vector<std::shared_ptr<Participant>> askAll(const Space& space, const std::vector<RobotInstance>& instances);
   /// Nobody waits for a participant that was asked for robots which it commands no more.
-  void forgetWhoHasGone(const std::vector<Driver>& drivers);
+  void forgetWhoHasGone(const std::vector<RobotInstance>& instances);
   void startWaiting(const Space& space);
   void finishWaiting(const Space& space);
   bool isDone() const;
@@ -161,8 +161,8 @@ class Lockstep {
   void checkDeadlines(const Space& space);
   static void report(const Notice& notice, std::vector<Event>& events, const Robot::LogSink& log);
   void reportAll(Lock& lock, std::vector<Event>& events, const Robot::LogSink& log);
-  static bool isCommandable(std::size_t driver, const std::vector<Driver>& drivers);
-  static void apply(const Participant& participant, Space& space, std::vector<Driver>& drivers);
+  static bool isCommandable(std::size_t instance, const std::vector<RobotInstance>& instances);
+  static void apply(const Participant& participant, Space& space, std::vector<RobotInstance>& instances);
 
   mutable std::mutex mutex_;  // guards what follows
   std::condition_variable changed_;

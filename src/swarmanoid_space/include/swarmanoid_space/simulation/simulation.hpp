@@ -63,7 +63,7 @@ struct EngineReport {
 };
 
 class Lockstep;
-struct Driver;
+struct RobotInstance;
 struct Seat;  // one engine that holds an entity, and its role there (src/cast.hpp)
 
 class Simulation {
@@ -178,9 +178,9 @@ class Simulation {
                       const std::vector<Seat>& seats) const;
   Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
   void giveController(Row row, const EntityDescription& entity);
-  void destroyController(Driver& driver);
+  void destroyController(RobotInstance& instance);
   void removeEntity(Row row);
-  void refuseUnlessReachable(const Driver& driver, CommandSource source) const;
+  void refuseUnlessReachable(const RobotInstance& instance, CommandSource source) const;
   void offerRobots();
 
   Experiment experiment_;
