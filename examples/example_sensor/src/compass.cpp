@@ -27,12 +27,12 @@ class CompassSensor final : public swarmanoid::SensorOf<Compass> {
 
   void sense(const swarmanoid::Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      auto& seat = seats_[k];
-      const auto& pose = space.entities.pose[static_cast<std::size_t>(seat.row)];
+      auto& instance = instances_[k];
+      const auto& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
       const Eigen::Vector3d north = pose.orientation.conjugate() * Eigen::Vector3d::UnitY();
-      seat.random.startTick(space.tick);
-      const double error = noise_ > 0.0 ? seat.random.gaussian(0.0, noise_) : 0.0;
-      seat.readings->north = std::remainder(std::atan2(north.y(), north.x()) + error, 2.0 * M_PI);
+      instance.random.startTick(space.tick);
+      const double error = noise_ > 0.0 ? instance.random.gaussian(0.0, noise_) : 0.0;
+      instance.readings->north = std::remainder(std::atan2(north.y(), north.x()) + error, 2.0 * M_PI);
     }
   }
 

@@ -67,10 +67,10 @@ class DeviceWorld {
 
   Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
 
-  /// All seats of a sensor read the space as it is now.
+  /// All instances of a sensor read the space as it is now.
   void sense(Sensor& sensor) {
     space.index.rebuild(space.entities);
-    sensor.sense(space, 0, sensor.seatCount());
+    sensor.sense(space, 0, sensor.instanceCount());
     sensor.report(space);
   }
 

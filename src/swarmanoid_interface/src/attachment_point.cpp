@@ -25,15 +25,15 @@ Directory& directory() {
 AttachmentPoint::AttachmentPoint(std::vector<Request> requests) {
   for (Request& request : requests) {
     const Key key{request.kind, request.id};
-    seats_[key].request = std::move(request);
+    slots_[key].request = std::move(request);
   }
 }
 
-const AttachmentPoint::Seat& AttachmentPoint::seat(PluginKind kind, const std::string& id) const {
-  const auto found = seats_.find({kind, id});
-  if (found == seats_.end()) {
+const AttachmentPoint::Slot& AttachmentPoint::slot(PluginKind kind, const std::string& id) const {
+  const auto found = slots_.find({kind, id});
+  if (found == slots_.end()) {
     std::vector<std::string> needed;
-    for (const auto& [key, unused] : seats_) {
+    for (const auto& [key, unused] : slots_) {
       needed.push_back(title(key.first, key.second));
     }
     throw std::runtime_error("the experiment has no " + title(kind, id) + "; there are: " + joinNames(needed));
@@ -43,24 +43,24 @@ const AttachmentPoint::Seat& AttachmentPoint::seat(PluginKind kind, const std::s
 
 AttachmentPoint::Request AttachmentPoint::request(PluginKind kind, const std::string& id) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return seat(kind, id).request;
+  return slot(kind, id).request;
 }
 
 void AttachmentPoint::attach(PluginKind kind, const std::string& id, std::shared_ptr<void> part) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (seat(kind, id).part != nullptr) {
+  if (slot(kind, id).part != nullptr) {
     throw std::runtime_error(title(kind, id) + " is attached already");
   }
-  Seat& free_seat = seats_[{kind, id}];
-  free_seat.part = std::move(part);
-  free_seat.refusal.clear();
+  Slot& free_slot = slots_[{kind, id}];
+  free_slot.part = std::move(part);
+  free_slot.refusal.clear();
   changed_.notify_all();
 }
 
 void AttachmentPoint::refuse(PluginKind kind, const std::string& id, const std::string& reason) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = seats_.find({kind, id});
-  if (found != seats_.end() && found->second.part == nullptr && found->second.refusal.empty()) {
+  const auto found = slots_.find({kind, id});
+  if (found != slots_.end() && found->second.part == nullptr && found->second.refusal.empty()) {
     found->second.refusal = reason.empty() ? "no reason given" : reason;
     changed_.notify_all();
   }
@@ -69,8 +69,8 @@ void AttachmentPoint::refuse(PluginKind kind, const std::string& id, const std::
 void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
   {
     const std::lock_guard<std::mutex> lock(mutex_);
-    const auto found = seats_.find({kind, id});
-    if (found == seats_.end() || found->second.part == nullptr) {
+    const auto found = slots_.find({kind, id});
+    if (found == slots_.end() || found->second.part == nullptr) {
       return;
     }
   }
@@ -82,8 +82,8 @@ void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
     }
   }
   const std::lock_guard<std::mutex> lock(mutex_);
-  const auto found = seats_.find({kind, id});
-  if (found != seats_.end()) {
+  const auto found = slots_.find({kind, id});
+  if (found != slots_.end()) {
     found->second.part.reset();
   }
 }
@@ -91,31 +91,31 @@ void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
 bool AttachmentPoint::isDecided() const {
   const auto has_refused = [](const auto& item) { return !item.second.refusal.empty(); };
   const auto is_there = [](const auto& item) { return item.second.part != nullptr; };
-  return std::any_of(seats_.begin(), seats_.end(), has_refused) || std::all_of(seats_.begin(), seats_.end(), is_there);
+  return std::any_of(slots_.begin(), slots_.end(), has_refused) || std::all_of(slots_.begin(), slots_.end(), is_there);
 }
 
 void AttachmentPoint::expect(Request request) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  Seat seat;
+  Slot slot;
   const Key key{request.kind, request.id};
-  seat.request = std::move(request);
-  seats_.emplace(key, std::move(seat));
+  slot.request = std::move(request);
+  slots_.emplace(key, std::move(slot));
 }
 
 void AttachmentPoint::forget(PluginKind kind, const std::string& id) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  seats_.erase({kind, id});
+  slots_.erase({kind, id});
 }
 
 void AttachmentPoint::waitForAll(std::chrono::milliseconds timeout) {
   std::unique_lock<std::mutex> lock(mutex_);
   changed_.wait_for(lock, timeout, [this] { return isDecided(); });
   std::vector<std::string> missing;
-  for (const auto& [key, seat] : seats_) {
-    if (!seat.refusal.empty()) {
-      throw std::runtime_error(title(key.first, key.second) + " cannot take part: " + seat.refusal);
+  for (const auto& [key, slot] : slots_) {
+    if (!slot.refusal.empty()) {
+      throw std::runtime_error(title(key.first, key.second) + " cannot take part: " + slot.refusal);
     }
-    if (seat.part == nullptr) {
+    if (slot.part == nullptr) {
       missing.push_back(title(key.first, key.second));
     }
   }
@@ -128,7 +128,7 @@ void AttachmentPoint::waitForAll(std::chrono::milliseconds timeout) {
 
 std::shared_ptr<void> AttachmentPoint::part(PluginKind kind, const std::string& id) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return seat(kind, id).part;
+  return slot(kind, id).part;
 }
 
 void AttachmentPoint::setLossHandler(LossHandler handler) {

@@ -10,7 +10,7 @@
 namespace swarmanoid {
 namespace {
 
-/// A device that no robot has a place for: taking a seat fails.
+/// A device that no robot has a place for: preparing an instance fails.
 struct TestDevice {
   static constexpr const char* kType = "test_device";
   bool isFinite() const { return true; }
@@ -28,9 +28,9 @@ class HomelessActuator final : public ActuatorOf<TestDevice> {
   void configure(const Configuration&) override {}
 
  protected:
-  void takeSeat(const Space& space, BasicActuatorSeat<TestDevice>& seat) override {
-    if (space.entities.name[static_cast<std::size_t>(seat.row)] == "homeless") {
-      space.entities.model[static_cast<std::size_t>(seat.row)]->mount("nowhere");
+  void prepareInstance(const Space& space, BasicActuatorInstance<TestDevice>& instance) override {
+    if (space.entities.name[static_cast<std::size_t>(instance.row)] == "homeless") {
+      space.entities.model[static_cast<std::size_t>(instance.row)]->mount("nowhere");
     }
   }
 };
@@ -119,7 +119,7 @@ TEST_F(InterventionTest, ANameThatIsTakenIsRefused) {
 
 TEST_F(InterventionTest, ADeviceThatFindsNoPlaceLeavesNothingBehind) {
   EXPECT_NE(refusal(description("footbot", "homeless", "tc")).find("nowhere"), std::string::npos);
-  // the row is free again, and so are the seats: the next one gets the same slot
+  // the row is free again, and so are the instances: the next one gets the same slot
   simulation->spawn(description("footbot", "next", "tc"), {});
   EXPECT_EQ(simulation->robotCount(), 2U);
   simulation->tick();

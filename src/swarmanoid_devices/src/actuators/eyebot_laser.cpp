@@ -27,32 +27,32 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
   void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
 
   void afterMove(Space& space) override {
-    space.laser_spots.reserve(space.laser_spots.size() + seats_.size());
-    for (const auto& seat : seats_) {
-      if (seat.actuation->on) {
-        space.laser_spots.push_back(spotOf(space, seat));
+    space.laser_spots.reserve(space.laser_spots.size() + instances_.size());
+    for (const auto& instance : instances_) {
+      if (instance.actuation->on) {
+        space.laser_spots.push_back(spotOf(space, instance));
       }
     }
   }
 
  protected:
-  void limit(const Space& space, BasicActuatorSeat<EyebotLaser>& seat) override {
-    EyebotLaser& laser = *seat.actuation;
+  void limit(const Space& space, BasicActuatorInstance<EyebotLaser>& instance) override {
+    EyebotLaser& laser = *instance.actuation;
     if (noise_ > 0.0) {
-      seat.random.startTick(space.tick);
-      laser.tilt += seat.random.gaussian(0.0, noise_);
+      instance.random.startTick(space.tick);
+      laser.tilt += instance.random.gaussian(0.0, noise_);
     }
     laser.tilt = std::clamp(laser.tilt, -kMaxTilt, kMaxTilt);
   }
 
  private:
-  static LaserSpot spotOf(const Space& space, const BasicActuatorSeat<EyebotLaser>& seat) {
+  static LaserSpot spotOf(const Space& space, const BasicActuatorInstance<EyebotLaser>& instance) {
     constexpr double kReach = 20.0;  // m
-    const auto i = static_cast<std::size_t>(seat.row);
+    const auto i = static_cast<std::size_t>(instance.row);
     const Pose& pose = space.entities.pose[i];
-    const double sine = std::sin(seat.actuation->tilt);
-    const Eigen::Vector3d direction(sine * std::cos(seat.actuation->pan), sine * std::sin(seat.actuation->pan),
-                                    -std::cos(seat.actuation->tilt));
+    const double sine = std::sin(instance.actuation->tilt);
+    const Eigen::Vector3d direction(sine * std::cos(instance.actuation->pan), sine * std::sin(instance.actuation->pan),
+                                    -std::cos(instance.actuation->tilt));
     Segment beam;
     beam.from = pose.position + pose.orientation * space.entities.model[i]->mount("laser_pointer").position;
     const Eigen::Vector3d beam_direction = pose.orientation * direction;
@@ -65,8 +65,8 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     if (space.terrain && space.terrain->contains(beam.to.x(), beam.to.y())) {
       beam.to = downTo(space.lowestGround());  // there the floor has the terrain in its place
     }
-    const RayHit hit = space.castRay(beam, seat.row);
-    return {seat.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
+    const RayHit hit = space.castRay(beam, instance.row);
+    return {instance.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
   }
 
   double noise_ = 0.0;  // rad

@@ -32,12 +32,12 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
   }
 
  protected:
-  void limit(const Space& space, BasicActuatorSeat<EyebotVelocity>& seat) override {
-    EyebotVelocity& velocity = *seat.actuation;
+  void limit(const Space& space, BasicActuatorInstance<EyebotVelocity>& instance) override {
+    EyebotVelocity& velocity = *instance.actuation;
     if (noise_ > 0.0) {
-      seat.random.startTick(space.tick);
+      instance.random.startTick(space.tick);
       for (int axis = 0; axis < 3; ++axis) {
-        velocity.linear[axis] += seat.random.gaussian(0.0, noise_);
+        velocity.linear[axis] += instance.random.gaussian(0.0, noise_);
       }
     }
     const double speed = velocity.linear.norm();

@@ -9,11 +9,11 @@
 namespace swarmanoid::devices {
 namespace {
 
-struct TurretSeat : BasicActuatorSeat<FootbotTurret> {
+struct TurretInstance : BasicActuatorInstance<FootbotTurret> {
   double max_speed = 0.0;  // rad/s
 };
 
-class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretSeat> {
+class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -33,25 +33,25 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretSeat>
   }
 
  protected:
-  void takeSeat(const Space& space, TurretSeat& seat) override {
-    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(seat.row)];
+  void prepareInstance(const Space& space, TurretInstance& instance) override {
+    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(instance.row)];
     const int joint = model.findJoint("turret");
     // without a turret no engine takes the robot
-    seat.max_speed = joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(joint)].max_speed;
+    instance.max_speed = joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(joint)].max_speed;
   }
 
-  void limit(const Space& space, TurretSeat& seat) override {
-    FootbotTurret& turret = *seat.actuation;
-    seat.random.startTick(space.tick);
+  void limit(const Space& space, TurretInstance& instance) override {
+    FootbotTurret& turret = *instance.actuation;
+    instance.random.startTick(space.tick);
     if (turret.mode == FootbotTurret::Mode::kAngle) {
       if (noise_angle_ > 0.0) {
-        turret.angle += seat.random.gaussian(0.0, noise_angle_);
+        turret.angle += instance.random.gaussian(0.0, noise_angle_);
       }
     } else if (turret.mode == FootbotTurret::Mode::kSpeed) {
       if (noise_ > 0.0) {
-        turret.speed *= seat.random.gaussian(1.0, noise_);
+        turret.speed *= instance.random.gaussian(1.0, noise_);
       }
-      turret.speed = std::clamp(turret.speed, -seat.max_speed, seat.max_speed);
+      turret.speed = std::clamp(turret.speed, -instance.max_speed, instance.max_speed);
     }
   }
 

@@ -8,11 +8,11 @@
 namespace swarmanoid::devices {
 namespace {
 
-struct WheelsSeat : BasicActuatorSeat<FootbotWheels> {
+struct WheelsInstance : BasicActuatorInstance<FootbotWheels> {
   double max_speed = 0.0;  // rad/s
 };
 
-class FootbotWheelsActuator final : public ActuatorOf<FootbotWheels, WheelsSeat> {
+class FootbotWheelsActuator final : public ActuatorOf<FootbotWheels, WheelsInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -29,19 +29,19 @@ class FootbotWheelsActuator final : public ActuatorOf<FootbotWheels, WheelsSeat>
   void configure(const Configuration& parameters) override { noise_ = parameters.number("noise", 0.0); }
 
  protected:
-  void takeSeat(const Space& space, WheelsSeat& seat) override {
-    seat.max_speed = space.entities.model[static_cast<std::size_t>(seat.row)]->wheels->max_speed;
+  void prepareInstance(const Space& space, WheelsInstance& instance) override {
+    instance.max_speed = space.entities.model[static_cast<std::size_t>(instance.row)]->wheels->max_speed;
   }
 
-  void limit(const Space& space, WheelsSeat& seat) override {
-    FootbotWheels& wheels = *seat.actuation;
+  void limit(const Space& space, WheelsInstance& instance) override {
+    FootbotWheels& wheels = *instance.actuation;
     if (noise_ > 0.0) {
-      seat.random.startTick(space.tick);
-      wheels.left *= seat.random.gaussian(1.0, noise_);
-      wheels.right *= seat.random.gaussian(1.0, noise_);
+      instance.random.startTick(space.tick);
+      wheels.left *= instance.random.gaussian(1.0, noise_);
+      wheels.right *= instance.random.gaussian(1.0, noise_);
     }
-    wheels.left = std::clamp(wheels.left, -seat.max_speed, seat.max_speed);
-    wheels.right = std::clamp(wheels.right, -seat.max_speed, seat.max_speed);
+    wheels.left = std::clamp(wheels.left, -instance.max_speed, instance.max_speed);
+    wheels.right = std::clamp(wheels.right, -instance.max_speed, instance.max_speed);
   }
 
  private:

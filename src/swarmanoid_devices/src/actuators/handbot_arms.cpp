@@ -9,11 +9,11 @@
 namespace swarmanoid::devices {
 namespace {
 
-struct ArmsSeat : BasicActuatorSeat<HandbotArms> {
+struct ArmsInstance : BasicActuatorInstance<HandbotArms> {
   std::shared_ptr<const EntityModel> model;
 };
 
-class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsSeat> {
+class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -29,22 +29,22 @@ class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsSeat> {
   void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
 
  protected:
-  void takeSeat(const Space& space, ArmsSeat& seat) override {
-    seat.model = space.entities.model[static_cast<std::size_t>(seat.row)];
+  void prepareInstance(const Space& space, ArmsInstance& instance) override {
+    instance.model = space.entities.model[static_cast<std::size_t>(instance.row)];
   }
 
-  void limit(const Space& space, ArmsSeat& seat) override {
-    seat.random.startTick(space.tick);
+  void limit(const Space& space, ArmsInstance& instance) override {
+    instance.random.startTick(space.tick);
     const std::array<double*, HandbotArmsState::kJoints> angles{
-        &seat.actuation->left.shoulder,  &seat.actuation->left.elbow,  &seat.actuation->left.wrist,
-        &seat.actuation->right.shoulder, &seat.actuation->right.elbow, &seat.actuation->right.wrist};
+        &instance.actuation->left.shoulder,  &instance.actuation->left.elbow,  &instance.actuation->left.wrist,
+        &instance.actuation->right.shoulder, &instance.actuation->right.elbow, &instance.actuation->right.wrist};
     for (std::size_t i = 0; i < angles.size(); ++i) {
       if (noise_ > 0.0) {
-        *angles[i] += seat.random.gaussian(0.0, noise_);
+        *angles[i] += instance.random.gaussian(0.0, noise_);
       }
-      const int index = seat.model->findJoint(HandbotArmsState::kNames[i]);
+      const int index = instance.model->findJoint(HandbotArmsState::kNames[i]);
       if (index >= 0) {
-        const EntityModel::Joint& joint = seat.model->joints[static_cast<std::size_t>(index)];
+        const EntityModel::Joint& joint = instance.model->joints[static_cast<std::size_t>(index)];
         *angles[i] = std::clamp(*angles[i], joint.lower, joint.upper);
       }
     }

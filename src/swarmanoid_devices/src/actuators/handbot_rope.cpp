@@ -29,11 +29,11 @@ class HandbotRopeActuator final : public ActuatorOf<HandbotRope> {
   }
 
  protected:
-  void limit(const Space& space, BasicActuatorSeat<HandbotRope>& seat) override {
-    double& speed = seat.actuation->winding_speed;
+  void limit(const Space& space, BasicActuatorInstance<HandbotRope>& instance) override {
+    double& speed = instance.actuation->winding_speed;
     if (noise_ > 0.0) {
-      seat.random.startTick(space.tick);
-      speed *= seat.random.gaussian(1.0, noise_);
+      instance.random.startTick(space.tick);
+      speed *= instance.random.gaussian(1.0, noise_);
     }
     speed = std::clamp(speed, -max_speed_, max_speed_);
   }

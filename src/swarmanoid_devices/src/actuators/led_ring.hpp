@@ -25,8 +25,8 @@ class LedRingActuator : public ActuatorOf<Leds> {
     return description;
   }
 
-  void apply(Space& space, BasicActuatorSeat<Leds>& seat) override {
-    std::copy(seat.actuation->ring.begin(), seat.actuation->ring.end(), space.ledsOf(seat.row));
+  void apply(Space& space, BasicActuatorInstance<Leds>& instance) override {
+    std::copy(instance.actuation->ring.begin(), instance.actuation->ring.end(), space.ledsOf(instance.row));
   }
 };
 

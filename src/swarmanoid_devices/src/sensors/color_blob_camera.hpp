@@ -14,7 +14,7 @@
 namespace swarmanoid::devices {
 
 template <class Camera>
-struct CameraSeat : BasicSensorSeat<Camera> {
+struct CameraInstance : BasicSensorInstance<Camera> {
   std::vector<ColorBlob> buffer;
   Mount mount;
   bool has_overflowed = false;          // as of the last tick, so that an overflow is one event, not one a tick
@@ -22,9 +22,9 @@ struct CameraSeat : BasicSensorSeat<Camera> {
 };
 
 template <class Camera>
-class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
+class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
  public:
-  using Seat = CameraSeat<Camera>;
+  using Instance = CameraInstance<Camera>;
 
   void configure(const Configuration& parameters) override {
     range_ = parameters.number("range", 1.0);
@@ -37,17 +37,17 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      senseOne(space, this->seats_[k]);
+      senseOne(space, this->instances_[k]);
     }
   }
 
   void report(Space& space) override {
-    for (Seat& seat : this->seats_) {
-      const bool overflowed = seat.readings->overflowed;
+    for (Instance& instance : this->instances_) {
+      const bool overflowed = instance.readings->overflowed;
       if (overflowed) {
-        noteOverflow(space, seat);
+        noteOverflow(space, instance);
       }
-      seat.has_overflowed = overflowed;
+      instance.has_overflowed = overflowed;
     }
   }
 
@@ -68,53 +68,53 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraSeat<Camera>> {
   virtual void configureView(const Configuration&) {}
   virtual double slope() const { return 0.0; }
 
-  void takeSeat(const Space& space, Seat& seat) override {
-    seat.buffer.resize(max_blobs_);
-    seat.mount = space.entities.model[static_cast<std::size_t>(seat.row)]->mount("camera");
+  void prepareInstance(const Space& space, Instance& instance) override {
+    instance.buffer.resize(max_blobs_);
+    instance.mount = space.entities.model[static_cast<std::size_t>(instance.row)]->mount("camera");
   }
 
  private:
-  void noteOverflow(Space& space, Seat& seat) const {
-    if (!seat.has_overflowed) {
-      const std::string& robot = space.entities.name[static_cast<std::size_t>(seat.row)];
+  void noteOverflow(Space& space, Instance& instance) const {
+    if (!instance.has_overflowed) {
+      const std::string& robot = space.entities.name[static_cast<std::size_t>(instance.row)];
       const std::string text = std::string(Camera::kType) + ": more than " + std::to_string(max_blobs_) + " blobs";
       space.events.push_back({Event::Kind::kOverflow, robot, "", text});
-      if (!seat.overflow) {
-        seat.overflow = overflowOf(space.overflows, robot, Camera::kType);
-        Overflow& overflow = space.overflows[*seat.overflow];
+      if (!instance.overflow) {
+        instance.overflow = overflowOf(space.overflows, robot, Camera::kType);
+        Overflow& overflow = space.overflows[*instance.overflow];
         if (overflow.readings == 0) {
           overflow.text = text;
           overflow.first_tick = space.tick;
         }
       }
     }
-    ++space.overflows[*seat.overflow].readings;
+    ++space.overflows[*instance.overflow].readings;
   }
 
-  void senseOne(const Space& space, Seat& seat) const {
-    const Pose& pose = space.entities.pose[static_cast<std::size_t>(seat.row)];
+  void senseOne(const Space& space, Instance& instance) const {
+    const Pose& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
     BlobView view;
-    view.self = seat.row;
-    view.position = pose.position + pose.orientation * seat.mount.position;
+    view.self = instance.row;
+    view.position = pose.position + pose.orientation * instance.mount.position;
     const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
     view.heading = std::atan2(ahead.y(), ahead.x());
     view.range = range_;
     view.slope = slope();
     view.sees_floor = sees_floor_;
-    const FoundBlobs found = findBlobs(space, view, seat.buffer.data(), max_blobs_);
-    seat.readings->overflowed = found.overflowed;
-    seat.readings->blobs = Span<const ColorBlob>(seat.buffer.data(), found.count);
+    const FoundBlobs found = findBlobs(space, view, instance.buffer.data(), max_blobs_);
+    instance.readings->overflowed = found.overflowed;
+    instance.readings->blobs = Span<const ColorBlob>(instance.buffer.data(), found.count);
     if (noise_distance_ > 0.0 || noise_bearing_ > 0.0) {
-      disturb(space, seat);
+      disturb(space, instance);
     }
   }
 
-  void disturb(const Space& space, Seat& seat) const {
-    seat.random.startTick(space.tick);
-    for (std::size_t i = 0; i < seat.readings->blobs.size(); ++i) {
-      ColorBlob& blob = seat.buffer[i];
-      blob.distance = static_cast<float>(std::max(0.0, blob.distance * seat.random.gaussian(1.0, noise_distance_)));
-      blob.bearing = toBearing(blob.bearing + seat.random.gaussian(0.0, noise_bearing_));
+  void disturb(const Space& space, Instance& instance) const {
+    instance.random.startTick(space.tick);
+    for (std::size_t i = 0; i < instance.readings->blobs.size(); ++i) {
+      ColorBlob& blob = instance.buffer[i];
+      blob.distance = static_cast<float>(std::max(0.0, blob.distance * instance.random.gaussian(1.0, noise_distance_)));
+      blob.bearing = toBearing(blob.bearing + instance.random.gaussian(0.0, noise_bearing_));
     }
   }
 

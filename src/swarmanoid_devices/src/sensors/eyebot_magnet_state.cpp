@@ -21,8 +21,8 @@ class EyebotMagnetStateSensor final : public SensorOf<EyebotMagnetState> {
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     using Kind = Attachment::Kind;
     for (std::size_t k = first; k < last; ++k) {
-      const Row row = seats_[k].row;
-      seats_[k].readings->attached = space.attachments.isAttached(row, Kind::kMagnet);
+      const Row row = instances_[k].row;
+      instances_[k].readings->attached = space.attachments.isAttached(row, Kind::kMagnet);
     }
   }
 };

@@ -20,7 +20,7 @@ class FootbotGripperStateSensor final : public SensorOf<FootbotGripperState> {
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      seats_[k].readings->gripping = space.structure.grippedBy(seats_[k].row) != kNoRow;
+      instances_[k].readings->gripping = space.structure.grippedBy(instances_[k].row) != kNoRow;
     }
   }
 };

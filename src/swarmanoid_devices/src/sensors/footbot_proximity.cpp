@@ -33,12 +33,12 @@ RingGeometry ringOf(const EntityModel& model) {
   return ring;
 }
 
-struct ProximitySeat : BasicSensorSeat<FootbotProximity> {
+struct ProximityInstance : BasicSensorInstance<FootbotProximity> {
   std::shared_ptr<const RingGeometry> ring;
   bool is_clear = true;  // all readings are 0
 };
 
-class FootbotProximitySensor final : public SensorOf<FootbotProximity, ProximitySeat> {
+class FootbotProximitySensor final : public SensorOf<FootbotProximity, ProximityInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -60,39 +60,39 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      senseOne(space, seats_[k]);
+      senseOne(space, instances_[k]);
       if (noise_ > 0.0) {
-        disturb(space, seats_[k]);
+        disturb(space, instances_[k]);
       }
     }
   }
 
  protected:
-  void takeSeat(const Space& space, ProximitySeat& seat) override {
-    const EntityModel* model = space.entities.model[static_cast<std::size_t>(seat.row)].get();
+  void prepareInstance(const Space& space, ProximityInstance& instance) override {
+    const EntityModel* model = space.entities.model[static_cast<std::size_t>(instance.row)].get();
     if (model != last_model_) {
       last_model_ = model;
       last_ring_ = std::make_shared<RingGeometry>(ringOf(*model));
     }
-    seat.ring = last_ring_;
+    instance.ring = last_ring_;
   }
 
  private:
-  void senseOne(const Space& space, ProximitySeat& seat) const {
-    const RingGeometry& ring = *seat.ring;
-    const Pose& pose = space.entities.pose[static_cast<std::size_t>(seat.row)];
+  void senseOne(const Space& space, ProximityInstance& instance) const {
+    const RingGeometry& ring = *instance.ring;
+    const Pose& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
     RayBundle rays;
     rays.centre = pose.position + pose.orientation * ring.centre;
     rays.radius = ring.radius + range_;
-    rays.ignored = seat.row;
+    rays.ignored = instance.row;
     if (!space.mayHit(rays)) {
-      if (!seat.is_clear) {
-        seat.readings->value.fill(0.0F);
-        seat.is_clear = true;
+      if (!instance.is_clear) {
+        instance.readings->value.fill(0.0F);
+        instance.is_clear = true;
       }
       return;
     }
-    seat.is_clear = false;
+    instance.is_clear = false;
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
     std::array<Segment, kCount> segments;
     std::array<RayHit, kCount> hits;
@@ -105,15 +105,15 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
     space.raycast(rays, Span<RayHit>(hits.data(), kCount));
     for (std::size_t i = 0; i < kCount; ++i) {
       const double closeness = 1.0 - hits[i].fraction;
-      seat.readings->value[i] = static_cast<float>(closeness * closeness * closeness);
+      instance.readings->value[i] = static_cast<float>(closeness * closeness * closeness);
     }
   }
 
-  void disturb(const Space& space, ProximitySeat& seat) const {
-    seat.random.startTick(space.tick);
-    seat.is_clear = false;
-    for (float& value : seat.readings->value) {
-      value = static_cast<float>(std::clamp(value + seat.random.uniform(-noise_, noise_), 0.0, 1.0));
+  void disturb(const Space& space, ProximityInstance& instance) const {
+    instance.random.startTick(space.tick);
+    instance.is_clear = false;
+    for (float& value : instance.readings->value) {
+      value = static_cast<float>(std::clamp(value + instance.random.uniform(-noise_, noise_), 0.0, 1.0));
     }
   }
 

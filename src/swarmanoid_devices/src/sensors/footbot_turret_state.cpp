@@ -6,11 +6,11 @@
 namespace swarmanoid::devices {
 namespace {
 
-struct TurretStateSeat : BasicSensorSeat<FootbotTurretState> {
+struct TurretStateInstance : BasicSensorInstance<FootbotTurretState> {
   int joint = -1;  // of the robot's model
 };
 
-class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, TurretStateSeat> {
+class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, TurretStateInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -31,25 +31,25 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      TurretStateSeat& seat = seats_[k];
-      if (seat.joint < 0) {
+      TurretStateInstance& instance = instances_[k];
+      if (instance.joint < 0) {
         continue;
       }
-      const JointState& state = space.jointsOf(seat.row)[seat.joint];
-      *seat.readings = {state.angle, state.speed, state.effort};
-      seat.random.startTick(space.tick);
+      const JointState& state = space.jointsOf(instance.row)[instance.joint];
+      *instance.readings = {state.angle, state.speed, state.effort};
+      instance.random.startTick(space.tick);
       if (noise_ > 0.0) {
-        seat.readings->angle = std::remainder(state.angle + seat.random.gaussian(0.0, noise_), 2.0 * M_PI);
+        instance.readings->angle = std::remainder(state.angle + instance.random.gaussian(0.0, noise_), 2.0 * M_PI);
       }
       if (noise_torque_ > 0.0) {
-        seat.readings->torque += seat.random.gaussian(0.0, noise_torque_);
+        instance.readings->torque += instance.random.gaussian(0.0, noise_torque_);
       }
     }
   }
 
  protected:
-  void takeSeat(const Space& space, TurretStateSeat& seat) override {
-    seat.joint = space.entities.model[static_cast<std::size_t>(seat.row)]->findJoint("turret");
+  void prepareInstance(const Space& space, TurretStateInstance& instance) override {
+    instance.joint = space.entities.model[static_cast<std::size_t>(instance.row)]->findJoint("turret");
   }
 
  private:

@@ -6,11 +6,11 @@
 namespace swarmanoid::devices {
 namespace {
 
-struct ArmsStateSeat : BasicSensorSeat<HandbotArmsState> {
+struct ArmsStateInstance : BasicSensorInstance<HandbotArmsState> {
   std::array<int, HandbotArmsState::kJoints> joints{};  ///< indices in the model
 };
 
-class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsStateSeat> {
+class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsStateInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -26,24 +26,24 @@ class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsState
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      ArmsStateSeat& seat = seats_[k];
-      seat.random.startTick(space.tick);
+      ArmsStateInstance& instance = instances_[k];
+      instance.random.startTick(space.tick);
       for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
-        if (seat.joints[i] < 0) {
+        if (instance.joints[i] < 0) {
           continue;
         }
-        const JointState& state = space.jointsOf(seat.row)[seat.joints[i]];
-        const double error = noise_ > 0.0 ? seat.random.gaussian(0.0, noise_) : 0.0;
-        seat.readings->joints[i] = {state.angle + error, state.speed, state.effort};
+        const JointState& state = space.jointsOf(instance.row)[instance.joints[i]];
+        const double error = noise_ > 0.0 ? instance.random.gaussian(0.0, noise_) : 0.0;
+        instance.readings->joints[i] = {state.angle + error, state.speed, state.effort};
       }
     }
   }
 
  protected:
-  void takeSeat(const Space& space, ArmsStateSeat& seat) override {
-    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(seat.row)];
+  void prepareInstance(const Space& space, ArmsStateInstance& instance) override {
+    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(instance.row)];
     for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
-      seat.joints[i] = model.findJoint(HandbotArmsState::kNames[i]);
+      instance.joints[i] = model.findJoint(HandbotArmsState::kNames[i]);
     }
   }
 

@@ -21,11 +21,11 @@ class HandbotHandsStateSensor final : public SensorOf<HandbotHandsState> {
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     using Kind = Attachment::Kind;
     for (std::size_t k = first; k < last; ++k) {
-      const Row row = seats_[k].row;
+      const Row row = instances_[k].row;
       const Attachment& left = space.attachments.of(row, Kind::kLeftHand);
       const Attachment& right = space.attachments.of(row, Kind::kRightHand);
-      seats_[k].readings->left = {left.held != kNoRow, left.force};
-      seats_[k].readings->right = {right.held != kNoRow, right.force};
+      instances_[k].readings->left = {left.held != kNoRow, left.force};
+      instances_[k].readings->right = {right.held != kNoRow, right.force};
     }
   }
 };

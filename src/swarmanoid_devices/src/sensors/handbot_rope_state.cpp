@@ -21,9 +21,9 @@ class HandbotRopeStateSensor final : public SensorOf<HandbotRopeState> {
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     using Kind = Attachment::Kind;
     for (std::size_t k = first; k < last; ++k) {
-      const Row row = seats_[k].row;
+      const Row row = instances_[k].row;
       const Attachment& rope = space.attachments.of(row, Kind::kRope);
-      *seats_[k].readings = {rope.held != kNoRow, rope.length, rope.force};
+      *instances_[k].readings = {rope.held != kNoRow, rope.length, rope.force};
     }
   }
 };

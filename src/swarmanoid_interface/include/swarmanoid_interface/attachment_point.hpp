@@ -70,17 +70,17 @@ class AttachmentPoint {
 
  private:
   using Key = std::pair<PluginKind, std::string>;
-  struct Seat {
+  struct Slot {
     Request request;
     std::shared_ptr<void> part;
     std::string refusal;
   };
-  const Seat& seat(PluginKind kind, const std::string& id) const;
+  const Slot& slot(PluginKind kind, const std::string& id) const;
   bool isDecided() const;
 
   mutable std::mutex mutex_;
   std::condition_variable changed_;
-  std::map<Key, Seat> seats_;
+  std::map<Key, Slot> slots_;
   std::mutex handler_mutex_;
   LossHandler loss_handler_;
 };

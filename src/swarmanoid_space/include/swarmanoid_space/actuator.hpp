@@ -3,7 +3,7 @@
 /// tick read.
 ///
 /// Phases   configure, add, remove, stop: between phases. actuate: the phase of this name. afterMove: in `connect`.
-/// Noise    drawn from the seat's own stream.
+/// Noise    drawn from the instance's own stream.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
 /// REGISTER_ACTUATOR. The struct has `bool isFinite() const`, and its initial value means "do nothing",
@@ -28,7 +28,7 @@ class Actuator {
   /// @throws ConfigError
   virtual void configure(const Configuration& parameters) = 0;
 
-  /// Gives a robot its seat. @return where it writes its command, for as long as it lives
+  /// Adds the instance of a robot. @return where it writes its command, for as long as it lives
   virtual void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
@@ -51,7 +51,7 @@ class Actuator {
 };
 
 template <class Device>
-struct BasicActuatorSeat {
+struct BasicActuatorInstance {
   Row row = kNoRow;
   EntityNumber number = kNoEntity;
   Device* command = nullptr;
@@ -59,51 +59,52 @@ struct BasicActuatorSeat {
   RandomStream random;
 };
 
-template <class Device, class Seat = BasicActuatorSeat<Device>>
+template <class Device, class Instance = BasicActuatorInstance<Device>>
 class ActuatorOf : public Actuator {
  public:
   void* add(Space& space, Row row) override {
-    Seat seat;
-    seat.row = row;
-    seat.number = space.entities.number[static_cast<std::size_t>(row)];
-    seat.command = &space.commands.template bank<Device>().add(row);
-    seat.actuation = &space.actuation.template bank<Device>().add(row);
-    seat.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
-    takeSeat(space, seat);
-    Device* command = seat.command;
-    seats_.push_back(std::move(seat));
+    Instance instance;
+    instance.row = row;
+    instance.number = space.entities.number[static_cast<std::size_t>(row)];
+    instance.command = &space.commands.template bank<Device>().add(row);
+    instance.actuation = &space.actuation.template bank<Device>().add(row);
+    instance.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
+    prepareInstance(space, instance);
+    Device* command = instance.command;
+    instances_.push_back(std::move(instance));
     return command;
   }
 
   void remove(Space& space, Row row) override {
     space.commands.template bank<Device>().remove(row);
     space.actuation.template bank<Device>().remove(row);
-    seats_.erase(std::remove_if(seats_.begin(), seats_.end(), [&](const Seat& seat) { return seat.row == row; }),
-                 seats_.end());
+    instances_.erase(std::remove_if(instances_.begin(), instances_.end(),
+                                    [&](const Instance& instance) { return instance.row == row; }),
+                     instances_.end());
   }
 
   void actuate(Space& space, std::vector<Row>& faulty) override {
-    for (Seat& seat : seats_) {
-      if (seat.command->isFinite()) {
-        *seat.actuation = *seat.command;
-        limit(space, seat);
+    for (Instance& instance : instances_) {
+      if (instance.command->isFinite()) {
+        *instance.actuation = *instance.command;
+        limit(space, instance);
       } else {
-        faulty.push_back(seat.row);
+        faulty.push_back(instance.row);
       }
-      apply(space, seat);
+      apply(space, instance);
     }
   }
 
   bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
     bool is_over = true;
-    for (Seat& seat : seats_) {
-      if (seat.row == row) {
-        if (!seat.command->isFinite()) {
-          *seat.command = *seat.actuation;
+    for (Instance& instance : instances_) {
+      if (instance.row == row) {
+        if (!instance.command->isFinite()) {
+          *instance.command = *instance.actuation;
         }
-        is_over = stopDevice(*seat.command, moment);
-        stopDevice(*seat.actuation, moment);
-        apply(space, seat);
+        is_over = stopDevice(*instance.command, moment);
+        stopDevice(*instance.actuation, moment);
+        apply(space, instance);
       }
     }
     return is_over;
@@ -112,14 +113,14 @@ class ActuatorOf : public Actuator {
  protected:
   ActuatorOf() : Actuator(Device::kType) {}
 
-  /// Last chance to prepare a new seat, such as from the entity's model.
-  virtual void takeSeat(const Space&, Seat&) {}
-  /// Limits and noise: changes seat.actuation, which starts as the command.
-  virtual void limit(const Space&, Seat&) {}
+  /// Last chance to prepare a new instance, such as from the entity's model.
+  virtual void prepareInstance(const Space&, Instance&) {}
+  /// Limits and noise: changes instance.actuation, which starts as the command.
+  virtual void limit(const Space&, Instance&) {}
   /// Carries an actuation out that needs no engine, such as the colour of LEDs.
-  virtual void apply(Space&, Seat&) {}
+  virtual void apply(Space&, Instance&) {}
 
-  std::vector<Seat> seats_;
+  std::vector<Instance> instances_;
 
  private:
   static bool stopDevice(Device& device, const SafeStopMoment& moment) {

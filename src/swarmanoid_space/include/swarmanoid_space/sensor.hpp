@@ -2,8 +2,8 @@
 /// space and fills their readings, the structs of swarmanoid_interface/devices.
 ///
 /// Phases   configure, add, remove: between ticks. sense: the phase of this name; sees the space const.
-/// Threads  sense is called at once on disjoint ranges of seats. No allocation, lock, log or throw in it.
-/// Noise    drawn from the seat's own stream, so it does not depend on who else senses.
+/// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
+/// Noise    drawn from the instance's own stream, so it does not depend on who else senses.
 ///
 /// To add a sensor: write its struct in an interface header, derive from SensorOf<Struct>, end with REGISTER_SENSOR.
 #pragma once
@@ -25,12 +25,12 @@ class Sensor {
   /// @throws ConfigError
   virtual void configure(const Configuration& parameters) = 0;
 
-  /// Gives a robot its seat. @return where its readings will be, for as long as the robot lives
+  /// Adds the instance of a robot. @return where its readings will be, for as long as the robot lives
   virtual const void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
-  virtual std::size_t seatCount() const = 0;
-  /// Refreshes the readings of seats first .. last - 1, which are in the order of entity numbers.
+  virtual std::size_t instanceCount() const = 0;
+  /// Refreshes the readings of instances first .. last - 1, which are in the order of entity numbers.
   virtual void sense(const Space& space, std::size_t first, std::size_t last) = 0;
   /// After all ranges are sensed, on one thread: events such as an overflow.
   virtual void report(Space&) {}
@@ -44,46 +44,49 @@ class Sensor {
   const char* type_;
 };
 
-/// A sensor whose readings are a `Device`. `Seat` may be replaced by a struct that derives from BasicSeat and has more.
+/// The sensor of one robot, in the bank of its type.
 template <class Device>
-struct BasicSensorSeat {
+struct BasicSensorInstance {
   Row row = kNoRow;
   EntityNumber number = kNoEntity;
   Device* readings = nullptr;
   RandomStream random;
 };
 
-template <class Device, class Seat = BasicSensorSeat<Device>>
+/// A sensor whose readings are a `Device`. `Instance` may be replaced by a struct that derives from BasicSensorInstance
+/// and has more.
+template <class Device, class Instance = BasicSensorInstance<Device>>
 class SensorOf : public Sensor {
  public:
   const void* add(Space& space, Row row) override {
-    Seat seat;
-    seat.row = row;
-    seat.number = space.entities.number[static_cast<std::size_t>(row)];
-    seat.readings = &space.readings.template bank<Device>().add(row);
-    seat.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
-    takeSeat(space, seat);
-    const Device* readings = seat.readings;
+    Instance instance;
+    instance.row = row;
+    instance.number = space.entities.number[static_cast<std::size_t>(row)];
+    instance.readings = &space.readings.template bank<Device>().add(row);
+    instance.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
+    prepareInstance(space, instance);
+    const Device* readings = instance.readings;
     // entity numbers only grow, so the order is kept
-    seats_.push_back(std::move(seat));
+    instances_.push_back(std::move(instance));
     return readings;
   }
 
   void remove(Space& space, Row row) override {
     space.readings.template bank<Device>().remove(row);
-    seats_.erase(std::remove_if(seats_.begin(), seats_.end(), [&](const Seat& seat) { return seat.row == row; }),
-                 seats_.end());
+    instances_.erase(std::remove_if(instances_.begin(), instances_.end(),
+                                    [&](const Instance& instance) { return instance.row == row; }),
+                     instances_.end());
   }
 
-  std::size_t seatCount() const override { return seats_.size(); }
+  std::size_t instanceCount() const override { return instances_.size(); }
 
  protected:
   SensorOf() : Sensor(Device::kType) {}
 
-  /// Last chance to prepare a new seat, such as from the entity's model.
-  virtual void takeSeat(const Space&, Seat&) {}
+  /// Last chance to prepare a new instance, such as from the entity's model.
+  virtual void prepareInstance(const Space&, Instance&) {}
 
-  std::vector<Seat> seats_;
+  std::vector<Instance> instances_;
 };
 
 }  // namespace swarmanoid

@@ -65,8 +65,8 @@ struct RobotInstance {
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };
 
-/// One engine that holds an entity, and its role there.
-struct Seat {
+/// The membership of an entity in one engine, and its role there.
+struct Membership {
   Engine* engine = nullptr;
   Role role = Role::kMove;
   bool is_listed =
@@ -90,9 +90,9 @@ struct Simulation::Cast {
   Workers workers;
   std::vector<Named<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
-  std::vector<RobotInstance> robots;      ///< by entity number
-  std::vector<std::vector<Seat>> seats;   ///< by entity row
-  std::vector<HandoverTrigger> triggers;  ///< by entity number, then as in the file
+  std::vector<RobotInstance> robots;                 ///< by entity number
+  std::vector<std::vector<Membership>> memberships;  ///< by entity row
+  std::vector<HandoverTrigger> triggers;             ///< by entity number, then as in the file
   std::vector<Viewer> viewers;
   std::vector<Row> faulty;  ///< scratch of `actuate`
   Lockstep lockstep;

@@ -12,8 +12,9 @@ const ControllerGroup* groupOf(const std::vector<RobotInstance>& instances, Row 
   return instance == instances.end() ? nullptr : instance->group;
 }
 
-std::string problemOf(const Space& space, const std::vector<RobotInstance>& instances, const std::vector<Seat>& seats,
-                      const std::vector<Row>& members, Row row, const Engine& engine) {
+std::string problemOf(const Space& space, const std::vector<RobotInstance>& instances,
+                      const std::vector<Membership>& memberships, const std::vector<Row>& members, Row row,
+                      const Engine& engine) {
   const auto i = static_cast<std::size_t>(row);
   const EntityModel& model = *space.entities.model[i];
   const Pose& pose = space.entities.pose[i];
@@ -23,7 +24,7 @@ std::string problemOf(const Space& space, const std::vector<RobotInstance>& inst
   const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
   std::string problem = engine.invalidPoseReason(*posed, pose);
   if (problem.empty()) {
-    problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(instances, row)), seats);
+    problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(instances, row)), memberships);
   }
   if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
     problem = engine.unsupportedGripReason(space, row);
@@ -39,14 +40,14 @@ std::string problemOf(const Space& space, const std::vector<RobotInstance>& inst
 }
 
 /// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
-Engine* takeOut(Space& space, const std::vector<Seat>& seats, Row row, const Engine& target) {
+Engine* takeOut(Space& space, const std::vector<Membership>& memberships, Row row, const Engine& target) {
   Engine*& mover = space.mover[static_cast<std::size_t>(row)];
-  for (const Seat& seat : seats) {
-    if (seat.engine == mover || seat.engine == &target) {
-      seat.engine->remove(space, row);
+  for (const Membership& membership : memberships) {
+    if (membership.engine == mover || membership.engine == &target) {
+      membership.engine->remove(space, row);
     }
   }
-  if (seats.empty()) {
+  if (memberships.empty()) {
     auto& lone = space.entities_without_engine;
     lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
   }
@@ -56,32 +57,33 @@ Engine* takeOut(Space& space, const std::vector<Seat>& seats, Row row, const Eng
 }
 
 /// The roles in which the engines hold the entity from now on.
-void changeSeats(std::vector<Seat>& seats, const Engine* former, Engine& target) {
-  const auto find = [&seats](const Engine* engine) {
-    return std::find_if(seats.begin(), seats.end(), [engine](const Seat& seat) { return seat.engine == engine; });
+void changeMemberships(std::vector<Membership>& memberships, const Engine* former, Engine& target) {
+  const auto find = [&memberships](const Engine* engine) {
+    return std::find_if(memberships.begin(), memberships.end(),
+                        [engine](const Membership& membership) { return membership.engine == engine; });
   };
   const auto left = find(former);
-  if (left != seats.end()) {
+  if (left != memberships.end()) {
     left->role = Role::kMirror;
     if (!left->is_listed) {
-      seats.erase(left);
+      memberships.erase(left);
     }
   }
   const auto taken = find(&target);
-  if (taken != seats.end()) {
+  if (taken != memberships.end()) {
     taken->role = Role::kMove;
   } else {
-    seats.push_back({&target, Role::kMove, false});
+    memberships.push_back({&target, Role::kMove, false});
   }
 }
 
 }  // namespace
 
-void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, Engine& engine) {
+void refreshMirrors(Space& space, const std::vector<std::vector<Membership>>& memberships, Engine& engine) {
   for (const Row row : space.entities.order) {
     const auto i = static_cast<std::size_t>(row);
-    for (const Seat& seat : seats[i]) {
-      if (seat.engine == &engine && seat.role == Role::kMirror && space.entities.model[i]->is_movable) {
+    for (const Membership& membership : memberships[i]) {
+      if (membership.engine == &engine && membership.role == Role::kMirror && space.entities.model[i]->is_movable) {
         engine.place(space, row);
       }
     }
@@ -89,11 +91,13 @@ void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, E
 }
 
 std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
-                                const std::vector<Seat>& seats) {
+                                const std::vector<Membership>& memberships) {
   std::vector<std::string> needed = devices;
   for (const std::string& device : idleDevices(engine, model, devices)) {
-    const auto simulatesIt = [&](const Seat& seat) { return seat.engine->unsupportedReason(model, {device}).empty(); };
-    if (std::any_of(seats.begin(), seats.end(), simulatesIt)) {
+    const auto simulatesIt = [&](const Membership& membership) {
+      return membership.engine->unsupportedReason(model, {device}).empty();
+    };
+    if (std::any_of(memberships.begin(), memberships.end(), simulatesIt)) {
       needed.erase(std::find(needed.begin(), needed.end(), device));
     }
   }
@@ -110,11 +114,11 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
 }
 
 std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
-                            const std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members, Row row,
-                            const Engine& engine) {
+                            const std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members,
+                            Row row, const Engine& engine) {
   for (const Row member : members) {
     const std::string problem =
-        problemOf(space, instances, seats[static_cast<std::size_t>(member)], members, member, engine);
+        problemOf(space, instances, memberships[static_cast<std::size_t>(member)], members, member, engine);
     if (!problem.empty()) {
       const auto i = static_cast<std::size_t>(member);
       const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "': ";
@@ -124,16 +128,17 @@ std::string handoverProblem(const Space& space, const std::vector<RobotInstance>
   return "";
 }
 
-void commitHandover(Space& space, const std::vector<RobotInstance>& instances, std::vector<std::vector<Seat>>& seats,
-                    const std::vector<Row>& members, Engine& engine, std::vector<Event>& events) {
+void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
+                    std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
+                    std::vector<Event>& events) {
   std::vector<Engine*> former;
   former.reserve(members.size());
   for (const Row row : members) {
-    former.push_back(takeOut(space, seats[static_cast<std::size_t>(row)], row, engine));
+    former.push_back(takeOut(space, memberships[static_cast<std::size_t>(row)], row, engine));
   }
   for (std::size_t k = 0; k < members.size(); ++k) {
     const auto i = static_cast<std::size_t>(members[k]);
-    changeSeats(seats[i], former[k], engine);
+    changeMemberships(memberships[i], former[k], engine);
     space.mover[i] = &engine;
     engine.add(space, members[k], Role::kMove);
     std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id();
@@ -143,8 +148,8 @@ void commitHandover(Space& space, const std::vector<RobotInstance>& instances, s
   }
   // only now, so that nobody takes half a structure for a mirror and the other half for its own
   for (std::size_t k = 0; k < members.size(); ++k) {
-    for (const Seat& seat : seats[static_cast<std::size_t>(members[k])]) {
-      if (seat.engine == former[k]) {
+    for (const Membership& membership : memberships[static_cast<std::size_t>(members[k])]) {
+      if (membership.engine == former[k]) {
         former[k]->add(space, members[k], Role::kMirror);
       }
     }

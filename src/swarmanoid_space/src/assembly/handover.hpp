@@ -9,13 +9,13 @@
 namespace swarmanoid {
 
 /// Puts the engine's mirrors where their entities are now, else it would decide by where they were a tick ago.
-void refreshMirrors(Space& space, const std::vector<std::vector<Seat>>& seats, Engine& engine);
+void refreshMirrors(Space& space, const std::vector<std::vector<Membership>>& memberships, Engine& engine);
 
 /// Why the engine cannot move such an entity with these devices; "" if it can. A device that it cannot simulate, but
 /// that may stand idle, is no reason if another of the engines that hold the entity can simulate it.
-/// @param seats in which the engines hold the entity, or will
+/// @param memberships of the entity in engines, as they are or will be
 std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
-                                const std::vector<Seat>& seats);
+                                const std::vector<Membership>& memberships);
 
 /// Those of a robot's devices that stand idle while the engine moves it.
 std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& model,
@@ -26,13 +26,14 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
 /// @pre its mirrors are refreshed
 /// @param row the member that it is about; what hinders another one is told with that one's name
 std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
-                            const std::vector<std::vector<Seat>>& seats, const std::vector<Row>& members, Row row,
-                            const Engine& engine);
+                            const std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members,
+                            Row row, const Engine& engine);
 
 /// Lets the engine take charge of them. @param members parents before children @param events get one for each of them
 /// @pre no problem
-void commitHandover(Space& space, const std::vector<RobotInstance>& instances, std::vector<std::vector<Seat>>& seats,
-                    const std::vector<Row>& members, Engine& engine, std::vector<Event>& events);
+void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
+                    std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
+                    std::vector<Event>& events);
 
 /// Whether the condition of a rule is true for an entity now.
 bool holds(const HandoverDescription& rule, const Space& space, Row row);

@@ -164,9 +164,9 @@ void checkPosition(const std::string& what, const Eigen::Vector3d& position, con
          "in the arena, from 0, 0, " + numberText(lowest) + " to " + textOf(arena.size));
 }
 
-std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& claims,
-                        const std::vector<Named<Engine>>& engines) {
-  std::vector<Seat> seats;
+std::vector<Membership> memberships(const std::string& entity, const std::vector<Claim>& claims,
+                                    const std::vector<Named<Engine>>& engines) {
+  std::vector<Membership> memberships;
   bool is_moved = false;
   const bool has_mover =
       std::any_of(claims.begin(), claims.end(), [](const Claim& claim) { return claim.role == Role::kMove; });
@@ -180,7 +180,8 @@ std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& cla
       }
       throw ConfigError(claim.location, experiment::unknownName("the engine", claim.engine, known));
     }
-    if (std::any_of(seats.begin(), seats.end(), [&](const Seat& seat) { return seat.engine == found->get(); })) {
+    if (std::any_of(memberships.begin(), memberships.end(),
+                    [&](const Membership& membership) { return membership.engine == found->get(); })) {
       throw ConfigError(claim.location,
                         "found the entity '" + entity + "' twice in the engine '" + claim.engine + "', allowed: once");
     }
@@ -191,9 +192,9 @@ std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& cla
                         "found a second role=\"move\" for the entity '" + entity + "', allowed: one engine moves it");
     }
     is_moved = is_moved || role == Role::kMove;
-    seats.push_back({found->get(), role});
+    memberships.push_back({found->get(), role});
   }
-  return seats;
+  return memberships;
 }
 
 }  // namespace swarmanoid::door

@@ -31,9 +31,9 @@ struct Claim {
   SourceLocation location;
 };
 
-/// The seats of an entity.
+/// The memberships of an entity.
 /// @throws ConfigError for an engine that does not exist or stands there twice, and for two that would move the entity
-std::vector<Seat> seats(const std::string& entity, const std::vector<Claim>& claims,
-                        const std::vector<Named<Engine>>& engines);
+std::vector<Membership> memberships(const std::string& entity, const std::vector<Claim>& claims,
+                                    const std::vector<Named<Engine>>& engines);
 
 }  // namespace swarmanoid::door

@@ -7,16 +7,16 @@ namespace swarmanoid::phases {
 namespace {
 
 void attempt(Space& space, const std::vector<RobotInstance>& instances, HandoverTrigger& trigger,
-             std::vector<std::vector<Seat>>& seats) {
+             std::vector<std::vector<Membership>>& memberships) {
   if (space.mover[static_cast<std::size_t>(trigger.row)] == trigger.engine) {
     trigger.is_due = false;
     return;
   }
   const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, trigger.row);
-  refreshMirrors(space, seats, *trigger.engine);
-  const std::string problem = handoverProblem(space, instances, seats, members, trigger.row, *trigger.engine);
+  refreshMirrors(space, memberships, *trigger.engine);
+  const std::string problem = handoverProblem(space, instances, memberships, members, trigger.row, *trigger.engine);
   if (problem.empty()) {
-    commitHandover(space, instances, seats, members, *trigger.engine, space.events);
+    commitHandover(space, instances, memberships, members, *trigger.engine, space.events);
     trigger.is_due = false;
   } else if (!trigger.is_refused) {
     trigger.is_refused = true;  // reported once; tried again each tick, for what is in the way may go
@@ -28,7 +28,7 @@ void attempt(Space& space, const std::vector<RobotInstance>& instances, Handover
 }  // namespace
 
 void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
-              std::vector<std::vector<Seat>>& seats) {
+              std::vector<std::vector<Membership>>& memberships) {
   for (HandoverTrigger& trigger : triggers) {
     if (space.entities.number[static_cast<std::size_t>(trigger.row)] != trigger.number) {
       continue;  // deleted; another entity may have its row now
@@ -40,7 +40,7 @@ void handOver(Space& space, const std::vector<RobotInstance>& instances, std::ve
     }
     trigger.was_true = is_true;
     if (trigger.is_due) {
-      attempt(space, instances, trigger, seats);
+      attempt(space, instances, trigger, memberships);
     }
   }
 }

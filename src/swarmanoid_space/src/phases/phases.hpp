@@ -39,7 +39,7 @@ void connect(Space& space, const std::vector<Named<Engine>>& engines,
 
 /// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
 void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
-              std::vector<std::vector<Seat>>& seats);
+              std::vector<std::vector<Membership>>& memberships);
 
 /// The positional index learns the new poses; who has left the arena is noted.
 void index(Space& space);

@@ -158,7 +158,7 @@ void Simulation::buildBoundary() {
   }
   constexpr double kThickness = 0.1;
   const Eigen::Vector3d& size = experiment_.arena.size;
-  std::vector<Seat> everywhere;
+  std::vector<Membership> everywhere;
   for (const auto& engine : cast_->engines) {
     everywhere.push_back({engine.get(), Role::kMove});
   }
@@ -191,16 +191,16 @@ void Simulation::buildEntities() {
   }
   for (const EntityDescription& entity : experiment_.arena.entities) {
     door::check(entity, experiment_);
-    const std::vector<Seat> seats = door::seats(entity.id, claims[entity.id], cast_->engines);
+    const std::vector<Membership> memberships = door::memberships(entity.id, claims[entity.id], cast_->engines);
     if (entity.distribution) {
-      distribute(entity, seats);
+      distribute(entity, memberships);
     } else {
-      addEntity(entity, seats);
+      addEntity(entity, memberships);
     }
   }
 }
 
-void Simulation::distribute(const EntityDescription& group, const std::vector<Seat>& seats) {
+void Simulation::distribute(const EntityDescription& group, const std::vector<Membership>& memberships) {
   const Distribution& distribution = *group.distribution;
   const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, group.type));
   const auto model = type->makeModel(group.parameters);
@@ -234,11 +234,11 @@ void Simulation::distribute(const EntityDescription& group, const std::vector<Se
         entity.angles.z() = random.uniform(-M_PI, M_PI);
       }
       const Pose pose{entity.position, orientationFromAngles(entity.angles)};
-      placed = is_grid || std::none_of(seats.begin(), seats.end(), [&](const Seat& seat) {
-                 return seat.engine->overlap(*model, pose, kNoRow) != kNoRow;
+      placed = is_grid || std::none_of(memberships.begin(), memberships.end(), [&](const Membership& membership) {
+                 return membership.engine->overlap(*model, pose, kNoRow) != kNoRow;
                });
     }
-    addEntity(entity, seats);
+    addEntity(entity, memberships);
   }
 }
 

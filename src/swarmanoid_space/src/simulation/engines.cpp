@@ -114,9 +114,9 @@ std::vector<EngineReport> Simulation::engineReports() const {
         continue;
       }
       report.moved += space_.mover[k] == engine ? 1 : 0;
-      report.mirrored +=
-          static_cast<std::size_t>(std::count_if(cast_->seats[k].begin(), cast_->seats[k].end(), [&](const Seat& seat) {
-            return seat.engine == engine && seat.role == Role::kMirror;
+      report.mirrored += static_cast<std::size_t>(
+          std::count_if(cast_->memberships[k].begin(), cast_->memberships[k].end(), [&](const Membership& membership) {
+            return membership.engine == engine && membership.role == Role::kMirror;
           }));
     }
     reports.push_back(std::move(report));

@@ -33,18 +33,18 @@ std::vector<std::string> devicesOf(const ControllerGroup* group) {
 }
 
 void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                                const std::vector<Seat>& seats) const {
+                                const std::vector<Membership>& memberships) const {
   const std::vector<std::string> devices = devicesOf(cast_->findGroup(entity.controller));
-  for (const Seat& seat : seats) {
-    const std::string in_engine = "' in engine '" + seat.engine->id() + "': ";
-    std::string problem = seat.engine->invalidPoseReason(model, pose);
-    if (problem.empty() && seat.role == Role::kMove) {
-      problem = unsupportedReasonOf(*seat.engine, model, devices, seats);
+  for (const Membership& membership : memberships) {
+    const std::string in_engine = "' in engine '" + membership.engine->id() + "': ";
+    std::string problem = membership.engine->invalidPoseReason(model, pose);
+    if (problem.empty() && membership.role == Role::kMove) {
+      problem = unsupportedReasonOf(*membership.engine, model, devices, memberships);
     }
     if (!problem.empty()) {
       throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);
     }
-    const Row other = seat.engine->overlap(model, pose, space_.entities.find(entity.id));
+    const Row other = membership.engine->overlap(model, pose, space_.entities.find(entity.id));
     if (other != kNoRow) {
       throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + "overlaps '" +
                                              space_.entities.name[static_cast<std::size_t>(other)] + "'");
@@ -52,14 +52,14 @@ void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityMod
   }
 }
 
-Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Seat>& seats) {
+Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Membership>& memberships) {
   if (space_.entities.find(entity.id) != kNoRow) {
     throw ConfigError(entity.location, "an entity '" + entity.id + "' exists already");
   }
   const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, entity.type));
   const auto model = type->makeModel(entity.parameters);
   const Pose pose{entity.position, orientationFromAngles(entity.angles)};
-  refuseBadPlace(entity, *model, pose, seats);
+  refuseBadPlace(entity, *model, pose, memberships);
 
   const Row row = space_.entities.add(entity.id, model, pose, entity.color);
   const auto i = static_cast<std::size_t>(row);
@@ -69,8 +69,8 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Sea
   space_.outside[i] = 0;
   space_.mover[i] = nullptr;
   space_.controllers[i] = ControllerState{};
-  cast_->seats.resize(space_.entities.rowCount());
-  cast_->seats[i].clear();
+  cast_->memberships.resize(space_.entities.rowCount());
+  cast_->memberships[i].clear();
   try {
     if (!entity.controller.empty()) {
       giveController(row, entity);
@@ -79,15 +79,15 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Sea
     removeEntity(row);
     throw;
   }
-  for (const Seat& seat : seats) {
-    callPlugin("add", cast_->partOf(*seat.engine), UserCode::kNoTick,
-               [&] { seat.engine->add(space_, row, seat.role); });
-    cast_->seats[i].push_back(seat);
-    if (seat.role == Role::kMove) {
-      space_.mover[i] = seat.engine;
+  for (const Membership& membership : memberships) {
+    callPlugin("add", cast_->partOf(*membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->add(space_, row, membership.role); });
+    cast_->memberships[i].push_back(membership);
+    if (membership.role == Role::kMove) {
+      space_.mover[i] = membership.engine;
     }
   }
-  if (seats.empty()) {
+  if (memberships.empty()) {
     space_.entities_without_engine.push_back(row);
   }
   return row;
@@ -161,10 +161,11 @@ void Simulation::removeEntity(Row row) {
   space_.controllers[i] = ControllerState{};
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
-  for (const Seat& seat : cast_->seats[i]) {
-    callPlugin("remove", cast_->partOf(*seat.engine), UserCode::kNoTick, [&] { seat.engine->remove(space_, row); });
+  for (const Membership& membership : cast_->memberships[i]) {
+    callPlugin("remove", cast_->partOf(*membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->remove(space_, row); });
   }
-  cast_->seats[i].clear();
+  cast_->memberships[i].clear();
   space_.mover[i] = nullptr;
   auto& lone = space_.entities_without_engine;
   lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
@@ -180,7 +181,7 @@ void Simulation::unbuild() {
     engine->clear();
   }
   cast_->groups.clear();
-  cast_->seats.clear();
+  cast_->memberships.clear();
   cast_->triggers.clear();
   space_.entities.clear();
   space_.structure.clear();

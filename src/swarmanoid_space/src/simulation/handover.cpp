@@ -62,14 +62,14 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
     return;
   }
   const std::vector<Row> members = connectedTo(space_.entities, space_.structure, space_.attachments, row);
-  refreshMirrors(space_, cast_->seats, *engine);
-  const std::string problem = handoverProblem(space_, cast_->robots, cast_->seats, members, row, *engine);
+  refreshMirrors(space_, cast_->memberships, *engine);
+  const std::string problem = handoverProblem(space_, cast_->robots, cast_->memberships, members, row, *engine);
   if (!problem.empty()) {
     throw ConfigError({}, space_.entities.model[i]->type + " '" + name + "' cannot be handed over to engine '" +
                               engine_id + "': " + problem);
   }
   pending_events_.push_back({Event::Kind::kIntervention, name, "", "handover to " + engine_id});
-  commitHandover(space_, cast_->robots, cast_->seats, members, *engine, pending_events_);
+  commitHandover(space_, cast_->robots, cast_->memberships, members, *engine, pending_events_);
 }
 
 void Simulation::buildTriggers() {
@@ -87,10 +87,10 @@ void Simulation::buildTriggers() {
       const auto i = static_cast<std::size_t>(row);
       const EntityModel& model = *space_.entities.model[i];
       RobotInstance* instance = cast_->findRobot(space_.entities, row);
-      std::string problem =
-          model.is_movable
-              ? unsupportedReasonOf(*engine, model, devicesOf(instance ? instance->group : nullptr), cast_->seats[i])
-              : "is fixed, no engine moves it";
+      std::string problem = model.is_movable
+                                ? unsupportedReasonOf(*engine, model, devicesOf(instance ? instance->group : nullptr),
+                                                      cast_->memberships[i])
+                                : "is fixed, no engine moves it";
       if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && instance == nullptr) {
         problem = "has no controller, so it has no debug values";
       }

@@ -12,12 +12,12 @@ void Simulation::spawn(const EntityDescription& entity, const std::vector<std::s
   for (const std::string& engine : engines) {
     claims.push_back({engine, std::nullopt, entity.location});
   }
-  const std::vector<Seat> seats = door::seats(entity.id, claims, cast_->engines);
+  const std::vector<Membership> memberships = door::memberships(entity.id, claims, cast_->engines);
   if (space_.entities.size() >= limits::kMostEntities) {
     throw ConfigError(entity.location, "found " + std::to_string(space_.entities.size()) +
                                            " entities in the arena already, allowed: no more");
   }
-  addEntity(entity, seats);
+  addEntity(entity, memberships);
   offerRobots();
   space_.index.rebuild(space_.entities);
   pending_events_.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});
@@ -49,14 +49,14 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   EntityDescription entity;
   entity.id = name;
   entity.type = space_.entities.model[i]->type;
-  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target, cast_->seats[i]);
+  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target, cast_->memberships[i]);
   // what is connected would be torn apart
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
   space_.entities.pose[i] = target;
   space_.entities.twist[i] = Twist{};
-  for (const Seat& seat : cast_->seats[i]) {
-    seat.engine->place(space_, row);
+  for (const Membership& membership : cast_->memberships[i]) {
+    membership.engine->place(space_, row);
   }
   space_.index.rebuild(space_.entities);
   pending_events_.push_back({Event::Kind::kMoved, name, "", ""});

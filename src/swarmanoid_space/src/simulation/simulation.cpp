@@ -55,7 +55,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phases::move(space_, cast_->engines, cast_->workers, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
   phases::connect(space_, cast_->engines, cast_->groups);
-  phases::handOver(space_, cast_->robots, cast_->triggers, cast_->seats);
+  phases::handOver(space_, cast_->robots, cast_->triggers, cast_->memberships);
   stopwatch.lap(phase_times_.connect);
   phases::index(space_);
   stopwatch.lap(phase_times_.index);

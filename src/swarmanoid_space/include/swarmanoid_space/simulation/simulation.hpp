@@ -64,7 +64,7 @@ struct EngineReport {
 
 class Lockstep;
 struct RobotInstance;
-struct Seat;  // one engine that holds an entity, and its role there (src/cast.hpp)
+struct Membership;  // of an entity in one engine, with its role there (src/cast.hpp)
 
 class Simulation {
  public:
@@ -167,7 +167,7 @@ class Simulation {
   void buildEntities();
   void buildBoundary();
   void buildTriggers();
-  void distribute(const EntityDescription& group, const std::vector<Seat>& seats);
+  void distribute(const EntityDescription& group, const std::vector<Membership>& memberships);
   void noteFailures();
   void logNewOverflows();
   void unbuild();
@@ -175,8 +175,8 @@ class Simulation {
   /// Its place in the experiment. @throws ConfigError if there is none
   std::size_t engineIndex(const std::string& id) const;
   void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                      const std::vector<Seat>& seats) const;
-  Row addEntity(const EntityDescription& entity, const std::vector<Seat>& seats);
+                      const std::vector<Membership>& memberships) const;
+  Row addEntity(const EntityDescription& entity, const std::vector<Membership>& memberships);
   void giveController(Row row, const EntityDescription& entity);
   void destroyController(RobotInstance& instance);
   void removeEntity(Row row);
