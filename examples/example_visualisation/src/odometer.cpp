@@ -7,7 +7,7 @@ using swarmanoid::Configuration;
 using swarmanoid::Parameter;
 using swarmanoid::Space;
 
-class Odometer final : public swarmanoid::Visualisation {
+class Odometer final : public swarmanoid::Observer {
  public:
   static swarmanoid::PluginDescription describe() {
     Parameter entity;
@@ -73,4 +73,4 @@ class Odometer final : public swarmanoid::Visualisation {
   bool is_under_way_ = false;
 };
 
-REGISTER_VISUALISATION(Odometer)
+REGISTER_OBSERVER(Odometer)

@@ -2,7 +2,7 @@
 // which the eyebot chose, where one chooses.
 #include <string>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid {
 
@@ -10,7 +10,7 @@ namespace {
 constexpr const char* kNobodyChooses = "none";
 }
 
-class RetrievalMonitor final : public Visualisation {
+class RetrievalMonitor final : public Observer {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -108,4 +108,4 @@ class RetrievalMonitor final : public Visualisation {
 
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::RetrievalMonitor)
+REGISTER_OBSERVER(swarmanoid::RetrievalMonitor)

@@ -5,11 +5,11 @@
 #include <set>
 #include <string>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid {
 
-class VerdictMonitor final : public Visualisation {
+class VerdictMonitor final : public Observer {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -87,4 +87,4 @@ class VerdictMonitor final : public Visualisation {
 
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::VerdictMonitor)
+REGISTER_OBSERVER(swarmanoid::VerdictMonitor)

@@ -279,8 +279,8 @@ TEST(NumbersTest, AllHaveBounds) {
           << where << " " << parameter.name;
     }
   };
-  for (const PluginKind kind : {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine, PluginKind::kEntity,
-                                PluginKind::kVisualisation}) {
+  for (const PluginKind kind :
+       {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine, PluginKind::kEntity, PluginKind::kObserver}) {
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
       if (entry->description.label == "opengl_render") {
         continue;  // accepted without effect

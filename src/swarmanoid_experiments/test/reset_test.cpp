@@ -92,7 +92,7 @@ TEST(ResetTest, AFailedControllerTriesAgain) {
 }
 
 /// What has happened, as the first draw of each run sees it.
-class FirstSight final : public Visualisation {
+class FirstSight final : public Observer {
  public:
   explicit FirstSight(std::vector<Event>& events) : events_(events) {}
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
@@ -113,7 +113,7 @@ TEST(ResetTest, WhoFailsInDestroyFailsInTheRunThatBegins) {
   world.drive = "<left>2</left><right>2</right><throws_when_it_goes>true</throws_when_it_goes>";
   auto simulation = world.make();
   std::vector<Event> events;
-  simulation->addVisualisation(std::make_shared<FirstSight>(events));
+  simulation->addObserver(std::make_shared<FirstSight>(events));
   simulation->start();
   EXPECT_TRUE(events.empty());
   hashesOf(*simulation, 10);

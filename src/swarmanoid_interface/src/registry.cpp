@@ -25,7 +25,7 @@ const char* toString(PluginKind kind) {
       return "actuator";
     case PluginKind::kEngine:
       return "engine";
-    case PluginKind::kVisualisation:
+    case PluginKind::kObserver:
       return "visualisation";
     case PluginKind::kEntity:
       return "entity";

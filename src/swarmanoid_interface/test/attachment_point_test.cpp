@@ -55,16 +55,16 @@ TEST(AttachmentPointTest, NamesWhoIsMissing) {
 TEST(AttachmentPointTest, PartsMayComeAndGoWhileItRuns) {
   const auto point = openWithTwo("/space");
   const auto part = std::make_shared<int>(7);
-  EXPECT_NE("", messageOf([&] { point->attach(PluginKind::kVisualisation, "fb_9", part); }));
-  point->expect({PluginKind::kVisualisation, "fb_9", "device_topics", {}});
-  point->expect({PluginKind::kVisualisation, "fb_9", "something_else", {}});
-  EXPECT_EQ("device_topics", point->request(PluginKind::kVisualisation, "fb_9").label);
-  point->attach(PluginKind::kVisualisation, "fb_9", part);
-  EXPECT_EQ(part, point->part(PluginKind::kVisualisation, "fb_9"));
-  point->detach(PluginKind::kVisualisation, "fb_9");
-  point->forget(PluginKind::kVisualisation, "fb_9");
-  EXPECT_NE("", messageOf([&] { point->request(PluginKind::kVisualisation, "fb_9"); }));
-  point->detach(PluginKind::kVisualisation, "fb_9");  // it may be late
+  EXPECT_NE("", messageOf([&] { point->attach(PluginKind::kObserver, "fb_9", part); }));
+  point->expect({PluginKind::kObserver, "fb_9", "device_topics", {}});
+  point->expect({PluginKind::kObserver, "fb_9", "something_else", {}});
+  EXPECT_EQ("device_topics", point->request(PluginKind::kObserver, "fb_9").label);
+  point->attach(PluginKind::kObserver, "fb_9", part);
+  EXPECT_EQ(part, point->part(PluginKind::kObserver, "fb_9"));
+  point->detach(PluginKind::kObserver, "fb_9");
+  point->forget(PluginKind::kObserver, "fb_9");
+  EXPECT_NE("", messageOf([&] { point->request(PluginKind::kObserver, "fb_9"); }));
+  point->detach(PluginKind::kObserver, "fb_9");  // it may be late
 }
 
 TEST(AttachmentPointTest, NamesWhoWasRefusedAndWhy) {

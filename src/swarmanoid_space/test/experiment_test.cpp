@@ -87,7 +87,7 @@ class ExperimentTest : public testing::Test {
         {"old_eye"});
     add(PluginKind::kSensor, "eye", "pixels", {parameter("width", Type::kInteger, std::nullopt, {1.0, 4096.0})});
     add(PluginKind::kEngine, "plane", "", {parameter("height", Type::kNumber, "0")}, {"old_plane"});
-    add(PluginKind::kVisualisation, "table", "", {parameter("file", Type::kText, "")});
+    add(PluginKind::kObserver, "table", "", {parameter("file", Type::kText, "")});
   }
 
   static Experiment parse(const std::vector<Override>& overrides = {}) {

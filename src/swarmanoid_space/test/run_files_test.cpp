@@ -39,7 +39,7 @@ class RunFilesTest : public testing::Test {
     RunContext context;
     try {
       context.out = openOutFolder(files, experiment);
-      addVisualisation(*simulation, context, "~hashes", "hashes", parameters);
+      addObserver(*simulation, context, "~hashes", "hashes", parameters);
     } catch (const ConfigError& error) {
       return error.what();
     }
@@ -84,9 +84,7 @@ TEST_F(RunFilesTest, WhatTheRunReadsAndNeedsIsNotReplaced) {
 }
 
 TEST_F(RunFilesTest, WhatWritesABagIsLoadedIfThereIsToBeOne) {
-  const auto isLoaded = [] {
-    return Registry::instance().find(PluginKind::kVisualisation, "rosbag_recorder") != nullptr;
-  };
+  const auto isLoaded = [] { return Registry::instance().find(PluginKind::kObserver, "rosbag_recorder") != nullptr; };
   openOutFolder(files, {});
   EXPECT_FALSE(isLoaded());
   files.records_bag = true;

@@ -154,7 +154,7 @@ TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
 
 /// Throws in the tick that it is told.
 /// Counts how often it is asked to hand over what it has written, and at which tick it was last.
-class Flushed final : public Visualisation {
+class Flushed final : public Observer {
  public:
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
   void draw(const Space& space) override { drawn_ = space.tick; }
@@ -174,7 +174,7 @@ class Flushed final : public Visualisation {
 TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhenItPauses) {
   auto simulation = test::smallWorld(kEndless);
   const auto flushed = std::make_shared<Flushed>();
-  simulation->addVisualisation(flushed);
+  simulation->addObserver(flushed);
   SimulationThread thread(std::move(simulation), pausedAtFirst());
   thread.step(7);
   while (flushed->flushed() != 7U) {  // for ever, if it does not
@@ -185,7 +185,7 @@ TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhenItPauses) {
 TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhileItRuns) {
   auto simulation = test::smallWorld(kEndless);
   const auto flushed = std::make_shared<Flushed>();
-  simulation->addVisualisation(flushed);
+  simulation->addObserver(flushed);
   SimulationThread thread(std::move(simulation), {});
   while (flushed->times() < 3) {
     std::this_thread::yield();
@@ -193,7 +193,7 @@ TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhileItRuns) {
   EXPECT_LT(static_cast<std::uint64_t>(flushed->times()), tickOf(thread)) << "not after each tick";
 }
 
-class Thrower final : public Visualisation {
+class Thrower final : public Observer {
  public:
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
   void draw(const Space& space) override {
@@ -208,7 +208,7 @@ class Thrower final : public Visualisation {
 TEST(SimulationThreadTest, ATickThatThrowsStopsTheRunAndKeepsResults) {
   auto simulation = test::smallWorld();
   const auto thrower = std::make_shared<Thrower>();
-  simulation->addVisualisation(thrower);
+  simulation->addObserver(thrower);
   SimulationThread thread(std::move(simulation), pausedAtFirst());
   EXPECT_EQ("the run has stopped: tick 5: the disk is full", thread.step(10).message);
   thread.stop("");
@@ -244,7 +244,7 @@ TEST(SimulationThreadTest, WhoWaitsForUsersCodeThatIsLateIsToldSo) {
 }
 
 TEST(SimulationThreadTest, WhateverATickThrowsStopsTheRun) {
-  class NumberThrower final : public Visualisation {
+  class NumberThrower final : public Observer {
    public:
     void configure(const std::string&, const Configuration&, const RunContext&) override {}
     void draw(const Space& space) override {
@@ -254,7 +254,7 @@ TEST(SimulationThreadTest, WhateverATickThrowsStopsTheRun) {
     }
   };
   auto simulation = test::smallWorld();
-  simulation->addVisualisation(std::make_shared<NumberThrower>());
+  simulation->addObserver(std::make_shared<NumberThrower>());
   SimulationThread thread(std::move(simulation), pausedAtFirst());
   EXPECT_EQ("the run has stopped: tick 2: visualisation '' threw the number 7, which is no std::exception",
             thread.step(10).message);

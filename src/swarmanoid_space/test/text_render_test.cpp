@@ -25,12 +25,12 @@ std::vector<std::string> tableOf(int ticks) {
   const TemporaryFolder folder("text_render_test");
   const std::string file = folder.path() / "table.txt";
   loadPluginLibrary("swarmanoid_visualisations", {}, {});
-  const auto table = makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, "text_render"));
+  const auto table = makePlugin<Observer>(*Registry::instance().find(PluginKind::kObserver, "text_render"));
   Configuration parameters("text_render", "", {});
   parameters.set("file", file);
   table->configure("table", parameters, {});
   const auto simulation = test::smallWorld(ticks);
-  simulation->addVisualisation(table);
+  simulation->addObserver(table);
   simulation->start();
   while (!simulation->isFinished()) {
     simulation->tick();

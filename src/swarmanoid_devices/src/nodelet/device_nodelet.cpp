@@ -8,7 +8,7 @@ namespace swarmanoid {
 
 class DeviceNodelet final : public PartNodelet {
  public:
-  DeviceNodelet() : PartNodelet(PluginKind::kVisualisation) {}
+  DeviceNodelet() : PartNodelet(PluginKind::kObserver) {}
   ~DeviceNodelet() override {
     if (topics_ != nullptr) {
       topics_->close();
@@ -18,7 +18,7 @@ class DeviceNodelet final : public PartNodelet {
  private:
   std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) override {
     topics_ = std::make_shared<DeviceTopics>(request.id, getNodeHandle(), request.commands);
-    return std::static_pointer_cast<Visualisation>(topics_);
+    return std::static_pointer_cast<Observer>(topics_);
   }
 
   std::shared_ptr<DeviceTopics> topics_;

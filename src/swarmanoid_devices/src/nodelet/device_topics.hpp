@@ -13,11 +13,11 @@
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_interface/command_mailbox.hpp"
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid {
 
-class DeviceTopics final : public Visualisation {
+class DeviceTopics final : public Observer {
  public:
   /// @param robot_handle whose namespace is the robot's; @param commands where commands go; null: nowhere
   DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle, std::shared_ptr<CommandMailbox> commands);

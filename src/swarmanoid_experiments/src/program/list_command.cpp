@@ -16,8 +16,8 @@
 namespace swarmanoid::program {
 namespace {
 
-constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,        PluginKind::kActuator,
-                                 PluginKind::kEngine,     PluginKind::kVisualisation, PluginKind::kEntity};
+constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,   PluginKind::kActuator,
+                                 PluginKind::kEngine,     PluginKind::kObserver, PluginKind::kEntity};
 
 /// The libraries of plugins that the suite does not load by itself.
 using Origins = std::map<const Registry::Entry*, DeclaredLibrary>;

@@ -41,7 +41,7 @@ void refuseRobotsOfOthers(const Experiment& experiment) {
   }
 }
 
-/// A visualisation that an option of the command line asks for, not the file.
+/// An observer that an option of the command line asks for, not the file.
 void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& option,
                         const std::string& label, const std::string& file, const NamedValues& others = {}) {
   Configuration parameters(label, "", {});
@@ -49,7 +49,7 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
   for (const auto& [name, value] : others) {
     parameters.set(name, value);
   }
-  addVisualisation(simulation, context, option, "command_line_" + label, parameters);
+  addObserver(simulation, context, option, "command_line_" + label, parameters);
 }
 
 /// Where the wall time went, phase by phase.

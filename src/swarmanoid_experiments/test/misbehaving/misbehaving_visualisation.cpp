@@ -1,13 +1,13 @@
-// The same for a visualisation. phase: configure, draw (after tick 3), flush, finish; deed: one of deeds.cpp.
+// The same for an observer. phase: configure, draw (after tick 3), flush, finish; deed: one of deeds.cpp.
 #include <string>
 
 #include "deeds.hpp"
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid::test {
 namespace {
 
-class MisbehavingVisualisation final : public Visualisation {
+class MisbehavingVisualisation final : public Observer {
  public:
   static PluginDescription describe() { return Misdeed::describe("misbehaving_visualisation"); }
 
@@ -27,4 +27,4 @@ class MisbehavingVisualisation final : public Visualisation {
 }  // namespace
 }  // namespace swarmanoid::test
 
-REGISTER_VISUALISATION(swarmanoid::test::MisbehavingVisualisation)
+REGISTER_OBSERVER(swarmanoid::test::MisbehavingVisualisation)

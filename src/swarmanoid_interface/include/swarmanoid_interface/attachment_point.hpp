@@ -28,13 +28,13 @@ using ControllerFactory = std::function<std::shared_ptr<Controller>()>;
 class AttachmentPoint {
  public:
   /// A part that an experiment needs. What is attached as kEngine is an Engine, as kController a ControllerFactory, as
-  /// kVisualisation a Visualisation.
+  /// kObserver an Observer.
   struct Request {
     PluginKind kind = PluginKind::kEngine;
     std::string id;
     std::string label;  ///< in the registry, where the space has seen to it that it is
     Configuration parameters;
-    /// Of kVisualisation: where commands from outside may be put; or null.
+    /// Of kObserver: where commands from outside may be put; or null.
     std::shared_ptr<CommandMailbox> commands = nullptr;
   };
 

@@ -14,7 +14,7 @@
 
 namespace swarmanoid {
 
-enum class PluginKind { kController, kSensor, kActuator, kEngine, kVisualisation, kEntity };
+enum class PluginKind { kController, kSensor, kActuator, kEngine, kObserver, kEntity };
 
 /// "controller", "sensor", ...
 const char* toString(PluginKind kind);

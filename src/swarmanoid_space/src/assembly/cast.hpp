@@ -13,9 +13,9 @@
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/lockstep/lockstep.hpp"
+#include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
-#include "swarmanoid_space/visualisation.hpp"
 #include "workers.hpp"
 
 namespace swarmanoid {
@@ -31,8 +31,8 @@ struct Named {
   Plugin& operator*() const { return *plugin; }
 };
 
-/// A visualisation, and how far it has come.
-struct Viewer : Named<Visualisation> {
+/// An observer of the run, and how far it has come.
+struct ObserverInstance : Named<Observer> {
   bool is_finished = false;  ///< or about to be
   bool is_given_up = false;  ///< a call of it does not return
 };
@@ -93,7 +93,7 @@ struct Simulation::Cast {
   std::vector<RobotInstance> robots;                 ///< by entity number
   std::vector<std::vector<Membership>> memberships;  ///< by entity row
   std::vector<HandoverTrigger> triggers;             ///< by entity number, then as in the file
-  std::vector<Viewer> viewers;
+  std::vector<ObserverInstance> observers;
   std::vector<Row> faulty;  ///< scratch of `actuate`
   Lockstep lockstep;
 

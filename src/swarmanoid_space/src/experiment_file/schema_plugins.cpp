@@ -83,7 +83,7 @@ void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry&
 void writePlugins(SchemaWriter& out) {
   writeControllerParts(out);
   std::set<std::string> written{"ahss-config", "actuators", "sensors", "parameters"};
-  for (const PluginKind kind : {PluginKind::kController, PluginKind::kEngine, PluginKind::kVisualisation,
+  for (const PluginKind kind : {PluginKind::kController, PluginKind::kEngine, PluginKind::kObserver,
                                 PluginKind::kActuator, PluginKind::kSensor}) {
     const bool is_device = kind == PluginKind::kActuator || kind == PluginKind::kSensor;
     for (const Registry::Entry* entry : all(kind)) {

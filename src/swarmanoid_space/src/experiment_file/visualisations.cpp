@@ -13,7 +13,7 @@ void readVisualisations(const XmlElement& section, Reader& reader) {
     visualisation.id = element.requireAttribute("id");
     visualisation.library = element.attribute("library").value_or("");
     reader.takeId("visualisation", visualisation.id, element);
-    const Registry::Entry& entry = reader.requirePlugin(PluginKind::kVisualisation, element, visualisation.library);
+    const Registry::Entry& entry = reader.requirePlugin(PluginKind::kObserver, element, visualisation.library);
     visualisation.label = entry.description.label;
     visualisation.parameters = readPluginParameters(element, entry.description);
     reader.experiment.visualisations.push_back(std::move(visualisation));

@@ -38,13 +38,13 @@ std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& 
   };
   std::vector<std::string> said;
   if (!options.record.empty()) {
-    addVisualisation(simulation, context, "~record", "record", bagParameters(options, space));
+    addObserver(simulation, context, "~record", "record", bagParameters(options, space));
     said.push_back("recording " + fullName(options.record));
   }
   if (!options.hashes.empty()) {
     Configuration parameters("hash_recorder", "", {});
     parameters.set("file", options.hashes);
-    addVisualisation(simulation, context, "~hashes", "hashes", parameters);
+    addObserver(simulation, context, "~hashes", "hashes", parameters);
     said.push_back("writing state hashes to " + fullName(options.hashes));
   }
   return said;

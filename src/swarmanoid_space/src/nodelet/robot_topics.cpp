@@ -22,8 +22,8 @@ RobotTopics::~RobotTopics() { stop(); }
 void RobotTopics::adopt(const std::vector<AttachmentPoint::Request>& parts) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const AttachmentPoint::Request& part : parts) {
-    if (part.kind == PluginKind::kVisualisation) {
-      topics_[part.id] = std::static_pointer_cast<Visualisation>(point_.part(part.kind, part.id));
+    if (part.kind == PluginKind::kObserver) {
+      topics_[part.id] = std::static_pointer_cast<Observer>(point_.part(part.kind, part.id));
       served_[part.id] = kNoEntity;  // its number is known once the space is looked at
     }
   }
@@ -124,7 +124,7 @@ void RobotTopics::load(const std::string& robot) {
     }
     return;
   }
-  const auto topics = std::static_pointer_cast<Visualisation>(point_.part(part.kind, part.id));
+  const auto topics = std::static_pointer_cast<Observer>(point_.part(part.kind, part.id));
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     topics_[robot] = topics;

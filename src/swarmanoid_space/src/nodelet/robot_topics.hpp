@@ -1,7 +1,7 @@
 /// The devices of robots as topics: each robot that is to have them has a nodelet that makes them. It is loaded when
 /// the robot comes (at the start, by a spawn, by a reset) and unloaded when the robot goes.
 ///
-/// A visualisation like any other: it looks, and changes nothing. Whether the nodelet of a spawned robot loads or not,
+/// An observer like any other: it looks, and changes nothing. Whether the nodelet of a spawned robot loads or not,
 /// the run goes on; the log says so if not.
 ///
 /// Threads  draw() and follow() on the simulation's. Nodelets come and go on a thread of its own, which waits for
@@ -23,7 +23,7 @@
 
 namespace swarmanoid {
 
-class RobotTopics final : public Visualisation {
+class RobotTopics final : public Observer {
  public:
   /// Which robots have topics.
   struct Selection {
@@ -69,7 +69,7 @@ class RobotTopics final : public Visualisation {
   std::condition_variable wake_;
   Robots wanted_;
   Robots served_;  // they have a nodelet, or could not get one
-  std::map<std::string, std::shared_ptr<Visualisation>> topics_;
+  std::map<std::string, std::shared_ptr<Observer>> topics_;
   bool is_over_ = false;
 
   SimulationThread* simulation_ = nullptr;

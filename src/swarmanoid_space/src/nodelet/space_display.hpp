@@ -1,4 +1,4 @@
-/// What the space publishes. A visualisation like any other: it looks, and changes nothing.
+/// What the space publishes. An observer like any other: it looks, and changes nothing.
 ///
 /// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, which wait
 /// for theirs. A subscriber that comes while the space is paused gets the present state at once, alone: a transform
@@ -20,7 +20,7 @@
 
 namespace swarmanoid {
 
-class SpaceDisplay final : public Visualisation {
+class SpaceDisplay final : public Observer {
  public:
   using State = SimulationThread::State;
 

@@ -216,11 +216,11 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
   display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
   display_->follow(*simulation);
-  simulation->addVisualisation(display_);
+  simulation->addObserver(display_);
   if (loader_->isManager()) {
     robot_topics_ = std::make_shared<RobotTopics>(getName(), with_topics_, *loader_, *point_, commands_);
     robot_topics_->adopt(parts_);
-    simulation->addVisualisation(robot_topics_);
+    simulation->addObserver(robot_topics_);
   }
   for (const std::string& line : addRecorders(*simulation, context, options_, getName())) {
     NODELET_INFO("%s", line.c_str());
@@ -263,7 +263,7 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
 }
 
 void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
-  if (kind == PluginKind::kVisualisation) {
+  if (kind == PluginKind::kObserver) {
     return;  // the run does not depend on who looks at it
   }
   thread_->stop(isRosEnding() ? "shut down" : std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded");

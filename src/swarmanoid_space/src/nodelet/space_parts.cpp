@@ -21,7 +21,7 @@ std::string nodeletType(NodeletLoader& loader, const AttachmentPoint::Request& p
 }  // namespace
 
 AttachmentPoint::Request deviceTopicsOf(const std::string& robot, const std::shared_ptr<CommandMailbox>& commands) {
-  return {PluginKind::kVisualisation, robot, "device_topics", {}, commands};
+  return {PluginKind::kObserver, robot, "device_topics", {}, commands};
 }
 
 std::string nodeletName(const std::string& space, const AttachmentPoint::Request& part) {

@@ -11,7 +11,7 @@
 
 namespace swarmanoid {
 
-/// An engine for each engine, a controller for each controller configuration, a visualisation for each robot whose
+/// An engine for each engine, a controller for each controller configuration, an observer for each robot whose
 /// devices have topics.
 /// @param commands where those put commands that come over topics
 std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots,

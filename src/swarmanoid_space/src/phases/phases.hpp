@@ -45,6 +45,6 @@ void handOver(Space& space, const std::vector<RobotInstance>& instances, std::ve
 void index(Space& space);
 
 /// Everybody who looks at the run does so. @return whether one asks to finish
-bool show(const Space& space, const std::vector<Viewer>& viewers);
+bool show(const Space& space, const std::vector<ObserverInstance>& observers);
 
 }  // namespace swarmanoid::phases

@@ -4,12 +4,12 @@
 
 namespace swarmanoid::phases {
 
-bool show(const Space& space, const std::vector<Viewer>& viewers) {
+bool show(const Space& space, const std::vector<ObserverInstance>& observers) {
   bool finish_asked = false;
-  for (const Viewer& viewer : viewers) {
-    callPlugin("draw", viewer.part, space.tick, [&] {
-      viewer->draw(space);
-      finish_asked = viewer->terminate() || finish_asked;
+  for (const ObserverInstance& observer : observers) {
+    callPlugin("draw", observer.part, space.tick, [&] {
+      observer->draw(space);
+      finish_asked = observer->terminate() || finish_asked;
     });
   }
   return finish_asked;

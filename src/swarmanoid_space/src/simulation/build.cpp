@@ -69,11 +69,11 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   buildEngines();
   build();
   for (const VisualisationDescription& description : experiment_.visualisations) {
-    const auto* entry = Registry::instance().find(PluginKind::kVisualisation, description.label);
-    const Viewer viewer{
-        {makePlugin<Visualisation>(*entry), "visualisation '" + description.id + "' (" + description.label + ")"}};
-    configure(viewer, description.location, description.id, description.parameters, context_);
-    cast_->viewers.push_back(viewer);
+    const auto* entry = Registry::instance().find(PluginKind::kObserver, description.label);
+    const ObserverInstance observer{
+        {makePlugin<Observer>(*entry), "visualisation '" + description.id + "' (" + description.label + ")"}};
+    configure(observer, description.location, description.id, description.parameters, context_);
+    cast_->observers.push_back(observer);
   }
 }
 

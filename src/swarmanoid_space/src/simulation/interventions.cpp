@@ -81,9 +81,9 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   }
   restoreEngineParameters();
   build();
-  for (Viewer& viewer : cast_->viewers) {
-    viewer.is_finished = false;
-    callPlugin("reset", viewer.part, UserCode::kNoTick, [&] { viewer->reset(); });
+  for (ObserverInstance& observer : cast_->observers) {
+    observer.is_finished = false;
+    callPlugin("reset", observer.part, UserCode::kNoTick, [&] { observer->reset(); });
   }
   start();
 }

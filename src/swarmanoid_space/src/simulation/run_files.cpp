@@ -16,14 +16,14 @@ std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment
   return out;
 }
 
-void addVisualisation(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
-                      const Configuration& parameters) {
-  const Registry::Entry& entry = Registry::instance().require(PluginKind::kVisualisation, parameters.name());
-  auto visualisation = makePlugin<Visualisation>(entry);
+void addObserver(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
+                 const Configuration& parameters) {
+  const Registry::Entry& entry = Registry::instance().require(PluginKind::kObserver, parameters.name());
+  auto observer = makePlugin<Observer>(entry);
   context.experiment = &simulation.experiment();
   context.asked_by = asked_by;
-  visualisation->configure(id, parameters, context);
-  simulation.addVisualisation(visualisation);
+  observer->configure(id, parameters, context);
+  simulation.addObserver(observer);
 }
 
 }  // namespace swarmanoid

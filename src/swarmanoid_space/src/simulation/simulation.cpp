@@ -66,7 +66,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   if (space_.tick >= experiment_.framework.max_clock) {
     space_.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
-  finish_asked_ = phases::show(space_, cast_->viewers);
+  finish_asked_ = phases::show(space_, cast_->observers);
   stopwatch.lap(phase_times_.show);
   if (stopwatch.last() >= next_flush_) {
     double seconds = 0.0;
@@ -118,7 +118,7 @@ void Simulation::start() {
   phases::index(space_);
   space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
-  finish_asked_ = phases::show(space_, cast_->viewers);
+  finish_asked_ = phases::show(space_, cast_->observers);
   flush();
 }
 
@@ -130,11 +130,11 @@ namespace {
 
 /// One that cannot write its file must not keep the others from writing theirs.
 template <class Action>
-void callAll(std::vector<Viewer>& viewers, const char* phase, Action action) {
+void callAll(std::vector<ObserverInstance>& observers, const char* phase, Action action) {
   std::exception_ptr first_problem;
-  for (Viewer& viewer : viewers) {
+  for (ObserverInstance& observer : observers) {
     try {
-      callPlugin(phase, viewer.part, UserCode::kNoTick, [&] { action(viewer); });
+      callPlugin(phase, observer.part, UserCode::kNoTick, [&] { action(observer); });
     } catch (...) {
       first_problem = first_problem ? first_problem : std::current_exception();
     }
@@ -148,7 +148,7 @@ void callAll(std::vector<Viewer>& viewers, const char* phase, Action action) {
 
 void Simulation::flush() {
   next_flush_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  callAll(cast_->viewers, "flush", [](Viewer& viewer) { viewer->flush(); });
+  callAll(cast_->observers, "flush", [](ObserverInstance& observer) { observer->flush(); });
 }
 
 void Simulation::finish() {
@@ -157,17 +157,17 @@ void Simulation::finish() {
   if (!is_started_) {
     return;
   }
-  callAll(cast_->viewers, "finish", [](Viewer& viewer) {
-    if (!viewer.is_finished && !viewer.is_given_up) {
-      viewer.is_finished = true;  // before the call: if that does not return, the others are still to be called
-      viewer->finish();
+  callAll(cast_->observers, "finish", [](ObserverInstance& observer) {
+    if (!observer.is_finished && !observer.is_given_up) {
+      observer.is_finished = true;  // before the call: if that does not return, the others are still to be called
+      observer->finish();
     }
   });
 }
 
 void Simulation::giveUp(const std::string& part) {
-  for (Viewer& viewer : cast_->viewers) {
-    viewer.is_given_up = viewer.is_given_up || viewer.part == part;
+  for (ObserverInstance& observer : cast_->observers) {
+    observer.is_given_up = observer.is_given_up || observer.part == part;
   }
 }
 
@@ -175,9 +175,9 @@ std::size_t Simulation::robotCount() const { return cast_->robots.size(); }
 
 Metrics Simulation::metrics() const {
   Metrics metrics;
-  for (const Viewer& viewer : cast_->viewers) {
-    if (!viewer.is_given_up) {
-      viewer->addMetrics(metrics);
+  for (const ObserverInstance& observer : cast_->observers) {
+    if (!observer.is_given_up) {
+      observer->addMetrics(metrics);
     }
   }
   return metrics;
@@ -185,17 +185,17 @@ Metrics Simulation::metrics() const {
 
 std::optional<bool> Simulation::success() const {
   std::optional<bool> result;
-  for (const Viewer& viewer : cast_->viewers) {
-    if (const auto judged = viewer.is_given_up ? std::nullopt : viewer->success()) {
+  for (const ObserverInstance& observer : cast_->observers) {
+    if (const auto judged = observer.is_given_up ? std::nullopt : observer->success()) {
       result = result.value_or(true) && *judged;
     }
   }
   return result;
 }
 
-void Simulation::addVisualisation(std::shared_ptr<Visualisation> visualisation) {
-  const std::string part = "visualisation '" + visualisation->id() + "'";
-  cast_->viewers.push_back({{std::move(visualisation), part}});
+void Simulation::addObserver(std::shared_ptr<Observer> observer) {
+  const std::string part = "visualisation '" + observer->id() + "'";
+  cast_->observers.push_back({{std::move(observer), part}});
 }
 
 void Simulation::setLogSink(Robot::LogSink sink) {

@@ -7,7 +7,7 @@
 namespace swarmanoid {
 namespace {
 
-class DebugRender final : public Visualisation {
+class DebugRender final : public Observer {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -70,4 +70,4 @@ class DebugRender final : public Visualisation {
 }  // namespace
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::DebugRender)
+REGISTER_OBSERVER(swarmanoid::DebugRender)

@@ -6,7 +6,7 @@
 namespace swarmanoid {
 namespace {
 
-class HashRecorder final : public Visualisation {
+class HashRecorder final : public Observer {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -40,4 +40,4 @@ class HashRecorder final : public Visualisation {
 }  // namespace
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::HashRecorder)
+REGISTER_OBSERVER(swarmanoid::HashRecorder)

@@ -1,12 +1,12 @@
 // The OpenGL window of thesis 3.6.2 is accepted in experiment files; rviz does its work now, so it draws nothing.
 #include <string>
 
-#include "swarmanoid_space/visualisation.hpp"
+#include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid {
 namespace {
 
-class OpenglRender final : public Visualisation {
+class OpenglRender final : public Observer {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -47,4 +47,4 @@ class OpenglRender final : public Visualisation {
 }  // namespace
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::OpenglRender)
+REGISTER_OBSERVER(swarmanoid::OpenglRender)

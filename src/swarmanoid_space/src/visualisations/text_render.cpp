@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kDegPerRad = 180.0 / M_PI;
 
-class TextRender final : public Visualisation {
+class TextRender final : public Observer {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -98,4 +98,4 @@ class TextRender final : public Visualisation {
 }  // namespace
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::TextRender)
+REGISTER_OBSERVER(swarmanoid::TextRender)

@@ -23,8 +23,7 @@ class RosbagRecorderTest : public testing::Test {
   void SetUp() override { loadPluginLibrary("swarmanoid_recording", {}, {}); }
 
   void record(Simulation& simulation, const std::string& every = "1") {
-    auto recorder =
-        makePlugin<Visualisation>(*Registry::instance().find(PluginKind::kVisualisation, "rosbag_recorder"));
+    auto recorder = makePlugin<Observer>(*Registry::instance().find(PluginKind::kObserver, "rosbag_recorder"));
     Configuration parameters("rosbag_recorder", "", {});
     parameters.set("file", "run.bag");
     parameters.set("every", every);
@@ -32,7 +31,7 @@ class RosbagRecorderTest : public testing::Test {
     context.out = std::make_shared<OutFolder>(folder_.string(), "--", OutFolder::Rules{});
     context.experiment = &simulation.experiment();
     recorder->configure("recorder", parameters, context);
-    simulation.addVisualisation(recorder);
+    simulation.addObserver(recorder);
     context.out->keep();
   }
 

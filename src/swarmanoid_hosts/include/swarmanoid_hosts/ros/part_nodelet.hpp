@@ -22,7 +22,7 @@ class PartNodelet : public nodelet::Nodelet {
  protected:
   explicit PartNodelet(PluginKind kind) : kind_(kind) {}
 
-  /// @return an Engine, ControllerFactory or Visualisation, by kind
+  /// @return an Engine, ControllerFactory or Observer, by kind
   /// @throws std::exception: the nodelet does not load
   virtual std::shared_ptr<void> makePart(const AttachmentPoint::Request& request) = 0;
 

@@ -26,7 +26,7 @@ struct UserCode {
   std::string_view part;        ///< "controller 'drive' of libdiffusion.so", "engine 'ground' (dynamics2d)"
   std::string_view robot;       ///< its name; "" if the call is for no robot
   std::uint64_t tick = kNoTick;
-  bool is_controllers = true;  ///< or a library's; else an engine's, a device's, a visualisation's (callPlugin)
+  bool is_controllers = true;  ///< or a library's; else an engine's, a device's, an observer's (callPlugin)
 };
 
 /// "step of robot 'fb_3' (controller 'drive' of libdiffusion.so), tick 17", "move of engine 'ground' (dynamics2d), tick
@@ -92,7 +92,7 @@ auto callUserCode(const UserCode& code, Action action) {
   }
 }
 
-/// Calls a plugin that is no controller: an engine, a device, a visualisation. std::exceptions pass, for they say who
+/// Calls a plugin that is no controller: an engine, a device, an observer. std::exceptions pass, for they say who
 /// throws them. @param phase, part, tick as UserCode has them
 /// @throws std::runtime_error "engine 'ground' (dynamics2d) threw the number 7, ..." for whatever else is thrown
 template <class Action>

@@ -2,7 +2,7 @@
 /// not return as it should:
 ///
 ///     a crash (SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, a stack overflow), exit() and quick_exit(),
-///     a call that takes longer than the watchdog allows        exit code 3; of an engine, a device, a visualisation 4
+///     a call that takes longer than the watchdog allows        exit code 3; of an engine, a device, an observer 4
 ///     a call under way when the end is asked for a second time  exit code 130
 ///
 /// The robot, the controller, its library, the phase and the tick are named on standard error, or the plugin that is no

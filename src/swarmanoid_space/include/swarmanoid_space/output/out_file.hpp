@@ -1,6 +1,6 @@
-/// A text that a visualisation writes: a std::ostream into a file of the run's out folder.
+/// A text that an observer writes: a std::ostream into a file of the run's out folder.
 ///
-/// Buffer  what is written gets to the file when there is much of it, and with flush(), which Visualisation::flush is
+/// Buffer  what is written gets to the file when there is much of it, and with flush(), which Observer::flush is
 ///         for. Numbers are written the same whatever the process's locale is.
 /// Errors  a full disk is a std::runtime_error from the next flush(), which names writer, file and reason. It is thrown
 ///         once; what comes after is dropped.
@@ -10,8 +10,8 @@
 #include <ostream>
 #include <string>
 
+#include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/output/out_descriptor.hpp"
-#include "swarmanoid_space/visualisation.hpp"
 
 namespace swarmanoid {
 
@@ -22,9 +22,9 @@ class OutFile : public std::ostream {
   OutFile(const OutFile&) = delete;
   OutFile& operator=(const OutFile&) = delete;
 
-  /// Takes the file that the visualisation's parameter `file` names. In `configure`: it is made, or refused, there;
+  /// Takes the file that the observer's parameter `file` names. In `configure`: it is made, or refused, there;
   /// what an older file of that name holds is replaced when the run begins.
-  /// @param id of the visualisation
+  /// @param id of the observer
   /// @throws ConfigError if it may not or cannot be written, see OutFolder
   void open(const RunContext& context, const Configuration& parameters, const std::string& id);
   bool isOpen() const;
@@ -38,7 +38,7 @@ class OutFile : public std::ostream {
   std::unique_ptr<Buffer> buffer_;
 };
 
-/// The file that the parameter `file` of a visualisation names, for those that write no text.
+/// The file that the parameter `file` of an observer names, for those that write no text.
 /// @throws ConfigError as OutFile::open
 OutDescriptor openOutFile(const RunContext& context, const Configuration& parameters, const std::string& id);
 

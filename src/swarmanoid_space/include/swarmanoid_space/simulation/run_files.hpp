@@ -22,12 +22,12 @@ struct RunFiles {
 /// @throws ConfigError if it cannot be made
 std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment& experiment);
 
-/// Adds a visualisation that the experiment file does not have.
+/// Adds an observer that the experiment file does not have.
 /// @param context of the run; its experiment is set
 /// @param asked_by the option that asks for it, for messages: "--bag", "~record"
-/// @param parameters named like the visualisation's label, which is registered
+/// @param parameters named like the observer's label, which is registered
 /// @throws ConfigError
-void addVisualisation(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
-                      const Configuration& parameters);
+void addObserver(Simulation& simulation, RunContext context, const std::string& asked_by, const std::string& id,
+                 const Configuration& parameters);
 
 }  // namespace swarmanoid

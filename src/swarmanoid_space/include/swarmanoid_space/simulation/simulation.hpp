@@ -17,8 +17,8 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/space.hpp"
-#include "swarmanoid_space/visualisation.hpp"
 
 namespace swarmanoid {
 
@@ -82,7 +82,7 @@ class Simulation {
   /// the simulation, between ticks
   /// @return false: it was disturbed and given up before anything happened; it is to be made again, after that
   bool tick(const std::function<bool()>& is_disturbed = nullptr);
-  /// maxclock is reached, or a visualisation asked to finish.
+  /// maxclock is reached, or an observer asked to finish.
   bool isFinished() const;
   /// What visualisations have written goes to the system: a process that is killed loses nothing of it. A tick does so
   /// once a second of wall time; for whoever makes none for some time. @throws what visualisations throw
@@ -91,10 +91,10 @@ class Simulation {
   /// know it; the destructor does it otherwise. Afterwards there are no ticks.
   void destroyControllers();
   /// Completes what visualisations write, all of them. Called by the destructor if it was not.
-  /// @throws what the first visualisation that fails throws
+  /// @throws what the first observer that fails throws
   void finish();
 
-  /// A call of the plugin that is called so (UserCode::part) does not return. A visualisation is called no more, by
+  /// A call of the plugin that is called so (UserCode::part) does not return. An observer is called no more, by
   /// `finish`, `metrics` and `success`, which the others do not miss. For whoever ends the process then.
   void giveUp(const std::string& part);
 
@@ -122,7 +122,7 @@ class Simulation {
   void wake();
 
   /// One more who looks at the run. Before start(), or between ticks.
-  void addVisualisation(std::shared_ptr<Visualisation> visualisation);
+  void addObserver(std::shared_ptr<Observer> observer);
 
   /// Where robots' logs go; by default nowhere.
   void setLogSink(Robot::LogSink sink);

@@ -23,7 +23,7 @@ Parameter parameter(const std::string& name, Parameter::Type type, const std::st
   return result;
 }
 
-class RosbagRecorder final : public Visualisation {
+class RosbagRecorder final : public Observer {
  public:
   static PluginDescription describe() {
     using Type = Parameter::Type;
@@ -127,4 +127,4 @@ class RosbagRecorder final : public Visualisation {
 }  // namespace
 }  // namespace swarmanoid
 
-REGISTER_VISUALISATION(swarmanoid::RosbagRecorder)
+REGISTER_OBSERVER(swarmanoid::RosbagRecorder)

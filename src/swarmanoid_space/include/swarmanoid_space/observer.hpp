@@ -1,12 +1,12 @@
-/// The base class of visualisations (thesis 3.6): whoever looks at a run, whether it draws, writes, records or
-/// measures.
+/// The base class of observers: plugins that look at a run and draw, write, record, measure or judge it. Experiment
+/// files and the thesis (3.6) call them visualisations.
 ///
 /// Phase   draw: `show`, once before the first tick and after each tick, on the simulation's thread.
-/// A visualisation sees the space const and changes nothing in it, so a run with it and one without are the same.
+/// An observer sees the space const and changes nothing in it, so a run with it and one without are the same.
 ///
 /// One that writes a text has an OutFile (out_file.hpp).
 ///
-/// To add one: derive, end with REGISTER_VISUALISATION.
+/// To add one: derive, end with REGISTER_OBSERVER.
 #pragma once
 
 #include <map>
@@ -25,17 +25,17 @@ using Metrics = std::map<std::string, std::variant<bool, double, std::string>>;
 
 class OutFolder;
 
-/// What a visualisation may want to know of the run it looks at.
+/// The run that an observer looks at.
 struct RunContext {
   std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: all, as code that has none likes
-  std::string asked_by;            ///< the option that asks for the visualisation, "--bag"; "": the experiment file
+  std::string asked_by;            ///< the option that asks for the observer, "--bag"; "": the experiment file
   bool headless = true;
   const Experiment* experiment = nullptr;
 };
 
-class Visualisation {
+class Observer {
  public:
-  virtual ~Visualisation() = default;
+  virtual ~Observer() = default;
 
   /// @throws ConfigError
   virtual void configure(const std::string& id, const Configuration& parameters, const RunContext& context) = 0;
@@ -46,7 +46,7 @@ class Visualisation {
   /// Whether the run should end before maxclock (thesis 3.6, Terminate). Asked after each draw.
   virtual bool terminate() const { return false; }
 
-  /// Whether the run was a success; only some visualisations judge that.
+  /// Whether the run was a success; only some observers judge that.
   virtual std::optional<bool> success() const { return std::nullopt; }
   virtual void addMetrics(Metrics&) const {}
 
@@ -66,9 +66,9 @@ class Visualisation {
 
 }  // namespace swarmanoid
 
-/// At the end of a visualisation's source. `Class` has a static function `PluginDescription describe()`.
-#define REGISTER_VISUALISATION(Class)                                                                \
-  namespace {                                                                                        \
-  const ::swarmanoid::PluginRegistration<::swarmanoid::Visualisation, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kVisualisation, Class::describe());      \
+/// At the end of an observer's source. `Class` has a static function `PluginDescription describe()`.
+#define REGISTER_OBSERVER(Class)                                                                \
+  namespace {                                                                                   \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Observer, Class> SWARMANOID_CONCATENATE( \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kObserver, Class::describe());      \
   }
