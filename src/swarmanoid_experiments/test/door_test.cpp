@@ -155,7 +155,7 @@ TEST(DoorTest, ANameIsOneInCodeToo) {
             "a test: name: found 'x/../y', allowed: letters, digits and _, a letter first");
 }
 
-/// Computes a pose that is none, in its third tick.
+/// Computes a pose that is not finite, in its third tick.
 class BrokenEngine final : public test::GlideEngine {
  public:
   static PluginDescription describe() {

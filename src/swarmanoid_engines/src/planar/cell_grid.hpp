@@ -51,7 +51,7 @@ class CellGrid {
 
  private:
   static int clamped(double cell, int count) {
-    // written so that a number that is none ends in cell 0
+    // written so that NaN ends in cell 0
     return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
   }
   std::int32_t cellOf(const Eigen::Vector2d& p) const {

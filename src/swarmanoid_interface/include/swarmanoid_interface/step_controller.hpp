@@ -12,7 +12,7 @@
 
 namespace swarmanoid {
 
-/// Why a robot is stopped whose controller commands a number that is none.
+/// Why a robot is stopped whose controller commands a number that is not finite.
 constexpr const char* kNotFinite = "commanded a number that is not finite";
 
 /// Whatever the controller throws is caught.

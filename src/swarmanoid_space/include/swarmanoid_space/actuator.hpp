@@ -32,7 +32,7 @@ class Actuator {
   virtual void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
-  /// Commands to actuation. Rows whose command holds a number that is none (NaN, infinite) are added to `faulty`; their
+  /// Commands to actuation. Rows whose command holds a number that is not finite are added to `faulty`; their
   /// actuation stays what it was.
   virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
   /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.

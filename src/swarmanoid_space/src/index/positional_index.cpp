@@ -11,7 +11,7 @@ constexpr int kMostCellsPerAxis = 1024;
 constexpr double kMostCells = 1U << 20U;
 
 int clampedCell(double coordinate, double inverse_cell_size, int count) {
-  // written so that a number that is none ends in cell 0
+  // written so that NaN ends in cell 0
   const double cell = coordinate * inverse_cell_size;
   return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
 }

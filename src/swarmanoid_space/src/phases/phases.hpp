@@ -26,7 +26,7 @@ void control(Space& space, std::vector<RobotInstance>& instances, const Workers&
 /// Whoever is being stopped gets the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
 void stopSafely(Space& space, std::vector<RobotInstance>& instances);
 
-/// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is none.
+/// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is not finite.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
 
 /// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.

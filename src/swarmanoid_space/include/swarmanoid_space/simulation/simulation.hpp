@@ -39,7 +39,7 @@ struct PhaseTimes {
 /// Names of parameters, and values as they would stand in the experiment file.
 using NamedValues = std::vector<std::pair<std::string, std::string>>;
 
-/// A robot whose controller threw in a step (or in destroy), or commanded a number that is none.
+/// A robot whose controller threw in a step (or in destroy), or commanded a number that is not finite.
 struct ControllerFailure {
   std::string robot;
   std::uint64_t tick = 0;

@@ -12,7 +12,7 @@ struct Event {
   enum class Kind {
     kAttached,          ///< `entity` grips `other`
     kReleased,          ///< `entity` let go of `other`
-    kControllerFailed,  ///< the controller of `entity` threw or commanded a number that is none; the robot stops
+    kControllerFailed,  ///< the controller of `entity` threw or commanded a number that is not finite; the robot stops
     kLeftArena,         ///< `entity` is outside the arena's size since this tick
     kOverflow,          ///< a sensor of `entity` saw more than it can report
     kSpawned,
