@@ -30,14 +30,14 @@ class FootbotDepth {
     }
     double deepest = squaresDepth(other);
     for (const Circle& circle : circles_) {
-      for (const Circle& its : other.circles_) {
-        deepest = std::max(deepest, circle.radius + its.radius - (circle.centre - its.centre).norm());
+      for (const Circle& other_circle : other.circles_) {
+        deepest = std::max(deepest, circle.radius + other_circle.radius - (circle.centre - other_circle.centre).norm());
       }
       // the wheels' heights, 0 to 5.8 cm, meet the gripper's, 3.5 to 6.5 cm
       deepest = std::max(deepest, other.squareDepth(circle));
     }
-    for (const Circle& its : other.circles_) {
-      deepest = std::max(deepest, squareDepth(its));
+    for (const Circle& other_circle : other.circles_) {
+      deepest = std::max(deepest, squareDepth(other_circle));
     }
     return deepest;
   }

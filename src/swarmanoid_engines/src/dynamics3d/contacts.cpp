@@ -141,12 +141,12 @@ void Contacts::collideAll(const std::vector<Body*>& bodies) {
 double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
   double deepest = 0.0;
   const auto collide = [&](const Body* other, const Eigen::AlignedBox3d&) {
-    for (const Solid& its : other->solids) {
+    for (const Solid& other_solid : other->solids) {
       std::array<dContactGeom, kMostFound> found;
-      if (other == &body || areJoined(body, *other) || areApart(solid.geom, its.geom)) {
+      if (other == &body || areJoined(body, *other) || areApart(solid.geom, other_solid.geom)) {
         continue;
       }
-      const int count = dCollide(solid.geom, its.geom, kMostFound, found.data(), sizeof(dContactGeom));
+      const int count = dCollide(solid.geom, other_solid.geom, kMostFound, found.data(), sizeof(dContactGeom));
       for (int i = 0; i < count; ++i) {
         deepest = std::max(deepest, found[static_cast<std::size_t>(i)].depth - kMargin);
       }

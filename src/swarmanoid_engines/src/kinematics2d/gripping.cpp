@@ -85,14 +85,14 @@ void Kinematics2d::release(Space& space, BodyIndex gripper_index) {
 }
 
 void Kinematics2d::forgetGrips(BodyIndex index) {
-  Motion& its = motion(index);
-  if (its.gripped != kNoBody) {
-    motion(its.gripped).gripped_by = kNoBody;
-    its.gripped = kNoBody;
+  Motion& record = motion(index);
+  if (record.gripped != kNoBody) {
+    motion(record.gripped).gripped_by = kNoBody;
+    record.gripped = kNoBody;
   }
-  if (its.gripped_by != kNoBody) {
-    motion(its.gripped_by).gripped = kNoBody;
-    its.gripped_by = kNoBody;
+  if (record.gripped_by != kNoBody) {
+    motion(record.gripped_by).gripped = kNoBody;
+    record.gripped_by = kNoBody;
   }
 }
 

@@ -90,8 +90,8 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
 
 /// Where nothing can be near, a body need not look around. @return whether it has moved
 bool Kinematics2d::moveFreely(BodyIndex index, const PlacedPose& target) {
-  const Motion& its = motion(index);
-  if (its.gripped != kNoBody || travelled_ > its.clearance.free_until) {
+  const Motion& record = motion(index);
+  if (record.gripped != kNoBody || travelled_ > record.clearance.free_until) {
     return false;
   }
   bodies_.setPose(index, target);
@@ -100,13 +100,13 @@ bool Kinematics2d::moveFreely(BodyIndex index, const PlacedPose& target) {
 
 /// Looks around. @return whether the body, with what it grips, is free there; then it has moved
 bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
-  Motion& its = motion(index);
-  const BodyIndex gripped = its.gripped;
+  Motion& record = motion(index);
+  const BodyIndex gripped = record.gripped;
   planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
   if (turret != nullptr && turret->told->mode == FootbotTurret::Mode::kPassive) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
   }
-  Clearance clearance = its.clearance;
+  Clearance clearance = record.clearance;
   if (!isFree(index, pose, gripped, clearance)) {
     return false;
   }
@@ -116,7 +116,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
     }
     clearance.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
   }
-  its.clearance = clearance;
+  record.clearance = clearance;
   bodies_.setPose(index, pose);
   return true;
 }

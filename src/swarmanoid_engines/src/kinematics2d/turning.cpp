@@ -38,9 +38,9 @@ void Kinematics2d::turn(Turret& turret, double dt) {
 
 bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angle) {
   const BodyIndex index = turret.body;
-  Motion& its = motion(index);
-  const BodyIndex gripped = its.gripped;
-  Clearance clearance = its.clearance;
+  Motion& record = motion(index);
+  const BodyIndex gripped = record.gripped;
+  Clearance clearance = record.clearance;
   if (gripped != kNoBody || travelled_ > clearance.free_until) {
     const planar::PlanarModel* now = bodies_[index].model;
     bodies_[index].model = &bodies_.modelAt(turret, angle);
@@ -58,7 +58,7 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
     motion(gripped).place_in_gripper = place;
     clearance.free_until = -1.0;  // as where a body moves
   }
-  its.clearance = clearance;
+  record.clearance = clearance;
   bodies_.setPose(index, pose);
   bodies_.turnShapes(turret, angle);
   turret.state.angle = angle;

@@ -59,20 +59,20 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
     holes_.pop_back();
   }
   const auto i = static_cast<std::size_t>(row);
-  BodyDetails& its = details(index);
-  its = BodyDetails{};
-  its.entity = space.entities.model[i];
-  its.base = plane_.baseOf(space.entities.pose[i].orientation);
-  its.shared_model = project(its.entity, its.base);
+  BodyDetails& record = details(index);
+  record = BodyDetails{};
+  record.entity = space.entities.model[i];
+  record.base = plane_.baseOf(space.entities.pose[i].orientation);
+  record.shared_model = project(record.entity, record.base);
 
   Body& body = (*this)[index];
   body = Body{};
   body.row = row;
   body.number = space.entities.number[i];
   body.role = role;
-  body.model = its.shared_model.get();
-  body.entity = its.entity.get();
-  body.is_movable = its.entity->is_movable;
+  body.model = record.shared_model.get();
+  body.entity = record.entity.get();
+  body.is_movable = record.entity->is_movable;
   body.is_large = body.model->radius > kLargeRadius;
   findDevices(space, index);
   newcomers_.push_back(index);
@@ -96,15 +96,15 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
 
 bool Bodies::place(const Space& space, BodyIndex index) {
   Body& body = (*this)[index];
-  BodyDetails& its = details(index);
+  BodyDetails& record = details(index);
   const Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
   body.along = plane_.along(pose.position);
   const Eigen::Quaterniond base = plane_.baseOf(pose.orientation);
-  const bool has_changed = !areSame(base, its.base) || haveJointsTurned(space, index);
+  const bool has_changed = !areSame(base, record.base) || haveJointsTurned(space, index);
   if (has_changed) {
     // not shared: a mirror that rocks has another base each tick
-    its.base = base;
-    std::copy_n(space.jointsOf(body.row), its.entity->joints.size(), ownProjection(index).joints.begin());
+    record.base = base;
+    std::copy_n(space.jointsOf(body.row), record.entity->joints.size(), ownProjection(index).joints.begin());
     takeProjection(index);
   }
   if (Turret* turret = findTurret(index)) {

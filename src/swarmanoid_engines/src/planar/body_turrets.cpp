@@ -38,10 +38,10 @@ const Turret* Bodies::findTurret(BodyIndex index) const {
 Turret* Bodies::findTurret(BodyIndex index) { return const_cast<Turret*>(std::as_const(*this).findTurret(index)); }
 
 const PlanarModel& Bodies::modelAt(const Turret& turret, double angle) {
-  const BodyDetails& its = details(turret.body);
-  tried_.joints = its.own ? its.own->joints : decltype(tried_.joints){};
+  const BodyDetails& record = details(turret.body);
+  tried_.joints = record.own ? record.own->joints : decltype(tried_.joints){};
   tried_.joints[static_cast<std::size_t>(turret.joint)].angle = angle;
-  projectModel(*its.entity, plane_, its.base, tried_.model, tried_.joints.data());
+  projectModel(*record.entity, plane_, record.base, tried_.model, tried_.joints.data());
   return tried_.model;
 }
 
@@ -56,27 +56,27 @@ double Bodies::shapesAngle(const Turret& turret) const {
 }
 
 OwnProjection& Bodies::ownProjection(BodyIndex index) {
-  BodyDetails& its = details(index);
-  if (!its.own) {
-    its.own = std::make_unique<OwnProjection>();
+  BodyDetails& record = details(index);
+  if (!record.own) {
+    record.own = std::make_unique<OwnProjection>();
   }
-  return *its.own;
+  return *record.own;
 }
 
 void Bodies::takeProjection(BodyIndex index) {
   Body& body = (*this)[index];
-  const BodyDetails& its = details(index);
-  projectModel(*its.entity, plane_, its.base, its.own->model, its.own->joints.data());
-  body.model = &its.own->model;
+  const BodyDetails& record = details(index);
+  projectModel(*record.entity, plane_, record.base, record.own->model, record.own->joints.data());
+  body.model = &record.own->model;
   circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
   largest_radius_ = std::max(largest_radius_, body.is_large ? 0.0 : body.model->radius);
 }
 
 bool Bodies::haveJointsTurned(const Space& space, BodyIndex index) const {
-  const BodyDetails& its = details(index);
+  const BodyDetails& record = details(index);
   const JointState* now = space.jointsOf((*this)[index].row);
-  for (std::size_t i = 0; i < its.entity->joints.size(); ++i) {
-    if (now[i].angle != (its.own ? its.own->joints[i].angle : 0.0)) {
+  for (std::size_t i = 0; i < record.entity->joints.size(); ++i) {
+    if (now[i].angle != (record.own ? record.own->joints[i].angle : 0.0)) {
       return true;
     }
   }

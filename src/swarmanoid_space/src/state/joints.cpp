@@ -8,11 +8,11 @@ Eigen::Isometry3d displacementOf(const EntityModel& model, const JointState* sta
   // from the link down to the body: each joint turns all that was gathered so far about its own place
   Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
   while (joint >= 0) {
-    const EntityModel::Joint& its = model.joints[static_cast<std::size_t>(joint)];
-    const Eigen::Translation3d to_joint(its.frame.position);
-    const Eigen::AngleAxisd turn(states[joint].angle, its.axis);
+    const EntityModel::Joint& axis_joint = model.joints[static_cast<std::size_t>(joint)];
+    const Eigen::Translation3d to_joint(axis_joint.frame.position);
+    const Eigen::AngleAxisd turn(states[joint].angle, axis_joint.axis);
     result = to_joint * turn * to_joint.inverse() * result;
-    joint = its.carrier;
+    joint = axis_joint.carrier;
   }
   return result;
 }

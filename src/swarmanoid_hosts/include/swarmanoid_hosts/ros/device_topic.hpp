@@ -85,19 +85,19 @@ void receive(const Message& message, Device& device, VariableParts& parts) {
 template <class Device, class Message>
 DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, const std::string& frame = "") {
   DeviceTopic topic{Device::kType, name, ros::message_traits::DataType<Message>::value(), frame, kind};
-  topic.advertise = [](ros::NodeHandle& robot, const DeviceTopic& its) {
+  topic.advertise = [](ros::NodeHandle& robot, const DeviceTopic& entry) {
     constexpr std::uint32_t kQueue = 10;
-    return robot.advertise<Message>(its.name, kQueue);
+    return robot.advertise<Message>(entry.name, kQueue);
   };
   topic.publish = [](const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) {
     Message message;
     toMessage(*static_cast<const Device*>(device), message);
-    if (std_msgs::Header* its = ros::message_traits::header(message)) {
-      *its = header;
+    if (std_msgs::Header* message_header = ros::message_traits::header(message)) {
+      *message_header = header;
     }
     publisher.publish(message);
   };
-  topic.subscribe = [](ros::NodeHandle& robot, const DeviceTopic& its, void* device, VariableParts& parts,
+  topic.subscribe = [](ros::NodeHandle& robot, const DeviceTopic& entry, void* device, VariableParts& parts,
                        DeviceTopic::Receiver receive) {
     const boost::function<void(const boost::shared_ptr<const Message>&)> take =
         [device, &parts, receive = std::move(receive)](const boost::shared_ptr<const Message>& message) {
@@ -109,7 +109,7 @@ DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, con
           }
           receive(problem);
         };
-    return robot.subscribe<Message>(its.name, 1, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+    return robot.subscribe<Message>(entry.name, 1, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   };
   return topic;
 }
