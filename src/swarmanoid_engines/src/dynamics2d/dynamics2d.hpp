@@ -128,7 +128,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void leaveBox2d(BodyIndex index);
   void moveAlone(double tick);
 
-  // turning.cpp
+  // turret.cpp
   void driveTurrets(double step);
   void turnFreely(planar::Turret& turret, double step);
   double separation(const planar::Turret& turret, const PlanarModel& model);

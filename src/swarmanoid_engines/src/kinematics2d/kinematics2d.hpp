@@ -94,7 +94,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   void addContacts(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
   void countDetour(double moved);
 
-  // turning.cpp
+  // turret.cpp
   double startTurrets(double step);
   void turn(planar::Turret& turret, double dt);
   bool tryTurned(planar::Turret& turret, const PlacedPose& pose, double angle);
