@@ -1,5 +1,5 @@
-/// What engines that hold grips have in common: how far a gripper reaches, how a grip is told, and which grips of the
-/// structural tree an entity is part of.
+/// What engines that hold grips have in common: how far a gripper reaches, which event reports a grip, and which grips
+/// of the structural tree an entity is part of.
 #pragma once
 
 #include <sstream>

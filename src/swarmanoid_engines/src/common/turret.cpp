@@ -25,26 +25,26 @@ double wrapTurn(double angle) {
   return wrapped > -M_PI ? wrapped : M_PI;
 }
 
-double freeTurn(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step) {
+double freeTurn(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step) {
   const double most = joint.max_speed * step;
-  if (told.mode == FootbotTurret::Mode::kAngle) {
-    const double left = wrapTurn(told.angle - angle);
-    return std::abs(left) <= most ? wrapTurn(told.angle) : wrapTurn(angle + std::copysign(most, left));
+  if (command.mode == FootbotTurret::Mode::kAngle) {
+    const double left = wrapTurn(command.angle - angle);
+    return std::abs(left) <= most ? wrapTurn(command.angle) : wrapTurn(angle + std::copysign(most, left));
   }
-  if (told.mode == FootbotTurret::Mode::kSpeed) {
-    return wrapTurn(angle + std::clamp(told.speed * step, -most, most));
+  if (command.mode == FootbotTurret::Mode::kSpeed) {
+    return wrapTurn(angle + std::clamp(command.speed * step, -most, most));
   }
   return angle;
 }
 
-double motorSpeed(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step) {
+double motorSpeed(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step) {
   // a motor that can only just move its load would swing around an angle that it hurries to
   constexpr double kApproach = 0.1;  // s
   double speed = 0.0;
-  if (told.mode == FootbotTurret::Mode::kAngle) {
-    speed = wrapTurn(told.angle - angle) / std::max(kApproach, step);
-  } else if (told.mode == FootbotTurret::Mode::kSpeed) {
-    speed = told.speed;
+  if (command.mode == FootbotTurret::Mode::kAngle) {
+    speed = wrapTurn(command.angle - angle) / std::max(kApproach, step);
+  } else if (command.mode == FootbotTurret::Mode::kSpeed) {
+    speed = command.speed;
   }
   return std::clamp(speed, -joint.max_speed, joint.max_speed);
 }

@@ -15,10 +15,10 @@ int turretJoint(const EntityModel& model);
 double wrapTurn(double angle);
 
 /// Where a turret that nothing hinders stands after a step [s]; a passive one stays.
-double freeTurn(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step);
+double freeTurn(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step);
 
 /// How fast the motor of a turret that holds something wants to turn for a step [s], as far as its torque suffices
 /// [rad/s].
-double motorSpeed(const FootbotTurret& told, const EntityModel::Joint& joint, double angle, double step);
+double motorSpeed(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step);
 
 }  // namespace swarmanoid

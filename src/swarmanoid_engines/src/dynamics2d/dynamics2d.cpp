@@ -1,4 +1,4 @@
-// What the engine is told between ticks.
+// What changes in the engine between ticks: parameters, entities and their poses.
 #include "dynamics2d/dynamics2d.hpp"
 
 #include <box2d/b2_contact.h>

@@ -9,8 +9,8 @@
 /// (thesis 3.4).
 ///
 /// What the gripper of a robot with a turret holds turns about the robot's centre, by a motor with no more than the
-/// turret's torque: a load that is too heavy to turn turns the robot instead. A turret without load turns as it is
-/// told, and stops before its gripper would sink into something.
+/// turret's torque: a load that is too heavy to turn turns the robot instead. A turret without load turns as
+/// commanded, and stops before its gripper would sink into something.
 ///
 /// Bodies rest where their surfaces meet, within 0.1 mm, and sink into each other by up to 0.6 mm when they meet: Box2D
 /// finds the times of all impacts, and steps are finer where something fast is near. What nothing can reach in a tick

@@ -26,7 +26,7 @@ class TreelJoint final : public b2FrictionJoint {
 
 /// What a turret holds its load by. Box2D's own revolute joint turns the motor against the load's inertia about its own
 /// centre, and then lets the pivot bring the rest of it along, which for a light load takes more iterations than there
-/// are: it came to 1.2 times the speed that it was told. Motor and pivot are solved together here.
+/// are: it came to 1.2 times the commanded speed. Motor and pivot are solved together here.
 class TurretJoint final : public b2RevoluteJoint {
  public:
   explicit TurretJoint(const b2RevoluteJoint& other) : b2RevoluteJoint(other) {}

@@ -87,14 +87,14 @@ void Dynamics2d::driveTurrets(double step) {
       turnFreely(turret, step);
       continue;
     }
-    motor->EnableMotor(turret.told->mode != FootbotTurret::Mode::kPassive);
-    const double speed = motorSpeed(*turret.told, bodies_.jointOf(turret), turret.state.angle, step);
+    motor->EnableMotor(turret.command->mode != FootbotTurret::Mode::kPassive);
+    const double speed = motorSpeed(*turret.command, bodies_.jointOf(turret), turret.state.angle, step);
     motor->SetMotorSpeed(static_cast<float>(turret.sense * speed));
   }
 }
 
 void Dynamics2d::turnFreely(Turret& turret, double step) {
-  const double angle = freeTurn(*turret.told, bodies_.jointOf(turret), turret.state.angle, step);
+  const double angle = freeTurn(*turret.command, bodies_.jointOf(turret), turret.state.angle, step);
   turret.state.speed = 0.0;
   turret.state.effort = 0.0;
   if (angle == turret.state.angle) {

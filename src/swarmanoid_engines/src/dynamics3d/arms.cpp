@@ -62,7 +62,7 @@ double turnedTo(const EntityModel::Joint& joint, const Link& link) {
   return isEndless(joint) ? angle : link.angle + std::remainder(angle - link.angle, kWholeTurn);
 }
 
-/// What is missing to the angle that it is told, as far as it may go.
+/// The way from the joint's angle to the commanded one, within its range [rad].
 double missingTo(const EntityModel::Joint& joint, const Link& link) {
   const double target = link.target == nullptr ? 0.0 : *link.target;
   return isEndless(joint) ? std::remainder(target - link.angle, kWholeTurn)

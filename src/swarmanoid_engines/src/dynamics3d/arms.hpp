@@ -1,7 +1,7 @@
 /// The jointed links of a robot: rigid bodies on hinges that motors turn towards the angles that the robot commands,
 /// with no more speed and torque than the model's joints have.
 ///
-/// Motors keep to the range of their joints, whatever they are told. Just beyond it there are stops, for loads that the
+/// Motors keep to the range of their joints, whatever is commanded. Just beyond it there are stops, for loads that the
 /// motors do not hold.
 ///
 /// Links do not collide with the rest of their own robot.

@@ -1,4 +1,4 @@
-/// One entity in a dynamic engine: its rigid body and solids in ODE, and what it is told to do.
+/// One entity in a dynamic engine: its rigid body and solids in ODE, and its commands.
 ///
 /// Frames: W; the body frame B of the entity's model. ODE's body sits in the centre of mass with B's axes. A robot
 /// whose arms are driven has a rigid body for each link that a joint turns, besides the one for what no joint turns;
@@ -46,7 +46,7 @@ struct Link {
   dJointID stop = nullptr;  ///< idle within the joint's range
   dJointFeedback stop_feedback = {};
   double angle = 0.0;              ///< as of the start of the step, not wrapped [rad]
-  const double* target = nullptr;  ///< the angle that the joint is told [rad]; null: 0
+  const double* target = nullptr;  ///< the commanded angle of the joint [rad]; null: 0
 };
 
 /// What a robot's treels do.
@@ -57,7 +57,7 @@ struct Treels {
 /// What an eyebot's flight controller remembers.
 struct Flight {
   bool is_holding = false;
-  Eigen::Vector3d held = Eigen::Vector3d::Zero();  ///< where its centre of mass would be, had it flown as told [m]
+  Eigen::Vector3d held = Eigen::Vector3d::Zero();  ///< where its centre of mass would be, had it flown as commanded [m]
   double heading = 0.0;                            ///< likewise [rad]
 };
 
@@ -91,7 +91,7 @@ struct Rope {
 /// What a robot holds on to by its hands, its magnet and its rope. Few robots have any, and none of the others is to
 /// pay for them.
 struct Holding {
-  // What it is told; null if it has no such device.
+  // Its commands; null if it has no such device.
   const HandbotHands* hands = nullptr;
   const HandbotRope* rope_command = nullptr;
   const EyebotMagnet* magnet = nullptr;
@@ -125,7 +125,7 @@ struct Body {
   Pose pose;                       ///< of B, as of the end of the last tick: what rays hit
   bool is_seen_elsewhere = false;  ///< a mirror; rays hit the entity in the engine that moves it
 
-  // What it is told; null if it has no such device, or not the parts for it.
+  // Its commands; null if it has no such device, or not the parts for it.
   const FootbotWheels* wheels = nullptr;
   const EyebotVelocity* velocity = nullptr;
   const FootbotGripper* gripper = nullptr;

@@ -1,4 +1,4 @@
-// What the engine is told between ticks.
+// What changes in the engine between ticks: parameters, entities and their poses.
 #include "dynamics3d/dynamics3d.hpp"
 
 #include <Eigen/Cholesky>

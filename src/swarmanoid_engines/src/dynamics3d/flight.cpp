@@ -14,7 +14,7 @@ constexpr double kPlaceGain = 2.0;         // 1/s2
 constexpr double kPlaceGainUp = 6.0;       // 1/s2
 constexpr double kSpeedGain = 3.0;         // 1/s
 constexpr double kSpeedGainUp = 6.0;       // 1/s
-constexpr double kMostLead = 0.15;         // m between where it is and where it would be, had it flown as told
+constexpr double kMostLead = 0.15;         // m between where it is and where it would be, had it flown as commanded
 constexpr double kMostAcceleration = 3.0;  // m/s2, along the horizontal and the vertical: tilts of 17 degrees
 constexpr double kMostThrust = 2.0;        // of the weight
 constexpr double kTurnGain = 256.0;        // 1/s2
@@ -28,7 +28,7 @@ void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orie
   flight.heading = std::atan2(ahead.y(), ahead.x());
 }
 
-/// Moves the place that is held as told, but not far from where the eyebot is: what is blocked gives in.
+/// Moves the place that is held as commanded, but not far from where the eyebot is: what is blocked gives in.
 void advance(Flight& flight, const Vector3d& centre, const Vector3d& way, double turn) {
   flight.heading = std::remainder(flight.heading + turn, 2.0 * M_PI);
   flight.held += way;

@@ -2,7 +2,7 @@
 ///
 /// An inner loop keeps what an eyebot's flight computer keeps: it tilts the body until the thrust gives the wanted
 /// acceleration. An outer loop follows the commanded velocity and, by its integral, the place where the eyebot would be
-/// had it flown as told: so it hovers at its height whatever drag and collisions do. Velocities are those of the
+/// had it flown as commanded: so it hovers at its height whatever drag and collisions do. Velocities are those of the
 /// centre of mass, in the frame that has the body's heading and stands upright.
 #pragma once
 

@@ -199,7 +199,7 @@ void Dynamics3d::finishTick(Space& space) {
         readLinks(*body, space.jointsOf(body->row));
         body->poseShapes(space.jointsOf(body->row));
       }
-      if (body->turret.told != nullptr) {
+      if (body->turret.command != nullptr) {
         space.jointsOf(body->row)[body->turret.joint] = body->turret.state;
         body->poseShapes(space.jointsOf(body->row));
       }

@@ -16,7 +16,7 @@ constexpr double kTreelAcceleration = 3.0;  // m/s2
 /// Lets the treels run as fast as the robot moves. @param twist of B, in W
 void takeSpeed(Body& robot, const Twist& twist);
 
-/// Brings the treels' speeds nearer to what the wheels are told. @param step [s]
+/// Brings the treels' speeds nearer to the commanded speeds of the wheels. @param step [s]
 void followCommand(Body& robot, double step);
 
 /// Sets a contact's friction and motion; if the ball touches sideways, it stays a contact as any other.

@@ -49,7 +49,7 @@ double depthOf(const Body& robot, const Contacts& contacts) {
 
 void turnFreely(Body& robot, const Contacts& contacts, double step) {
   JointState& state = robot.turret.state;
-  const double angle = freeTurn(*robot.turret.told, jointOf(robot), state.angle, step);
+  const double angle = freeTurn(*robot.turret.command, jointOf(robot), state.angle, step);
   state.speed = 0.0;
   state.effort = 0.0;
   if (angle == state.angle) {
@@ -71,7 +71,7 @@ void turnFreely(Body& robot, const Contacts& contacts, double step) {
 void findTurret(Body& body, const Space& space) {
   Turret& turret = body.turret;
   turret.joint = turretJoint(*body.model);
-  turret.told = turret.joint >= 0 && body.is_dynamic ? space.actuation.find<FootbotTurret>(body.row) : nullptr;
+  turret.command = turret.joint >= 0 && body.is_dynamic ? space.actuation.find<FootbotTurret>(body.row) : nullptr;
 }
 
 void takeTurret(Body& body, const Space& space) {
@@ -106,7 +106,7 @@ dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
 }
 
 void driveTurret(Body& robot, const Contacts& contacts, double step) {
-  if (robot.turret.told == nullptr) {
+  if (robot.turret.command == nullptr) {
     return;
   }
   const dJointID hinge = hingeOf(robot);
@@ -114,15 +114,15 @@ void driveTurret(Body& robot, const Contacts& contacts, double step) {
     turnFreely(robot, contacts, step);
     return;
   }
-  const FootbotTurret& told = *robot.turret.told;
+  const FootbotTurret& command = *robot.turret.command;
   const EntityModel::Joint& joint = jointOf(robot);
-  const bool is_off = told.mode == FootbotTurret::Mode::kPassive;
+  const bool is_off = command.mode == FootbotTurret::Mode::kPassive;
   dJointSetHingeParam(hinge, dParamFMax, is_off ? 0.0 : joint.max_effort);
-  dJointSetHingeParam(hinge, dParamVel, motorSpeed(told, joint, robot.turret.state.angle, step));
+  dJointSetHingeParam(hinge, dParamVel, motorSpeed(command, joint, robot.turret.state.angle, step));
 }
 
 void readTurret(Body& robot) {
-  const dJointID hinge = robot.turret.told == nullptr ? nullptr : hingeOf(robot);
+  const dJointID hinge = robot.turret.command == nullptr ? nullptr : hingeOf(robot);
   if (hinge == nullptr) {
     return;
   }

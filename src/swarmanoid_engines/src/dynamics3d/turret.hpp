@@ -15,8 +15,8 @@ struct Body;
 class Contacts;
 
 struct Turret {
-  const FootbotTurret* told = nullptr;  ///< null: the robot has no such device
-  int joint = -1;                       ///< of the model; -1: it has no turret
+  const FootbotTurret* command = nullptr;  ///< null: the robot has no such device
+  int joint = -1;                          ///< of the model; -1: it has no turret
   JointState state;
   double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
 };
@@ -30,7 +30,7 @@ void takeTurret(Body& body, const Space& space);
 /// The gripper's tip in the frame B [m]. @pre it has a gripper
 Eigen::Vector3d gripperTip(const Body& robot);
 
-/// A hinge between a robot and what it grips, with the turret as its motor. @pre robot.turret.told
+/// A hinge between a robot and what it grips, with the turret as its motor. @pre robot.turret.command
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object);
 
 /// Before a step [s]: sets the motor, or turns the gripper's solids.

@@ -1,4 +1,5 @@
-// What the engine is told between ticks, and the rays that its knowledge of free space spares.
+// What changes in the engine between ticks, and the rays that are not cast because the space around them is known to be
+// free.
 #include "kinematics2d/kinematics2d.hpp"
 
 #include <algorithm>

@@ -12,7 +12,7 @@
 /// of its velocity that lies in the plane. A footbot can grip a prey, not another footbot; a prey is gripped by one
 /// footbot at a time, and keeps its place in the gripper to the last digits.
 ///
-/// Turrets turn after all bodies have moved, at the speed that they are told; what the gripper holds turns with them
+/// Turrets turn after all bodies have moved, at the commanded speed; what the gripper holds turns with them
 /// around the robot. One that would overlap another with its gripper or with what that holds turns as far as is free.
 /// What a passive one holds trails behind the robot like a trailer: its centre is never moved to the side.
 ///

@@ -103,7 +103,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
   Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
   planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
-  if (turret != nullptr && turret->told->mode == FootbotTurret::Mode::kPassive) {
+  if (turret != nullptr && turret->command->mode == FootbotTurret::Mode::kPassive) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
   }
   Clearance clearance = record.clearance;

@@ -19,7 +19,7 @@ double Kinematics2d::startTurrets(double step) {
       continue;
     }
     const Body& body = bodies_[turret.body];
-    const double next = freeTurn(*turret.told, bodies_.jointOf(turret), turret.state.angle, step);
+    const double next = freeTurn(*turret.command, bodies_.jointOf(turret), turret.state.angle, step);
     const double turn_rate = std::abs(wrapTurn(next - turret.state.angle)) / step + std::abs(body.turn_rate);
     const double arm = motion(gripped).place_in_gripper.position.norm();
     fastest = std::max(fastest, body.velocity.norm() + arm * turn_rate);
@@ -29,7 +29,7 @@ double Kinematics2d::startTurrets(double step) {
 
 void Kinematics2d::turn(Turret& turret, double dt) {
   const double start = turret.state.angle;
-  const double angle = freeTurn(*turret.told, bodies_.jointOf(turret), start, dt);
+  const double angle = freeTurn(*turret.command, bodies_.jointOf(turret), start, dt);
   const PlacedPose& pose = bodies_[turret.body].pose;
   if (angle != start && !tryTurned(turret, pose, angle)) {
     tryParts([&](double part) { return tryTurned(turret, pose, wrapTurn(start + part * wrapTurn(angle - start))); });

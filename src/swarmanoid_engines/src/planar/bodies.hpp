@@ -31,12 +31,12 @@ struct Body {
   EntityNumber number = kNoEntity;
   Row row = kNoRow;
 
-  // What it is told; null if it has no such device, or not the parts for it.
+  // Its commands; null if it has no such device, or not the parts for it.
   const FootbotWheels* wheels = nullptr;
   const EyebotVelocity* flight = nullptr;
   const FootbotGripper* gripper = nullptr;
 
-  // What it is told to do in this tick, by wheels or flight: see readCommands.
+  // Its commands in this tick, by wheels or flight: see readCommands.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
   double turn_rate = 0.0;                              ///< [rad/s]
 
@@ -65,7 +65,7 @@ struct BodyDetails {
 /// The turret of a body that has the device for it, and its body z axis along the normal.
 struct Turret {
   BodyIndex body = kNoBody;
-  const FootbotTurret* told = nullptr;
+  const FootbotTurret* command = nullptr;
   int joint = -1;      ///< of the entity's model
   double sense = 1.0;  ///< -1 where a turn to the left is one to the right in the plane
   JointState state;

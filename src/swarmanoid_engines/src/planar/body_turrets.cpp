@@ -10,13 +10,13 @@ void Bodies::findTurret(const Space& space, BodyIndex index) {
   const Body& body = (*this)[index];
   const Eigen::Quaterniond& base = details(index).base;
   const int joint = body.entity->joints.empty() ? -1 : turretJoint(*body.entity);
-  const FootbotTurret* told = joint < 0 ? nullptr : space.actuation.find<FootbotTurret>(body.row);
-  if (told == nullptr || body.role == Role::kMirror || !plane_.isUpright(base) || findTurret(index) != nullptr) {
+  const FootbotTurret* command = joint < 0 ? nullptr : space.actuation.find<FootbotTurret>(body.row);
+  if (command == nullptr || body.role == Role::kMirror || !plane_.isUpright(base) || findTurret(index) != nullptr) {
     return;
   }
   Turret turret;
   turret.body = index;
-  turret.told = told;
+  turret.command = command;
   turret.joint = joint;
   turret.sense = body.model->turn > 0.0 ? 1.0 : -1.0;
   turret.state = space.jointsOf(body.row)[joint];

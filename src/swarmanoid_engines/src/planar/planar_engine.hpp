@@ -29,7 +29,7 @@ class PlanarEngine : public Engine {
   /// subclock, perpendicular_axis and distance.
   static std::vector<Parameter> placementParameters();
 
-  /// From what wheels or flight are told to `velocity` and `turn_rate`. @pre the body has one of them
+  /// From the commands of wheels or flight to `velocity` and `turn_rate`. @pre the body has one of them
   static void readCommands(Body& body);
 
   /// Writes where a body is now, if it has moved in this tick. What did not turn keeps its orientation to the bit.
