@@ -1,4 +1,4 @@
-// Devices of handbots, and the eyebot's magnet: limits of what is told, and what is read of the space.
+// Devices of handbots, and the eyebot's magnet: limits of commands, and what is read of the space.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -82,9 +82,9 @@ TEST(HandbotRopeTest, ASafeStopHoldsItWhateverTheControllerSaidLast) {
   EXPECT_TRUE(rope.actuate().shot);
   EXPECT_EQ(rope.faulty, std::vector<Row>{robot});
   EXPECT_TRUE(rope.stop());
-  for (const HandbotRope* told : {static_cast<const HandbotRope*>(&rope.command), &rope.actuate()}) {
-    EXPECT_TRUE(told->shot);
-    EXPECT_EQ(told->winding_speed, 0.0);
+  for (const HandbotRope* command : {static_cast<const HandbotRope*>(&rope.command), &rope.actuate()}) {
+    EXPECT_TRUE(command->shot);
+    EXPECT_EQ(command->winding_speed, 0.0);
   }
   EXPECT_TRUE(rope.faulty.empty());
 }

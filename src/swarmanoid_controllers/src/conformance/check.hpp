@@ -18,7 +18,7 @@ struct Stage {
   std::function<void()> begin;      ///< once, before the first `act`
   std::function<void()> act;        ///< in each tick
   std::function<bool()> until;      ///< it is over when this is true; if there is none, after `seconds`
-  std::function<void(double)> end;  ///< once; is told how many seconds it took
+  std::function<void(double)> end;  ///< once, with the seconds that it took
 };
 
 struct Check {

@@ -1,4 +1,4 @@
-/// What a robot's host is told of its robot: which of its devices a controller uses and how, how often, and when the
+/// The configuration of a robot's host: which of its devices a controller uses and how, how often, and when the
 /// robot is stopped. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is values, from wherever.
 ///
 ///     robot_type: footbot                       footbot, eyebot or handbot

@@ -1,5 +1,5 @@
 /// One robot and its controller, period after period, without ROS: whoever has the robot's devices says what was heard
-/// of them and what time it is, and sends their commands when told to.
+/// of them and what time it is, and sends their commands when the caller asks for it.
 ///
 ///     waiting ----> running <----> stopped      all devices are there; sensors are lost; all are back
 ///        |             |              |

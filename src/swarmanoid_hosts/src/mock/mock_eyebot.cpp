@@ -1,4 +1,4 @@
-// An eyebot that flies with the velocity that it is told, between ground and ceiling.
+// An eyebot that flies with the commanded velocity, between ground and ceiling.
 #include <algorithm>
 #include <cmath>
 

@@ -16,7 +16,7 @@ namespace swarmanoid {
 
 class CommandMailbox {
  public:
-  /// Robot and device type: what the device is told, as bytes (device_type.hpp).
+  /// Robot and device type: the command of the device, as bytes (device_type.hpp).
   using Commands = std::map<std::pair<std::string, std::string>, Bytes>;
 
   // For those who receive commands.

@@ -1,6 +1,6 @@
-/// What a robot's actuators are told when nobody decides any more: its controller threw, its sensors are lost, or its
-/// process ends. One function for each actuator, in a table beside the devices; hosts of controllers on robots use it,
-/// and drivers that have had no command for too long.
+/// The commands of a robot's actuators when no controller decides any more: its controller threw, its sensors are lost,
+/// or its process ends. One function for each actuator, in a table beside the devices; hosts of controllers on robots
+/// use it, and drivers that have had no command for too long.
 ///
 /// Each function starts from the last command and is asked again every period, so that a stop may take its time:
 ///

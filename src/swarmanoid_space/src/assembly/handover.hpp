@@ -24,7 +24,7 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
 /// Why the engine cannot take charge of the members of a structure where they stand; "" if it can. Whether the members
 /// overlap each other is not looked at: they stood like this, and grip each other, in the engine that they come from.
 /// @pre its mirrors are refreshed
-/// @param row the member that it is about; what hinders another one is told with that one's name
+/// @param row the member that it is about; what hinders another one is reported with that one's name
 std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
                             const std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members,
                             Row row, const Engine& engine);

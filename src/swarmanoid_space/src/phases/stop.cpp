@@ -1,4 +1,4 @@
-// Part of phase 3: robots that nobody commands any more are stopped safely. What they are told takes effect in this
+// Part of phase 3: robots that are not commanded any more are stopped safely. Their commands take effect in this
 // tick, and may take some more.
 #include "phases.hpp"
 

@@ -97,7 +97,7 @@ void fromMessage(const swarmanoid_msgs::TurretCommand& message, FootbotTurret& c
 void fromMessage(const geometry_msgs::Twist& message, EyebotVelocity& command);
 void fromMessage(const swarmanoid_msgs::LaserCommand& message, EyebotLaser& command);
 void fromMessage(const swarmanoid_msgs::GripperCommand& message, EyebotMagnet& command);
-/// Joints that it does not name are told what they were told before.
+/// Joints that it does not name keep their command.
 void fromMessage(const sensor_msgs::JointState& message, HandbotArms& command);
 void fromMessage(const swarmanoid_msgs::HandsCommand& message, HandbotHands& command);
 void fromMessage(const swarmanoid_msgs::RopeCommand& message, HandbotRope& command);

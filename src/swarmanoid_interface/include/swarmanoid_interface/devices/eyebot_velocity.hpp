@@ -1,4 +1,4 @@
-/// Actuator: the flight controller of an eyebot, told a velocity.
+/// Actuator: the flight controller of an eyebot, commanded a velocity.
 #pragma once
 
 #include <Eigen/Core>

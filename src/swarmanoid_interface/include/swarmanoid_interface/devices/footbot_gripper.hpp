@@ -3,7 +3,7 @@
 
 namespace swarmanoid {
 
-/// What the gripper is told. A closed gripper holds what it reaches; an open one lets go.
+/// The command of the gripper. A closed gripper holds what it reaches; an open one lets go.
 struct FootbotGripper {
   static constexpr const char* kType = "footbot_gripper";
 

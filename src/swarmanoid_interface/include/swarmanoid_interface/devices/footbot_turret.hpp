@@ -9,7 +9,7 @@
 
 namespace swarmanoid {
 
-/// What the turret's motor is told. At first it holds the angle 0, which is what a robot without this device does.
+/// The command of the turret's motor. At first it holds the angle 0, which is what a robot without this device does.
 struct FootbotTurret {
   static constexpr const char* kType = "footbot_turret";
 

@@ -18,7 +18,7 @@ struct ArmAngles {
   bool isFinite() const { return std::isfinite(shoulder) && std::isfinite(elbow) && std::isfinite(wrist); }
 };
 
-/// The joints go there as fast as their motors can, and hold what they are told with no more than the motors' torque.
+/// The joints go there as fast as their motors can, and hold the commanded angles with no more than the motors' torque.
 struct HandbotArms {
   static constexpr const char* kType = "handbot_arms";
 

@@ -83,7 +83,7 @@ class SimulationThread {
   /// SimulationBusy.
   void callUsers(const std::function<void(Simulation&)>& action);
 
-  /// The same for who only looks; nobody is told of it.
+  /// The same for callers that only look; no handler is called.
   void look(const std::function<void(const Simulation&)>& action) const;
 
   /// Back to before the first tick, paused or running as it is. See Simulation::reset.
