@@ -1,5 +1,5 @@
-/// What engines have in common that simulate turrets (footbot_turret.hpp): which joint it is, and where its motor wants
-/// it to go.
+/// What engines have in common that simulate turrets (footbot_turret.hpp): which joint it is, and the speed of
+/// its motor.
 #pragma once
 
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
@@ -17,7 +17,7 @@ double wrapTurn(double angle);
 /// Where a turret that nothing hinders stands after a step [s]; a passive one stays.
 double freeTurn(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step);
 
-/// How fast the motor of a turret that holds something wants to turn for a step [s], as far as its torque suffices
+/// The speed at which the motor of a turret that holds something turns for a step [s], if its torque suffices
 /// [rad/s].
 double motorSpeed(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step);
 

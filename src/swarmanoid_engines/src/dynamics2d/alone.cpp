@@ -1,5 +1,5 @@
 // Bodies that nothing can reach in a tick are moved without Box2D, whose work would all be for finding contacts that
-// cannot be there. In a swarm that is nearly everybody, so what is near can be moved in as fine steps as it needs.
+// cannot be there. In a swarm those are nearly all robots, so what is near can be moved in as fine steps as it needs.
 #include <algorithm>
 #include <cmath>
 
@@ -21,13 +21,13 @@ Dynamics2d::Rates Dynamics2d::highestRates(BodyIndex index) {
 void Dynamics2d::measureWay(BodyIndex index, double tick, double jump) {
   RigidBody& rigid_body = rigid(index);
   const Rates most = highestRates(index);
-  // who is hit may be twice as fast as who hits it
+  // a body that is hit may be twice as fast as the body that hits it
   rigid_body.way = 2.0 * (most.speed + most.turn * rigid_body.arm.norm()) * tick + jump + kClose;
   rigid_body.is_reached = false;
   const bool was_fast = rigid_body.is_fast;
   rigid_body.is_fast = rigid_body.way > kFastWay;
   if (was_fast && !rigid_body.is_fast) {
-    travelled_ += kLookAhead;  // those who have looked around since then have not minded it
+    travelled_ += kLookAhead;  // searches since it became fast have not counted it
   }
   longest_way_ = std::max(longest_way_, rigid_body.way);
   if (!rigid_body.is_fast) {

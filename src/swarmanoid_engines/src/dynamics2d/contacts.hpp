@@ -1,4 +1,4 @@
-/// Which bodies may touch, and who touches anybody.
+/// Which pairs of bodies may touch, and which bodies touch another.
 #pragma once
 
 #include <box2d/b2_contact.h>

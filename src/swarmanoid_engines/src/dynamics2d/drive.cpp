@@ -1,6 +1,6 @@
 // What drives robots: treels that push on the ground, and flight.
 //
-// A robot that touches nobody gets in each step the forces that bring it to the commanded velocity within that step, as
+// A robot without contacts gets in each step the forces that bring it to the commanded velocity within that step, as
 // far as the ground holds; a treel that slips is held back against its slip. What else pushes it would come a step too
 // late in that sum, so a robot that touches or holds anything is driven by joints instead, which Box2D solves together
 // with the contacts.

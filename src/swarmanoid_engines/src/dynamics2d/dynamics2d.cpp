@@ -142,7 +142,7 @@ void Dynamics2d::add(Space& space, Row row, Role role) {
   rigid(index) = RigidBody{};
   makeBody(index);
   putBody(space, index);
-  travelled_ += kLookAhead;  // everybody looks around anew
+  travelled_ += kLookAhead;  // all bodies search their surroundings anew
   if (role == Role::kMove && bodies_[index].is_movable) {
     const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };
     movers_.insert(std::upper_bound(movers_.begin(), movers_.end(), index, older), index);
@@ -229,7 +229,7 @@ void Dynamics2d::place(Space& space, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   takePose(space, index);
-  travelled_ += kLookAhead;  // everybody looks around anew
+  travelled_ += kLookAhead;  // all bodies search their surroundings anew
 }
 
 void Dynamics2d::clear() {

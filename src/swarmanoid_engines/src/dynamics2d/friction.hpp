@@ -1,4 +1,4 @@
-/// Coulomb's friction in the plane: what a place of contact that slips is held back by.
+/// Coulomb's friction in the plane: the force that holds back a place of contact that slips.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,7 +10,7 @@ namespace swarmanoid::dynamics2d {
 /// @param yield velocity of the place for each unit of friction, symmetric and positive definite [m/s/N]
 /// @param slip velocity of the place over the ground without friction [m/s]
 /// @param most friction [N]; in impulses instead of forces, all in N s
-/// @param guess of the slip that remains, for each unit of friction: who knows saves time
+/// @param guess of the slip that remains, for each unit of friction: a good one saves time
 Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most,
                                 double guess = 0.0);
 

@@ -44,7 +44,7 @@ void Dynamics2d::connect(Space& space) {
 BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const {
   return planar::findInReach(bodies_, gripper, [&](BodyIndex index) {
     const Body& body = bodies_[index];
-    // a structure is a tree: nobody grips what hangs on him
+    // a structure is a tree: no robot grips a body that hangs on it
     return body.is_movable && body.role == Role::kMove && space.structure.root(body.row) != bodies_[gripper].row;
   });
 }

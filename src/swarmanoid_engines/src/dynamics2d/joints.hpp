@@ -13,9 +13,9 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// What holds a treel to its belt. Box2D's own friction joint solves both directions, each with the mass that it feels,
-/// and then shortens the impulse: of a treel that slips beside the centre of mass the friction points up to 20 degrees
-/// past the slip, which pushes the robot aside. @pre body A, the belt, is moved by nothing but itself
+/// The joint between a treel and its belt. Box2D's own friction joint solves both directions, each with its effective
+/// mass, and then shortens the impulse: of a treel that slips beside the centre of mass the friction points up to 20
+/// degrees past the slip, which pushes the robot aside. @pre body A, the belt, is moved by nothing but itself
 class TreelJoint final : public b2FrictionJoint {
  public:
   explicit TreelJoint(const b2FrictionJoint& other) : b2FrictionJoint(other) {}
@@ -24,9 +24,9 @@ class TreelJoint final : public b2FrictionJoint {
   void SolveVelocityConstraints(const b2SolverData& data) override;
 };
 
-/// What a turret holds its load by. Box2D's own revolute joint turns the motor against the load's inertia about its own
-/// centre, and then lets the pivot bring the rest of it along, which for a light load takes more iterations than there
-/// are: it came to 1.2 times the commanded speed. Motor and pivot are solved together here.
+/// The joint between a turret and its load. Box2D's own revolute joint turns the motor against the load's inertia about
+/// its own centre, and then lets the pivot bring the rest of it along, which for a light load takes more iterations
+/// than there are: it came to 1.2 times the commanded speed. Motor and pivot are solved together here.
 class TurretJoint final : public b2RevoluteJoint {
  public:
   explicit TurretJoint(const b2RevoluteJoint& other) : b2RevoluteJoint(other) {}
@@ -35,7 +35,7 @@ class TurretJoint final : public b2RevoluteJoint {
   void SolveVelocityConstraints(const b2SolverData& data) override;
 };
 
-/// Makes a joint of ours where Box2D makes one of its own. @return what Box2D knows it as
+/// Makes a joint of ours in the memory of a joint that Box2D has made. @return the joint, as Box2D's type
 template <class Ours, class Theirs, class Definition>
 Theirs* makeJoint(b2World& world, const Definition& definition) {
   static_assert(sizeof(Ours) == sizeof(Theirs) && alignof(Ours) == alignof(Theirs));

@@ -9,14 +9,14 @@ namespace swarmanoid::dynamics2d {
 /// In how many pieces each step is made in this tick, so that nothing in Box2D moves or turns by more in one than it
 /// may; and whether anything moves by so much that times of impact are needed, which are dear.
 void Dynamics2d::choosePieces(double step) {
-  // Box2D bears no longer ways and no larger turns, and what is hit may be twice as fast as who hits it
+  // Box2D bears no longer ways and no larger turns, and a body that is hit may be twice as fast as its hitter
   constexpr double kMostWay = 0.5 * kLongestWay;                           // m
   constexpr double kMostTurn = 0.5 * static_cast<double>(b2_maxRotation);  // rad
   // contacts and grips are solved where they are when a step begins, and should not be far from there when it ends
   constexpr double kWayAtContact = 0.01;  // m
-  constexpr double kWayInGrip = 0.002;    // m: Box2D stops who runs into something without asking who holds it
+  constexpr double kWayInGrip = 0.002;    // m: Box2D stops a body that runs into something, whatever holds it
   constexpr double kTurnOfHeld = 0.03;    // rad
-  // and the solver comes back only bit by bit from what somebody has pushed with who pushes no longer
+  // and the solver takes many steps to forget the push of a robot that pushes no longer
   constexpr double kTimeOfHeld = 0.05;  // s
   constexpr double kMostPieces = 1e4;
   double rate = 0.0;     // of pieces [1/s]

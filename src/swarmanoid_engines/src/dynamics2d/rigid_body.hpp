@@ -55,7 +55,7 @@ struct RigidBody {
   double jump = 0.0;        ///< of a mirror: from where it was to where it was put before this tick [m]
   double free_until = 0.0;  ///< nothing slow can reach it until travelled_ (see Dynamics2d) is as large
 
-  // How it moves while it is alone; otherwise Box2D knows.
+  // Its motion while it is alone; otherwise Box2D has it.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< of the centre of mass, in the plane [m/s]
   double spin = 0.0;                                   ///< [rad/s]
 
@@ -69,7 +69,7 @@ struct RigidBody {
   double inertia = 0.0;                           ///< about the centre of mass [kg m2]
   Eigen::Vector2d arm = Eigen::Vector2d::Zero();  ///< from the origin to the centre of mass, at heading 0 [m]
 
-  // What the drive wants in each step of this tick, and what it has for it; vectors are at heading 0.
+  // The motion that the drive is to make in each step of this tick, and its forces; vectors are at heading 0.
   Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();  ///< [m]
   double turn_rate = 0.0;                                    ///< [rad/s]
   Eigen::Vector2d ahead = Eigen::Vector2d::Zero();           ///< the way that treels push

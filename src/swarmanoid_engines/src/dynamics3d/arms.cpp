@@ -55,8 +55,8 @@ void makeStop(dWorldID world, const EntityModel::Joint& joint, dBodyID carrier, 
 
 bool isEndless(const EntityModel::Joint& joint) { return std::isinf(joint.upper); }
 
-/// How far the joint is turned now. If it has stops this counts on beyond half a turn, of which the hinge knows
-/// nothing.
+/// How far the joint is turned now. If it has stops the angle goes on beyond half a turn, where the hinge's
+/// angle wraps.
 double turnedTo(const EntityModel::Joint& joint, const Link& link) {
   const double angle = dJointGetHingeAngle(link.hinge);
   return isEndless(joint) ? angle : link.angle + std::remainder(angle - link.angle, kWholeTurn);

@@ -184,7 +184,7 @@ void Contacts::collidePair(Body& a, Body& b) {
           isHeldWith(b, solid_b, a)) {
         continue;
       }
-      // who drives, and who has a rigid body, comes first: ODE takes surface motion as that of its first body
+      // a body that drives, and one with a rigid body, comes first: ODE takes surface motion as that of its first body
       const bool swaps = solid_b.kind != Solid::Kind::kPlain || (solid_a.kind == Solid::Kind::kPlain && !a.is_dynamic);
       if (swaps) {
         collideSolids(b, solid_b, &a, solid_a);

@@ -1,4 +1,4 @@
-/// Finds who touches whom, and makes ODE's contact joints of it.
+/// Finds which bodies touch, and makes ODE's contact joints of it.
 ///
 /// Pairs are gone through in the order of entity numbers and solids, so a run does not depend on memory addresses.
 /// Surfaces are looked at before they meet (kMargin): they may come together by no more than their gap in a step.

@@ -122,7 +122,7 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
   body.setTwist(twist, joints);
   takeTurret(body, space);
   if (body.model->wheels) {
-    takeSpeed(body, twist);  // who comes at speed drives on
+    takeSpeed(body, twist);  // a body that comes at speed keeps it
   }
 }
 

@@ -181,7 +181,7 @@ bool Friction::isCoulombs(Rubbing& rubbing) {
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();
   const bool slips = speed > kSlips;
-  // what ODE allows along the axis; it knows loads as they were without friction
+  // the friction that ODE allows along the axis, from the loads without friction
   const double allowed = slips ? std::abs(friction.dot(rubbing.axis))
                                : std::max(limit, mostAlongAxes(friction, rubbing.axis, rubbing.normal));
   const double astray = slips ? (friction + allowed / speed * slip).norm() : size - allowed;

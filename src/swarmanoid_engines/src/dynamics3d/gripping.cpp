@@ -55,7 +55,7 @@ Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
   const Body* nearest = nullptr;
   double nearest_distance = kGripperReach;
   seen_.visitNear({tip - reach, tip + reach}, [&](const Body* body, const Eigen::AlignedBox3d&) {
-    // a structure is a tree: nobody grips what hangs on him
+    // a structure is a tree: no robot grips a body that hangs on it
     if (body == &robot || !body->is_dynamic || !body->model->gripping_radius ||
         space.structure.root(body->row) == robot.row) {
       return true;

@@ -1,4 +1,4 @@
-/// A convex solid where it is, whoever made it.
+/// A convex solid at its pose, from any source.
 #pragma once
 
 #include "dynamics3d/ode.hpp"

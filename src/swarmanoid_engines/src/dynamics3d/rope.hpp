@@ -19,7 +19,7 @@ Eigen::Vector3d launcherOf(const Body& robot);
 
 /// Before each step: how fast the rope is wound in it. @pre the rope holds something
 void windRope(Holding& holding, double step);
-/// Before each step: brakes who hangs on it, across the rope, with so much for each m/s of its launcher [N s/m].
+/// Before each step: brakes the body that hangs on it, across the rope, by `drag` for each m/s of its launcher [N s/m].
 /// @pre the rope holds something
 void dragRope(Body& robot, double drag);
 /// Makes the rope's joint of a step. @pre it holds something

@@ -18,7 +18,7 @@ struct Settings {
   double grip_strength = 50.0;     ///< force that opens a gripper [N]
   double suction_strength = 30.0;  ///< force that pulls a hand off what it holds [N]
   double rope_strength = 80.0;     ///< force that pulls a rope's magnet off [N]
-  double rope_drag = 0.0;          ///< of who hangs on a rope, across it [N s/m]
+  double rope_drag = 0.0;          ///< of a body that hangs on a rope, across it [N s/m]
   double magnet_strength = 60.0;   ///< force that pulls an eyebot's magnet off [N]
 };
 

@@ -110,7 +110,7 @@ void Kinematics2d::addContacts(BodyIndex index, const PlacedPose& pose, BodyInde
   });
 }
 
-/// Clearances count on nobody moving farther than a stride in a step: who was pushed out may have.
+/// Clearances assume that no body moves farther than a stride in a step: a body that was pushed out may have.
 void Kinematics2d::countDetour(double moved) {
   const double detour = moved - stride_;
   if (detour > detour_) {

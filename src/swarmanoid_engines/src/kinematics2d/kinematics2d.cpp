@@ -57,7 +57,7 @@ void Kinematics2d::draw(EngineDrawing& drawing) const {
 }
 
 bool Kinematics2d::areAllOutOfReach(const RayBundle& rays) const {
-  // a robot that casts rays knows from moving how far away everybody is
+  // the clearance of a robot that casts rays, found while moving it, bounds the distance of all other bodies
   const BodyIndex caster = rays.ignored == kNoRow || is_somebody_new_ ? kNoBody : bodies_.find(rays.ignored);
   if (caster == kNoBody) {
     return false;

@@ -43,7 +43,7 @@ struct Clearance {
   bool at_all_heights = false;         ///< also nothing above or below
 };
 
-/// What this engine knows of a body beside where it is.
+/// The state of a body in this engine, beside its pose.
 struct Motion {
   planar::PlanarPose pose_at_start;  ///< of the tick
   Clearance clearance;
