@@ -1,6 +1,6 @@
 /// All named state of a space, field by field. Its hash and what is recorded of it follow from this one list.
 ///
-/// Units and frames  those of the space: SI, rad; poses and twists in W, anchors in the body frame of who is held;
+/// Units and frames  those of the space: SI, rad; poses and twists in W, anchors in the body frame of the held entity;
 ///                   colours 0 to 255.
 /// Phase             at the end of a tick, or before the first. Reads only, so from any thread that may read the space.
 #pragma once
@@ -22,7 +22,7 @@ struct FieldName {
 
 /// Calls, in the order of entity numbers:
 ///     visitor.beginEntity(row)                     what follows is the entity's
-///     visitor.beginWorld()                         what follows is nobody's
+///     visitor.beginWorld()                         what follows belongs to no entity
 ///     visitor.number(name, double)
 ///     visitor.vector(name, Eigen::Vector3d)
 ///     visitor.quaternion(name, Eigen::Quaterniond)
@@ -92,7 +92,7 @@ class StateVisit {
     });
   }
 
-  // Two runs that differ only in who moves an entity go apart later: the hash tells it in the tick in which they begin
+  // Two runs that differ only in who moves an entity go apart later: the hash differs in the tick in which they begin
   // to. Walls may be in several engines, and none of them moves them.
   void visitMover(Row row) {
     if (space_.entities.model[at(row)]->is_movable) {

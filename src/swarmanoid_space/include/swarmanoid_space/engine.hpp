@@ -16,7 +16,7 @@
 ///          `invalidPoseReason`, `overlap`, `unsupportedGripReason` and `unsupportedStateReason` decide, without any
 ///          change; then the old engine gets `remove` for each member and the new one `add`, parents before children.
 ///          The space keeps pose, twist, joints, grips, attachments, devices and everything else meanwhile, so what an
-///          engine knows beyond them, it makes anew from them.
+///          engine has beyond them, it makes anew from them.
 ///
 /// To add an engine: derive, register with REGISTER_ENGINE, write what it can simulate in `unsupportedReason`.
 #pragma once
@@ -42,7 +42,7 @@ class Space;
 /// What an engine reports about its own work. Not part of the state: nothing in the run may depend on it.
 struct EngineHealth {
   int steps_per_tick = 1;
-  std::string warning;                                        ///< what somebody should know; "": all is well
+  std::string warning;                                        ///< for users to read; "": all is well
   std::vector<std::pair<std::string, std::string>> counters;  ///< name and value, since the run began
 };
 
@@ -98,7 +98,7 @@ class Engine {
   /// end may be fixed. @pre the pose is valid, no overlap
   virtual void add(Space& space, Row row, Role role) = 0;
   /// Gives an entity back; its pose and twist in the space are already what they should be. Grips in `structure` stay,
-  /// for whoever gets it next.
+  /// for the engine that gets it next.
   virtual void remove(Space& space, Row row) = 0;
   /// The entity's pose in the space was set from outside; or it is a mirror, and a handover to this engine is to be
   /// decided by where it is now. @pre the pose is valid, no overlap, unless it is a mirror
@@ -115,8 +115,8 @@ class Engine {
   /// Makes and breaks grips from the actuation of this tick.
   virtual void connect(Space& space) = 0;
 
-  /// Whether a ray of the bundle could hit anything here; in doubt, yes. The segments are not looked at, so who asks
-  /// first need not have made them.
+  /// Whether a ray of the bundle could hit anything here; in doubt, yes. The segments are not looked at, so a
+  /// caller that asks first need not have made them.
   virtual bool mayHit(const RayBundle& rays) const = 0;
   /// For each segment: if it hits an entity of this engine nearer than `hits` says so far, that hit replaces it.
   virtual void raycast(const RayBundle& rays, Span<RayHit> hits) const = 0;

@@ -3,7 +3,7 @@
 ///
 /// Phases   configure, add, remove: between ticks. sense: the phase of this name; sees the space const.
 /// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
-/// Noise    drawn from the instance's own stream, so it does not depend on who else senses.
+/// Noise    drawn from the instance's own stream, so it does not depend on other instances.
 ///
 /// To add a sensor: write its struct in an interface header, derive from SensorOf<Struct>, end with REGISTER_SENSOR.
 #pragma once

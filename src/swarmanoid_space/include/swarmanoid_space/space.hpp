@@ -2,7 +2,7 @@
 /// visualisations meet only here.
 ///
 /// Frames: W, the space's own, z up; the arena spans from the origin to `size`. SI units.
-/// Which phase writes a part stands beside it; everybody may read it in the other phases.
+/// Which phase writes a part stands beside it; all may read it in the other phases.
 #pragma once
 
 #include <Eigen/Core>
@@ -85,7 +85,7 @@ class Space {
   Banks actuation;  ///< actuate
 
   // Who is in charge, by entity row.
-  std::vector<Engine*> mover;                  ///< null: nobody moves the entity
+  std::vector<Engine*> mover;                  ///< null: no engine moves the entity
   std::vector<std::unique_ptr<Robot>> robots;  ///< null: the entity has no controller
   std::vector<ControllerState> controllers;    ///< control; a failure also actuate
   std::vector<char> outside;                   ///< index; 1: the entity's origin is outside the arena
@@ -115,7 +115,7 @@ class Space {
   /// Grows all columns to the entities' rows; after entities were added.
   void fitRows();
 
-  /// What an entity in no engine is for rays. Kept by add and remove of entities.
+  /// Entities in no engine, by row: rays are cast against their models. Kept by add and remove of entities.
   std::vector<Row> entities_without_engine;
 };
 

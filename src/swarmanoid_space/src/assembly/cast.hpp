@@ -69,8 +69,7 @@ struct RobotInstance {
 struct Membership {
   Engine* engine = nullptr;
   Role role = Role::kMove;
-  bool is_listed =
-      true;  ///< by the experiment file, or whoever spawned it; else it is there for as long as it is moved
+  bool is_listed = true;  ///< by the experiment file or the spawn request; else it is there for as long as it is moved
 };
 
 /// A rule for one entity, and how far it has come.
@@ -101,7 +100,7 @@ struct Simulation::Cast {
   /// As UserCode has it. @pre it is one of the engines
   const std::string& partOf(const Engine& engine) const;
   ControllerGroup* findGroup(const std::string& id) const;
-  /// @return null for who has no controller, and for kNoRow
+  /// @return null for an entity without a controller, and for kNoRow
   RobotInstance* findRobot(const Entities& entities, Row row);
 };
 

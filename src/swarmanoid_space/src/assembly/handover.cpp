@@ -146,7 +146,7 @@ void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
     text += idle.empty() ? "" : "; idle there: " + joinNames(idle);
     events.push_back({Event::Kind::kHandedOver, space.entities.name[i], "", text});
   }
-  // only now, so that nobody takes half a structure for a mirror and the other half for its own
+  // only now, so that no engine has half a structure as mirrors and moves the other half
   for (std::size_t k = 0; k < members.size(); ++k) {
     for (const Membership& membership : memberships[static_cast<std::size_t>(members[k])]) {
       if (membership.engine == former[k]) {

@@ -264,7 +264,7 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
 
 void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   if (kind == PluginKind::kObserver) {
-    return;  // the run does not depend on who looks at it
+    return;  // the run does not depend on its observers
   }
   thread_->stop(isRosEnding() ? "shut down" : std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded");
 }

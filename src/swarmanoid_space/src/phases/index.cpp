@@ -1,4 +1,4 @@
-// Phase 6: the positional index learns the new poses; who has left the arena is noted.
+// Phase 6: the positional index gets the new poses; an event names entities that have left the arena.
 #include "phases.hpp"
 
 namespace swarmanoid::phases {

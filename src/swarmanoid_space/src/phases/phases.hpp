@@ -23,7 +23,7 @@ void applyTopics(Space& space, std::vector<RobotInstance>& instances, CommandMai
 /// Lockstep::exchange. A robot whose controller throws is marked as failed.
 void control(Space& space, std::vector<RobotInstance>& instances, const Workers& workers);
 
-/// Whoever is being stopped gets the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
+/// Robots that are being stopped get the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
 void stopSafely(Space& space, std::vector<RobotInstance>& instances);
 
 /// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is not finite.
@@ -37,14 +37,14 @@ void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers
 void connect(Space& space, const std::vector<Named<Engine>>& engines,
              const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
-/// Rules for handover: who enters, leaves, is attached ... may change the engine that moves it.
+/// Rules for handover: an entity that enters, leaves, is attached ... may change the engine that moves it.
 void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
               std::vector<std::vector<Membership>>& memberships);
 
-/// The positional index learns the new poses; who has left the arena is noted.
+/// The positional index gets the new poses; an event names entities that have left the arena.
 void index(Space& space);
 
-/// Everybody who looks at the run does so. @return whether one asks to finish
+/// All observers draw. @return whether one asks to finish
 bool show(const Space& space, const std::vector<ObserverInstance>& observers);
 
 }  // namespace swarmanoid::phases

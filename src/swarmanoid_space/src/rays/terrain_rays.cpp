@@ -44,7 +44,7 @@ class Terrain::Descent {
       : terrain_(terrain),
         from_(segment.from),
         way_(segment.to - segment.from),
-        // who comes from outside comes through the air; who starts in the ground does not
+        // a ray from outside comes through the air; one that starts in the ground does not
         is_above_(start > 0.0 || from_.z() >= terrain.heightAt(from_.x(), from_.y())) {}
 
   bool hasHit() const { return hit_ != kInfinity; }

@@ -86,7 +86,7 @@ Simulation::~Simulation() {
   try {
     unbuild();
   } catch (...) {
-    // what a plugin throws when it is let go harms nobody any more
+    // what a plugin throws when it is let go does no harm any more
   }
 }
 

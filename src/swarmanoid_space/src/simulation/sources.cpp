@@ -1,4 +1,4 @@
-// Who commands a robot: its controller here, a participant elsewhere, whoever publishes to its topics, or nobody.
+// The source of a robot's commands: its controller here, a participant elsewhere, publishers on its topics, or none.
 #include <set>
 
 #include "../assembly/cast.hpp"

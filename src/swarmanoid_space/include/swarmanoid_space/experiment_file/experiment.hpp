@@ -1,7 +1,7 @@
 /// An experiment as its file describes it (thesis 4.2), checked but not yet built.
 ///
 /// Plain data: what reads files produces it, what builds simulations consumes it, tests write it by hand. Angles are in
-/// radians here, degrees only in the file. Every part knows the place it came from, for messages.
+/// radians here, degrees only in the file. Every part has the place that it came from, for messages.
 #pragma once
 
 #include <Eigen/Core>
@@ -66,8 +66,8 @@ struct Distribution {
 enum class CommandSource {
   kController,  ///< its controller, in the simulator's process
   kRemote,      ///< its controller, in another process that has registered for it
-  kTopics,      ///< whoever publishes to the topics of its actuators
-  kNone         ///< nobody
+  kTopics,      ///< publishers on the topics of its actuators
+  kNone         ///< no source
 };
 
 /// "controller", "remote", "topics", "none".

@@ -12,7 +12,7 @@ namespace swarmanoid {
 
 struct UncheckedExperiment {
   Experiment experiment;
-  std::vector<std::string> libraries;  ///< that the file names and nobody has loaded
+  std::vector<std::string> libraries;  ///< that the file names and that are not loaded
 };
 
 /// As readExperiment, but loads no library. Structure, numbers, ids and all that the suite itself has are checked; of

@@ -30,7 +30,7 @@ struct RobotInstance;
 /// What becomes of a tick when a participant is late.
 enum class LatePolicy {
   kWait,  ///< it waits on, as long as it takes
-  kSkip,  ///< it goes on: the robots keep their last commands, and nobody waits for the participant until it answers
+  kSkip,  ///< it goes on: the robots keep their last commands, and no tick waits for the participant until it answers
   kStop   ///< the run stops
 };
 
@@ -48,17 +48,17 @@ class Lockstep {
   struct Options {
     LatePolicy policy = LatePolicy::kWait;
     Seconds timeout{1.0};        ///< for the answer of a participant
-    Seconds join_timeout{20.0};  ///< for a robot that nobody has registered for, and for a participant's first answer
+    Seconds join_timeout{20.0};  ///< for a robot without a participant, and for a participant's first answer
   };
 
   struct Request {
-    std::string participant;           ///< its name; who joins again under it replaces its former self
+    std::string participant;           ///< its name; a participant that joins again under it replaces its former self
     std::vector<std::string> robots;   ///< that it commands, at least one
     std::optional<LatePolicy> policy;  ///< instead of the space's
     std::optional<Seconds> timeout;    ///< likewise
   };
 
-  /// A participant as those see it who watch over a run. One without a name stands for robots that nobody commands.
+  /// The state of a participant, for diagnostics. One without a name stands for robots without a participant.
   struct Report {
     std::string participant;
     std::vector<std::string> robots;
@@ -75,7 +75,7 @@ class Lockstep {
   /// @throws std::runtime_error for a robot that is not commanded from elsewhere, or by another participant that is not
   /// late; then nothing has changed
   Registration join(const Request& request, Send send);
-  /// The answer to a frame. One that nobody waits for is refused, and reported once for each participant.
+  /// The answer to a frame. One that no tick waits for is refused, and reported once for each participant.
   /// @return why it is refused; "" if it is not
   std::string answer(CommandFrame frame);
   std::vector<Report> reports() const;
@@ -84,7 +84,7 @@ class Lockstep {
 
   void setOptions(const Options& options);
   /// Between ticks, whenever robots, their devices or their commanders have changed.
-  /// @param robots with the indices of their instances
+  /// @param robots with their indices in the RobotInstances of the simulation
   void offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space);
   /// Sends the readings to all participants, waits for their answers, and makes these the commands of the robots.
   ///
@@ -96,7 +96,7 @@ class Lockstep {
   /// @param events gets what is reported of participants
   /// @param is_disturbed asked before each wait, see `wake`; may be empty
   /// @return false: it was disturbed, nothing has changed, call it again for the same tick
-  /// @throws std::runtime_error naming who is late, by LatePolicy::kStop, or if it is cancelled
+  /// @throws std::runtime_error naming the participant that is late, by LatePolicy::kStop, or if it is cancelled
   bool exchange(Space& space, std::vector<RobotInstance>& instances, std::vector<Event>& events,
                 const Robot::LogSink& log, const Disturbed& is_disturbed);
   /// A waiting `exchange` asks again whether it is disturbed. From any thread.
@@ -143,12 +143,12 @@ class Lockstep {
 
   void resolve(Participant& participant);
   void markCommanded();
-  /// Drops its former self, and who is late with a robot of it. @return whether there was a former self
+  /// Drops its former self, and a late participant that has a robot of it. @return whether there was a former self
   bool replace(Participant& joined);
   void ask(Participant& participant, const Space& space, const std::vector<RobotInstance>& instances);
   /// @return those to whom a frame is to be sent
   std::vector<std::shared_ptr<Participant>> askAll(const Space& space, const std::vector<RobotInstance>& instances);
-  /// Nobody waits for a participant that was asked for robots which it commands no more.
+  /// No tick waits for a participant that was asked for robots which it commands no more.
   void forgetWhoHasGone(const std::vector<RobotInstance>& instances);
   void startWaiting(const Space& space);
   void finishWaiting(const Space& space);

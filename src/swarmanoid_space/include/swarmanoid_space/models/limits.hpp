@@ -14,7 +14,7 @@ namespace swarmanoid::limits {
 
 // Places and lengths [m].
 
-/// Of a side of the arena. Below, nobody has room; at 10 km a double still tells 2 pm apart, so contacts and rays are
+/// Of a side of the arena. Below, no robot has room; at 10 km a double still resolves 2 pm, so contacts and rays are
 /// exact, and the grids of the look-ups have cells of 10 m at most.
 constexpr Range kArenaSide{0.1, 10000.0};
 /// Of any coordinate: of what stands around the arena, of planes, grounds and boxes. As far on either side as the arena

@@ -28,8 +28,8 @@ struct RayBundle {
   Span<const Segment> segments;
   Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of a sphere that holds all segments
   double radius = 0.0;                               ///< of that sphere [m]
-  Row ignored = kNoRow;                              ///< an entity that the rays pass through (who casts them)
-  Row also_ignored = kNoRow;                         ///< a second one (who is looked at)
+  Row ignored = kNoRow;                              ///< an entity that the rays pass through (the one that casts them)
+  Row also_ignored = kNoRow;                         ///< a second one (the one looked at)
 };
 
 }  // namespace swarmanoid

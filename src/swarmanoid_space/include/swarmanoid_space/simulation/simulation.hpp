@@ -1,4 +1,4 @@
-/// A running experiment: the space, and everybody who acts on it.
+/// A running experiment: the space, and all that acts on it.
 ///
 /// Threads  all functions from one thread (the space's), unless they say otherwise. ROS is not known here: the space
 /// nodelet
@@ -53,7 +53,7 @@ struct SuppliedParts {
   std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
 };
 
-/// An engine as those see it who watch over a run.
+/// The state of an engine, for diagnostics.
 struct EngineReport {
   std::string id;
   std::string label;
@@ -78,24 +78,24 @@ class Simulation {
   /// Shows the state before the first tick. Call once, before tick().
   void start();
   /// One tick (thesis 3.1), phases in the order of PhaseTimes. Does nothing once finished.
-  /// @param is_disturbed while the tick waits for participants, and at each `wake`: whether somebody wants to act on
-  /// the simulation, between ticks
+  /// @param is_disturbed while the tick waits for participants, and at each `wake`: whether an action on
+  /// the simulation waits for the end of the tick
   /// @return false: it was disturbed and given up before anything happened; it is to be made again, after that
   bool tick(const std::function<bool()>& is_disturbed = nullptr);
   /// maxclock is reached, or an observer asked to finish.
   bool isFinished() const;
-  /// What visualisations have written goes to the system: a process that is killed loses nothing of it. A tick does so
-  /// once a second of wall time; for whoever makes none for some time. @throws what visualisations throw
+  /// What observers have written goes to the system: a process that is killed loses nothing of it. A tick does so
+  /// once a second of wall time; for callers that make none for some time. @throws what observers throw
   void flush();
-  /// Nobody controls the robots any more: what their controllers throw now is in failures() too. For whoever wants to
-  /// know it; the destructor does it otherwise. Afterwards there are no ticks.
+  /// Destroys all controllers: what they throw now is in failures() too. For callers that read these;
+  /// the destructor does it otherwise. Afterwards there are no ticks.
   void destroyControllers();
-  /// Completes what visualisations write, all of them. Called by the destructor if it was not.
+  /// Completes what observers write, all of them. Called by the destructor if it was not.
   /// @throws what the first observer that fails throws
   void finish();
 
   /// A call of the plugin that is called so (UserCode::part) does not return. An observer is called no more, by
-  /// `finish`, `metrics` and `success`, which the others do not miss. For whoever ends the process then.
+  /// `finish`, `metrics` and `success`, which the others do not miss. For a caller that ends the process then.
   void giveUp(const std::string& part);
 
   const Experiment& experiment() const { return experiment_; }
@@ -114,14 +114,14 @@ class Simulation {
   /// What the visualisations that judge it agree on; nothing if none judges.
   std::optional<bool> success() const;
 
-  /// For whoever carries frames between this simulation and participants.
+  /// For code that carries frames between this simulation and participants.
   Lockstep& lockstep();
   /// A tick that waits for participants ends with an exception; later ticks do not wait. From any thread.
   void interrupt();
   /// A tick that waits for participants asks again whether it is disturbed. From any thread.
   void wake();
 
-  /// One more who looks at the run. Before start(), or between ticks.
+  /// One more observer of the run. Before start(), or between ticks.
   void addObserver(std::shared_ptr<Observer> observer);
 
   /// Where robots' logs go; by default nowhere.
@@ -159,7 +159,7 @@ class Simulation {
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:
-  struct Cast;  // engines, devices, controllers, visualisations: who acts (src/cast.hpp)
+  struct Cast;  // engines, devices, controllers, observers (src/cast.hpp)
 
   void build();
   void buildEngines();

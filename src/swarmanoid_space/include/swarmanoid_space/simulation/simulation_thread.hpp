@@ -1,7 +1,7 @@
 /// Runs a simulation on a thread of its own, at a chosen pace; others pause it, step it and act on it between ticks.
 ///
 /// Threads  all functions from any thread but the simulation's own. They wait for the tick boundary, so when one
-///          returns, what it asked for is done and nobody sees a half-updated space. A tick that waits for participants
+///          returns, what it asked for is done and none sees a half-updated space. A tick that waits for participants
 ///          lets them through: see Simulation::tick.
 /// Time     paced by the wall clock; nothing here changes what a tick computes.
 #pragma once
@@ -96,7 +96,7 @@ class SimulationThread {
  private:
   struct JobKind {
     bool is_change = true;
-    bool owns_all = false;  ///< nobody has to wait for its end
+    bool owns_all = false;  ///< no caller has to wait for its end
   };
   struct Job {
     std::function<void()> action;

@@ -20,7 +20,7 @@
 namespace swarmanoid {
 
 using Row = std::int32_t;            ///< where an entity stands in the arrays; valid within a tick
-using EntityNumber = std::uint64_t;  ///< an entity for ever; the first is 1, 0 is nobody
+using EntityNumber = std::uint64_t;  ///< an entity for ever; the first is 1, 0 is no entity
 
 constexpr Row kNoRow = -1;
 constexpr EntityNumber kNoEntity = 0;
@@ -62,7 +62,7 @@ class Entities {
 
   std::vector<Row> order;  ///< living rows, by entity number
 
-  // Columns, by row. `pose` and `twist` are written by the engine that moves the entity, and by nobody else.
+  // Columns, by row. `pose` and `twist` are written by the engine that moves the entity, and by nothing else.
   std::vector<EntityNumber> number;
   std::vector<std::string> name;
   std::vector<std::shared_ptr<const EntityModel>> model;

@@ -27,7 +27,7 @@ Eigen::Isometry3d displacementOf(const EntityModel& model, const JointState* sta
 /// A shape of the model where the joints have turned it.
 CollisionShape placeOf(const EntityModel& model, const JointState* states, const CollisionShape& shape);
 
-/// The model's shapes where the joints have turned them, for whoever asks about an entity that is not in its engine
+/// The model's shapes where the joints have turned them, for callers that ask about an entity that is not in its engine
 /// yet; `model` itself, if all joints that turn shapes are at zero. Allocates.
 std::shared_ptr<const EntityModel> posedModel(const std::shared_ptr<const EntityModel>& model,
                                               const JointState* states);
