@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "differential_drive.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
@@ -31,7 +32,7 @@ class Carrying final : public Controller {
     constexpr double kResting = 0.5;  // s, before it is let go
     const double now = toSeconds(time - kEpoch);
     turret_->holdAngle(side_);
-    const bool is_turned = std::abs(std::remainder(turret_state_->angle - side_, 2.0 * M_PI)) < kClose;
+    const bool is_turned = std::abs(wrapAngle(turret_state_->angle - side_)) < kClose;
     if (now < start_) {
       gripper_->closed = is_turned;
       show("gripping", colors::kYellow, 0.0);

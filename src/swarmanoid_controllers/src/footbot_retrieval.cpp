@@ -5,6 +5,7 @@
 
 #include "blob_search.hpp"
 #include "differential_drive.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
@@ -212,7 +213,7 @@ class FootbotRetrieval final : public Controller {
       return;
     }
     if (signaller_->distance() < kRoom) {
-      steer(*wheels_, std::remainder(signaller_->bearing() + M_PI, 2.0 * M_PI), speed_);
+      steer(*wheels_, wrapAngle(signaller_->bearing() + M_PI), speed_);
     } else {
       wheels_->drive(0.0, 0.0);
     }

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid::devices {
@@ -96,7 +97,7 @@ class Finder {
 }  // namespace
 
 float toBearing(double angle) {
-  const auto bearing = static_cast<float>(std::remainder(angle, 2.0 * M_PI));
+  const auto bearing = static_cast<float>(wrapAngle(angle));
   constexpr auto kBehind = static_cast<float>(M_PI);
   return bearing <= -kBehind ? kBehind : bearing;
 }

@@ -54,12 +54,5 @@ TEST(PlaneTest, UprightIsAlongTheNormalEitherWay) {
   EXPECT_TRUE(wall.isUpright(Quaterniond(AngleAxisd(-M_PI / 2.0, Vector3d::UnitY()))));
 }
 
-TEST(PlaneTest, AnglesAreWrappedToOneTurn) {
-  EXPECT_DOUBLE_EQ(wrapAngle(M_PI + 0.5), -M_PI + 0.5);
-  EXPECT_DOUBLE_EQ(wrapAngle(-M_PI - 0.5), M_PI - 0.5);
-  EXPECT_EQ(wrapAngle(1.25), 1.25);
-  EXPECT_NEAR(wrapAngle(20.0 * M_PI + 0.25), 0.25, 1e-12);
-}
-
 }  // namespace
 }  // namespace swarmanoid::planar

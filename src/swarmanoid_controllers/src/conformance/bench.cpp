@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
@@ -28,11 +29,6 @@ std::string comparison(const std::string& what, double found, double expected, d
 }  // namespace
 
 double bearingOf(const Eigen::Vector2d& place) { return std::atan2(place.y(), place.x()); }
-
-double wrapped(double angle) {
-  const double result = std::remainder(angle, 2.0 * M_PI);
-  return result <= -M_PI ? M_PI : result;
-}
 
 std::string withUnit(double value, const char* unit) {
   char text[64];
@@ -142,7 +138,7 @@ void Bench::expectAbout(const std::string& what, double found, double expected, 
 }
 
 void Bench::expectAngle(const std::string& what, double found, double expected, double allowed) {
-  judge(comparison(what, wrapped(found), expected, allowed, "rad"), std::abs(wrapped(found - expected)) <= allowed);
+  judge(comparison(what, wrapTurn(found), expected, allowed, "rad"), std::abs(wrapTurn(found - expected)) <= allowed);
 }
 
 void Bench::expectTrue(const std::string& what, bool is_true) { judge((is_true ? "" : "not true: ") + what, is_true); }

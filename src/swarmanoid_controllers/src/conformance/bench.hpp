@@ -87,8 +87,6 @@ class Bench {
 };
 
 double bearingOf(const Eigen::Vector2d& place);
-/// Into (-pi, pi].
-double wrapped(double angle);
 std::string withUnit(double value, const char* unit);
 
 }  // namespace swarmanoid::conformance

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "checks.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
@@ -61,7 +62,8 @@ Check yaw(Bench& bench) {
     check.stages.push_back(settle(bench, [&bench, before, beacon, took, rate] {
       bench.expectAbout(
           rate > 0.0 ? "turned left, the beacon's bearing changed by" : "turned right, the beacon's bearing changed by",
-          wrapped(bearingOf(bench.find(beacon, "the beacon")) - bearingOf(*before)), -rate * *took, kLeastAngle, "rad");
+          wrapTurn(bearingOf(bench.find(beacon, "the beacon")) - bearingOf(*before)), -rate * *took, kLeastAngle,
+          "rad");
     }));
   }
   return check;

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "checks.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
@@ -36,7 +37,7 @@ Stage drive(Bench& bench, double speed, double turn_rate, const std::shared_ptr<
 Stage turnTo(Bench& bench, Color color, std::function<double()> bearing) {
   const auto missing = [&bench, color, bearing = std::move(bearing)] {
     const auto seen = bench.see(color);
-    return seen ? wrapped(bearingOf(*seen) - bearing()) : 0.5;
+    return seen ? wrapTurn(bearingOf(*seen) - bearing()) : 0.5;
   };
   constexpr double kClose = 0.03;  // rad
   return {"turning towards something",
@@ -92,7 +93,7 @@ Check wheelsLeft(Bench& bench) {
       const Eigen::Vector2d after = bench.find(beacon, "the beacon");
       bench.expectAbout(
           rate > 0.0 ? "turned left, the beacon's bearing changed by" : "turned right, the beacon's bearing changed by",
-          wrapped(bearingOf(after) - bearingOf(*before)), -rate * *took, kLeastAngle, "rad");
+          wrapTurn(bearingOf(after) - bearingOf(*before)), -rate * *took, kLeastAngle, "rad");
     }));
   }
   return check;

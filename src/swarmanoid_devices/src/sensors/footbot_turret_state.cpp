@@ -1,5 +1,6 @@
 // The turret's encoder and the torque of its motor, as the engine that moves the robot left them.
 #include "parameters.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -39,7 +40,7 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
       *instance.readings = {state.angle, state.speed, state.effort};
       instance.random.startTick(space.tick);
       if (noise_ > 0.0) {
-        instance.readings->angle = std::remainder(state.angle + instance.random.gaussian(0.0, noise_), 2.0 * M_PI);
+        instance.readings->angle = wrapAngle(state.angle + instance.random.gaussian(0.0, noise_));
       }
       if (noise_torque_ > 0.0) {
         instance.readings->torque += instance.random.gaussian(0.0, noise_torque_);

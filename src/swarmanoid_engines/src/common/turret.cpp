@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid {
 
 int turretJoint(const EntityModel& model) {
@@ -15,14 +17,6 @@ int turretJoint(const EntityModel& model) {
   const bool is_around_body = joint.carrier < 0 && joint.frame.position.head<2>().norm() < kStraight &&
                               (joint.axis - Eigen::Vector3d::UnitZ()).norm() < kStraight;
   return is_around_body && std::isinf(joint.lower) && std::isinf(joint.upper) ? index : -1;
-}
-
-double wrapTurn(double angle) {
-  if (angle > -M_PI && angle <= M_PI) {
-    return angle;
-  }
-  const double wrapped = std::remainder(angle, 2.0 * M_PI);
-  return wrapped > -M_PI ? wrapped : M_PI;
 }
 
 double freeTurn(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step) {

@@ -11,9 +11,6 @@ namespace swarmanoid {
 /// index; -1: there is none
 int turretJoint(const EntityModel& model);
 
-/// The same angle in (-pi, pi] [rad].
-double wrapTurn(double angle);
-
 /// Where a turret that nothing hinders stands after a step [s]; a passive one stays.
 double freeTurn(const FootbotTurret& command, const EntityModel::Joint& joint, double angle, double step);
 

@@ -10,6 +10,7 @@
 #include "dynamics2d/dynamics2d.hpp"
 #include "dynamics2d/friction.hpp"
 #include "dynamics2d/joints.hpp"
+#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
@@ -138,7 +139,7 @@ void Dynamics2d::driveAlone(RigidBody& rigid_body, double step, int step_number)
   rigid_body.velocity += step / rigid_body.mass * rigid_body.last_push;
   rigid_body.spin += step / rigid_body.inertia * push.torque;
   rigid_body.centre += step * rigid_body.velocity;
-  rigid_body.heading = planar::wrapAngle(rigid_body.heading + step * rigid_body.spin);
+  rigid_body.heading = wrapAngle(rigid_body.heading + step * rigid_body.spin);
   for (int i = 0; recording_ != nullptr && i < pieces_; ++i) {
     recordPush(rigid_body, step_number * pieces_ + i, toUnits(rigid_body.last_push),
                static_cast<float>(push.torque * kSquareUnits));

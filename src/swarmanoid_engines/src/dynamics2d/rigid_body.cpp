@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid::dynamics2d {
 namespace {
 
@@ -28,7 +30,7 @@ void RigidBody::setVelocity(const Eigen::Vector2d& linear, double angular) {
 
 void RigidBody::writeTransform() {
   if (!isConnected()) {
-    heading = planar::wrapAngle(heading);  // a rigid joint would take a whole turn for an error
+    heading = wrapAngle(heading);  // a rigid joint would take a whole turn for an error
   }
   body->SetTransform(toUnits(pose().position), static_cast<float>(heading));
   last_centre = body->GetWorldCenter();
@@ -55,7 +57,7 @@ void RigidBody::readStep(double h) {
 }
 
 planar::PlacedPose RigidBody::pose() const {
-  planar::PlacedPose pose = planar::PlacedPose::at(centre, planar::wrapAngle(heading));
+  planar::PlacedPose pose = planar::PlacedPose::at(centre, wrapAngle(heading));
   if (!arm.isZero(0.0)) {
     pose.position -= pose.rotated(arm);
   }

@@ -12,6 +12,7 @@
 #include "dynamics2d/dynamics2d.hpp"
 #include "dynamics2d/fixtures.hpp"
 #include "dynamics2d/joints.hpp"
+#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::dynamics2d {
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -11,7 +13,6 @@ using Eigen::Vector3d;
 // The stops stand a little beyond the range that the motors keep to: a motor that holds its joint at the end of the
 // range and a stop there would share the load in a way that no solver can tell.
 constexpr double kStopGap = 1e-3;  // rad
-constexpr double kWholeTurn = 2.0 * M_PI;
 
 const double* targetOf(const std::string& joint, const HandbotArms& arms) {
   const std::array<const double*, HandbotArmsState::kJoints> angles{&arms.left.shoulder, &arms.left.elbow,
@@ -59,14 +60,13 @@ bool isEndless(const EntityModel::Joint& joint) { return std::isinf(joint.upper)
 /// angle wraps.
 double turnedTo(const EntityModel::Joint& joint, const Link& link) {
   const double angle = dJointGetHingeAngle(link.hinge);
-  return isEndless(joint) ? angle : link.angle + std::remainder(angle - link.angle, kWholeTurn);
+  return isEndless(joint) ? angle : link.angle + wrapAngle(angle - link.angle);
 }
 
 /// The way from the joint's angle to the commanded one, within its range [rad].
 double missingTo(const EntityModel::Joint& joint, const Link& link) {
   const double target = link.target == nullptr ? 0.0 : *link.target;
-  return isEndless(joint) ? std::remainder(target - link.angle, kWholeTurn)
-                          : std::clamp(target, joint.lower, joint.upper) - link.angle;
+  return isEndless(joint) ? wrapAngle(target - link.angle) : std::clamp(target, joint.lower, joint.upper) - link.angle;
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -30,7 +32,7 @@ void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orie
 
 /// Moves the place that is held as commanded, but not far from where the eyebot is: what is blocked gives in.
 void advance(Flight& flight, const Vector3d& centre, const Vector3d& way, double turn) {
-  flight.heading = std::remainder(flight.heading + turn, 2.0 * M_PI);
+  flight.heading = wrapAngle(flight.heading + turn);
   flight.held += way;
   const Vector3d lead = flight.held - centre;
   if (lead.norm() > kMostLead) {

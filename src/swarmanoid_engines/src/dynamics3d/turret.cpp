@@ -5,6 +5,7 @@
 
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/contacts.hpp"
+#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {

@@ -5,6 +5,7 @@
 
 #include "kinematics2d/kinematics2d.hpp"
 #include "kinematics2d/try_parts.hpp"
+#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::kinematics2d {
 namespace {
@@ -50,7 +51,7 @@ void Kinematics2d::turnPiece(BodyIndex index, double turn) {
   constexpr int kParts = 5;
   const PlacedPose& pose = bodies_[index].pose;
   for (int i = 0; i < kParts && turn != 0.0; ++i) {
-    const PlacedPose turned = PlacedPose::at(pose.position, planar::wrapAngle(pose.heading + turn));
+    const PlacedPose turned = PlacedPose::at(pose.position, wrapAngle(pose.heading + turn));
     if (tryPose(index, turned) || tryPushedOut(index, turned)) {
       return;
     }

@@ -4,6 +4,7 @@
 
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/body_overlap.hpp"
+#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::kinematics2d {
 
@@ -122,8 +123,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
 }
 
 PlacedPose Kinematics2d::carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place) {
-  return PlacedPose::at(gripper.position + gripper.rotated(place.position),
-                        planar::wrapAngle(gripper.heading + place.heading));
+  return PlacedPose::at(gripper.position + gripper.rotated(place.position), wrapAngle(gripper.heading + place.heading));
 }
 
 bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place) {
@@ -193,7 +193,7 @@ void Kinematics2d::finishTick(Space& space, double dt) {
     const planar::PlanarPose& before = motion(index).pose_at_start;
     writePose(space, index, before.heading);
     twist.linear = plane.toGlobal((body.pose.position - before.position) / dt, 0.0);
-    twist.angular = plane.normal() * (planar::wrapAngle(body.pose.heading - before.heading) / dt);
+    twist.angular = plane.normal() * (wrapAngle(body.pose.heading - before.heading) / dt);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "kinematics2d/kinematics2d.hpp"
 #include "kinematics2d/try_parts.hpp"
+#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::kinematics2d {
 

@@ -1,5 +1,9 @@
 #include "planar/placed_pose.hpp"
 
+#include <cmath>
+
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid::planar {
 
 PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {

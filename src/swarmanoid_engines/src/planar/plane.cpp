@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid::planar {
 
 double Plane::headingOf(const Eigen::Quaterniond& orientation) const {

@@ -7,7 +7,6 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cmath>
 #include <string>
 
 #include "swarmanoid_space/state/entities.hpp"
@@ -19,11 +18,6 @@ struct PlanarPose {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();
   double heading = 0.0;
 };
-
-/// The same angle in [-pi, pi] [rad].
-inline double wrapAngle(double angle) {
-  return angle > -M_PI && angle <= M_PI ? angle : std::remainder(angle, 2.0 * M_PI);
-}
 
 inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mock_robot.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
@@ -42,7 +43,7 @@ class MockEyebot final : public MockRobot {
     if (dt > 0.0) {
       twist_.linear.z() = (pose_.position.z() - before) / dt;
     }
-    pose_.yaw = std::remainder(pose_.yaw + twist_.yaw_rate * dt, 2.0 * M_PI);
+    pose_.yaw = wrapAngle(pose_.yaw + twist_.yaw_rate * dt);
   }
 
   void sense() override {

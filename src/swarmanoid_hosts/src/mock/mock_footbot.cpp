@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "mock_robot.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
@@ -39,7 +40,7 @@ class MockFootbot final : public MockRobot {
     const double chord = half_turn == 0.0 ? 1.0 : std::sin(half_turn) / half_turn;
     pose_.yaw += half_turn;
     pose_.position = pose_.toWorld(twist_.linear * (dt * chord));
-    pose_.yaw = std::remainder(pose_.yaw + half_turn, 2.0 * M_PI);
+    pose_.yaw = wrapAngle(pose_.yaw + half_turn);
     turn(dt);
     grip();
   }
@@ -48,12 +49,12 @@ class MockFootbot final : public MockRobot {
     constexpr double kFastest = 3.0;  // [rad/s]
     double speed = 0.0;
     if (turret_.mode == FootbotTurret::Mode::kAngle && dt > 0.0) {
-      speed = std::remainder(turret_.angle - turret_state_.angle, 2.0 * M_PI) / dt;
+      speed = wrapAngle(turret_.angle - turret_state_.angle) / dt;
     } else if (turret_.mode == FootbotTurret::Mode::kSpeed) {
       speed = turret_.speed;
     }
     turret_state_.speed = std::clamp(speed, -kFastest, kFastest);
-    turret_state_.angle = std::remainder(turret_state_.angle + turret_state_.speed * dt, 2.0 * M_PI);
+    turret_state_.angle = wrapAngle(turret_state_.angle + turret_state_.speed * dt);
   }
 
   Eigen::Vector3d gripperTip() const {

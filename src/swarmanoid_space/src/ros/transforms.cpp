@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "../models/read_urdf.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
@@ -93,8 +94,8 @@ void Transforms::advance(const Space& space) {
   for (const Row row : space.entities.order) {
     if (const auto* wheels = space.actuation.find<FootbotWheels>(row)) {
       auto& angles = wheel_angles_[space.entities.number[static_cast<std::size_t>(row)]];
-      angles[0] = std::remainder(angles[0] + wheels->left * dt, 2.0 * M_PI);
-      angles[1] = std::remainder(angles[1] + wheels->right * dt, 2.0 * M_PI);
+      angles[0] = wrapAngle(angles[0] + wheels->left * dt);
+      angles[1] = wrapAngle(angles[1] + wheels->right * dt);
     }
   }
 }

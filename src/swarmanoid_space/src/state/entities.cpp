@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/angle.hpp"
+
 namespace swarmanoid {
 
 Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles) {
@@ -18,7 +20,7 @@ Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
   if (std::abs(sine_beta) > kUpright) {
     // ahead is straight up or down: turns about x and z are turns about the same line, and gamma takes both
     const double half_gamma = std::atan2(std::copysign(1.0, -sine_beta) * q.x(), q.w());
-    return {0.0, std::copysign(M_PI / 2.0, sine_beta), std::remainder(2.0 * half_gamma, 2.0 * M_PI)};
+    return {0.0, std::copysign(M_PI / 2.0, sine_beta), wrapAngle(2.0 * half_gamma)};
   }
   const double alpha = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
   const double gamma = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
