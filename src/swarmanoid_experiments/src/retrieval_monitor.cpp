@@ -16,15 +16,11 @@ class RetrievalMonitor final : public Observer {
     PluginDescription description;
     description.label = "retrieval_monitor";
     description.summary = "Ends the run when a prey lies in the nest, and says which.";
-    Parameter nest;
-    nest.name = "nest";
-    nest.value = "nest";
-    nest.description = "Id of the floor patch that is the nest.";
-    Parameter chooser = nest;
-    chooser.name = "chooser";
-    chooser.value = "eb";
-    chooser.description = "Id of the robot whose debug value 'prey' names the right colour; none: any prey is right.";
-    description.parameters = {nest, chooser};
+    using Type = Parameter::Type;
+    description.parameters = {
+        makeParameter("nest", Type::kText, "", "nest", {}, "Id of the floor patch that is the nest."),
+        makeParameter("chooser", Type::kText, "", "eb", {},
+                      "Id of the robot whose debug value 'prey' names the right colour; none: any prey is right.")};
     return description;
   }
 

@@ -15,19 +15,11 @@ class VerdictMonitor final : public Observer {
     PluginDescription description;
     description.label = "verdict_monitor";
     description.summary = "Ends the run when all robots that give a verdict have given it, and says what they say.";
-    Parameter key;
-    key.name = "key";
-    key.value = "conformance";
-    key.description = "The debug value that is a robot's verdict.";
-    Parameter good = key;
-    good.name = "good";
-    good.value = "passed";
-    good.description = "The verdict of a success.";
-    Parameter undecided = key;
-    undecided.name = "undecided";
-    undecided.value = "running";
-    undecided.description = "What a robot says before.";
-    description.parameters = {key, good, undecided};
+    using Type = Parameter::Type;
+    description.parameters = {
+        makeParameter("key", Type::kText, "", "conformance", {}, "The debug value that is a robot's verdict."),
+        makeParameter("good", Type::kText, "", "passed", {}, "The verdict of a success."),
+        makeParameter("undecided", Type::kText, "", "running", {}, "What a robot says before.")};
     return description;
   }
 

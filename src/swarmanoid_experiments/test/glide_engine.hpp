@@ -16,11 +16,7 @@ class GlideEngine : public Engine {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "glide";
-    Parameter wheels;
-    wheels.name = "takes_wheels";
-    wheels.type = Parameter::Type::kBoolean;
-    wheels.value = "false";
-    description.parameters = {wheels};
+    description.parameters = {makeParameter("takes_wheels", Parameter::Type::kBoolean, "", "false", {}, "")};
     return description;
   }
   void configure(const std::string& id, const Configuration& parameters) override {

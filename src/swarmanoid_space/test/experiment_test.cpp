@@ -14,12 +14,7 @@ namespace swarmanoid {
 namespace {
 
 Parameter parameter(const std::string& name, Parameter::Type type, std::optional<std::string> value, Range range = {}) {
-  Parameter result;
-  result.name = name;
-  result.type = type;
-  result.value = std::move(value);
-  result.range = range;
-  return result;
+  return makeParameter(name, type, "", std::move(value), range, "");
 }
 
 void add(PluginKind kind, const std::string& label, const std::string& implementation,

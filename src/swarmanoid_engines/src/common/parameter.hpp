@@ -1,4 +1,4 @@
-/// A short way to write the parameters of engines.
+/// Short ways to write the parameters of engines. @see makeParameter
 #pragma once
 
 #include <sstream>
@@ -9,24 +9,12 @@
 
 namespace swarmanoid {
 
-inline Parameter makeParameter(const std::string& name, Parameter::Type type, const std::string& unit,
-                               const std::string& value, const std::string& description, Range range = {}) {
-  Parameter result;
-  result.name = name;
-  result.type = type;
-  result.unit = unit;
-  result.value = value;
-  result.description = description;
-  result.range = range;
-  return result;
-}
-
 /// One whose default is the value that the engine's settings start with.
 inline Parameter makeNumber(const std::string& name, const std::string& unit, double value, Range range,
                             const std::string& description) {
   PlainTextStream text;
   text << value;
-  return makeParameter(name, Parameter::Type::kNumber, unit, text.str(), description, range);
+  return makeParameter(name, Parameter::Type::kNumber, unit, text.str(), range, description);
 }
 
 /// One that may change while an experiment runs. @see Engine::reconfigure

@@ -22,8 +22,8 @@ constexpr Range kIterationsRange{1.0, 1000.0};
 std::vector<Parameter> materialParameters() {
   const Material standard;
   return {
-      makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations),
-                    "Of the solver of contacts and joints, in each step.", kIterationsRange),
+      makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations), kIterationsRange,
+                    "Of the solver of contacts and joints, in each step."),
       makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Presses bodies on the plane."),
       makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
                  "Coefficient of what slides on the plane."),

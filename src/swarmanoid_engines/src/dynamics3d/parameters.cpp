@@ -45,16 +45,16 @@ PluginDescription Dynamics3d::describe() {
   PluginDescription description;
   description.label = "dynamics3d";
   description.summary = "Three-dimensional dynamics: masses, forces, friction, gravity, grips that break, flight.";
-  Parameter solver = makeParameter("solver", Type::kChoice, "", "exact", "How forces are found in each step.");
+  Parameter solver = makeParameter("solver", Type::kChoice, "", "exact", {}, "How forces are found in each step.");
   solver.choices = {"exact", "iterative"};
   description.parameters = {
-      makeParameter("subclock", Type::kInteger, "", "10", "Steps of the engine in each tick; none may be over 10 ms.",
-                    kSubclockRange),
+      makeParameter("subclock", Type::kInteger, "", "10", kSubclockRange,
+                    "Steps of the engine in each tick; none may be over 10 ms."),
       solver,
-      live(makeParameter("iterations", Type::kInteger, "", "50", "Of the iterative solver in each step.",
-                         kIterationsRange)),
+      live(makeParameter("iterations", Type::kInteger, "", "50", kIterationsRange,
+                         "Of the iterative solver in each step.")),
       live(makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Downwards along z.")),
-      makeParameter("ground", Type::kBoolean, "", "true", "Whether a level ground holds what stands on it."),
+      makeParameter("ground", Type::kBoolean, "", "true", {}, "Whether a level ground holds what stands on it."),
       makeNumber("ground_height", "m", standard.ground_height, limits::kCoordinate, "Of the ground."),
       live(makeNumber("friction", "", standard.friction, kFrictionRange, "Of all surfaces but the treels'.")),
       live(makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,

@@ -31,12 +31,12 @@ bool isSpatial(const std::string& device) {
 
 std::vector<Parameter> PlanarEngine::placementParameters() {
   using Type = Parameter::Type;
-  Parameter axis = makeParameter("perpendicular_axis", Type::kChoice, "", "z",
+  Parameter axis = makeParameter("perpendicular_axis", Type::kChoice, "", "z", {},
                                  "The axis that the engine's plane is perpendicular to.");
   axis.choices = {"x", "y", "z"};
-  return {makeParameter("subclock", Type::kInteger, "", "1", "Steps of the engine in each tick.", kSubclockRange), axis,
-          makeParameter("distance", Type::kNumber, "m", "0", "Signed distance of the plane from the origin.",
-                        limits::kCoordinate)};
+  return {makeParameter("subclock", Type::kInteger, "", "1", kSubclockRange, "Steps of the engine in each tick."), axis,
+          makeParameter("distance", Type::kNumber, "m", "0", limits::kCoordinate,
+                        "Signed distance of the plane from the origin.")};
 }
 
 void PlanarEngine::configure(const std::string& id, const Configuration& parameters) {

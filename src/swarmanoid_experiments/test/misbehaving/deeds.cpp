@@ -300,10 +300,8 @@ PluginDescription Misdeed::describe(const std::string& label) {
   description.label = label;
   description.summary = "Misbehaves.";
   for (const char* name : {"phase", "deed"}) {
-    Parameter parameter;
-    parameter.name = name;
-    parameter.description = "What it does, and when.";
-    description.parameters.push_back(parameter);
+    description.parameters.push_back(
+        makeParameter(name, Parameter::Type::kText, "", std::nullopt, {}, "What it does, and when."));
   }
   return description;
 }

@@ -7,7 +7,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -44,6 +46,19 @@ struct Parameter {
   std::vector<std::string> choices;
   bool is_live = false;  ///< engines: may change while an experiment runs
 };
+
+/// A short way to write one in a table. @param value the default; none: must be given
+inline Parameter makeParameter(std::string name, Parameter::Type type, std::string unit,
+                               std::optional<std::string> value, Range range, std::string description) {
+  Parameter parameter;
+  parameter.name = std::move(name);
+  parameter.type = type;
+  parameter.description = std::move(description);
+  parameter.unit = std::move(unit);
+  parameter.value = std::move(value);
+  parameter.range = range;
+  return parameter;
+}
 
 /// What a plugin says of itself.
 struct PluginDescription {

@@ -61,18 +61,6 @@ Configuration readParameters(const XmlElement& element, const std::vector<Parame
   return result;
 }
 
-Parameter makeParameter(const std::string& name, Parameter::Type type, const std::string& unit,
-                        std::optional<std::string> value, Range range, const std::string& description) {
-  Parameter parameter;
-  parameter.name = name;
-  parameter.type = type;
-  parameter.unit = unit;
-  parameter.value = std::move(value);
-  parameter.range = range;
-  parameter.description = description;
-  return parameter;
-}
-
 const std::vector<Parameter>& frameworkParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{

@@ -19,10 +19,6 @@ Configuration readParameters(const XmlElement& element, const std::vector<Parame
 /// Checks one value against its parameter. @throws ConfigError
 void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location);
 
-/// Short ways to write a table.
-Parameter makeParameter(const std::string& name, Parameter::Type type, const std::string& unit,
-                        std::optional<std::string> value, Range range, const std::string& description);
-
 // The tables of the sections themselves.
 const std::vector<Parameter>& frameworkParameters();
 /// Where an entity is. In <distribute> it has no position, and need not be turned.

@@ -12,16 +12,8 @@ namespace {
 
 Parameter parameter(const std::string& name, Parameter::Type type, const std::string& unit,
                     const std::string& description, std::optional<std::string> value = std::nullopt) {
-  Parameter result;
-  result.name = name;
-  result.type = type;
-  result.unit = unit;
-  result.description = description;
-  result.value = std::move(value);
-  if (type == Parameter::Type::kNumber || type == Parameter::Type::kVector3) {
-    result.range = limits::kLength;
-  }
-  return result;
+  const bool is_length = type == Parameter::Type::kNumber || type == Parameter::Type::kVector3;
+  return makeParameter(name, type, unit, std::move(value), is_length ? limits::kLength : Range{}, description);
 }
 
 Parameter mass(const std::string& value, double least, const std::string& description) {

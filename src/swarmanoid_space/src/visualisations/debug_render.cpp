@@ -13,10 +13,8 @@ class DebugRender final : public Observer {
     PluginDescription description;
     description.label = "debug_render";
     description.summary = "Writes events, and the controllers' debug values whenever they change.";
-    Parameter file;
-    file.name = "file";
-    file.description = "Where the lines go.";
-    description.parameters = {file};
+    description.parameters = {
+        makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Where the lines go.")};
     return description;
   }
 

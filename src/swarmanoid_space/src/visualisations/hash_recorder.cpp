@@ -12,10 +12,8 @@ class HashRecorder final : public Observer {
     PluginDescription description;
     description.label = "hash_recorder";
     description.summary = "Writes tick and state hash, one line a tick.";
-    Parameter file;
-    file.name = "file";
-    file.description = "Where the lines go.";
-    description.parameters = {file};
+    description.parameters = {
+        makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Where the lines go.")};
     return description;
   }
 

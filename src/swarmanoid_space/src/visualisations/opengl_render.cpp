@@ -35,12 +35,7 @@ class OpenglRender final : public Observer {
  private:
   static void add(PluginDescription& description, const std::string& name, Parameter::Type type,
                   const std::string& value, const std::string& text) {
-    Parameter parameter;
-    parameter.name = name;
-    parameter.type = type;
-    parameter.value = value;
-    parameter.description = text;
-    description.parameters.push_back(parameter);
+    description.parameters.push_back(makeParameter(name, type, "", value, {}, text));
   }
 };
 

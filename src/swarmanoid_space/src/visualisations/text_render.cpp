@@ -18,23 +18,12 @@ class TextRender final : public Observer {
     PluginDescription description;
     description.label = "text_render";
     description.summary = "Writes position and orientation of every entity as a plain table.";
-    Parameter file;
-    file.name = "file";
-    file.value = "";
-    file.description = "Where the table goes; empty: the standard error stream.";
-    Parameter precision;
-    precision.name = "precision";
-    precision.type = Parameter::Type::kInteger;
-    precision.value = "6";
-    precision.range = {1.0, 17.0};
-    precision.description = "Significant digits of each number; trailing zeros are left out.";
-    Parameter every = precision;
-    every.name = "every";
-    every.value = "1";
-    every.range = {1.0, 1e9};
-    every.unit = "ticks";
-    every.description = "Ticks from one table to the next.";
-    description.parameters = {file, precision, every};
+    using Type = Parameter::Type;
+    description.parameters = {
+        makeParameter("file", Type::kText, "", "", {}, "Where the table goes; empty: the standard error stream."),
+        makeParameter("precision", Type::kInteger, "", "6", {1.0, 17.0},
+                      "Significant digits of each number; trailing zeros are left out."),
+        makeParameter("every", Type::kInteger, "ticks", "1", {1.0, 1e9}, "Ticks from one table to the next.")};
     return description;
   }
 

@@ -13,16 +13,6 @@
 namespace swarmanoid {
 namespace {
 
-Parameter parameter(const std::string& name, Parameter::Type type, const std::string& description,
-                    std::optional<std::string> value) {
-  Parameter result;
-  result.name = name;
-  result.type = type;
-  result.description = description;
-  result.value = std::move(value);
-  return result;
-}
-
 class RosbagRecorder final : public Observer {
  public:
   static PluginDescription describe() {
@@ -31,27 +21,23 @@ class RosbagRecorder final : public Observer {
     description.label = "rosbag_recorder";
     description.summary =
         "Writes a rosbag: clock, transforms, world state, events, markers, and what controllers saw and did.";
-    Parameter every = parameter("every", Type::kInteger, "Ticks from one recorded state to the next.", "1");
-    every.unit = "ticks";
-    every.range = {1.0, 1e9};
-    Parameter markers_every = parameter("markers_every", Type::kInteger,
-                                        "Recorded states from one with markers to the next; 0: no markers.", "1");
-    markers_every.range = {0.0, 1e9};
-    Parameter compression = parameter("compression", Type::kChoice, "Of the bag's chunks.", "lz4");
+    Parameter compression = makeParameter("compression", Type::kChoice, "", "lz4", {}, "Of the bag's chunks.");
     compression.choices = {"none", "lz4", "bz2"};
-    Parameter level =
-        parameter("transforms", Type::kChoice, "Frames in /tf: auto is full for up to 20 robots, base beyond.", "auto");
+    Parameter level = makeParameter("transforms", Type::kChoice, "", "auto", {},
+                                    "Frames in /tf: auto is full for up to 20 robots, base beyond.");
     level.choices = {"auto", "none", "base", "full"};
     description.parameters = {
-        parameter("file", Type::kText, "The bag.", std::nullopt),
-        every,
-        markers_every,
+        makeParameter("file", Type::kText, "", std::nullopt, {}, "The bag."),
+        makeParameter("every", Type::kInteger, "ticks", "1", {1.0, 1e9}, "Ticks from one recorded state to the next."),
+        makeParameter("markers_every", Type::kInteger, "", "1", {0.0, 1e9},
+                      "Recorded states from one with markers to the next; 0: no markers."),
         compression,
         level,
-        parameter("controllers", Type::kText, "Robots whose controllers can be replayed from it: names, all or none.",
-                  "none"),
-        parameter("state", Type::kBoolean, "Whether all named state is recorded, for `swarmanoid diff`.", "false"),
-        parameter("node", Type::kText, "Name of the space in topics.", "space")};
+        makeParameter("controllers", Type::kText, "", "none", {},
+                      "Robots whose controllers can be replayed from it: names, all or none."),
+        makeParameter("state", Type::kBoolean, "", "false", {},
+                      "Whether all named state is recorded, for `swarmanoid diff`."),
+        makeParameter("node", Type::kText, "", "space", {}, "Name of the space in topics.")};
     return description;
   }
 
