@@ -51,7 +51,7 @@ class Finder {
     const std::size_t count = std::min(model.led_positions.size(), lit.size());
     for (std::size_t k = 0; k < count; ++k) {
       if (colorOf(row, k).isLit()) {
-        points[k] = pose.position + pose.orientation * model.led_positions[k];
+        points[k] = pose.toWorld(model.led_positions[k]);
         lit[k] = view_.inView(points[k]);
       }
     }

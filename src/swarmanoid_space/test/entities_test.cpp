@@ -15,6 +15,13 @@ namespace {
 
 Row add(Entities& entities, const std::string& name) { return entities.add(name, lightModel(), {}, colors::kRed); }
 
+TEST(PoseTest, PointsOfABodyAreTurnedAndThenMoved) {
+  // a third of a turn about (1, 1, 1): x goes to y, y to z, z to x
+  const Pose pose{{10.0, 20.0, 30.0}, Eigen::Quaterniond(0.5, 0.5, 0.5, 0.5)};
+  EXPECT_EQ(pose.toWorld({1.0, 2.0, 3.0}), Eigen::Vector3d(13.0, 21.0, 32.0));
+  EXPECT_EQ(pose.toWorld(Eigen::Vector3d::Zero()), pose.position);
+}
+
 TEST(EntitiesTest, NumbersBeginAtOneAndAreNeverUsedAgain) {
   Entities entities;
   std::set<EntityNumber> numbers;

@@ -54,7 +54,7 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     const Eigen::Vector3d direction(sine * std::cos(instance.actuation->pan), sine * std::sin(instance.actuation->pan),
                                     -std::cos(instance.actuation->tilt));
     Segment beam;
-    beam.from = pose.position + pose.orientation * space.entities.model[i]->mount("laser_pointer").position;
+    beam.from = pose.toWorld(space.entities.model[i]->mount("laser_pointer").position);
     const Eigen::Vector3d beam_direction = pose.orientation * direction;
     // down to the floor, or as far as light goes
     const auto downTo = [&](double height) -> Eigen::Vector3d {

@@ -95,7 +95,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     const Pose& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
     BlobView view;
     view.self = instance.row;
-    view.position = pose.position + pose.orientation * instance.mount.position;
+    view.position = pose.toWorld(instance.mount.position);
     const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
     view.heading = std::atan2(ahead.y(), ahead.x());
     view.range = range_;

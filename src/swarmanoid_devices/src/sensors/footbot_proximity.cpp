@@ -82,7 +82,7 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
     const RingGeometry& ring = *instance.ring;
     const Pose& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
     RayBundle rays;
-    rays.centre = pose.position + pose.orientation * ring.centre;
+    rays.centre = pose.toWorld(ring.centre);
     rays.radius = ring.radius + range_;
     rays.ignored = instance.row;
     if (!space.mayHit(rays)) {

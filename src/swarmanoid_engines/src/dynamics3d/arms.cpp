@@ -98,8 +98,7 @@ void placeLinks(Body& body, const JointState* joints) {
     const Eigen::Isometry3d displacement = displacementOf(*body.model, states, static_cast<int>(i));
     const Vector3d& centre = body.model->joints[i].part.centre_of_mass;
     const Eigen::Quaterniond turn = body.pose.orientation * Eigen::Quaterniond(displacement.linear());
-    setBodyPose(body.links[i].rigid, body.pose.position + body.pose.orientation * (displacement * centre),
-                turn.normalized());
+    setBodyPose(body.links[i].rigid, body.pose.toWorld(displacement * centre), turn.normalized());
   }
 }
 
@@ -110,9 +109,7 @@ void moveLinks(Body& body, const Twist& twist, const JointState* joints) {
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     const EntityModel::Joint& joint = body.model->joints[i];
     const Eigen::Isometry3d displacement = displacementOf(*body.model, states, static_cast<int>(i));
-    const auto inWorld = [&](const Vector3d& point) -> Vector3d {
-      return body.pose.position + body.pose.orientation * (displacement * point);
-    };
+    const auto inWorld = [&](const Vector3d& point) -> Vector3d { return body.pose.toWorld(displacement * point); };
     // as the carrier moves the joint, and the joint the link
     Vector3d carrier_turning = twist.angular;
     Vector3d carrier_speed = twist.linear;

@@ -108,7 +108,7 @@ void Dynamics3d::connectHold(Space& space, Body& robot, Kind kind) {
     return;
   }
   const Mount mount = placeOf(*robot.model, space.jointsOf(robot.row), mountOf(kind));
-  const Vector3d at = robot.pose.position + robot.pose.orientation * mount.position;
+  const Vector3d at = robot.pose.toWorld(mount.position);
   const Vector3d out = robot.pose.orientation * (mount.orientation * Vector3d::UnitX());
   const Surface surface = findSurface(robot, {at - kCupDepth * out, at + kCupReach * out}, kind == Kind::kMagnet);
   if (surface.can_be_held) {

@@ -58,12 +58,11 @@ void Body::setPose(const Pose& new_pose, const JointState* joints) {
   if (rigid == nullptr) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
       const CollisionShape& shape = model->shapes[i];
-      setGeomPose(solids[i].geom, pose.position + pose.orientation * shape.position,
-                  pose.orientation * shape.orientation);
+      setGeomPose(solids[i].geom, pose.toWorld(shape.position), pose.orientation * shape.orientation);
     }
     return;
   }
-  setBodyPose(rigid, pose.position + pose.orientation * own.centre_of_mass, pose.orientation);
+  setBodyPose(rigid, pose.toWorld(own.centre_of_mass), pose.orientation);
   if (!links.empty()) {
     placeLinks(*this, joints);
   } else if (posed_ != nullptr && joints != nullptr && turret.joint < 0) {

@@ -17,7 +17,7 @@ struct PlacedShape {
   PlacedShape(const CollisionShape& shape, const Pose& pose)
       : kind(shape.kind),
         half((shape.half_extent.array() - kContactTolerance / 2.0).max(0.0)),
-        centre(pose.position + pose.orientation * shape.position),
+        centre(pose.toWorld(shape.position)),
         axes((pose.orientation * shape.orientation).toRotationMatrix()) {}
 
   /// The point that lies farthest in a direction.

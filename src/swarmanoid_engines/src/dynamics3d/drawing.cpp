@@ -16,7 +16,7 @@ void drawRing(const Pose& pose, const Vector3d& centre, const Vector3d& a, const
   constexpr int kSides = 16;
   const auto at = [&](int i) -> Vector3d {
     const double angle = 2.0 * M_PI * i / kSides;
-    return pose.position + pose.orientation * (centre + std::cos(angle) * a + std::sin(angle) * b);
+    return pose.toWorld(centre + std::cos(angle) * a + std::sin(angle) * b);
   };
   for (int i = 0; i < kSides; ++i) {
     drawing.add(Kind::kShape, at(i), at(i + 1));
@@ -26,7 +26,7 @@ void drawRing(const Pose& pose, const Vector3d& centre, const Vector3d& a, const
 void drawBox(const Pose& pose, const Vector3d& half, EngineDrawing& drawing) {
   const auto corner = [&](int i) -> Vector3d {
     const Vector3d signs((i & 1) != 0 ? 1.0 : -1.0, (i & 2) != 0 ? 1.0 : -1.0, (i & 4) != 0 ? 1.0 : -1.0);
-    return pose.position + pose.orientation * half.cwiseProduct(signs);
+    return pose.toWorld(half.cwiseProduct(signs));
   };
   for (int i = 0; i < 8; ++i) {
     for (const int axis : {1, 2, 4}) {
@@ -39,7 +39,7 @@ void drawBox(const Pose& pose, const Vector3d& half, EngineDrawing& drawing) {
 
 void drawShape(const CollisionShape& shape, const Pose& body, EngineDrawing& drawing) {
   Pose pose;
-  pose.position = body.position + body.orientation * shape.position;
+  pose.position = body.toWorld(shape.position);
   pose.orientation = body.orientation * shape.orientation;
   const Vector3d& half = shape.half_extent;
   const Vector3d x = half.x() * Vector3d::UnitX();
@@ -56,8 +56,7 @@ void drawShape(const CollisionShape& shape, const Pose& body, EngineDrawing& dra
     drawRing(pose, z, x, y, drawing);
     drawRing(pose, -z, x, y, drawing);
     for (const Vector3d& side : {x, y, Vector3d(-x), Vector3d(-y)}) {
-      drawing.add(Kind::kShape, pose.position + pose.orientation * (side - z),
-                  pose.position + pose.orientation * (side + z));
+      drawing.add(Kind::kShape, pose.toWorld(side - z), pose.toWorld(side + z));
     }
   }
 }
@@ -72,7 +71,7 @@ void Dynamics3d::drawAttachments(EngineDrawing& drawing) const {
     if (const Rope& rope = body->holding->rope; rope.held != nullptr) {
       const Vector3d launcher = launcherOf(*body);
       const Pose& held = rope.held->pose;
-      drawing.add(Kind::kJoint, launcher, held.position + held.orientation * rope.anchor);
+      drawing.add(Kind::kJoint, launcher, held.toWorld(rope.anchor));
       drawing.add(Kind::kForce, launcher, launcher + EngineDrawing::kMetresPerNewton * rope.tension * rope.towards);
     }
     for (const Grip& hold : body->holding->grips) {
@@ -93,7 +92,7 @@ void Dynamics3d::draw(EngineDrawing& drawing) const {
       drawShape(shape, body->pose, drawing);
     }
     if (body->grip.joint != nullptr) {
-      const Vector3d tip = body->pose.position + body->pose.orientation * gripperTip(*body);
+      const Vector3d tip = body->pose.toWorld(gripperTip(*body));
       drawing.add(Kind::kJoint, body->pose.position, tip);
       drawing.add(Kind::kJoint, tip, body->grip.gripped->pose.position);
       drawing.add(Kind::kForce, tip,

@@ -50,7 +50,7 @@ void Dynamics3d::connect(Space& space) {
 }
 
 Body* Dynamics3d::findInReach(const Space& space, const Body& robot) const {
-  const Eigen::Vector3d tip = robot.pose.position + robot.pose.orientation * gripperTip(robot);
+  const Eigen::Vector3d tip = robot.pose.toWorld(gripperTip(robot));
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kGripperReach);
   const Body* nearest = nullptr;
   double nearest_distance = kGripperReach;

@@ -28,7 +28,7 @@ PlacedSolid::PlacedSolid(dGeomID geom) : centre(toVector(dGeomGetPosition(geom))
 PlacedSolid::PlacedSolid(const CollisionShape& shape, const Pose& body)
     : kind(shape.kind),
       half(shape.half_extent),
-      centre(body.position + body.orientation * shape.position),
+      centre(body.toWorld(shape.position)),
       axes((body.orientation * shape.orientation).toRotationMatrix()) {}
 
 Eigen::AlignedBox3d PlacedSolid::bounds() const {

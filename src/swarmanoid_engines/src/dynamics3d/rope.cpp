@@ -13,7 +13,7 @@ constexpr double kShortest = 0.02;      // m
 
 Vector3d anchorOf(const Rope& rope) {
   const Pose pose = rope.held->rigid == nullptr ? rope.held->pose : rope.held->currentPose();
-  return pose.position + pose.orientation * rope.anchor;
+  return pose.toWorld(rope.anchor);
 }
 
 /// How fast a point of a body goes after a step if nothing but gravity acts on it.
@@ -29,7 +29,7 @@ Vector3d speedAfter(dWorldID world, dBodyID rigid, const Vector3d& point, double
 
 Vector3d launcherOf(const Body& robot) {
   const Pose pose = robot.currentPose();
-  return pose.position + pose.orientation * robot.model->mount("rope_launcher").position;
+  return pose.toWorld(robot.model->mount("rope_launcher").position);
 }
 
 void windRope(Holding& holding, double step) {

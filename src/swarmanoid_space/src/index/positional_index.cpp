@@ -21,7 +21,7 @@ Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
   Eigen::AlignedBox3d bounds(pose.position);
   for (const CollisionShape& shape : model.shapes) {
     const Eigen::Matrix3d turn = (pose.orientation * shape.orientation).toRotationMatrix();
-    const Eigen::Vector3d centre = pose.position + pose.orientation * shape.position;
+    const Eigen::Vector3d centre = pose.toWorld(shape.position);
     const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
     const Eigen::Vector3d extent = is_sphere ? Eigen::Vector3d(Eigen::Vector3d::Constant(shape.half_extent.x()))
                                              : Eigen::Vector3d(turn.cwiseAbs() * shape.half_extent);

@@ -112,7 +112,7 @@ bool isBoundary(const Space& space, Row row) {
 bool isOverhead(const Space& space, Row row, const CollisionShape& shape) {
   const Pose& pose = space.entities.pose[static_cast<std::size_t>(row)];
   const Eigen::Matrix3d orientation = (pose.orientation * shape.orientation).toRotationMatrix();
-  const double middle = (pose.position + pose.orientation * shape.position).z();
+  const double middle = (pose.toWorld(shape.position)).z();
   return middle - orientation.row(2).cwiseAbs().dot(shape.half_extent) > 0.5 * space.size.z();
 }
 

@@ -83,8 +83,8 @@ Label labelOf(const Space& space, Row row, const std_msgs::Header& header) {
   label.width = kCharacter * text_height * static_cast<double>(longest);
   label.height = kLine * text_height * static_cast<double>(lines);
   const Pose& pose = space.entities.pose[i];
-  label.anchor = pose.position + pose.orientation * Vector3d(0.0, 0.0, space.entities.model[i]->highest);
-  label.place = pose.position + pose.orientation * Vector3d(0.0, 0.0, space.entities.model[i]->highest + kAntenna);
+  label.anchor = pose.toWorld(Vector3d(0.0, 0.0, space.entities.model[i]->highest));
+  label.place = pose.toWorld(Vector3d(0.0, 0.0, space.entities.model[i]->highest + kAntenna));
   label.place.z() += 0.5 * label.height / upInPicture().z();
   return label;
 }

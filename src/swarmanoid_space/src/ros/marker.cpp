@@ -46,7 +46,7 @@ Marker shapeMarker(const std_msgs::Header& header, const std::string& space_name
   }
   Marker marker = makeMarker(header, space_name, id, type, 2.0 * shape.half_extent, color);
   Pose place;
-  place.position = pose.position + pose.orientation * shape.position;
+  place.position = pose.toWorld(shape.position);
   place.orientation = pose.orientation * shape.orientation;
   marker.pose = toMessage(place);
   return marker;

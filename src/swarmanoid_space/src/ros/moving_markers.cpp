@@ -28,10 +28,6 @@ struct Canvas {
   }
 };
 
-Eigen::Vector3d inWorld(const Pose& pose, const Eigen::Vector3d& point) {
-  return pose.position + pose.orientation * point;
-}
-
 void drawSwarm(const Canvas& canvas) {
   constexpr double kLineWidth = 0.03;
   std::map<std::string, Marker> list_of_type;
@@ -49,9 +45,9 @@ void drawSwarm(const Canvas& canvas) {
                                 Eigen::Vector3d::Constant(diameter), rgba(0.35F, 0.45F, 0.75F, 1.0F));
     }
     const double middle = 0.5 * (model.lowest + model.highest);
-    list->second.points.push_back(toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, middle})));
-    headings.points.push_back(toMessage(inWorld(canvas.poseOf(row), {0.0, 0.0, model.highest})));
-    headings.points.push_back(toMessage(inWorld(canvas.poseOf(row), {diameter, 0.0, middle})));
+    list->second.points.push_back(toMessage(canvas.poseOf(row).toWorld({0.0, 0.0, middle})));
+    headings.points.push_back(toMessage(canvas.poseOf(row).toWorld({0.0, 0.0, model.highest})));
+    headings.points.push_back(toMessage(canvas.poseOf(row).toWorld({diameter, 0.0, middle})));
   }
   canvas.addList(std::move(headings));
   for (auto& [type, list] : list_of_type) {
@@ -84,7 +80,7 @@ void drawLeds(const Canvas& canvas) {
     for (std::size_t led = 0; model.is_robot && led < model.led_positions.size(); ++led) {
       const Color color = canvas.space.ledsOf(row)[led];
       if (color.isLit()) {
-        leds.points.push_back(toMessage(inWorld(canvas.poseOf(row), model.led_positions[led])));
+        leds.points.push_back(toMessage(canvas.poseOf(row).toWorld(model.led_positions[led])));
         leds.colors.push_back(opaque(color));
       }
     }
@@ -120,7 +116,7 @@ void drawGrips(const Canvas& canvas) {
     }
     // above both, where neither hides it
     const auto top = [&](Row of) {
-      return toMessage(inWorld(canvas.poseOf(of), {0.0, 0.0, canvas.modelOf(of).highest + 0.02}));
+      return toMessage(canvas.poseOf(of).toWorld({0.0, 0.0, canvas.modelOf(of).highest + 0.02}));
     };
     grips.points.push_back(top(row));
     grips.points.push_back(top(gripped));
@@ -137,8 +133,8 @@ void drawRopes(const Canvas& canvas) {
     if (rope.held == kNoRow) {
       continue;
     }
-    ropes.points.push_back(toMessage(inWorld(canvas.poseOf(row), canvas.modelOf(row).mount("rope_launcher").position)));
-    ropes.points.push_back(toMessage(inWorld(canvas.poseOf(rope.held), rope.anchor)));
+    ropes.points.push_back(toMessage(canvas.poseOf(row).toWorld(canvas.modelOf(row).mount("rope_launcher").position)));
+    ropes.points.push_back(toMessage(canvas.poseOf(rope.held).toWorld(rope.anchor)));
   }
   canvas.addList(std::move(ropes));
 }

@@ -29,6 +29,9 @@ constexpr EntityNumber kNoEntity = 0;
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
+
+  /// A point of the body, in W [m]. @param point in the body's own frame
+  Eigen::Vector3d toWorld(const Eigen::Vector3d& point) const { return position + orientation * point; }
 };
 
 /// Velocities of the body's origin, expressed in W.
