@@ -139,15 +139,6 @@ TEST(MotionTest, WhatHasNoDriveStandsStill) {
   }
 }
 
-TEST(MotionTest, DevicesMayComeAfterTheEngine) {
-  World world;
-  const Row row = world.add(footbotModel(), flatPose(1.0, 1.0));
-  world.space.actuation.bank<FootbotWheels>().add(row);
-  world.drive(row, 0.1);
-  world.step(10);
-  EXPECT_NEAR(world.pose(row).position.x(), 1.1, 1e-12);
-}
-
 TEST(MotionTest, TwistIsZeroAgainOnceItStops) {
   World world;
   const Row row = world.addFootbot(flatPose(1.0, 1.0));

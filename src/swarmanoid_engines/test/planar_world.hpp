@@ -91,9 +91,11 @@ class PlanarWorld {
     }
     return row;
   }
-  /// A robot that is told wheel speeds and what to do with its gripper.
+  /// A robot that is told wheel speeds, what to do with its gripper, and that much more.
+  template <class... Devices>
   Row addRobot(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = addToSpace(model, pose);
+    (space.actuation.bank<Devices>().add(row), ...);
     space.actuation.bank<FootbotWheels>().add(row);
     space.actuation.bank<FootbotGripper>().add(row);
     engine.add(space, row, Role::kMove);
@@ -103,9 +105,7 @@ class PlanarWorld {
   Row addFootbot(const Pose& pose) { return addRobot(footbotModel(), pose); }
   /// A robot that is told all of that and what to do with its turret.
   Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
-    const Row row = addRobot(model, pose);
-    space.actuation.bank<FootbotTurret>().add(row);  // late: engines find it all the same
-    return row;
+    return addRobot<FootbotTurret>(model, pose);
   }
   FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }
   const JointState& turretState(Row row) const { return space.jointsOf(row)[0]; }

@@ -96,7 +96,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void takePose(const Space& space, BodyIndex index);
 
   // motion.cpp
-  void startTick(const Space& space, double tick);
+  void startTick(double tick);
   void choosePieces(double step);
   void moveInBox2d();
   void joinGround(BodyIndex index);

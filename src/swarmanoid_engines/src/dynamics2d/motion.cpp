@@ -56,7 +56,7 @@ void Dynamics2d::readMirrors(const Space& space) {
 }
 
 void Dynamics2d::move(Space& space, Duration dt) {
-  startTick(space, toSeconds(dt));
+  startTick(toSeconds(dt));
   moveAlone(toSeconds(dt));
   if (!present_.empty() || !mirrors_.empty()) {  // moved mirrors are noted in Box2D until it steps
     moveInBox2d();
@@ -92,8 +92,7 @@ void Dynamics2d::moveInBox2d() {
   }
 }
 
-void Dynamics2d::startTick(const Space& space, double tick) {
-  bodies_.findLateDevices(space);
+void Dynamics2d::startTick(double tick) {
   for (const BodyIndex index : newcomers_) {
     joinGround(index);
   }

@@ -16,6 +16,19 @@ void setMass(dBodyID rigid, const Inertial& inertial) {
   dBodySetMass(rigid, &mass);
 }
 
+void findHolding(Body& body, const Space& space) {
+  const auto* hands = space.actuation.find<HandbotHands>(body.row);
+  const auto* rope = space.actuation.find<HandbotRope>(body.row);
+  const auto* magnet = space.actuation.find<EyebotMagnet>(body.row);
+  if (hands == nullptr && rope == nullptr && magnet == nullptr) {
+    return;
+  }
+  body.holding = std::make_unique<Holding>();
+  body.holding->hands = hands;
+  body.holding->rope_command = rope;
+  body.holding->magnet = magnet;
+}
+
 }  // namespace
 
 Body::~Body() {
@@ -135,6 +148,10 @@ std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role
   body->model = space.entities.model[i];
   const EntityModel& model = *body->model;
   body->own = {model.mass, model.centre_of_mass, model.inertia};
+  body->wheels = model.wheels ? space.actuation.find<FootbotWheels>(row) : nullptr;
+  body->velocity = space.actuation.find<EyebotVelocity>(row);
+  body->gripper = model.gripper ? space.actuation.find<FootbotGripper>(row) : nullptr;
+  findHolding(*body, space);
   if (model.is_movable) {
     body->is_dynamic = role == Role::kMove;
     body->rigid = dBodyCreate(world);

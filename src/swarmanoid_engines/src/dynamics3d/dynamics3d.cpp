@@ -93,7 +93,6 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   takePose(space, body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
   contacts_.add(body);
-  newcomers_.push_back(&body);
   takeOverGrips(space, body);
   takeOverAttachments(space, body);
   settling_ = body.is_dynamic ? kSettlingSteps : settling_;
@@ -134,7 +133,6 @@ void Dynamics3d::remove(Space&, Row row) {
   contacts_.remove(*body);
   seen_.remove(body);
   rankFrom(order_.erase(std::find(order_.begin(), order_.end(), body)));
-  newcomers_.erase(std::remove(newcomers_.begin(), newcomers_.end(), body), newcomers_.end());
   by_row_[i].reset();
 }
 
@@ -183,7 +181,6 @@ void Dynamics3d::makeWorld() {
 void Dynamics3d::destroyWorld() {
   // what stays would make the next world another one than the first
   order_.clear();
-  newcomers_.clear();
   seen_.clear();
   by_row_.clear();
   contacts_.release();

@@ -87,7 +87,6 @@ class Dynamics3d final : public Engine {
   /// Ranks are places in `order_`; those before `first` have theirs.
   void rankFrom(std::vector<Body*>::iterator first);
   void takePose(const Space& space, Body& body);
-  void findLateDevices(const Space& space);
 
   // motion.cpp
   void stepOnce(double step);
@@ -139,7 +138,6 @@ class Dynamics3d final : public Engine {
   Contacts contacts_;
   std::vector<std::unique_ptr<Body>> by_row_;
   std::vector<Body*> order_;        // by entity number
-  std::vector<Body*> newcomers_;    // since findLateDevices
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
   int settling_ = 0;                // steps that are left until what was put down stands
   SolverCounts counts_;

@@ -23,7 +23,6 @@ void Dynamics3d::move(Space& space, Duration dt) {
   if (world_ == nullptr) {
     return;
   }
-  findLateDevices(space);
   const double step = toSeconds(dt) / settings_.subclock;
   for (int i = 0; i < settings_.subclock; ++i) {
     stepOnce(step);
@@ -33,38 +32,12 @@ void Dynamics3d::move(Space& space, Duration dt) {
 
 namespace {
 
-void findHolding(Body& body, const Space& space) {
-  const auto* hands = space.actuation.find<HandbotHands>(body.row);
-  const auto* rope = space.actuation.find<HandbotRope>(body.row);
-  const auto* magnet = space.actuation.find<EyebotMagnet>(body.row);
-  if (hands == nullptr && rope == nullptr && magnet == nullptr) {
-    return;
-  }
-  if (body.holding == nullptr) {
-    body.holding = std::make_unique<Holding>();
-  }
-  body.holding->hands = hands;
-  body.holding->rope_command = rope;
-  body.holding->magnet = magnet;
-}
-
 /// Hanging by its magnet an eyebot saves its battery.
 bool hangsByMagnet(const Body& eyebot) {
   return eyebot.holding != nullptr && eyebot.holding->grip(Attachment::Kind::kMagnet).joint != nullptr;
 }
 
 }  // namespace
-
-void Dynamics3d::findLateDevices(const Space& space) {
-  for (Body* body : newcomers_) {
-    body->wheels = body->model->wheels ? space.actuation.find<FootbotWheels>(body->row) : nullptr;
-    body->velocity = space.actuation.find<EyebotVelocity>(body->row);
-    body->gripper = body->model->gripper ? space.actuation.find<FootbotGripper>(body->row) : nullptr;
-    findHolding(*body, space);
-    findTurret(*body, space);
-  }
-  newcomers_.clear();
-}
 
 void Dynamics3d::stepOnce(double step) {
   for (Body* body : order_) {

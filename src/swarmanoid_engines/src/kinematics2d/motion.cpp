@@ -24,7 +24,7 @@ void Kinematics2d::readMirrors(const Space& space) {
 
 void Kinematics2d::move(Space& space, Duration dt) {
   const double step = toSeconds(dt) / subclock_;
-  startTick(space, step);
+  startTick(step);
   for (int i = 0; i < subclock_; ++i) {
     travelled_ += stride_;
     detour_ = 0.0;
@@ -39,8 +39,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
   finishTurrets(space, toSeconds(dt));
 }
 
-void Kinematics2d::startTick(const Space& space, double step) {
-  bodies_.findLateDevices(space);
+void Kinematics2d::startTick(double step) {
   double fastest_squared = 0.0;
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];

@@ -36,15 +36,6 @@ void Bodies::findDevices(const Space& space, BodyIndex index) {
   findTurret(space, index);
 }
 
-void Bodies::findLateDevices(const Space& space) {
-  for (const BodyIndex index : newcomers_) {
-    if ((*this)[index].row != kNoRow) {
-      findDevices(space, index);
-    }
-  }
-  newcomers_.clear();
-}
-
 BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   if (order_.empty()) {
     grid_.configure(plane_.toLocal(space.size));
@@ -75,7 +66,6 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   body.is_movable = record.entity->is_movable;
   body.is_large = body.model->radius > kLargeRadius;
   findDevices(space, index);
-  newcomers_.push_back(index);
 
   index_of_row_.resize(std::max(index_of_row_.size(), i + 1), kNoBody);
   index_of_row_[i] = index;
@@ -176,7 +166,6 @@ void Bodies::clear() {
   holes_.clear();
   order_.clear();
   index_of_row_.clear();
-  newcomers_.clear();
   large_.clear();
   projections_.clear();
   grid_.clear();

@@ -83,8 +83,6 @@ class Bodies {
   /// Takes the pose that the entity has in the space, and its joints. @return whether its shapes are others now
   bool place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
-  /// Looks for the devices of bodies that came since the last call: a robot may get its devices after its engine.
-  void findLateDevices(const Space& space);
 
   /// By entity number.
   std::vector<Turret>& turrets() { return turrets_; }
@@ -176,7 +174,6 @@ class Bodies {
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
   std::vector<BodyIndex> index_of_row_;
-  std::vector<BodyIndex> newcomers_;  // since findLateDevices
   std::vector<Large> large_;
   std::vector<Turret> turrets_;
   OwnProjection tried_;                     // scratch of modelAt

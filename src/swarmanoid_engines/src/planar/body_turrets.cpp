@@ -11,7 +11,7 @@ void Bodies::findTurret(const Space& space, BodyIndex index) {
   const Eigen::Quaterniond& base = details(index).base;
   const int joint = body.entity->joints.empty() ? -1 : turretJoint(*body.entity);
   const FootbotTurret* command = joint < 0 ? nullptr : space.actuation.find<FootbotTurret>(body.row);
-  if (command == nullptr || body.role == Role::kMirror || !plane_.isUpright(base) || findTurret(index) != nullptr) {
+  if (command == nullptr || body.role == Role::kMirror || !plane_.isUpright(base)) {
     return;
   }
   Turret turret;

@@ -129,8 +129,8 @@ TEST(HandsTest, ComeOffAtTheStatedForce) {
 TEST(MagnetTest, HoldsAnEyebotAtTheCeilingWithItsRotorsAtRest) {
   for (const bool is_ferromagnetic : {true, false}) {
     HandbotWorld world({}, is_ferromagnetic);
-    const Row eyebot = world.addEyebot(flatPose(2.0, 2.0, 0.0, 1.6));
-    world.space.actuation.bank<EyebotMagnet>().add(eyebot).on = true;
+    const Row eyebot = world.addRobot<EyebotVelocity, EyebotMagnet>(robotModel("eyebot"), flatPose(2.0, 2.0, 0.0, 1.6));
+    world.space.actuation.bank<EyebotMagnet>().find(eyebot)->on = true;
     world.flight(eyebot).linear.z() = 0.2;
     world.step(40);
     world.flight(eyebot).linear.z() = 0.0;
@@ -153,8 +153,8 @@ TEST(MagnetTest, ComesOffAtTheStatedForce) {
   const double weight = robotModel("eyebot")->mass * kGravity;
   for (const double share : {0.95, 1.05}) {
     HandbotWorld world({{"magnet_strength", std::to_string(share * weight)}});
-    const Row eyebot = world.addEyebot(flatPose(2.0, 2.0, 0.0, 1.9));
-    world.space.actuation.bank<EyebotMagnet>().add(eyebot).on = true;
+    const Row eyebot = world.addRobot<EyebotVelocity, EyebotMagnet>(robotModel("eyebot"), flatPose(2.0, 2.0, 0.0, 1.9));
+    world.space.actuation.bank<EyebotMagnet>().find(eyebot)->on = true;
     world.flight(eyebot).linear.z() = 0.05;
     std::string text;
     for (int i = 0; i < 60; ++i) {
