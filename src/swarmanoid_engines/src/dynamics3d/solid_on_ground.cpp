@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "dynamics3d/ground_contacts.hpp"
+#include "swarmanoid_space/rays/line_part.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -12,40 +13,6 @@ namespace {
 using Eigen::Vector3d;
 using Ridge = GroundSurface::Ridge;
 using Kind = CollisionShape::Kind;
-
-/// A part of a line, as fractions of the way between two points.
-struct Part {
-  double from = 0.0;
-  double to = 1.0;
-
-  void clip(double low, double high) {
-    from = std::max(from, low);
-    to = std::min(to, high);
-  }
-  void clear() { clip(1.0, 0.0); }
-};
-
-void clipToSlab(Part& part, double start, double way, double half) {
-  if (way != 0.0) {
-    const double a = (-half - start) / way;
-    const double b = (half - start) / way;
-    part.clip(std::min(a, b), std::max(a, b));
-  } else if (std::abs(start) > half) {
-    part.clear();
-  }
-}
-
-void clipToRound(Part& part, const Eigen::Vector2d& start, const Eigen::Vector2d& way, double radius) {
-  const double a = way.squaredNorm();
-  const double b = start.dot(way);
-  const double c = start.squaredNorm() - radius * radius;
-  const double discriminant = b * b - a * c;
-  if (discriminant < 0.0 || (a == 0.0 && c > 0.0)) {
-    part.clear();
-  } else if (a > 0.0) {
-    part.clip((-b - std::sqrt(discriminant)) / a, (-b + std::sqrt(discriminant)) / a);
-  }
-}
 
 /// A face of a solid, in its own frame.
 struct Face {
@@ -118,15 +85,15 @@ void collideRidges(const GroundSurface& ground, const PlacedSolid& solid, double
   ground.visitRidges(solid.bounds(), [&](const Ridge& ridge) {
     const Vector3d start = solid.axes.transpose() * (ridge.from - solid.centre);
     const Vector3d way = solid.axes.transpose() * (ridge.to - ridge.from);
-    Part part;
-    clipToSlab(part, start.z(), way.z(), half.z());
+    LinePart part;
+    part.clipToSlab(start.z(), way.z(), -half.z(), half.z());
     if (solid.kind == Kind::kBox) {
-      clipToSlab(part, start.x(), way.x(), half.x());
-      clipToSlab(part, start.y(), way.y(), half.y());
+      part.clipToSlab(start.x(), way.x(), -half.x(), half.x());
+      part.clipToSlab(start.y(), way.y(), -half.y(), half.y());
     } else {
-      clipToRound(part, start.head<2>(), way.head<2>(), half.x());
+      part.clipToRound(Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(way.head<2>()), half.x());
     }
-    if (part.from > part.to) {
+    if (part.isEmpty()) {
       return;
     }
     const Vector3d middle = start + 0.5 * (part.from + part.to) * way;

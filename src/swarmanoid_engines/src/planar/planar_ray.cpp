@@ -1,59 +1,11 @@
 #include "planar/planar_ray.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include "swarmanoid_space/rays/line_part.hpp"
 
 namespace swarmanoid::planar {
 namespace {
 
-/// The part of the ray that is inside, as fractions; empty once enter > leave.
-struct Inside {
-  double enter = 0.0;
-  double leave = 1.0;
-
-  void clip(double from, double to) {
-    enter = std::max(enter, from);
-    leave = std::min(leave, to);
-  }
-  void empty() { enter = kNoHit; }
-  bool isEmpty() const { return enter > leave; }
-};
-
-void clipToBand(Inside& inside, const PlanarRay& ray, const Band& band, double offset) {
-  const double low = band.low + offset;
-  const double high = band.high + offset;
-  if (ray.climb == 0.0) {
-    if (ray.height < low || ray.height > high) {
-      inside.empty();
-    }
-    return;
-  }
-  const double a = (low - ray.height) / ray.climb;
-  const double b = (high - ray.height) / ray.climb;
-  inside.clip(std::min(a, b), std::max(a, b));
-}
-
-void clipToCircle(Inside& inside, const PlanarRay& ray, const PlanarShape& circle) {
-  const Eigen::Vector2d start = ray.from - circle.centre;
-  const double a = ray.step.squaredNorm();
-  const double b = start.dot(ray.step);
-  const double c = start.squaredNorm() - circle.radius * circle.radius;
-  if (a == 0.0) {
-    if (c > 0.0) {
-      inside.empty();
-    }
-    return;
-  }
-  const double discriminant = b * b - a * c;
-  if (discriminant < 0.0) {
-    inside.empty();
-    return;
-  }
-  const double root = std::sqrt(discriminant);
-  inside.clip((-b - root) / a, (-b + root) / a);
-}
-
-void clipToPolygon(Inside& inside, const PlanarRay& ray, const PlanarShape& polygon) {
+void clipToPolygon(LinePart& inside, const PlanarRay& ray, const PlanarShape& polygon) {
   const Eigen::Vector2d* corner = &polygon.vertices.back();
   for (const Eigen::Vector2d& next : polygon.vertices) {
     const Eigen::Vector2d edge = next - *corner;
@@ -63,7 +15,7 @@ void clipToPolygon(Inside& inside, const PlanarRay& ray, const PlanarShape& poly
     corner = &next;
     if (distance > 0.0 && distance + approach > 0.0) {
       // all of the ray is on the edge's outer side: so it is most of the time
-      inside.empty();
+      inside.clear();
       return;
     }
     if (approach < 0.0) {
@@ -83,17 +35,17 @@ double closestHit(const PlanarRay& ray, const PlanarShape& shape, double offset)
   if (across * across > shape.radius * shape.radius * ray.step.squaredNorm() && !ray.step.isZero(0.0)) {
     return kNoHit;
   }
-  Inside inside;
-  clipToBand(inside, ray, shape.band, offset);
+  LinePart inside;
+  inside.clipToSlab(ray.height, ray.climb, shape.band.low + offset, shape.band.high + offset);
   if (inside.isEmpty()) {
     return kNoHit;
   }
   if (shape.isCircle()) {
-    clipToCircle(inside, ray, shape);
+    inside.clipToRound(start, ray.step, shape.radius);
   } else {
     clipToPolygon(inside, ray, shape);
   }
-  return inside.isEmpty() ? kNoHit : inside.enter;
+  return inside.isEmpty() ? kNoHit : inside.from;
 }
 
 }  // namespace swarmanoid::planar

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "swarmanoid_space/rays/line_part.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -12,66 +14,22 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 // A LED this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
 constexpr double kSameDepth = 1e-6;
 
-/// The part of a segment that is inside something: from `enter` to `leave`, as fractions.
-struct Inside {
-  double enter = -kNever;
-  double leave = kNever;
-
-  void clip(double from, double to) {
-    enter = std::max(enter, from);
-    leave = std::min(leave, to);
-  }
-};
-
-void clipToSlab(Inside& inside, double start, double step, double half_width) {
-  if (step == 0.0) {
-    if (std::abs(start) > half_width) {
-      inside.clip(kNever, -kNever);
-    }
-    return;
-  }
-  const double a = (-half_width - start) / step;
-  const double b = (half_width - start) / step;
-  inside.clip(std::min(a, b), std::max(a, b));
-}
-
-/// Clips to |p + t s|^2 <= radius^2, in as many dimensions as the vectors have.
-template <class Vector>
-void clipToRound(Inside& inside, const Vector& start, const Vector& step, double radius) {
-  const double a = step.squaredNorm();
-  const double b = start.dot(step);
-  const double c = start.squaredNorm() - radius * radius;
-  if (a == 0.0) {
-    if (c > 0.0) {
-      inside.clip(kNever, -kNever);
-    }
-    return;
-  }
-  const double discriminant = b * b - a * c;
-  if (discriminant < 0.0) {
-    inside.clip(kNever, -kNever);
-    return;
-  }
-  const double root = std::sqrt(discriminant);
-  inside.clip((-b - root) / a, (-b + root) / a);
-}
-
-/// Of a segment in the shape's frame.
-Inside insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
-                const Eigen::Vector3d& step) {
-  Inside inside;
+/// The part of a line that is inside a shape. @param start, step in the shape's frame
+LinePart insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
+                  const Eigen::Vector3d& step) {
+  LinePart inside = LinePart::whole();
   switch (kind) {
     case CollisionShape::Kind::kBox:
       for (int axis = 0; axis < 3; ++axis) {
-        clipToSlab(inside, start[axis], step[axis], half_extent[axis]);
+        inside.clipToSlab(start[axis], step[axis], -half_extent[axis], half_extent[axis]);
       }
       break;
     case CollisionShape::Kind::kCylinder:
-      clipToSlab(inside, start.z(), step.z(), half_extent.z());
-      clipToRound(inside, Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(step.head<2>()), half_extent.x());
+      inside.clipToSlab(start.z(), step.z(), -half_extent.z(), half_extent.z());
+      inside.clipToRound(Eigen::Vector2d(start.head<2>()), Eigen::Vector2d(step.head<2>()), half_extent.x());
       break;
     case CollisionShape::Kind::kSphere:
-      clipToRound(inside, start, step, half_extent.x());
+      inside.clipToRound(start, step, half_extent.x());
       break;
   }
   return inside;
@@ -88,9 +46,9 @@ void addHidden(const CollisionShape& shape, const EntityModel& model, const Eige
       continue;
     }
     const Eigen::Vector3d step = to_shape * (model.led_positions[k] - eye);
-    const Inside inside = insideOf(shape.kind, half_extent, start, step);
+    const LinePart inside = insideOf(shape.kind, half_extent, start, step);
     // what goes on behind the LED is a hull around it, or does not stand before it
-    hidden[k] = inside.enter <= inside.leave && inside.leave >= 0.0 && inside.leave <= 1.0 + kSameDepth;
+    hidden[k] = !inside.isEmpty() && inside.to >= 0.0 && inside.to <= 1.0 + kSameDepth;
   }
 }
 
@@ -103,9 +61,10 @@ double closestHit(const Segment& segment, const EntityModel& model, const Pose& 
   double first = kNever;
   for (const CollisionShape& shape : model.shapes) {
     const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
-    const Inside inside = insideOf(shape.kind, shape.half_extent, to_shape * (start - shape.position), to_shape * step);
-    if (inside.enter <= inside.leave && inside.leave >= 0.0 && inside.enter <= 1.0) {
-      first = std::min(first, std::max(inside.enter, 0.0));
+    const LinePart inside =
+        insideOf(shape.kind, shape.half_extent, to_shape * (start - shape.position), to_shape * step);
+    if (!inside.isEmpty() && inside.to >= 0.0 && inside.from <= 1.0) {
+      first = std::min(first, std::max(inside.from, 0.0));
     }
   }
   return first;

@@ -3,33 +3,19 @@
 #include <cmath>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/rays/line_part.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 
 namespace swarmanoid {
 namespace {
 
-/// A part of a segment, as fractions of it.
-struct Piece {
-  double from = 0.0;
-  double to = 1.0;
-};
-
-Piece clipToRectangle(const Segment& segment, const Eigen::AlignedBox3d& bounds) {
+LinePart clipToRectangle(const Segment& segment, const Eigen::AlignedBox3d& bounds) {
   const Eigen::Vector3d way = segment.to - segment.from;
-  Piece piece;
+  LinePart part;
   for (int axis = 0; axis < 2; ++axis) {
-    const double to_low = bounds.min()[axis] - segment.from[axis];
-    const double to_high = bounds.max()[axis] - segment.from[axis];
-    if (way[axis] == 0.0) {
-      if (to_low > 0.0 || to_high < 0.0) {
-        return {kInfinity, -kInfinity};
-      }
-      continue;
-    }
-    piece.from = std::max(piece.from, std::min(to_low / way[axis], to_high / way[axis]));
-    piece.to = std::min(piece.to, std::max(to_low / way[axis], to_high / way[axis]));
+    part.clipToSlab(segment.from[axis], way[axis], bounds.min()[axis], bounds.max()[axis]);
   }
-  return piece;
+  return part;
 }
 
 /// The fraction at which a coordinate reaches a line of the grid.
@@ -51,7 +37,7 @@ class Terrain::Descent {
   double hit() const { return hit_; }
   bool isAbove() const { return is_above_; }
 
-  void passCell(const Eigen::Vector2i& cell, Piece piece) {
+  void passCell(const Eigen::Vector2i& cell, LinePart piece) {
     const Eigen::Vector2d& step = terrain_.step_;
     // on which side of the cell's diagonal it begins, and where it crosses that
     const double side =
@@ -70,7 +56,7 @@ class Terrain::Descent {
   }
 
  private:
-  void passTriangle(const Eigen::Vector2i& cell, int half, Piece piece) {
+  void passTriangle(const Eigen::Vector2i& cell, int half, LinePart piece) {
     const auto heightOver = [&](double t) {
       const Eigen::Vector3d point = from_ + t * way_;
       return point.z() - terrain_.heightInCell(cell, point.x(), point.y(), half);
@@ -93,11 +79,11 @@ class Terrain::Descent {
 };
 
 double Terrain::closestHit(const Segment& segment) const {
-  const Piece inside = clipToRectangle(segment, bounds_);
+  const LinePart inside = clipToRectangle(segment, bounds_);
   const Eigen::Vector3d way = segment.to - segment.from;
   const auto heightOf = [&](double t) { return segment.from.z() + t * way.z(); };
   const double top = std::max(0.0, bounds_.max().z());
-  if (inside.from > inside.to || std::min(heightOf(inside.from), heightOf(inside.to)) > top) {
+  if (inside.isEmpty() || std::min(heightOf(inside.from), heightOf(inside.to)) > top) {
     return kInfinity;
   }
   if (inside.from > 0.0 && heightOf(inside.from) < 0.0) {
