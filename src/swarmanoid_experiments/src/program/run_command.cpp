@@ -73,21 +73,22 @@ void printProfile(const PhaseTimes& total, const Space& space) {
 }
 
 /// Files and summary of a run that ends in the middle of a plugin's call.
-void keepWhatIsThere(Simulation& simulation, RunFacts facts, const UserCodeEnd& end) {
+void keepWhatIsThere(Simulation& simulation, const RunEnd& run_end, const RunFacts& facts, const UserCodeEnd& end) {
   simulation.giveUp(end.part);
   try {
     simulation.finish();
   } catch (...) {
     std::cerr << "swarmanoid: " << describeException() << '\n';
   }
-  facts.failures = simulation.failures();
+  RunResult result = resultOf(simulation, run_end);
   if (end.exit_code == ExitCode::kControllerFailed && !end.robot.empty()) {
-    facts.failures.push_back({end.robot, simulation.space().tick, end.reason});
+    result.failures.push_back({end.robot, result.ticks, end.reason});
   }
-  print(toText(summarise(simulation, facts)) + "\n");
+  print(toText(summarise(result, facts)) + "\n");
 }
 
 ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
+  RunEnd run_end;
   RunFacts facts;
   facts.overrides = options.overrides;
   PhaseTimes total;
@@ -97,8 +98,8 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
   const UserCodeWatch::Closing closing(watch, [&](const UserCodeEnd& end) {
-    facts.wall_s = passed();
-    keepWhatIsThere(simulation, facts, end);
+    run_end.wall_s = passed();
+    keepWhatIsThere(simulation, run_end, facts, end);
   });
   try {
     simulation.start();
@@ -112,7 +113,7 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
     bar.print("swarmanoid: stopped in tick " + std::to_string(simulation.space().tick) + ": " + describeException());
     code = ExitCode::kStopped;
   }
-  facts.wall_s = passed();
+  run_end.wall_s = passed();
   bar.finish(simulation.space().tick);
   if (options.profile) {
     printProfile(total, simulation.space());
@@ -120,20 +121,20 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
   if (code == ExitCode::kFinished && isInterrupted()) {
     code = ExitCode::kInterrupted;
   }
-  facts.finished = simulation.isFinished();
+  run_end.finished = simulation.isFinished();
   try {
     simulation.finish();
   } catch (...) {
     std::cerr << "swarmanoid: " << describeException() << '\n';
     code = ExitCode::kStopped;
   }
-  facts.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
+  run_end.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
   simulation.destroyControllers();
-  facts.failures = simulation.failures();
-  if (code == ExitCode::kFinished && !facts.failures.empty()) {
+  const RunResult result = resultOf(simulation, run_end);
+  if (code == ExitCode::kFinished && !result.failures.empty()) {
     code = ExitCode::kControllerFailed;
   }
-  print(toText(summarise(simulation, facts)) + "\n");
+  print(toText(summarise(result, facts)) + "\n");
   return code;
 }
 

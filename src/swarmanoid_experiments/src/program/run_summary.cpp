@@ -12,9 +12,9 @@ using nlohmann::ordered_json;
 namespace {
 
 /// How many readings of each type of device were cut short, and how many robots had any.
-ordered_json overflowsOf(const Space& space) {
+ordered_json overflowsOf(const RunResult& result) {
   ordered_json overflows = ordered_json::object();
-  for (const Overflow& overflow : space.overflows) {
+  for (const Overflow& overflow : result.overflows) {
     ordered_json& device = overflows[overflow.device];
     if (device.is_null()) {
       device = {{"robots", std::uint64_t{0}}, {"readings", std::uint64_t{0}}};
@@ -27,37 +27,33 @@ ordered_json overflowsOf(const Space& space) {
 
 }  // namespace
 
-ordered_json summarise(const Simulation& simulation, const RunFacts& facts) {
-  const Space& space = simulation.space();
+ordered_json summarise(const RunResult& result, const RunFacts& facts) {
   ordered_json metrics = ordered_json::object();
-  for (const auto& [name, value] : simulation.metrics()) {
+  for (const auto& [name, value] : result.metrics) {
     std::visit([&, &key = name](const auto& held) { metrics[key] = held; }, value);
   }
   ordered_json failures = ordered_json::array();
-  for (const ControllerFailure& failure : facts.failures) {
+  for (const ControllerFailure& failure : result.failures) {
     failures.push_back({{"robot", failure.robot}, {"tick", failure.tick}, {"reason", failure.reason}});
   }
-  const std::uint64_t state_hash = facts.state_hash ? *facts.state_hash : simulation.stateHash();
   char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(state_hash));
+  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(result.state_hash));
 
   ordered_json summary;
   summary["version"] = version();
   summary["math_library"] = mathLibrary();
-  summary["experiment"] = simulation.experiment().name;
+  summary["experiment"] = result.experiment;
   summary["overrides"] = facts.overrides;
-  summary["seed"] = space.seed;
-  summary["ticks"] = space.tick;
-  summary["finished"] = facts.finished;
-  const std::optional<bool> success = simulation.success();
-  summary["success"] = success ? ordered_json(*success) : ordered_json(nullptr);
+  summary["seed"] = result.seed;
+  summary["ticks"] = result.ticks;
+  summary["finished"] = result.finished;
+  summary["success"] = result.success ? ordered_json(*result.success) : ordered_json(nullptr);
   summary["metrics"] = metrics;
   summary["failed_controllers"] = failures;
-  summary["overflows"] = overflowsOf(space);
-  summary["wall_s"] = facts.wall_s;
-  const double simulated_s = toSeconds(space.time - kEpoch);
-  summary["real_time_factor"] = facts.wall_s > 0.0 ? simulated_s / facts.wall_s : 0.0;
-  summary["robot_ticks_per_s"] = facts.wall_s > 0.0 ? facts.robot_ticks / facts.wall_s : 0.0;
+  summary["overflows"] = overflowsOf(result);
+  summary["wall_s"] = result.wall_s;
+  summary["real_time_factor"] = result.wall_s > 0.0 ? result.simulated_s / result.wall_s : 0.0;
+  summary["robot_ticks_per_s"] = result.wall_s > 0.0 ? facts.robot_ticks / result.wall_s : 0.0;
   summary["state_hash"] = hash;
   return summary;
 }

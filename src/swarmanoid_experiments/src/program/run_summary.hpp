@@ -2,25 +2,20 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/simulation/simulation.hpp"
+#include "swarmanoid_space/simulation/run_result.hpp"
 
 namespace swarmanoid::program {
 
-/// What the summary says of a run beside what the simulation knows.
+/// What the summary says of a run beside its result.
 struct RunFacts {
   std::vector<std::string> overrides;  ///< options that replaced what the file says, as given: "--seed 7"
-  bool finished = false;
-  double wall_s = 0.0;                      ///< spent in ticks [s]
-  double robot_ticks = 0.0;                 ///< robots times ticks, summed over the run
-  std::optional<std::uint64_t> state_hash;  ///< of the last tick; none: as the simulation is
-  std::vector<ControllerFailure> failures;  ///< of controllers
+  double robot_ticks = 0.0;            ///< robots times ticks, summed over the run
 };
 
-nlohmann::ordered_json summarise(const Simulation& simulation, const RunFacts& facts);
+nlohmann::ordered_json summarise(const RunResult& result, const RunFacts& facts);
 
 /// In one line.
 std::string toText(const nlohmann::ordered_json& summary);

@@ -5,7 +5,6 @@
 
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
-#include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -19,48 +18,46 @@ std::string toText(const Metrics::mapped_type& value) {
 
 }  // namespace
 
-swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished, const std::string& message,
-                                     double wall_s) {
-  const Space& space = simulation.space();
-  swarmanoid_msgs::RunResult result;
-  result.header = headerOf(space);
-  result.experiment = simulation.experiment().name;
-  result.seed = space.seed;
-  result.ticks = space.tick;
-  result.run = space.run;
-  result.finished = finished;
-  result.message = message;
-  result.judged = simulation.success().has_value();
-  result.success = simulation.success().value_or(false);
-  result.state_hash = simulation.stateHash();
-  result.wall_s = wall_s;
-  for (const auto& [name, value] : simulation.metrics()) {
+swarmanoid_msgs::RunResult toMessage(const RunResult& result, const std_msgs::Header& header) {
+  swarmanoid_msgs::RunResult message;
+  message.header = header;
+  message.experiment = result.experiment;
+  message.seed = result.seed;
+  message.ticks = result.ticks;
+  message.run = result.run;
+  message.finished = result.finished;
+  message.message = result.message;
+  message.judged = result.success.has_value();
+  message.success = result.success.value_or(false);
+  message.state_hash = result.state_hash;
+  message.wall_s = result.wall_s;
+  for (const auto& [name, value] : result.metrics) {
     swarmanoid_msgs::TextParameter metric;
     metric.name = name;
     metric.value = toText(value);
-    result.metrics.push_back(metric);
+    message.metrics.push_back(metric);
   }
-  for (const ControllerFailure& failure : simulation.failures()) {
-    result.failed_robots.push_back(failure.robot);
+  for (const ControllerFailure& failure : result.failures) {
+    message.failed_robots.push_back(failure.robot);
   }
-  return result;
+  return message;
 }
 
-std::string describe(const swarmanoid_msgs::RunResult& result) {
+std::string describe(const RunResult& result) {
   PlainTextStream text;
   text << result.experiment << ", seed " << result.seed << ": " << (result.finished ? "finished" : "stopped")
        << " after " << result.ticks << " ticks in " << result.wall_s << " s";
   if (!result.message.empty()) {
     text << " (" << result.message << ")";
   }
-  if (result.judged) {
-    text << "; " << (result.success ? "success" : "no success");
+  if (result.success) {
+    text << "; " << (*result.success ? "success" : "no success");
   }
-  for (const auto& metric : result.metrics) {
-    text << "; " << metric.name << " = " << metric.value;
+  for (const auto& [name, value] : result.metrics) {
+    text << "; " << name << " = " << toText(value);
   }
-  for (const std::string& robot : result.failed_robots) {
-    text << "; the controller of " << robot << " failed";
+  for (const ControllerFailure& failure : result.failures) {
+    text << "; the controller of " << failure.robot << " failed";
   }
   if (!isMathLibraryFixed()) {
     text << "; calculated with " << mathLibrary();

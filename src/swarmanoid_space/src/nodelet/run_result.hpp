@@ -1,18 +1,18 @@
-/// What came out of a run, as a message and as a line for the log.
+/// What came of a run, as a message and as a line for the log.
 #pragma once
 
+#include <std_msgs/Header.h>
 #include <swarmanoid_msgs/RunResult.h>
 
 #include <string>
 
-#include "swarmanoid_space/simulation/simulation.hpp"
+#include "swarmanoid_space/simulation/run_result.hpp"
 
 namespace swarmanoid {
 
-swarmanoid_msgs::RunResult runResult(const Simulation& simulation, bool finished, const std::string& message,
-                                     double wall_s);
+swarmanoid_msgs::RunResult toMessage(const RunResult& result, const std_msgs::Header& header);
 
 /// "finished after 431 ticks; success; prey = yellow, ..."
-std::string describe(const swarmanoid_msgs::RunResult& result);
+std::string describe(const RunResult& result);
 
 }  // namespace swarmanoid

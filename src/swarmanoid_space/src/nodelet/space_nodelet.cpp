@@ -29,6 +29,7 @@
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
+#include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
 class SpaceNodelet final : public nodelet::Nodelet {
@@ -46,7 +47,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   RemoteRules lookAround();
   void watchUsersCode();
   void keepWhatIsThere(const UserCodeEnd& end);
-  void report(const swarmanoid_msgs::RunResult& result, bool is_good);
+  void report(const RunResult& result);
   void reportExitCode(ExitCode code);
   void shutDownSoon(ExitCode code);
 
@@ -148,12 +149,12 @@ void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   }
   const State last_state = last_state_;
   if (last_state != State::kFinished && last_state != State::kStopped) {
-    swarmanoid_msgs::RunResult message = runResult(*simulation, false, end.reason, display_->wallTime());
+    RunResult result = resultOf(*simulation, {false, end.reason, display_->wallTime(), {}});
     if (end.exit_code == ExitCode::kControllerFailed && !end.robot.empty()) {
-      message.failed_robots.push_back(end.robot);
+      result.failures.push_back({end.robot, result.ticks, end.reason});
     }
-    display_->publish(message);
-    report(message, false);
+    display_->publish(toMessage(result, headerOf(simulation->space())));
+    report(result);
     constexpr double kOnTheWay = 0.3;  // [s] for the last messages
     ros::WallDuration(kOnTheWay).sleep();
   }
@@ -246,11 +247,11 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   if (!is_news || (state != State::kFinished && state != State::kStopped)) {
     return;
   }
-  const swarmanoid_msgs::RunResult message =
-      runResult(*simulation_.load(), state == State::kFinished, stop_reason, display_->wallTime());
-  display_->publish(message);
-  report(message, state == State::kFinished);
-  const ExitCode at_end = message.failed_robots.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
+  const Simulation& simulation = *simulation_.load();
+  const RunResult result = resultOf(simulation, {state == State::kFinished, stop_reason, display_->wallTime(), {}});
+  display_->publish(toMessage(result, headerOf(simulation.space())));
+  report(result);
+  const ExitCode at_end = result.failures.empty() ? ExitCode::kFinished : ExitCode::kControllerFailed;
   const ExitCode if_stopped = isRosEnding() ? ExitCode::kInterrupted : ExitCode::kStopped;
   const ExitCode code = state == State::kFinished ? at_end : if_stopped;
   reportExitCode(code);
@@ -269,11 +270,11 @@ void SpaceNodelet::onLoss(PluginKind kind, const std::string& id) {
   thread_->stop(isRosEnding() ? "shut down" : std::string(toString(kind)) + " '" + id + "': its nodelet was unloaded");
 }
 
-void SpaceNodelet::report(const swarmanoid_msgs::RunResult& result, bool is_good) {
+void SpaceNodelet::report(const RunResult& result) {
   const std::string text = describe(result);
   if (isRosEnding()) {
     std::printf("%s\n", text.c_str());  // ROS logs no more
-  } else if (is_good) {
+  } else if (result.finished) {
     NODELET_INFO("%s", text.c_str());
   } else {
     NODELET_ERROR("%s", text.c_str());
