@@ -5,6 +5,7 @@
 # errno, which change no result, but keep the compiler from working on several numbers at once.
 # -fno-semantic-interposition: nobody replaces functions inside our libraries, so calls within a library can be inlined.
 option(SWARMANOID_WARNINGS_AS_ERRORS "treat warnings as errors" OFF)
+option(SWARMANOID_EXPECTATIONS "check what functions expect of their callers (expects.hpp), in release builds too" OFF)
 set(SWARMANOID_SANITIZE "" CACHE STRING "sanitizers to build with, such as address,undefined")
 
 function(swarmanoid_compile_options target)
@@ -12,6 +13,9 @@ function(swarmanoid_compile_options target)
     -fno-trapping-math -fno-math-errno -fno-semantic-interposition)
   if(SWARMANOID_WARNINGS_AS_ERRORS)
     target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(SWARMANOID_EXPECTATIONS)
+    target_compile_definitions(${target} PRIVATE SWARMANOID_EXPECTATIONS)
   endif()
   if(SWARMANOID_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${SWARMANOID_SANITIZE} -fno-omit-frame-pointer)

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid::dynamics2d {
 namespace {
 
@@ -72,12 +74,15 @@ void addPolygon(b2Body& body, b2FixtureDef& definition, const planar::PlanarShap
 }  // namespace
 
 void setShape(const planar::PlanarShape& shape, b2CircleShape& circle) {
+  SWARMANOID_EXPECTS(shape.isCircle());
   circle.m_p = toUnits(shape.centre);
   circle.m_radius = toUnits(shape.radius + kWidening);
 }
 
 void setShape(const planar::PlanarShape& shape, b2PolygonShape& polygon) {
+  SWARMANOID_EXPECTS(!shape.isCircle());
   const Corners inner = inset(shape.vertices);
+  SWARMANOID_EXPECTS(inner.count <= b2_maxPolygonVertices);
   std::array<b2Vec2, b2_maxPolygonVertices> corners;
   std::transform(inner.at.begin(), inner.at.begin() + static_cast<std::ptrdiff_t>(inner.count), corners.begin(),
                  [](const Eigen::Vector2d& corner) { return toUnits(corner); });

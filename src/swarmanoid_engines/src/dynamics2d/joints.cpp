@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "dynamics2d/friction.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
@@ -14,6 +15,7 @@ b2Vec2 toFloat(const Eigen::Vector2d& v) { return {static_cast<float>(v.x()), st
 }  // namespace
 
 void TreelJoint::SolveVelocityConstraints(const b2SolverData& data) {
+  SWARMANOID_EXPECTS(m_invMassA == 0.0F && m_invIA == 0.0F);
   const b2Velocity& belt = data.velocities[m_indexA];
   b2Velocity& robot = data.velocities[m_indexB];
   const b2Vec2 slip = robot.v + b2Cross(robot.w, m_rB) - belt.v - b2Cross(belt.w, m_rA);

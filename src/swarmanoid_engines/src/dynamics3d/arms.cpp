@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -73,6 +74,7 @@ double missingTo(const EntityModel::Joint& joint, const Link& link) {
 
 std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms& arms) {
   const std::vector<EntityModel::Joint>& joints = body.model->joints;
+  SWARMANOID_EXPECTS(body.rigid != nullptr);
   std::vector<Link> links(joints.size());
   // hinges remember how their bodies are when they are made as their zero
   setBodyPose(body.rigid, body.own.centre_of_mass, Eigen::Quaterniond::Identity());

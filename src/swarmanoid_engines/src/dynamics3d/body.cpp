@@ -4,6 +4,7 @@
 
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/solids.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -56,11 +57,13 @@ Body::~Body() {
 }
 
 Pose Body::currentPose() const {
+  SWARMANOID_EXPECTS(rigid != nullptr);
   const Eigen::Quaterniond orientation = toQuaternion(dBodyGetQuaternion(rigid));
   return {toVector(dBodyGetPosition(rigid)) - orientation * own.centre_of_mass, orientation};
 }
 
 Twist Body::currentTwist() const {
+  SWARMANOID_EXPECTS(rigid != nullptr);
   const Eigen::Vector3d angular = toVector(dBodyGetAngularVel(rigid));
   const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * own.centre_of_mass;
   return {toVector(dBodyGetLinearVel(rigid)) - angular.cross(arm), angular};
@@ -87,6 +90,7 @@ void Body::setPose(const Pose& new_pose, const JointState* joints) {
 }
 
 void Body::setTwist(const Twist& twist, const JointState* joints) {
+  SWARMANOID_EXPECTS(rigid != nullptr);
   const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * own.centre_of_mass;
   const Eigen::Vector3d linear = twist.linear + twist.angular.cross(arm);
   dBodySetLinearVel(rigid, linear.x(), linear.y(), linear.z());
@@ -140,6 +144,7 @@ void Body::restoreState() {
 }
 
 std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role role) {
+  SWARMANOID_EXPECTS(OdeLock::isHeld());
   const auto i = static_cast<std::size_t>(row);
   auto body = std::make_unique<Body>();
   body->number = space.entities.number[i];

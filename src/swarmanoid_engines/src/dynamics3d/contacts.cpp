@@ -7,6 +7,7 @@
 #include "dynamics3d/cylinders.hpp"
 #include "dynamics3d/ground_contacts.hpp"
 #include "dynamics3d/treels.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -68,6 +69,7 @@ void reserveJoints(dWorldID world, dJointGroupID joints, std::size_t count) {
 }  // namespace
 
 void Contacts::configure(dWorldID world, const Settings& settings, const GroundSurface& ground) {
+  SWARMANOID_EXPECTS(OdeLock::isHeld());
   settings_ = settings;
   ground_ = ground;
   world_ = world;
@@ -78,6 +80,7 @@ void Contacts::configure(dWorldID world, const Settings& settings, const GroundS
 }
 
 void Contacts::release() {
+  SWARMANOID_EXPECTS(OdeLock::isHeld());
   if (joints_ != nullptr) {
     dJointGroupDestroy(joints_);
     joints_ = nullptr;
@@ -139,6 +142,7 @@ void Contacts::collideAll(const std::vector<Body*>& bodies) {
 }
 
 double Contacts::depthAmongBodies(const Body& body, const Solid& solid) const {
+  SWARMANOID_EXPECTS(OdeLock::isHeld());
   double deepest = 0.0;
   const auto collide = [&](const Body* other, const Eigen::AlignedBox3d&) {
     for (const Solid& other_solid : other->solids) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -61,6 +62,7 @@ Eigen::Matrix3d attitude(const Vector3d& up, double heading) {
 }  // namespace
 
 void fly(Body& eyebot, double gravity, double step) {
+  SWARMANOID_EXPECTS(eyebot.velocity != nullptr);
   const EyebotVelocity& command = *eyebot.velocity;
   const Vector3d centre = toVector(dBodyGetPosition(eyebot.rigid));
   const Vector3d speed = toVector(dBodyGetLinearVel(eyebot.rigid));

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -84,6 +86,7 @@ Friction::Rubbing& Friction::next() {
 }
 
 void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact) {
+  SWARMANOID_EXPECTS(toVector(contact.geom.normal) != Vector3d::Zero() && contact.surface.mu >= 0.0);
   Rubbing& rubbing = next();
   const bool has_belt = (contact.surface.mode & dContactMotion1) != 0;
   const Vector3d point = toVector(contact.geom.pos);

@@ -5,6 +5,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -14,6 +16,7 @@ std::mutex& processMutex() {
 }
 
 long solver_failures = 0;  // guarded by the process's mutex
+thread_local bool is_held = false;
 
 void takeMessage(int number, const char* text, va_list values) {
   if (number == d_ERR_LCP) {
@@ -50,12 +53,21 @@ void startLibrary() {
 }  // namespace
 
 OdeLock::OdeLock(unsigned long& seed) : lock_(processMutex()), seed_(seed) {
-  startLibrary();
+  startLibrary();  // throws before anything is said of who holds it
+  is_held = true;
   dRandSetSeed(seed_);
 }
 
-long solverFailures() { return solver_failures; }
+OdeLock::~OdeLock() {
+  seed_ = dRandGetSeed();
+  is_held = false;
+}
 
-OdeLock::~OdeLock() { seed_ = dRandGetSeed(); }
+bool OdeLock::isHeld() { return is_held; }
+
+long solverFailures() {
+  SWARMANOID_EXPECTS(OdeLock::isHeld());
+  return solver_failures;
+}
 
 }  // namespace swarmanoid::dynamics3d

@@ -25,6 +25,9 @@ class OdeLock {
   OdeLock(const OdeLock&) = delete;
   OdeLock& operator=(const OdeLock&) = delete;
 
+  /// Whether this thread holds one.
+  static bool isHeld();
+
  private:
   std::unique_lock<std::mutex> lock_;
   unsigned long& seed_;

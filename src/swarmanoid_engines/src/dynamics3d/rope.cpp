@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -33,6 +35,7 @@ Vector3d launcherOf(const Body& robot) {
 }
 
 void windRope(Holding& holding, double step) {
+  SWARMANOID_EXPECTS(holding.rope.held != nullptr);
   Rope& rope = holding.rope;
   double wanted = holding.rope_command == nullptr ? 0.0 : holding.rope_command->winding_speed;
   if (wanted > 0.0 && rope.tension > kWindingForce) {
@@ -42,6 +45,7 @@ void windRope(Holding& holding, double step) {
 }
 
 void dragRope(Body& robot, double drag) {
+  SWARMANOID_EXPECTS(robot.holding->rope.held != nullptr);
   const Rope& rope = robot.holding->rope;
   const bool is_slack = toVector(rope.feedback.f1).isZero(0.0);
   if (drag == 0.0 || is_slack) {
@@ -54,6 +58,7 @@ void dragRope(Body& robot, double drag) {
 }
 
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step) {
+  SWARMANOID_EXPECTS(robot.holding->rope.held != nullptr);
   Rope& rope = robot.holding->rope;
   const Vector3d launcher = launcherOf(robot);
   const Vector3d anchor = anchorOf(rope);
@@ -82,6 +87,7 @@ dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double
 }
 
 void feelRope(Rope& rope, double step, double share, double strength) {
+  SWARMANOID_EXPECTS(rope.held != nullptr);
   rope.length -= step * rope.winding;
   rope.tension += share * (toVector(rope.feedback.f1).dot(rope.towards) - rope.tension);
   if (rope.tension > strength) {

@@ -6,6 +6,7 @@
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/contacts.hpp"
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -88,6 +89,7 @@ void takeTurret(Body& body, const Space& space) {
 }
 
 Eigen::Vector3d gripperTip(const Body& robot) {
+  SWARMANOID_EXPECTS(robot.model->gripper.has_value());
   const EntityModel::Gripper& gripper = *robot.model->gripper;
   const Eigen::Vector3d tip(gripper.tip, 0.0, gripper.height);
   const double angle = robot.turret.state.angle;
@@ -95,6 +97,7 @@ Eigen::Vector3d gripperTip(const Body& robot) {
 }
 
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
+  SWARMANOID_EXPECTS(robot.turret.command != nullptr);
   const Pose pose = robot.currentPose();
   // angle and rate of ODE's hinges are those of the first body against the second
   const Eigen::Vector3d down = pose.orientation * -Eigen::Vector3d::UnitZ();

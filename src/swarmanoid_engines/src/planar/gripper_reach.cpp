@@ -2,10 +2,13 @@
 
 #include <limits>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid::planar {
 
 GripperTip gripperTip(const Bodies& bodies, BodyIndex index) {
   const Body& body = bodies[index];
+  SWARMANOID_EXPECTS(body.entity->gripper.has_value());
   const EntityModel::Gripper& gripper = *body.entity->gripper;
   const Plane& plane = bodies.plane();
   Eigen::Vector3d arm(gripper.tip, 0.0, gripper.height);

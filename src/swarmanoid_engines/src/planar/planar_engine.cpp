@@ -14,6 +14,7 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -109,6 +110,7 @@ void PlanarEngine::readCommands(Body& body) {
     body.velocity = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius * model.ahead;
     body.turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation * model.turn;
   } else {
+    SWARMANOID_EXPECTS(body.flight != nullptr);
     const Eigen::Vector3d& linear = body.flight->linear;
     body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
     body.turn_rate = body.flight->yaw_rate * model.turn;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/time.hpp"
 
 namespace swarmanoid {
@@ -19,6 +20,7 @@ class PeriodClock {
 
   /// Begins a period. @pre now is at least `next` @return how many have passed with it: 1, and each that was missed
   std::uint64_t begin(Duration now) {
+    SWARMANOID_EXPECTS(now >= next());
     const auto on_grid = static_cast<std::uint64_t>((now - start_) / period_) + 1;
     const std::uint64_t passed = std::max<std::uint64_t>(1, on_grid - std::min(on_grid, begun_));
     begun_ += passed;

@@ -12,6 +12,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/span.hpp"
 
@@ -119,6 +120,7 @@ class ByteReader {
       throw ByteError("found a length of " + std::to_string(count) + ", allowed: at most " +
                       std::to_string(in_.size()) + ", the bytes that are left");
     }
+    SWARMANOID_EXPECTS(parts_ != nullptr);
     T* first = parts_->room<T>(count);
     for (std::size_t i = 0; i < count; ++i) {
       all(*this, first[i]);

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid {
 
 /// FNV-1a of a text: the same on every machine and in every process, unlike std::hash.
@@ -32,7 +34,10 @@ class RandomStream {
   /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform among 0 .. count - 1. @pre count > 0
-  std::uint64_t below(std::uint64_t count) { return bits() % count; }
+  std::uint64_t below(std::uint64_t count) {
+    SWARMANOID_EXPECTS(count > 0);
+    return bits() % count;
+  }
   /// Normal with the given mean and standard deviation (Box-Muller).
   double gaussian(double mean, double standard_deviation);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -131,6 +133,7 @@ std::string handoverProblem(const Space& space, const std::vector<RobotInstance>
 void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
                     std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
                     std::vector<Event>& events) {
+  SWARMANOID_EXPECTS(handoverProblem(space, instances, memberships, members, members.front(), engine).empty());
   std::vector<Engine*> former;
   former.reserve(members.size());
   for (const Row row : members) {

@@ -4,6 +4,8 @@
 
 #include <chrono>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -73,6 +75,7 @@ SuppliedParts takeParts(const AttachmentPoint& point, const std::vector<Attachme
   SuppliedParts supplied;
   for (const AttachmentPoint::Request& part : parts) {
     const std::shared_ptr<void> held = point.part(part.kind, part.id);
+    SWARMANOID_EXPECTS(held != nullptr);
     if (part.kind == PluginKind::kEngine) {
       supplied.engines[part.id] = std::static_pointer_cast<Engine>(held);
     } else if (part.kind == PluginKind::kController) {

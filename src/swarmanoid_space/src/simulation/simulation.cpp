@@ -8,6 +8,7 @@
 #include "../assembly/cast.hpp"
 #include "../assembly/stopwatch.hpp"
 #include "../phases/phases.hpp"
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
@@ -215,7 +216,10 @@ Engine* Simulation::Cast::findEngine(const std::string& id) const {
 }
 
 const std::string& Simulation::Cast::partOf(const Engine& engine) const {
-  return std::find_if(engines.begin(), engines.end(), [&](const auto& known) { return known.get() == &engine; })->part;
+  const auto found =
+      std::find_if(engines.begin(), engines.end(), [&](const auto& known) { return known.get() == &engine; });
+  SWARMANOID_EXPECTS(found != engines.end());
+  return found->part;
 }
 
 ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid {
 
 const char* toString(Attachment::Kind kind) {
@@ -25,6 +27,7 @@ void Attachments::resize(std::size_t row_count) {
 }
 
 void Attachments::attach(Row owner, Attachment::Kind kind, const Attachment& attachment) {
+  SWARMANOID_EXPECTS(!isAttached(owner, kind) && attachment.held != kNoRow);
   by_owner_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(kind)] = attachment;
   ++count_;
 }
@@ -37,6 +40,7 @@ void Attachments::detach(Row owner, Attachment::Kind kind) {
 }
 
 void Attachments::update(Row owner, Attachment::Kind kind, double length, double force) {
+  SWARMANOID_EXPECTS(isAttached(owner, kind));
   Attachment& attachment = by_owner_[static_cast<std::size_t>(owner)][static_cast<std::size_t>(kind)];
   attachment.length = length;
   attachment.force = force;

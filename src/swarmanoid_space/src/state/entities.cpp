@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid {
 
@@ -29,6 +30,7 @@ Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
 
 Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityModel> entity_model,
                   const Pose& entity_pose, Color entity_color) {
+  SWARMANOID_EXPECTS(find(entity_name) == kNoRow);
   Row row = static_cast<Row>(number.size());
   if (holes_.empty()) {
     number.emplace_back();

@@ -9,6 +9,7 @@
 #include "../../replay/compare.hpp"
 #include "../../replay/device_values.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::diff {
 namespace {
@@ -133,6 +134,7 @@ void compareFrames(const std::string& robot, const std::optional<Frame>& first, 
 }  // namespace
 
 std::vector<Difference> compare(const Side& first, const Side& second) {
+  SWARMANOID_EXPECTS(!(first.tick.key < second.tick.key) && !(second.tick.key < first.tick.key));
   std::vector<Difference> out;
   std::map<std::string, std::pair<ControllerFrames, ControllerFrames>> robots;
   for (const auto& [robot, frames] : first.tick.controllers) {

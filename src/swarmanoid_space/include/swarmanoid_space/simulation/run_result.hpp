@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_space/state/overflow.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
+#include "swarmanoid_space/state/overflow.hpp"
 
 namespace swarmanoid {
 

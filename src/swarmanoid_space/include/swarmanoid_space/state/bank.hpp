@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid {
@@ -28,6 +29,7 @@ class Bank final : public BankBase {
  public:
   /// A slot with the device's initial value. @pre the entity has none
   Device& add(Row row) {
+    SWARMANOID_EXPECTS(find(row) == nullptr);
     const auto index = static_cast<std::size_t>(row);
     if (slot_of_row_.size() <= index) {
       slot_of_row_.resize(index + 1, nullptr);
