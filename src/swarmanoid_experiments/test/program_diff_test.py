@@ -42,7 +42,7 @@ class DiffTest(ProgramTest):
         self.record("b.bag", "--ticks", 9, "--set", "controllers.diffusion.parameters.speed=0.06", experiment="diffusion")
         lines = self.diff("a.bag", "b.bag", code=DIFFERS).splitlines()
         self.assertEqual(lines[0], "first difference: tick 0")
-        self.assertEqual(lines[1], f"  fb_1/command footbot_wheels/0: {0.1 / radius!r} | {0.06 / radius!r}")
+        self.assertEqual(lines[1], f"  fb_1/command footbot_wheels/left: {0.1 / radius!r} | {0.06 / radius!r}")
         more = self.diff("a.bag", "b.bag", "--fields", 1000, code=DIFFERS)
         self.assertRegex(more, r"\n  fb_\d+/pose/position/[xy]: \S+ \| \S+\n")
         self.assertNotIn("/reading ", more)

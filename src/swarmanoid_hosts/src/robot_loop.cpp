@@ -195,7 +195,7 @@ std::string RobotLoop::readAnswer() {
   std::string failure;
   for (Actuator& actuator : actuators_) {
     readBlock(*actuator.type, in, actuator.received.data.get(), actuator.received.parts);
-    if (actuator.type->is_finite != nullptr && !actuator.type->is_finite(actuator.received.data.get())) {
+    if (!actuator.type->is_finite(actuator.received.data.get())) {
       append(failure, "; ", actuator.device.type + ": found a number that is not finite");
     } else {
       std::swap(actuator.command, actuator.received);  // the command that a safe stop starts from is always sound
@@ -215,11 +215,7 @@ bool RobotLoop::stop(Duration now) {
   const SafeStopMoment moment{toSeconds(now - stop_began_), configuration_.safe_stop, robot_};
   bool is_done = true;
   for (Actuator& actuator : actuators_) {
-    if (const SafeStop own = findSafeStop(actuator.device.type)) {
-      is_done = own(actuator.command.data.get(), moment) && is_done;
-    } else {
-      actuator.command.data = actuator.type->make();
-    }
+    is_done = actuator.type->stop(actuator.command.data.get(), moment) && is_done;
   }
   return is_done;
 }

@@ -30,4 +30,6 @@ std::vector<const DeviceType*> deviceTypes() {
   return result;
 }
 
+const char* toString(DeviceKind kind) { return kind == DeviceKind::kSensor ? "sensor" : "actuator"; }
+
 }  // namespace swarmanoid

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
@@ -40,7 +41,9 @@ std::string problemOf(const std::string& type, const Bytes& bytes) {
 TEST(DeviceTypeTest, EveryDeviceOfTheSuiteIsThere) {
   std::vector<std::string> names;
   for (const DeviceType* type : deviceTypes()) {
-    names.push_back(type->type);
+    if (type->type != "winch_of_a_test") {
+      names.push_back(type->type);
+    }
   }
   const std::vector<std::string> expected{
       "eyebot_camera",      "eyebot_laser",   "eyebot_leds",          "eyebot_magnet",         "eyebot_magnet_state",
@@ -92,6 +95,120 @@ TEST(DeviceTypeTest, LayoutsNameTheFields) {
   EXPECT_EQ("b1 f8 f8", findDeviceType("eyebot_laser")->layout);
 }
 
+std::vector<std::string> namesOf(const std::string& type) {
+  std::vector<std::string> names;
+  for (const NumberName& name : findDeviceType(type)->names) {
+    names.push_back(name.name);
+    for (const NumberName& element : name.elements) {
+      names.push_back(name.name + "[]." + element.name);
+    }
+  }
+  return names;
+}
+
+TEST(DeviceTypeTest, NumbersHaveNamesInTheOrderOfTheBytes) {
+  EXPECT_EQ((std::vector<std::string>{"mode", "angle", "speed"}), namesOf("footbot_turret"));
+  EXPECT_EQ((std::vector<std::string>{"left.shoulder", "left.elbow", "left.wrist", "right.shoulder", "right.elbow",
+                                      "right.wrist"}),
+            namesOf("handbot_arms"));
+  EXPECT_EQ((std::vector<std::string>{"linear[0]", "linear[1]", "linear[2]", "yaw_rate"}), namesOf("eyebot_velocity"));
+  EXPECT_EQ("joints[5].effort", namesOf("handbot_arms_state")[17]);
+  EXPECT_EQ("ring[11].blue", namesOf("footbot_leds").back());
+  EXPECT_EQ((std::vector<std::string>{"blobs", "blobs[].color.red", "blobs[].color.green", "blobs[].color.blue",
+                                      "blobs[].bearing", "blobs[].distance", "overflowed"}),
+            namesOf("eyebot_camera"));
+}
+
+TEST(DeviceTypeTest, FieldsAreDescribed) {
+  const std::vector<FieldDescription>& arms = findDeviceType("handbot_arms")->fields;
+  ASSERT_EQ(6U, arms.size());
+  EXPECT_EQ("right.elbow", arms[4].name);
+  EXPECT_EQ("f8", arms[4].type);
+  EXPECT_EQ("rad", arms[4].unit);
+  EXPECT_EQ(-1.2, arms[4].range.minimum);
+  EXPECT_EQ(1.2, arms[4].range.maximum);
+  EXPECT_EQ(1U, arms[4].count);
+  const std::vector<FieldDescription>& joints = findDeviceType("handbot_arms_state")->fields;
+  ASSERT_EQ(3U, joints.size());
+  EXPECT_EQ("joints[].speed", joints[1].name);
+  EXPECT_EQ(6U, joints[1].count);
+  const std::vector<FieldDescription>& camera = findDeviceType("footbot_camera")->fields;
+  ASSERT_EQ(6U, camera.size());
+  EXPECT_EQ("blobs[].color.red", camera[0].name);
+  EXPECT_EQ(255.0, camera[0].range.maximum);
+  EXPECT_EQ(0U, camera[0].count) << "as many as are in sight";
+  EXPECT_EQ("overflowed", camera[5].name);
+  EXPECT_EQ("b1", camera[5].type);
+  const std::vector<FieldDescription>& ring = findDeviceType("footbot_proximity")->fields;
+  ASSERT_EQ(1U, ring.size());
+  EXPECT_EQ("value[]", ring[0].name);
+  EXPECT_EQ("f4", ring[0].type);
+  EXPECT_EQ(24U, ring[0].count);
+}
+
+/// A device with a resting value that is not 0, and all kinds of fields.
+struct Winch {
+  static constexpr const char* kType = "winch_of_a_test";
+  struct Drum {
+    float radius = 0.125F;
+  };
+  std::array<Drum, 3> drums{};
+  std::array<std::uint16_t, 2> counts{7, 9};
+  double brake = 0.75;
+};
+template <class Visitor>
+void fields(Visitor& visit, Winch::Drum& drum) {
+  visit(drum.radius, {"radius", "m"});
+}
+template <class Visitor>
+void fields(Visitor& visit, Winch& winch) {
+  visit(winch.drums, {"drums"});
+  visit(winch.counts, {"counts"});
+  visit(winch.brake, {"brake", "", "how far it is closed", {0.0, 1.0}});
+}
+REGISTER_DEVICE(Winch, kActuator, "A winch.")
+
+TEST(DeviceTypeTest, RestingValuesAreThoseOfTheStruct) {
+  const DeviceType& type = *findDeviceType("winch_of_a_test");
+  EXPECT_EQ("f4 f4 f4 u2 u2 f8", type.layout);
+  ASSERT_EQ(3U, type.fields.size());
+  EXPECT_EQ("drums[].radius", type.fields[0].name);
+  EXPECT_EQ(3U, type.fields[0].count);
+  EXPECT_EQ(0.125, type.fields[0].resting_value);
+  EXPECT_EQ(7.0, type.fields[1].resting_value);
+  EXPECT_EQ(0.75, type.fields[2].resting_value);
+}
+
+TEST(DeviceTypeTest, EveryNumberIsLookedAtForFiniteness) {
+  const DeviceType& type = *findDeviceType("winch_of_a_test");
+  Winch winch;
+  EXPECT_TRUE(type.is_finite(&winch));
+  winch.drums[2].radius = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(type.is_finite(&winch));
+  winch = Winch{};
+  winch.brake = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(type.is_finite(&winch));
+  std::vector<ColorBlob> blobs{{colors::kRed, 0.5F, 2.0F}, {colors::kRed, 0.25F, 1.0F}};
+  FootbotCamera camera;
+  camera.blobs = blobs;
+  const DeviceType& camera_type = *findDeviceType("footbot_camera");
+  EXPECT_TRUE(camera_type.is_finite(&camera));
+  blobs[1].bearing = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_FALSE(camera_type.is_finite(&camera));
+  EyebotVelocity velocity;
+  velocity.linear.y() = -std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(findDeviceType("eyebot_velocity")->is_finite(&velocity));
+}
+
+TEST(DeviceTypeTest, AnActuatorWithoutASafeStopOfItsOwnRests) {
+  Winch winch;
+  winch.brake = 0.25;
+  const Robot robot("r", "robot", 1);
+  EXPECT_TRUE(findDeviceType("winch_of_a_test")->stop(&winch, {0.0, {}, robot}));
+  EXPECT_EQ(0.75, winch.brake);
+  EXPECT_EQ(nullptr, findDeviceType("footbot_camera")->stop);
+}
+
 TEST(DeviceTypeTest, NumbersKeepTheirBits) {
   FootbotWheels wheels;
   wheels.setAngularVelocity(-0.0, std::numeric_limits<double>::denorm_min());
@@ -128,7 +245,10 @@ TEST(DeviceTypeTest, BytesThatEndTooEarlyAreRefused) {
 }
 
 TEST(DeviceTypeTest, TheFirstOfATypeStays) {
-  registerDeviceType({"footbot_wheels", "i4", nullptr, nullptr, nullptr});
+  DeviceType other;
+  other.type = "footbot_wheels";
+  other.layout = "i4";
+  registerDeviceType(other);
   EXPECT_EQ("f8 f8", findDeviceType("footbot_wheels")->layout);
   EXPECT_EQ(nullptr, findDeviceType("footbot_wings"));
 }

@@ -27,7 +27,7 @@ Bytes bytesOf(const std::string& type, const void* device) {
 struct SafeStopTest : testing::Test {
   template <class Device>
   bool stop(Device& command, double since = 0.0) {
-    return findSafeStop(Device::kType)(&command, {since, settings, robot});
+    return findDeviceType(Device::kType)->stop(&command, {since, settings, robot});
   }
   template <class Device>
   void expectAsItIs(Device command) {

@@ -13,8 +13,12 @@ namespace {
 /// A device that no robot has a place for: preparing an instance fails.
 struct TestDevice {
   static constexpr const char* kType = "test_device";
-  bool isFinite() const { return true; }
+  bool is_on = false;
 };
+template <class Visitor>
+void fields(Visitor& visit, TestDevice& device) {
+  visit(device.is_on, {"is_on"});
+}
 
 class HomelessActuator final : public ActuatorOf<TestDevice> {
  public:

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
@@ -100,6 +101,17 @@ void write(const ExperimentTag& tag, std::ostream& out) {
   }
 }
 
+/// What controllers read from a sensor and write to an actuator.
+void writeFields(const std::string& device, std::ostream& out) {
+  const DeviceType* type = findDeviceType(device);
+  if (type == nullptr) {
+    return;
+  }
+  for (const FieldDescription& field : type->fields) {
+    out << "      field " << describe(field) << (field.meaning.empty() ? "" : ": " + field.meaning) << '\n';
+  }
+}
+
 void write(const PluginDescription& description, const DeclaredLibrary& origin, std::ostream& out) {
   out << "  " << description.label;
   if (!description.implementation.empty()) {
@@ -113,6 +125,9 @@ void write(const PluginDescription& description, const DeclaredLibrary& origin, 
     out << "      also known as " << joinNames(description.label_aliases)
         << (description.label_aliases.empty() || description.implementation_aliases.empty() ? "" : "; ")
         << joinNames(description.implementation_aliases) << '\n';
+  }
+  if (!description.implementation.empty()) {
+    writeFields(description.label, out);
   }
   for (const Parameter& parameter : description.parameters) {
     write(parameter, withRange(parameter), out);

@@ -47,7 +47,7 @@ void CommandWatchdog::advance(double dt) {
     silence_[i] += dt;
     if (hasExpired(i)) {
       const MockRobot::Actuator& actuator = mock_.actuators()[i];
-      findSafeStop(actuator.device)(actuator.command, {silence_[i] - timeout_, {}, robot_});
+      findDeviceType(actuator.device)->stop(actuator.command, {silence_[i] - timeout_, {}, robot_});
     }
   }
 }

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid::replay {
 namespace {
 
@@ -76,15 +78,19 @@ std::vector<Field> readFields(const std::string& layout, ByteReader& in) {
   return fields;
 }
 
-void addIndexed(const std::vector<Field>& fields, const std::string& prefix,
-                std::vector<std::pair<std::string, std::string>>& out) {
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+/// @param names of the fields; null: they are not known
+void addNamed(const std::vector<Field>& fields, const std::vector<NumberName>* names, const std::string& prefix,
+              Values& out) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string index = prefix + std::to_string(i);
+    const std::string name = prefix + (names != nullptr ? (*names)[i].name : std::to_string(i));
     if (!fields[i].is_variable) {
-      out.emplace_back(index, fields[i].number);
+      out.emplace_back(name, fields[i].number);
     }
+    const std::vector<NumberName>* inner = names != nullptr ? &(*names)[i].elements : nullptr;
     for (std::size_t k = 0; k < fields[i].elements.size(); ++k) {
-      addIndexed(fields[i].elements[k], index + "[" + std::to_string(k) + "].", out);
+      addNamed(fields[i].elements[k], inner, name + "[" + std::to_string(k) + "].", out);
     }
   }
 }
@@ -117,9 +123,10 @@ std::string toText(const std::vector<Field>& fields) {
   return text;
 }
 
-std::vector<std::pair<std::string, std::string>> indexed(const std::vector<Field>& fields) {
-  std::vector<std::pair<std::string, std::string>> result;
-  addIndexed(fields, "", result);
+Values named(const std::vector<Field>& fields, const DeviceLayout& device) {
+  const DeviceType* type = findDeviceType(device.type);
+  Values result;
+  addNamed(fields, type != nullptr && type->layout == device.layout ? &type->names : nullptr, "", result);
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/byte_stream.hpp"
+#include "swarmanoid_interface/frames.hpp"
 
 namespace swarmanoid::replay {
 
@@ -23,8 +24,9 @@ std::vector<Field> decode(const std::string& layout, Span<const std::uint8_t> by
 /// "0.15 -0.15 [(1 2) (3 4)]"
 std::string toText(const std::vector<Field>& fields);
 
-/// Each number with its index: "1" the second field; "2[0].1" of the third field the first element's second.
-std::vector<std::pair<std::string, std::string>> indexed(const std::vector<Field>& fields);
+/// Each number with its name: "left", "value[3]", "blobs[0].bearing". By its position if no device of that type and
+/// layout is known in this process: "1" the second field; "2[0].1" of the third field the first element's second.
+std::vector<std::pair<std::string, std::string>> named(const std::vector<Field>& fields, const DeviceLayout& device);
 
 bool isFinite(const std::vector<Field>& fields);
 

@@ -57,13 +57,13 @@ std::string deviceDifferences(const RemoteRobot& robot, const Difference& differ
     }
     const DeviceLayout& device = robot.actuators[i];
     text += "  " + device.type + " (" + device.layout + ")\n";
-    const auto recorded = indexed(decode(device.layout, difference.recorded.commands[i]));
-    const auto replayed = indexed(decode(device.layout, difference.replayed.commands[i]));
-    for (const std::string& index : keysOf(recorded, replayed)) {
-      const std::string before = find(recorded, index);
-      const std::string now = find(replayed, index);
+    const auto recorded = named(decode(device.layout, difference.recorded.commands[i]), device);
+    const auto replayed = named(decode(device.layout, difference.replayed.commands[i]), device);
+    for (const std::string& field : keysOf(recorded, replayed)) {
+      const std::string before = find(recorded, field);
+      const std::string now = find(replayed, field);
       if (before != now) {
-        text += "    field " + index + ": " + both(before, now);
+        text += "    " + field + ": " + both(before, now);
       }
     }
   }

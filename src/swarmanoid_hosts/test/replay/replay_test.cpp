@@ -123,7 +123,7 @@ TEST(ReplayTest, AnotherOneIsToldApartWhereItFirstDecidesOtherwise) {
       "fb_1: 7 of 10 ticks are equal\n"
       "first difference: fb_1, tick 7, 1.700 s\n"
       "  footbot_wheels (f8 f8)\n"
-      "    field 1: recorded 1, replayed -1\n"
+      "    right: recorded 1, replayed -1\n"
       "  readings\n"
       "    footbot_camera: [(255 128 0 -0.25 1.5)] false\n"
       "  debug values\n"
@@ -215,10 +215,29 @@ TEST(DeviceValuesTest, NumbersAreReadByTheirLayout) {
   EXPECT_EQ("0.1 [(200 -3) (1 4)] true", toText(fields));
   const std::vector<std::pair<std::string, std::string>> expected = {
       {"0", "0.1"}, {"1[0].0", "200"}, {"1[0].1", "-3"}, {"1[1].0", "1"}, {"1[1].1", "4"}, {"2", "true"}};
-  EXPECT_EQ(expected, indexed(fields));
+  EXPECT_EQ(expected, named(fields, {"unknown", "f4 (u1 i2)* b1"}));
   EXPECT_THROW(decode("f8 (u1 i2)* b1", bytes), ByteError);
   EXPECT_THROW(decode("f4 (u1 i2)*", bytes), ByteError);
   EXPECT_THROW(decode("f4 (u1 x2)* b1", bytes), ByteError);
+}
+
+TEST(DeviceValuesTest, NumbersHaveTheNamesOfTheirFields) {
+  const std::vector<ColorBlob> blobs{{colors::kOrange, -0.25F, 1.5F}};
+  FootbotCamera camera;
+  camera.blobs = blobs;
+  const DeviceType& type = *findDeviceType(FootbotCamera::kType);
+  Bytes bytes;
+  ByteWriter out(bytes);
+  type.write(&camera, out);
+  const std::vector<std::pair<std::string, std::string>> expected = {
+      {"blobs[0].color.red", "255"}, {"blobs[0].color.green", "128"}, {"blobs[0].color.blue", "0"},
+      {"blobs[0].bearing", "-0.25"}, {"blobs[0].distance", "1.5"},    {"overflowed", "false"}};
+  EXPECT_EQ(expected, named(decode(type.layout, bytes), {type.type, type.layout}));
+  // of another version of the device only the positions are known
+  Bytes other;
+  ByteWriter(other).number(2.5F);
+  EXPECT_EQ((std::vector<std::pair<std::string, std::string>>{{"0", "2.5"}}),
+            named(decode("f4", other), {type.type, "f4"}));
 }
 
 }  // namespace

@@ -12,8 +12,8 @@
 #include <type_traits>
 #include <vector>
 
+#include "swarmanoid_interface/device_field.hpp"
 #include "swarmanoid_interface/expects.hpp"
-#include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/span.hpp"
 
 namespace swarmanoid {
@@ -36,6 +36,12 @@ void all(Stream& stream, Values&... values);
 class ByteWriter {
  public:
   explicit ByteWriter(Bytes& out) : out_(out) {}
+
+  /// A field of a device.
+  template <class Value>
+  void operator()(Value& value, const FieldInfo& /*info*/) {
+    all(*this, value);
+  }
 
   template <class Number>
   void number(Number value) {
@@ -98,6 +104,12 @@ class ByteReader {
  public:
   explicit ByteReader(Span<const std::uint8_t> in) : in_(in) {}
 
+  /// A field of a device.
+  template <class Value>
+  void operator()(Value& value, const FieldInfo& /*info*/) {
+    all(*this, value);
+  }
+
   template <class Number>
   void number(Number& value) {
     const Span<const std::uint8_t> bytes = take(sizeof value);
@@ -155,14 +167,15 @@ class ByteReader {
 /// Says in words which fields there are: "f8 f8 u1", spans as "(f4 f4)*".
 class LayoutWriter {
  public:
+  /// A field of a device.
+  template <class Value>
+  void operator()(Value& value, const FieldInfo& /*info*/) {
+    all(*this, value);
+  }
   template <class Number>
   void number(Number) {
-    const char kind = std::is_same_v<Number, bool>       ? 'b'
-                      : std::is_floating_point_v<Number> ? 'f'
-                      : std::is_unsigned_v<Number>       ? 'u'
-                                                         : 'i';
     separate();
-    text_ += kind + std::to_string(sizeof(Number));
+    text_ += detail::numberType<Number>();
   }
   template <class T>
   void span(const Span<const T>&) {
@@ -181,15 +194,6 @@ class LayoutWriter {
 };
 
 namespace detail {
-
-template <class T>
-struct IsArray : std::false_type {};
-template <class T, std::size_t n>
-struct IsArray<std::array<T, n>> : std::true_type {};
-template <class T>
-struct IsSpan : std::false_type {};
-template <class T>
-struct IsSpan<Span<const T>> : std::true_type {};
 
 template <class Stream, class Value>
 void one(Stream& stream, Value& value) {

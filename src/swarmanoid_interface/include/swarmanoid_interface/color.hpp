@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "swarmanoid_interface/device_field.hpp"
+
 namespace swarmanoid {
 
 struct Color {
@@ -21,6 +23,13 @@ struct Color {
   }
   friend constexpr bool operator!=(Color a, Color b) { return !(a == b); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, Color& color) {
+  visit(color.red, {"red", "", "", {0.0, 255.0}});
+  visit(color.green, {"green", "", "", {0.0, 255.0}});
+  visit(color.blue, {"blue", "", "", {0.0, 255.0}});
+}
 
 namespace colors {
 constexpr Color kBlack{0, 0, 0};

@@ -18,6 +18,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/range.hpp"
 
 namespace swarmanoid {
 
@@ -39,18 +40,6 @@ class ConfigError : public std::runtime_error {
  private:
   SourceLocation location_;
 };
-
-/// The bounds that a number must keep, both included.
-struct Range {
-  double minimum = -std::numeric_limits<double>::infinity();
-  double maximum = std::numeric_limits<double>::infinity();
-
-  bool contains(double value) const { return value >= minimum && value <= maximum; }
-  /// "from 0 to 1", "at least 0", "at most 1" or "any number".
-  std::string toString() const;
-};
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 class Configuration {
  public:

@@ -1,15 +1,25 @@
-/// Devices as bytes, for controllers that run in another process: one entry for each device type, here beside the
-/// devices, so that a robot's computer has it too.
+/// Devices by their names: what hosts, lockstep, recordings and checks need to know of a device whose struct they do
+/// not include. All of it follows from the device's descriptor, which stands beside its struct:
 ///
-/// A device becomes its fields one after the other, each in its own precision and little-endian, without padding; a
-/// variable part is its length (4 bytes) and its elements. So a controller elsewhere sees the same bits.
+///     /// Sensor: the distance of what is ahead.
+///     struct Sonar {
+///       static constexpr const char* kType = "sonar";
+///       double range = 3.0;  ///< [m]
+///     };
 ///
-/// To let a device of your own travel, write its fields down beside it and register it, in namespace swarmanoid or the
-/// device's own:
+///     template <class Visitor>
+///     void fields(Visitor& visit, Sonar& sonar) {
+///       visit(sonar.range, {"range", "m", "of what is ahead", {0.0, 3.0}});
+///     }
+///     REGISTER_DEVICE(Sonar, kSensor, "The distance of what is ahead.")
 ///
-///     template <class Stream>
-///     void fields(Stream& stream, MyDevice& device) { all(stream, device.count, device.range); }
-///     REGISTER_DEVICE(MyDevice)
+/// device_field.hpp says what a field may be. The values that members are given in the struct are what the device says
+/// or does at rest. An actuator whose safe stop is another one than that (safe_stop.hpp) has beside it
+///
+///     inline bool stopSafely(MyDevice& command, const SafeStopMoment& moment) { ...; return true; }
+///
+/// As bytes a device is its fields one after the other, each in its own precision and little-endian, without padding; a
+/// span is its length (4 bytes) and its elements. So a controller elsewhere sees the same bits.
 #pragma once
 
 #include <memory>
@@ -19,17 +29,29 @@
 #include <vector>
 
 #include "swarmanoid_interface/byte_stream.hpp"
+#include "swarmanoid_interface/device_field.hpp"
+#include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid {
 
+struct SafeStopMoment;
+
+enum class DeviceKind { kSensor, kActuator };
+
 struct DeviceType {
-  std::string type;    ///< Device::kType
-  std::string layout;  ///< its fields: "f8 f8"; two processes understand each other if theirs are equal
+  std::string type;  ///< Device::kType
+  DeviceKind kind = DeviceKind::kSensor;
+  std::string summary;  ///< one sentence
+  std::vector<FieldDescription> fields;
+  std::vector<NumberName> names;  ///< of the numbers, in the order of the bytes
+  std::string layout;             ///< of the bytes: "f8 f8"; two processes understand each other if theirs are equal
   void (*write)(const void* device, ByteWriter& out) = nullptr;
   /// @throws ByteError; the device is then partly read
   void (*read)(ByteReader& in, void* device, VariableParts& parts) = nullptr;
-  std::shared_ptr<void> (*make)() = nullptr;        ///< a device with its initial value
-  bool (*is_finite)(const void* device) = nullptr;  ///< null: it has no isFinite()
+  std::shared_ptr<void> (*make)() = nullptr;        ///< a device at rest
+  bool (*is_finite)(const void* device) = nullptr;  ///< no number is NaN or infinite
+  /// Of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
+  bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
 };
 
 /// @return null if no device of that type is registered
@@ -40,47 +62,81 @@ std::vector<const DeviceType*> deviceTypes();
 /// While libraries load; the first of a type stays.
 void registerDeviceType(DeviceType type);
 
+/// "sensor" or "actuator"
+const char* toString(DeviceKind kind);
+
 namespace detail {
 
 template <class Device, class = void>
-struct CanBeFinite : std::false_type {};
+struct HasFields : std::false_type {};
 template <class Device>
-struct CanBeFinite<Device, std::void_t<decltype(std::declval<const Device&>().isFinite())>> : std::true_type {};
+struct HasFields<Device, std::void_t<decltype(fields(std::declval<LayoutWriter&>(), std::declval<Device&>()))>>
+    : std::true_type {};
+
+template <class Device, class = void>
+struct HasSafeStop : std::false_type {};
+template <class Device>
+struct HasSafeStop<Device,
+                   std::void_t<decltype(stopSafely(std::declval<Device&>(), std::declval<const SafeStopMoment&>()))>>
+    : std::true_type {};
+
+/// The safe stop of its own, or what it does at rest.
+template <class Device>
+bool stop(Device& command, const SafeStopMoment& moment) {
+  if constexpr (HasSafeStop<Device>::value) {
+    return stopSafely(command, moment);
+  } else {
+    command = Device{};
+    return true;
+  }
+}
 
 template <class Device>
-constexpr auto finiteness() -> bool (*)(const void*) {
-  if constexpr (CanBeFinite<Device>::value) {
-    return [](const void* device) { return static_cast<const Device*>(device)->isFinite(); };
-  } else {
-    return nullptr;
+DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
+  Device device;
+  LayoutWriter layout;
+  fields(layout, device);
+  FieldLister descriptions;
+  fields(descriptions, device);
+  NameLister names;
+  fields(names, device);
+  DeviceType type{Device::kType, kind, summary, descriptions.take(), names.take(), layout.text()};
+  type.write = [](const void* source, ByteWriter& out) {
+    // one list of fields serves both ways; writing changes nothing
+    fields(out, *const_cast<Device*>(static_cast<const Device*>(source)));
+  };
+  type.read = [](ByteReader& in, void* target, VariableParts& parts) {
+    parts.clear();
+    in.keepVariablePartsIn(parts);
+    fields(in, *static_cast<Device*>(target));
+  };
+  type.make = []() -> std::shared_ptr<void> { return std::make_shared<Device>(); };
+  type.is_finite = [](const void* source) { return isFinite(*static_cast<const Device*>(source)); };
+  if (kind == DeviceKind::kActuator) {
+    type.stop = [](void* command, const SafeStopMoment& moment) {
+      return stop(*static_cast<Device*>(command), moment);
+    };
   }
+  return type;
 }
 
 }  // namespace detail
 
+/// Whether the function `fields` stands beside the device.
 template <class Device>
-struct DeviceTypeRegistration {
-  DeviceTypeRegistration() {
-    Device device;
-    LayoutWriter layout;
-    fields(layout, device);
-    registerDeviceType({Device::kType, layout.text(),
-                        [](const void* source, ByteWriter& out) {
-                          // one list of fields serves both ways; writing changes nothing
-                          fields(out, *const_cast<Device*>(static_cast<const Device*>(source)));
-                        },
-                        [](ByteReader& in, void* target, VariableParts& parts) {
-                          parts.clear();
-                          in.keepVariablePartsIn(parts);
-                          fields(in, *static_cast<Device*>(target));
-                        },
-                        []() -> std::shared_ptr<void> { return std::make_shared<Device>(); },
-                        detail::finiteness<Device>()});
+constexpr bool kHasFields = detail::HasFields<Device>::value;
+
+template <class Device>
+struct DeviceRegistration {
+  DeviceRegistration(DeviceKind kind, const char* summary) {
+    registerDeviceType(detail::makeDeviceType<Device>(kind, summary));
   }
 };
 
 }  // namespace swarmanoid
 
-/// In one source file of the library that has the device.
-#define REGISTER_DEVICE(Device) \
-  static const ::swarmanoid::DeviceTypeRegistration<Device> SWARMANOID_CONCATENATE(device_registration_, __COUNTER__);
+/// Below the device's struct and its fields, in the same header and namespace: every library that includes it knows the
+/// device. @param kind kSensor or kActuator @param summary one sentence
+#define REGISTER_DEVICE(Device, kind, summary)                                           \
+  inline const ::swarmanoid::DeviceRegistration<Device> device_registration_of_##Device{ \
+      ::swarmanoid::DeviceKind::kind, summary};

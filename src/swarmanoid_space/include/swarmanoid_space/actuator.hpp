@@ -6,14 +6,15 @@
 /// Noise    drawn from the instance's own stream.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
-/// REGISTER_ACTUATOR. The struct has `bool isFinite() const`, and its initial value means "do nothing",
-/// which is also its safe stop, unless it has one of its own (swarmanoid_interface/safe_stop.hpp).
+/// REGISTER_ACTUATOR. Beside the struct stands its descriptor (swarmanoid_interface/device_type.hpp), for the check of
+/// numbers and the safe stop; the struct's initial value means "do nothing".
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
@@ -61,6 +62,9 @@ struct BasicActuatorInstance {
 
 template <class Device, class Instance = BasicActuatorInstance<Device>>
 class ActuatorOf : public Actuator {
+  static_assert(kHasFields<Device>,
+                "beside the device's struct stand its fields: swarmanoid_interface/device_type.hpp");
+
  public:
   void* add(Space& space, Row row) override {
     Instance instance;
@@ -84,8 +88,8 @@ class ActuatorOf : public Actuator {
   }
 
   void actuate(Space& space, std::vector<Row>& faulty) override {
-    for (Instance& instance : instances_) {
-      if (instance.command->isFinite()) {
+    for (Seat& instance : instances_) {
+      if (isFinite(*instance.command)) {
         *instance.actuation = *instance.command;
         limit(space, instance);
       } else {
@@ -97,13 +101,13 @@ class ActuatorOf : public Actuator {
 
   bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
     bool is_over = true;
-    for (Instance& instance : instances_) {
+    for (Seat& instance : instances_) {
       if (instance.row == row) {
-        if (!instance.command->isFinite()) {
+        if (!isFinite(*instance.command)) {
           *instance.command = *instance.actuation;
         }
-        is_over = stopDevice(*instance.command, moment);
-        stopDevice(*instance.actuation, moment);
+        is_over = detail::stop(*instance.command, moment);
+        detail::stop(*instance.actuation, moment);
         apply(space, instance);
       }
     }
@@ -120,16 +124,7 @@ class ActuatorOf : public Actuator {
   /// Carries an actuation out that needs no engine, such as the colour of LEDs.
   virtual void apply(Space&, Instance&) {}
 
-  std::vector<Instance> instances_;
-
- private:
-  static bool stopDevice(Device& device, const SafeStopMoment& moment) {
-    if (const SafeStop own = findSafeStop(Device::kType)) {
-      return own(&device, moment);
-    }
-    device = Device{};
-    return true;
-  }
+  std::vector<Seat> instances_;
 };
 
 }  // namespace swarmanoid

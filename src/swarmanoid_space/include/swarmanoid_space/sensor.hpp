@@ -5,13 +5,15 @@
 /// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
 ///
-/// To add a sensor: write its struct in an interface header, derive from SensorOf<Struct>, end with REGISTER_SENSOR.
+/// To add a sensor: write its struct and descriptor in an interface header, derive from SensorOf<Struct>, end with
+/// REGISTER_SENSOR.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/space.hpp"
@@ -57,6 +59,9 @@ struct BasicSensorInstance {
 /// and has more.
 template <class Device, class Instance = BasicSensorInstance<Device>>
 class SensorOf : public Sensor {
+  static_assert(kHasFields<Device>,
+                "beside the device's struct stand its fields: swarmanoid_interface/device_type.hpp");
+
  public:
   const void* add(Space& space, Row row) override {
     Instance instance;

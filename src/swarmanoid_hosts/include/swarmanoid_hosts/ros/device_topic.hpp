@@ -72,10 +72,8 @@ void receive(const Message& message, Device& device, VariableParts& parts) {
   } else {
     fromMessage(message, received);
   }
-  if constexpr (CanBeFinite<Device>::value) {
-    if (!received.isFinite()) {
-      throw std::runtime_error("found a number that is not finite, allowed: finite numbers");
-    }
+  if (!isFinite(received)) {
+    throw std::runtime_error("found a number that is not finite, allowed: finite numbers");
   }
   device = received;
 }

@@ -69,8 +69,8 @@ void compareStates(const StateFields& first, const StateFields& second, std::vec
 Values devices(const std::string& begin, const std::vector<DeviceLayout>& types, const std::vector<Bytes>& blocks) {
   Values values;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    for (const auto& [index, number] : replay::indexed(replay::decode(types[i].layout, blocks[i]))) {
-      values.emplace_back(begin + types[i].type + "/" + index, number);
+    for (const auto& [field, number] : replay::named(replay::decode(types[i].layout, blocks[i]), types[i])) {
+      values.emplace_back(begin + types[i].type + "/" + field, number);
     }
   }
   return values;

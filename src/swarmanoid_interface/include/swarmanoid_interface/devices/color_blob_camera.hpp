@@ -1,7 +1,10 @@
 /// Sensors: cameras that report blobs of colour instead of images, as the robots' own image filter does (thesis 3.3).
 #pragma once
 
+#include <cmath>
+
 #include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/span.hpp"
 
 namespace swarmanoid {
@@ -13,6 +16,13 @@ struct ColorBlob {
   float distance = 0.0F;  ///< horizontal distance from the camera's vertical axis [m]
 };
 
+template <class Visitor>
+void fields(Visitor& visit, ColorBlob& blob) {
+  visit(blob.color, {"color"});
+  visit(blob.bearing, {"bearing", "rad", "direction in the robot's frame", {-M_PI, M_PI}});
+  visit(blob.distance, {"distance", "m", "horizontal", {0.0, kInfinity}});
+}
+
 /// What a colour-blob camera saw this tick. LEDs on the far side of their own robot are hidden. Blobs come in the order
 /// of what they belong to: entities by number (the LEDs of one by theirs), then laser spots, then floor patches. If
 /// more is in sight than the camera reports, the nearest are reported, in the same order. The span is valid until the
@@ -22,14 +32,25 @@ struct ColorBlobs {
   bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event says so)
 };
 
+/// Of both cameras.
+template <class Visitor>
+void fields(Visitor& visit, ColorBlobs& camera) {
+  visit(camera.blobs, {"blobs"});
+  visit(camera.overflowed, {"overflowed", "", "more was in sight than is reported; what is farthest is left out"});
+}
+
 /// The footbot's omnidirectional camera ("pie camera").
 struct FootbotCamera : ColorBlobs {
   static constexpr const char* kType = "footbot_camera";
 };
 
+REGISTER_DEVICE(FootbotCamera, kSensor, "An omnidirectional camera that reports blobs of colour.")
+
 /// The eyebot's camera, looking down: what it sees lies in a circle on the ground under the robot.
 struct EyebotCamera : ColorBlobs {
   static constexpr const char* kType = "eyebot_camera";
 };
+
+REGISTER_DEVICE(EyebotCamera, kSensor, "A camera that looks down into a cone and reports blobs of colour.")
 
 }  // namespace swarmanoid

@@ -2,7 +2,7 @@
 /// (thesis 4.3).
 #pragma once
 
-#include <cmath>
+#include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 
@@ -13,8 +13,18 @@ struct EyebotLaser {
   bool on = false;
   double pan = 0.0;   ///< in the robot's frame [rad], counter-clockwise from ahead
   double tilt = 0.0;  ///< from straight down [rad], limited to 0.8 either way
-
-  bool isFinite() const { return std::isfinite(pan) && std::isfinite(tilt); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, EyebotLaser& laser) {
+  visit(laser.on, {"on"});
+  visit(laser.pan, {"pan", "rad", "direction in the robot's frame towards which the beam is tilted"});
+  visit(laser.tilt, {"tilt", "rad", "from straight down", {-0.8, 0.8}});
+}
+inline bool stopSafely(EyebotLaser& laser, const SafeStopMoment& /*moment*/) {
+  laser.on = false;
+  return true;
+}
+REGISTER_DEVICE(EyebotLaser, kActuator, "A laser pointer that makes a red spot on what is below.")
 
 }  // namespace swarmanoid

@@ -2,6 +2,8 @@
 /// at rest (thesis 1).
 #pragma once
 
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid {
 
 /// On: it holds what it touches, if that is ferromagnetic. Off: it lets go, and the eyebot flies on from there.
@@ -9,9 +11,15 @@ struct EyebotMagnet {
   static constexpr const char* kType = "eyebot_magnet";
 
   bool on = false;
-
-  bool isFinite() const { return true; }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, EyebotMagnet& magnet) {
+  visit(magnet.on, {"on", "", "on: holds what it touches, if that is ferromagnetic; off: lets go"});
+}
+/// Who hangs stays up.
+inline bool stopSafely(EyebotMagnet& /*magnet*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(EyebotMagnet, kActuator, "The magnet on top, by which the robot hangs under a ceiling.")
 
 /// As of the end of the last tick.
 struct EyebotMagnetState {
@@ -19,5 +27,11 @@ struct EyebotMagnetState {
 
   bool attached = false;
 };
+
+template <class Visitor>
+void fields(Visitor& visit, EyebotMagnetState& magnet) {
+  visit(magnet.attached, {"attached", "", "whether the magnet holds something"});
+}
+REGISTER_DEVICE(EyebotMagnetState, kSensor, "The magnet's contact switch.")
 
 }  // namespace swarmanoid

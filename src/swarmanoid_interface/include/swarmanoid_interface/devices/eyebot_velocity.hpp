@@ -2,7 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cmath>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+#include "swarmanoid_interface/safe_stop.hpp"
 
 namespace swarmanoid {
 
@@ -12,8 +15,26 @@ struct EyebotVelocity {
 
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
   double yaw_rate = 0.0;                             ///< [rad/s], counter-clockwise seen from above
-
-  bool isFinite() const { return linear.allFinite() && std::isfinite(yaw_rate); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, EyebotVelocity& velocity) {
+  visit(velocity.linear, {"linear", "m/s", "velocity in the robot's frame: ahead, left, up"});
+  visit(velocity.yaw_rate, {"yaw_rate", "rad/s", "counter-clockwise seen from above"});
+}
+/// Hovers, then comes down; an eyebot whose sensors say that it hangs by its magnet stays where it is.
+inline bool stopSafely(EyebotVelocity& velocity, const SafeStopMoment& moment) {
+  velocity = EyebotVelocity{};
+  const Robot& robot = moment.robot;
+  if (robot.hasSensor(EyebotMagnetState::kType) && robot.sensor<EyebotMagnetState>().attached) {
+    return true;
+  }
+  const SafeStopSettings& settings = moment.settings;
+  if (moment.since >= settings.hover && moment.since < settings.hover + settings.descend_time) {
+    velocity.linear.z() = -settings.descend_speed;
+  }
+  return moment.since >= settings.hover + settings.descend_time;
+}
+REGISTER_DEVICE(EyebotVelocity, kActuator, "The flight controller: flies a velocity, hovers at zero.")
 
 }  // namespace swarmanoid

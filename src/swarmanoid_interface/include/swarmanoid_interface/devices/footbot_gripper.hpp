@@ -1,6 +1,8 @@
 /// Actuator and sensor: the rigid gripper at the front of a footbot.
 #pragma once
 
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid {
 
 /// The command of the gripper. A closed gripper holds what it reaches; an open one lets go.
@@ -11,8 +13,15 @@ struct FootbotGripper {
 
   void close() { closed = true; }
   void open() { closed = false; }
-  bool isFinite() const { return true; }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotGripper& gripper) {
+  visit(gripper.closed, {"closed", "", "closed: holds what it reaches; open: lets go"});
+}
+/// What is held is not dropped.
+inline bool stopSafely(FootbotGripper& /*gripper*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(FootbotGripper, kActuator, "The rigid gripper at the front, which turns with the turret.")
 
 /// What the gripper's contact switch says.
 struct FootbotGripperState {
@@ -20,5 +29,11 @@ struct FootbotGripperState {
 
   bool gripping = false;  ///< something is held, as of the end of the last tick
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotGripperState& gripper) {
+  visit(gripper.gripping, {"gripping", "", "whether the gripper holds something"});
+}
+REGISTER_DEVICE(FootbotGripperState, kSensor, "The gripper's contact switch.")
 
 }  // namespace swarmanoid

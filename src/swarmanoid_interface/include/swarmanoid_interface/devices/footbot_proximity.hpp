@@ -4,6 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid {
 
 /// Readings of the 24 sensors: 0 with nothing in range, rising to 1 at contact.
@@ -20,5 +22,11 @@ struct FootbotProximity {
     return i <= kCount / 2 ? static_cast<double>(i) * kStep : (static_cast<double>(i) - kCount) * kStep;
   }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotProximity& proximity) {
+  visit(proximity.value, {"value", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
+}
+REGISTER_DEVICE(FootbotProximity, kSensor, "24 infrared sensors around the body.")
 
 }  // namespace swarmanoid

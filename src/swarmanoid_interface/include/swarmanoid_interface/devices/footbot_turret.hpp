@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdint>
 
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid {
 
 /// The command of the turret's motor. At first it holds the angle 0, which is what a robot without this device does.
@@ -26,8 +28,22 @@ struct FootbotTurret {
   void holdAngle(double rad) { *this = {Mode::kAngle, rad, 0.0}; }
   void turnAt(double rad_per_s) { *this = {Mode::kSpeed, 0.0, rad_per_s}; }
   void letTurn() { *this = {Mode::kPassive, 0.0, 0.0}; }
-  bool isFinite() const { return std::isfinite(angle) && std::isfinite(speed); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotTurret& turret) {
+  visit(turret.mode, {"mode", "", "0: turns to an angle and holds it; 1: turns at a speed; 2: the motor is off"});
+  visit(turret.angle, {"angle", "rad", "to turn to in mode 0"});
+  visit(turret.speed, {"speed", "rad/s", "to turn at in mode 1"});
+}
+/// Stands where it is; a passive turret stays passive.
+inline bool stopSafely(FootbotTurret& turret, const SafeStopMoment& /*moment*/) {
+  if (turret.mode != FootbotTurret::Mode::kPassive) {
+    turret.turnAt(0.0);
+  }
+  return true;
+}
+REGISTER_DEVICE(FootbotTurret, kActuator, "The ring that carries the gripper and turns against the chassis.")
 
 /// What the turret's encoder and its motor say, as of the end of the last tick.
 struct FootbotTurretState {
@@ -37,5 +53,13 @@ struct FootbotTurretState {
   double speed = 0.0;   ///< [rad/s]
   double torque = 0.0;  ///< of the motor on the turret; 0 in engines without forces [N m]
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotTurretState& turret) {
+  visit(turret.angle, {"angle", "rad", "of the gripper in the robot's frame", {-M_PI, M_PI}});
+  visit(turret.speed, {"speed", "rad/s", "how fast it turns against the chassis"});
+  visit(turret.torque, {"torque", "N m", "of the motor on the turret; 0 in engines without forces"});
+}
+REGISTER_DEVICE(FootbotTurretState, kSensor, "The turret's encoder, and the torque of its motor.")
 
 }  // namespace swarmanoid

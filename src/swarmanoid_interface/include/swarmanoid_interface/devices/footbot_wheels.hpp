@@ -1,7 +1,7 @@
 /// Actuator: the two treels of a footbot.
 #pragma once
 
-#include <cmath>
+#include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 
@@ -27,7 +27,13 @@ struct FootbotWheels {
   }
   double speed() const { return 0.5 * (left + right) * kRadius; }
   double turnRate() const { return (right - left) * kRadius / kSeparation; }
-  bool isFinite() const { return std::isfinite(left) && std::isfinite(right); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotWheels& wheels) {
+  visit(wheels.left, {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead"});
+  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead"});
+}
+REGISTER_DEVICE(FootbotWheels, kActuator, "Two treels: tracks and wheels on one axle, left and right.")
 
 }  // namespace swarmanoid

@@ -3,8 +3,9 @@
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+
+#include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 
@@ -14,9 +15,14 @@ struct ArmAngles {
   double shoulder = 0.0;  ///< -1.57 (straight up) to 0.7
   double elbow = 0.0;     ///< -1.2 (to the right) to 1.2 (to the left)
   double wrist = 0.0;     ///< -3.14 to 3.14
-
-  bool isFinite() const { return std::isfinite(shoulder) && std::isfinite(elbow) && std::isfinite(wrist); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, ArmAngles& arm) {
+  visit(arm.shoulder, {"shoulder", "rad", "about y: -1.57 is straight up", {-1.57, 0.7}});
+  visit(arm.elbow, {"elbow", "rad", "about z: positive swings the forearm to the left", {-1.2, 1.2}});
+  visit(arm.wrist, {"wrist", "rad", "about x: turns the hand", {-3.14, 3.14}});
+}
 
 /// The joints go there as fast as their motors can, and hold the commanded angles with no more than the motors' torque.
 struct HandbotArms {
@@ -24,9 +30,16 @@ struct HandbotArms {
 
   ArmAngles left;
   ArmAngles right;
-
-  bool isFinite() const { return left.isFinite() && right.isFinite(); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotArms& arms) {
+  visit(arms.left, {"left"});
+  visit(arms.right, {"right"});
+}
+/// What is held is not dropped.
+inline bool stopSafely(HandbotArms& /*arms*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(HandbotArms, kActuator, "Two arms, each with shoulder, elbow and wrist.")
 
 /// Where the joints are, as of the end of the last tick, and what their motors give.
 struct HandbotArmsState {
@@ -43,5 +56,17 @@ struct HandbotArmsState {
   };
   std::array<Joint, kJoints> joints{};
 };
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotArmsState::Joint& joint) {
+  visit(joint.angle, {"angle", "rad", "left shoulder, elbow, wrist, then right"});
+  visit(joint.speed, {"speed", "rad/s"});
+  visit(joint.effort, {"effort", "N m", "of motor and stops, along positive angles"});
+}
+template <class Visitor>
+void fields(Visitor& visit, HandbotArmsState& arms) {
+  visit(arms.joints, {"joints"});
+}
+REGISTER_DEVICE(HandbotArmsState, kSensor, "Encoders and torque sensors of the arms' joints.")
 
 }  // namespace swarmanoid

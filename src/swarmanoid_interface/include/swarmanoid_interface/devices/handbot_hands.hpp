@@ -2,6 +2,8 @@
 /// 1, figure 1.2).
 #pragma once
 
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid {
 
 /// Suction on: a hand holds the surface that its cups touch. Off: it lets go.
@@ -10,9 +12,16 @@ struct HandbotHands {
 
   bool left = false;
   bool right = false;
-
-  bool isFinite() const { return true; }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotHands& hands) {
+  visit(hands.left, {"left", "", "suction on: holds what the cups touch; off: lets go"});
+  visit(hands.right, {"right", "", "the same of the right hand"});
+}
+/// What is held is not dropped.
+inline bool stopSafely(HandbotHands& /*hands*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(HandbotHands, kActuator, "The suction cups of the hands, which grip objects and hold on to walls.")
 
 /// What the docking sensor of each hand says, as of the end of the last tick.
 struct HandbotHandsState {
@@ -25,5 +34,17 @@ struct HandbotHandsState {
   Hand left;
   Hand right;
 };
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotHandsState::Hand& hand) {
+  visit(hand.holding, {"holding", "", "whether the hand holds something"});
+  visit(hand.force, {"force", "N", "between hand and what it holds, smoothed", {0.0, kInfinity}});
+}
+template <class Visitor>
+void fields(Visitor& visit, HandbotHandsState& hands) {
+  visit(hands.left, {"left"});
+  visit(hands.right, {"right"});
+}
+REGISTER_DEVICE(HandbotHandsState, kSensor, "The docking sensors of the hands.")
 
 }  // namespace swarmanoid

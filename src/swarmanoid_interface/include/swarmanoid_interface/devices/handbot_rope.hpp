@@ -2,7 +2,7 @@
 /// holds on ferromagnetic ceilings; the rope is wound in to climb and out to come down (thesis 1).
 #pragma once
 
-#include <cmath>
+#include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 
@@ -14,9 +14,19 @@ struct HandbotRope {
 
   bool shot = false;
   double winding_speed = 0.0;  ///< [m/s]; positive shortens the rope, as far as the motor is strong enough
-
-  bool isFinite() const { return std::isfinite(winding_speed); }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotRope& rope) {
+  visit(rope.shot, {"shot", "", "true: it flies up, and holds what is ferromagnetic; false: it lets go and is back"});
+  visit(rope.winding_speed, {"winding_speed", "m/s", "positive shortens the rope"});
+}
+/// `shot` stays as it is, so that a robot that hangs by the rope does not fall.
+inline bool stopSafely(HandbotRope& rope, const SafeStopMoment& /*moment*/) {
+  rope.winding_speed = 0.0;
+  return true;
+}
+REGISTER_DEVICE(HandbotRope, kActuator, "The rope with a magnet at its end, shot straight up along the robot's z axis.")
 
 /// As of the end of the last tick.
 struct HandbotRopeState {
@@ -26,5 +36,13 @@ struct HandbotRopeState {
   double length = 0.0;   ///< from the launcher to the magnet, when taut; 0 when not attached [m]
   double tension = 0.0;  ///< without the noise of single engine steps; a slack rope has none [N]
 };
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotRopeState& rope) {
+  visit(rope.attached, {"attached", "", "whether the magnet holds something"});
+  visit(rope.length, {"length", "m", "of the rope that is out; 0 when it is not attached", {0.0, kInfinity}});
+  visit(rope.tension, {"tension", "N", "smoothed; a slack rope has none", {0.0, kInfinity}});
+}
+REGISTER_DEVICE(HandbotRopeState, kSensor, "The rope's encoder and tension sensor.")
 
 }  // namespace swarmanoid

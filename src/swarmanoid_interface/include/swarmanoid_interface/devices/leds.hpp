@@ -8,6 +8,7 @@
 #include <cstddef>
 
 #include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 
@@ -18,8 +19,15 @@ struct FootbotLeds {
   std::array<Color, kCount> ring{};
 
   void setAll(Color color) { ring.fill(color); }
-  bool isFinite() const { return true; }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, FootbotLeds& leds) {
+  visit(leds.ring, {"ring"});
+}
+/// They shine on.
+inline bool stopSafely(FootbotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(FootbotLeds, kActuator, "The ring of coloured LEDs.")
 
 struct EyebotLeds {
   static constexpr const char* kType = "eyebot_leds";
@@ -28,7 +36,14 @@ struct EyebotLeds {
   std::array<Color, kCount> ring{};
 
   void setAll(Color color) { ring.fill(color); }
-  bool isFinite() const { return true; }
 };
+
+template <class Visitor>
+void fields(Visitor& visit, EyebotLeds& leds) {
+  visit(leds.ring, {"ring"});
+}
+/// They shine on.
+inline bool stopSafely(EyebotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(EyebotLeds, kActuator, "The ring of coloured LEDs.")
 
 }  // namespace swarmanoid

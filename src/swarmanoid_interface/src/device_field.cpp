@@ -1,0 +1,29 @@
+#include "swarmanoid_interface/device_field.hpp"
+
+namespace swarmanoid {
+
+std::string typeName(const FieldDescription& field) {
+  const std::string bits = std::to_string(8 * std::stoi(field.type.substr(1)));
+  switch (field.type[0]) {
+    case 'b':
+      return "bool";
+    case 'f':
+      return "float" + bits;
+    case 'u':
+      return "uint" + bits;
+    default:
+      return "int" + bits;
+  }
+}
+
+std::string describe(const FieldDescription& field) {
+  std::string name = field.name;
+  if (const std::size_t bracket = name.find("[]"); bracket != std::string::npos && field.count > 0) {
+    name.insert(bracket + 1, std::to_string(field.count));
+  }
+  const bool is_bounded = field.range.minimum != -kInfinity || field.range.maximum != kInfinity;
+  return name + (field.unit.empty() ? "" : " [" + field.unit + "]") + ", " + typeName(field) +
+         (is_bounded ? ", " + field.range.toString() : "");
+}
+
+}  // namespace swarmanoid
