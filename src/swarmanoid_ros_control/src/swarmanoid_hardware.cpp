@@ -12,6 +12,9 @@
 #include <vector>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
 
 namespace swarmanoid {
 

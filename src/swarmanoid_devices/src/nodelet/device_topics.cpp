@@ -1,5 +1,6 @@
 #include "device_topics.hpp"
 
+#include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 

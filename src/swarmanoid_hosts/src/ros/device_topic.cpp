@@ -13,7 +13,14 @@ std::deque<DeviceTopic>& topics() {
 
 }  // namespace
 
-void registerDeviceTopic(DeviceTopic topic) { topics().push_back(std::move(topic)); }
+void registerDeviceTopic(DeviceTopic topic) {
+  const bool is_known = std::any_of(topics().begin(), topics().end(), [&](const DeviceTopic& known) {
+    return known.device == topic.device && known.name == topic.name;
+  });
+  if (!is_known) {
+    topics().push_back(std::move(topic));
+  }
+}
 
 std::vector<const DeviceTopic*> deviceTopics() {
   std::vector<const DeviceTopic*> result;

@@ -17,6 +17,7 @@
 #include "swarmanoid_hosts/period_clock.hpp"
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
+#include "swarmanoid_hosts/ros/topics/leds.hpp"
 #include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid::mock {

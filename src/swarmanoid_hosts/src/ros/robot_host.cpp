@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "robot_parameters.hpp"
+#include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
 #include "swarmanoid_hosts/ros/log.hpp"

@@ -6,6 +6,18 @@
 #include <set>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/topics/color_blob_camera.hpp"
+#include "swarmanoid_hosts/ros/topics/eyebot_laser.hpp"
+#include "swarmanoid_hosts/ros/topics/eyebot_magnet.hpp"
+#include "swarmanoid_hosts/ros/topics/eyebot_velocity.hpp"
+#include "swarmanoid_hosts/ros/topics/footbot_gripper.hpp"
+#include "swarmanoid_hosts/ros/topics/footbot_proximity.hpp"
+#include "swarmanoid_hosts/ros/topics/footbot_turret.hpp"
+#include "swarmanoid_hosts/ros/topics/footbot_wheels.hpp"
+#include "swarmanoid_hosts/ros/topics/handbot_arms.hpp"
+#include "swarmanoid_hosts/ros/topics/handbot_hands.hpp"
+#include "swarmanoid_hosts/ros/topics/handbot_rope.hpp"
+#include "swarmanoid_hosts/ros/topics/leds.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {

@@ -56,7 +56,8 @@ TEST(DriversPage, NamesWhatIsSubscribed) {
 
 TEST(DriversPage, EachActuatorHasASafeStop) {
   for (const DeviceTopic* topic : deviceTopics()) {
-    EXPECT_EQ(topic->kind == DeviceTopic::Kind::kCommand, findDeviceType(topic->device)->stop != nullptr) << topic->device;
+    EXPECT_EQ(topic->kind == DeviceTopic::Kind::kCommand, findDeviceType(topic->device)->stop != nullptr)
+        << topic->device;
   }
 }
 

@@ -88,7 +88,7 @@ class ActuatorOf : public Actuator {
   }
 
   void actuate(Space& space, std::vector<Row>& faulty) override {
-    for (Seat& instance : instances_) {
+    for (Instance& instance : instances_) {
       if (isFinite(*instance.command)) {
         *instance.actuation = *instance.command;
         limit(space, instance);
@@ -101,7 +101,7 @@ class ActuatorOf : public Actuator {
 
   bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
     bool is_over = true;
-    for (Seat& instance : instances_) {
+    for (Instance& instance : instances_) {
       if (instance.row == row) {
         if (!isFinite(*instance.command)) {
           *instance.command = *instance.actuation;
@@ -124,7 +124,7 @@ class ActuatorOf : public Actuator {
   /// Carries an actuation out that needs no engine, such as the colour of LEDs.
   virtual void apply(Space&, Instance&) {}
 
-  std::vector<Seat> instances_;
+  std::vector<Instance> instances_;
 };
 
 }  // namespace swarmanoid

@@ -1,13 +1,21 @@
 /// Devices as ROS topics: name, message and frame of each, for whoever publishes or receives it. One table for all: the
 /// simulator's views of devices, its robots that are commanded over topics, controllers on robots, and drivers.
 ///
-/// Readings go from a robot to whoever listens, commands the other way. Topics lie in the robot's namespace. To let a
-/// device of your own have a topic, give it the functions that device_messages.hpp has for the others, in its own
-/// namespace, and register it in a library of your own that is linked with swarmanoid_hosts_ros:
+/// Readings go from a robot to whoever listens, commands the other way. Topics lie in the robot's namespace.
 ///
-///     REGISTER_DEVICE_TOPIC(MyDevice, my_msgs::MyDevice, DeviceTopic::Kind::kReading, "my_device", "base_link")
+/// A device is made a message, and back, by two functions in the device's namespace, in a header of their own; below
+/// them the topic registers itself (topics/footbot_gripper.hpp is an example):
 ///
-/// A device may have more than one topic; the first is the main one.
+///     inline void toMessage(const MyDevice& device, my_msgs::MyDevice& message);
+///     inline void fromMessage(const my_msgs::MyDevice& message, MyDevice& device);
+///     REGISTER_DEVICE_TOPIC(MyDevice, my_msgs::MyDevice, kReading, "my_device", "base_link")
+///
+/// What a message does not hold stays as it is; stamp and frame_id of the header are the caller's. `fromMessage` throws
+/// std::runtime_error, saying what was found and what is allowed, for a message that is no such device; the struct may
+/// then be partly written. If it has lists, it takes VariableParts as well, in which their elements are kept.
+///
+/// The suite's are the headers in topics/; one of your own is included by a source of a library that is linked with
+/// swarmanoid_hosts_ros. A device may have more than one topic; the first is the main one.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -19,7 +27,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
@@ -51,7 +58,7 @@ std::vector<const DeviceTopic*> topicsOf(const std::string& device);
 const DeviceTopic* mainTopicOf(const std::string& device);
 /// Sorted by device, then in the order of registration.
 std::vector<const DeviceTopic*> deviceTopics();
-/// While libraries load.
+/// While libraries load; the first of a device and name stays.
 void registerDeviceTopic(DeviceTopic topic);
 
 namespace detail {
@@ -118,7 +125,7 @@ struct DeviceTopicRegistration {
 
 }  // namespace swarmanoid
 
-/// In one source file. @param ... kind, name and frame as in makeDeviceTopic
-#define REGISTER_DEVICE_TOPIC(Device, Message, ...)                          \
-  static const ::swarmanoid::DeviceTopicRegistration SWARMANOID_CONCATENATE( \
-      device_topic_registration_, __COUNTER__)(::swarmanoid::makeDeviceTopic<Device, Message>(__VA_ARGS__));
+/// @param kind kReading or kCommand @param ... name and, of readings, frame
+#define REGISTER_DEVICE_TOPIC(Device, Message, kind, ...)                                                        \
+  inline const ::swarmanoid::DeviceTopicRegistration SWARMANOID_CONCATENATE(device_topic_of_##Device, __LINE__)( \
+      ::swarmanoid::makeDeviceTopic<Device, Message>(::swarmanoid::DeviceTopic::Kind::kind, __VA_ARGS__));
