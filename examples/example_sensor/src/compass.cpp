@@ -18,6 +18,7 @@ class CompassSensor final : public swarmanoid::SensorOf<Compass> {
     swarmanoid::PluginDescription description;
     description.label = Compass::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Where north is, the y axis of the arena.";
     description.parameters = {noise};
     return description;

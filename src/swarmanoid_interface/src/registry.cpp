@@ -35,8 +35,11 @@ const char* toString(PluginKind kind) {
 
 std::string describe(const Registry::Conflict& conflict) {
   const bool are_two = conflict.first_library != conflict.second_library;
+  const bool is_device = conflict.kind == PluginKind::kSensor || conflict.kind == PluginKind::kActuator;
+  const bool is_about_default = is_device && conflict.implementation.empty();
   return std::string(toString(conflict.kind)) + " '" + conflict.label +
-         (conflict.implementation.empty() ? "" : " " + conflict.implementation) + "' is registered twice" +
+         (conflict.implementation.empty() ? "" : " " + conflict.implementation) +
+         (is_about_default ? "' has two default implementations" : "' is registered twice") +
          (are_two ? " (" + conflict.first_library + ", " + conflict.second_library + ")" : "") + "; the first is used";
 }
 
@@ -54,22 +57,42 @@ void Registry::add(PluginKind kind, PluginDescription description, Factory make)
       return;
     }
   }
+  const Entry* former = find(kind, description.label);
+  if (description.is_default && former != nullptr && former->description.is_default) {
+    conflicts_.push_back(
+        {kind, description.label, "", libraryOf(&former->make.target_type()), libraryOf(&make.target_type())});
+    description.is_default = false;
+  }
   entries_.push_back(std::make_unique<Entry>(Entry{kind, std::move(description), std::move(make)}));
 }
 
 const Registry::Entry* Registry::find(PluginKind kind, const std::string& label,
                                       const std::string& implementation) const {
+  const Entry* found = nullptr;
   for (const auto& entry : entries_) {
     const PluginDescription& known = entry->description;
     if (entry->kind != kind || (known.label != label && !contains(known.label_aliases, label))) {
       continue;
     }
-    if (implementation.empty() || known.implementation == implementation ||
-        contains(known.implementation_aliases, implementation)) {
+    if (!implementation.empty()) {
+      if (known.implementation == implementation || contains(known.implementation_aliases, implementation)) {
+        return entry.get();
+      }
+    } else if (known.is_default) {
       return entry.get();
+    } else if (found == nullptr || known.implementation < found->description.implementation) {
+      found = entry.get();
     }
   }
-  return nullptr;
+  return found;
+}
+
+bool Registry::hasDefault(PluginKind kind, const std::string& label) const {
+  const std::vector<const Entry*> entries = all(kind);
+  const auto is_meant = [&](const Entry* entry) { return entry->description.label == label; };
+  return std::count_if(entries.begin(), entries.end(), is_meant) == 1 ||
+         std::any_of(entries.begin(), entries.end(),
+                     [&](const Entry* entry) { return is_meant(entry) && entry->description.is_default; });
 }
 
 const Registry::Entry& Registry::require(PluginKind kind, const std::string& label) const {

@@ -33,10 +33,51 @@ TEST(RegistryTest, FindsByLabelImplementationAndAlias) {
   add(registry, PluginKind::kSensor, "footbot_camera", "color_blobs", 1, {"pie_camera"}, {"generic_pie_camera"});
   add(registry, PluginKind::kSensor, "footbot_camera", "ideal", 2);
   for (const char* label : {"footbot_camera", "pie_camera"}) {
-    EXPECT_EQ(found(registry, PluginKind::kSensor, label), 1);  // the first implementation
+    EXPECT_EQ(found(registry, PluginKind::kSensor, label), 1);  // none says that it is the default: the first by name
     EXPECT_EQ(found(registry, PluginKind::kSensor, label, "generic_pie_camera"), 1);
   }
   EXPECT_EQ(found(registry, PluginKind::kSensor, "footbot_camera", "ideal"), 2);
+}
+
+void addImplementation(Registry& registry, const std::string& implementation, bool is_default, int number) {
+  PluginDescription description;
+  description.label = "camera";
+  description.implementation = implementation;
+  description.is_default = is_default;
+  registry.add(PluginKind::kSensor, description, [number] { return std::make_shared<Plugin>(Plugin{number}); });
+}
+
+TEST(RegistryTest, TheDefaultIsWhatSaysSoInWhateverOrder) {
+  for (const bool is_first : {true, false}) {
+    Registry registry;
+    if (is_first) {
+      addImplementation(registry, "pinhole", true, 1);
+    }
+    addImplementation(registry, "blobs", false, 2);
+    EXPECT_TRUE(registry.hasDefault(PluginKind::kSensor, "camera"));  // that one, or the only one
+    if (!is_first) {
+      addImplementation(registry, "pinhole", true, 1);
+    }
+    EXPECT_EQ(found(registry, PluginKind::kSensor, "camera"), 1);
+    EXPECT_EQ(found(registry, PluginKind::kSensor, "camera", "blobs"), 2);
+  }
+}
+
+TEST(RegistryTest, TwoWithoutADefaultHaveNone) {
+  Registry registry;
+  addImplementation(registry, "pinhole", false, 1);
+  addImplementation(registry, "blobs", false, 2);
+  EXPECT_FALSE(registry.hasDefault(PluginKind::kSensor, "camera"));
+}
+
+TEST(RegistryTest, TheSecondDefaultIsNamedAndDoesNotBecomeIt) {
+  Registry registry;
+  addImplementation(registry, "pinhole", true, 1);
+  addImplementation(registry, "blobs", true, 2);
+  EXPECT_EQ(found(registry, PluginKind::kSensor, "camera"), 1);
+  EXPECT_EQ(found(registry, PluginKind::kSensor, "camera", "blobs"), 2);
+  ASSERT_EQ(registry.conflicts().size(), 1U);
+  EXPECT_EQ(describe(registry.conflicts()[0]), "sensor 'camera' has two default implementations; the first is used");
 }
 
 TEST(RegistryTest, WhatIsUnknownIsNotFound) {

@@ -136,6 +136,14 @@ TEST_F(ExperimentTest, EachImplementationHasItsOwnParameters) {
   EXPECT_EQ(refusal({}, text), "some.xml:10: found tag 'range', allowed: width, implementation (in <eye>)");
 }
 
+TEST_F(ExperimentTest, AnImplementationIsNamedWhereNoneIsTheDefault) {
+  std::string text = kFile;
+  const std::string named = "<eye><implementation> old_eye </implementation><range>2</range></eye>";
+  text.replace(text.find(named), named.size(), "<eye/>");
+  EXPECT_EQ(refusal({}, text),
+            "some.xml:10: found no <implementation> of sensor 'eye', which has no default, allowed: blobs, pixels");
+}
+
 TEST_F(ExperimentTest, ReadsArenaInRadians) {
   const ArenaDescription arena = parse().arena;
   EXPECT_EQ(arena.size, Eigen::Vector3d(10, 9, 3));

@@ -18,6 +18,7 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     PluginDescription description;
     description.label = EyebotLaser::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "A laser pointer that makes a red spot on what is below.";
     description.robots = {"eyebot"};
     description.parameters = {angle("noise", "0", {0.0, 10.0}, "Standard deviation of the beam's tilt.")};

@@ -12,6 +12,7 @@ class EyebotMagnetActuator final : public ActuatorOf<EyebotMagnet> {
     PluginDescription description;
     description.label = EyebotMagnet::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "The magnet that holds on to ferromagnetic ceilings, on or off.";
     description.robots = {"eyebot"};
     return description;

@@ -16,6 +16,7 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     PluginDescription description;
     description.label = EyebotVelocity::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "A desired velocity in the robot's own frame, and a yaw rate.";
     description.robots = {"eyebot"};
     description.parameters = {

@@ -12,6 +12,7 @@ class FootbotGripperActuator final : public ActuatorOf<FootbotGripper> {
     PluginDescription description;
     description.label = FootbotGripper::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.implementation_aliases = {"dummy_footbot_gripper"};
     description.summary = "Closes the gripper on what it reaches, or opens it.";
     description.robots = {"footbot"};

@@ -19,6 +19,7 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
     PluginDescription description;
     description.label = FootbotTurret::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Turns the gripper against the chassis: to an angle, at a speed, or as it is pulled.";
     description.robots = {"footbot"};
     description.parameters = {

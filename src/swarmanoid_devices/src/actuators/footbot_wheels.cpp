@@ -18,6 +18,7 @@ class FootbotWheelsActuator final : public ActuatorOf<FootbotWheels, WheelsInsta
     PluginDescription description;
     description.label = FootbotWheels::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.implementation_aliases = {"dummy_footbot_wheels"};
     description.summary = "Angular velocities of the two treels, limited to the motors' maximum.";
     description.robots = {"footbot"};

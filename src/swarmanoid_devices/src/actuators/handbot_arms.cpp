@@ -19,6 +19,7 @@ class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsInstance> {
     PluginDescription description;
     description.label = HandbotArms::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Angles of the joints of both arms, limited to where they stop.";
     description.robots = {"handbot"};
     description.parameters = {

@@ -12,6 +12,7 @@ class HandbotHandsActuator final : public ActuatorOf<HandbotHands> {
     PluginDescription description;
     description.label = HandbotHands::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Suction of each hand, on or off.";
     description.robots = {"handbot"};
     return description;

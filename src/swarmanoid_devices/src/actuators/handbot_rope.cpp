@@ -15,6 +15,7 @@ class HandbotRopeActuator final : public ActuatorOf<HandbotRope> {
     PluginDescription description;
     description.label = HandbotRope::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Shoots the rope, winds it in and out, lets it go.";
     description.robots = {"handbot"};
     description.parameters = {number("max_speed", "m/s", "0.2", {0.0, 2.0}, "The fastest winding, in and out."),

@@ -20,6 +20,7 @@ class LedRingActuator : public ActuatorOf<Leds> {
     PluginDescription description;
     description.label = Leds::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "The ring of coloured LEDs of the " + robot + ".";
     description.robots = {robot};
     return description;

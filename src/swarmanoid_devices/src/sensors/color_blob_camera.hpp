@@ -56,6 +56,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     PluginDescription description;
     description.label = Camera::kType;
     description.implementation = "color_blobs";
+    description.is_default = true;
     description.parameters = {
         number("range", "m", range, {0.0, 100.0}, "Horizontal distance beyond which nothing is seen."),
         number("noise_distance", "", "0", {0.0, 1.0}, "Standard deviation of the factor on each distance."),

@@ -11,6 +11,7 @@ class EyebotMagnetStateSensor final : public SensorOf<EyebotMagnetState> {
     PluginDescription description;
     description.label = EyebotMagnetState::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Whether the magnet holds on to something.";
     description.robots = {"eyebot"};
     return description;

@@ -11,6 +11,7 @@ class FootbotGripperStateSensor final : public SensorOf<FootbotGripperState> {
     PluginDescription description;
     description.label = FootbotGripperState::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Whether the gripper holds something.";
     description.robots = {"footbot"};
     return description;

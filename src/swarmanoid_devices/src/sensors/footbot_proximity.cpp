@@ -44,6 +44,7 @@ class FootbotProximitySensor final : public SensorOf<FootbotProximity, Proximity
     PluginDescription description;
     description.label = FootbotProximity::kType;
     description.implementation = "polynomial";
+    description.is_default = true;
     description.implementation_aliases = {"generic_footbot_polynomial_proximity"};
     description.summary = "24 infrared sensors around the body; a cubic polynomial of the distance.";
     description.robots = {"footbot"};

@@ -17,6 +17,7 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
     PluginDescription description;
     description.label = FootbotTurretState::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Where the turret stands, how fast it turns, and the torque of its motor.";
     description.robots = {"footbot"};
     description.parameters = {

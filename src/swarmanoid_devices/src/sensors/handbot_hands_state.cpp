@@ -11,6 +11,7 @@ class HandbotHandsStateSensor final : public SensorOf<HandbotHandsState> {
     PluginDescription description;
     description.label = HandbotHandsState::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Whether each hand holds something, and the force on it.";
     description.robots = {"handbot"};
     return description;

@@ -11,6 +11,7 @@ class HandbotRopeStateSensor final : public SensorOf<HandbotRopeState> {
     PluginDescription description;
     description.label = HandbotRopeState::kType;
     description.implementation = "default";
+    description.is_default = true;
     description.summary = "Whether the rope is attached, its length and its tension.";
     description.robots = {"handbot"};
     return description;

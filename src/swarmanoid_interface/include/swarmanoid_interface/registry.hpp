@@ -64,6 +64,7 @@ inline Parameter makeParameter(std::string name, Parameter::Type type, std::stri
 struct PluginDescription {
   std::string label;           ///< the tag in the experiment file: a controller's, an engine's, ... or a device's type
   std::string implementation;  ///< sensors and actuators: the value of `<implementation>`; "" for the other kinds
+  bool is_default = false;     ///< sensors and actuators: meant where no implementation is named
   std::string summary;         ///< one sentence
   std::vector<Parameter> parameters;
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
@@ -83,7 +84,8 @@ class Registry {
     Factory make;
   };
 
-  /// A plugin that was refused, for another of its name was first.
+  /// A plugin that was refused, for another of its name was first; or, of a device and without an implementation, one
+  /// that wanted to be the default when another was it.
   struct Conflict {
     PluginKind kind;
     std::string label;
@@ -95,12 +97,16 @@ class Registry {
   static Registry& instance();
 
   /// The second plugin of the same kind, label and implementation is refused: the first stays, and the conflict is
-  /// kept for `conflicts`.
+  /// kept for `conflicts`. Of two implementations that say that they are the default, the second does not become it.
   void add(PluginKind kind, PluginDescription description, Factory make);
 
-  /// By label or alias. For devices an empty implementation means the device's first one.
+  /// By label or alias. For devices an empty implementation means the default: the one that says so, or the only one.
+  /// Where there are several and none says so, it is the first by name; see `hasDefault`.
   /// @return null if there is none
   const Entry* find(PluginKind kind, const std::string& label, const std::string& implementation = "") const;
+
+  /// Whether a device of that label, which is there, has an implementation that is meant where none is named.
+  bool hasDefault(PluginKind kind, const std::string& label) const;
 
   /// By label or alias.
   /// @throws std::runtime_error naming all labels of the kind, if there is none

@@ -30,7 +30,8 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
   const Registry::Entry* entry = &reader.requirePlugin(kind, element, device.library);
   device.type = entry->description.label;
   const auto implementation = element.child("implementation");
-  if (implementation && !entry->description.free_parameters) {
+  const bool is_stand_in = entry->description.free_parameters;  // of a library that is not to be loaded
+  if (implementation && !is_stand_in) {
     implementation->allowAttributes({});
     const std::string name = implementation->text();
     entry = name.empty() ? nullptr : Registry::instance().find(kind, device.type, name);
@@ -40,6 +41,9 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
     if (entry == nullptr) {
       implementation->refuse(unknownName("implementation", name, implementationsOf(kind, device.type)));
     }
+  } else if (!implementation && !is_stand_in && !Registry::instance().hasDefault(kind, device.type)) {
+    element.refuse("found no <implementation> of " + std::string(toString(kind)) + " '" + device.type +
+                   "', which has no default, allowed: " + joinNames(implementationsOf(kind, device.type)));
   }
   device.implementation = entry->description.implementation;
   device.parameters = readPluginParameters(element, entry->description, valuesOf(path));

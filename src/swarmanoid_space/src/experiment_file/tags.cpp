@@ -40,7 +40,7 @@ ExperimentTag device(const std::string& section, const std::string& heading) {
           heading,
           "In <" + section + ">.",
           {text("library", "", "As for controllers.")},
-          {makeParameter("implementation", Type::kText, "", "", {}, "In brackets below; else the first of the type.")}};
+          {makeParameter("implementation", Type::kText, "", "", {}, "In brackets below; else the type's default.")}};
 }
 
 ExperimentTag rule(const std::string& name, const std::string& summary, std::vector<Attribute> attributes,
