@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
-"""Checks that packages include each other only along the arrows of docs/explanation/architecture.md, that logic stays free
-of ROS, and that no file grows beyond its bound."""
+"""Checks that packages, and rooms inside of packages, include each other only along the arrows of
+docs/explanation/architecture.md, that logic stays free of ROS, and that no file grows beyond its bound."""
 
+import os
 import pathlib
 import re
 import sys
@@ -20,6 +21,45 @@ def arrows():
     return allowed
 
 
+def room_arrows():
+    """Reads lines such as "swarmanoid_space/state -> models": by package, what each of its rooms may include."""
+    text = (ROOT / "docs/explanation/architecture.md").read_text()
+    allowed = {}
+    for package, room, others in re.findall(r"^    (swarmanoid_\w+)/(\S+) -> (.+)$", text, re.M):
+        names = [] if others == "(nothing)" else re.split(r",\s*", others)
+        allowed.setdefault(package, {})[room] = {room, *names}
+    return allowed
+
+
+def room_of(path):
+    """The folder that a source or public header lies in: "ros/recording"; "." for none. @param path in the repository"""
+    package = path.parts[1]
+    inside = path.parts[4:-1] if path.parts[2:4] == ("include", package) else path.parts[3:-1]
+    return "/".join(inside) or "."
+
+
+def included(path, name):
+    """The file of the same package that an include means; None: of another one."""
+    package = path.parts[1]
+    if name.startswith(package + "/"):
+        return pathlib.Path("src", package, "include", name)
+    beside = pathlib.Path(os.path.normpath(path.parent / name))
+    return beside if (ROOT / beside).exists() else None
+
+
+def room_problem(path, name, rooms):
+    """@return what is wrong with that include, or None"""
+    if path.parts[2] not in ("include", "src"):
+        return None  # tests look into every room
+    room = room_of(path)
+    if room not in rooms:
+        return f"the room {room} is not on the page"
+    target = included(path, name)
+    if target is not None and room_of(target) not in rooms[room]:
+        return f"the room {room} must not include {room_of(target)}"
+    return None
+
+
 def ros_allowed(path):
     """ROS is an edge: only files in a folder `ros`, nodelets and rostests may know it."""
     return "ros" in path.parts or "rostest" in path.parts or "nodelet" in path.name
@@ -27,8 +67,9 @@ def ros_allowed(path):
 
 def main():
     allowed = arrows()
+    rooms = room_arrows()
     problems = []
-    if not allowed:
+    if not allowed or not rooms:
         problems.append("docs/explanation/architecture.md has no arrows")
     for path in sorted(ROOT.glob("src/*/**/*")):
         if path.suffix not in (".cpp", ".hpp", ".py", ".h"):
@@ -43,11 +84,15 @@ def main():
             if not found:
                 continue
             first = found.group(1).split("/")[0]
+            if package in rooms:
+                problem = room_problem(relative, found.group(1), rooms[package])
+                if problem:
+                    problems.append(f"{relative}:{number}: {problem}")
             if first.startswith("swarmanoid_") and first != package and first not in allowed.get(package, ()):
                 problems.append(f"{relative}:{number}: {package} must not include {first}")
             if found.group(1) in ("ros/ros.h", "nodelet/nodelet.h") and not ros_allowed(relative):
                 problems.append(f"{relative}:{number}: {found.group(1)} belongs into a folder ros/ or a nodelet")
-    print("\n".join(problems) if problems else f"layers: {len(allowed)} packages, all includes along the arrows")
+    print("\n".join(problems) if problems else f"layers: {len(allowed)} packages, {sum(map(len, rooms.values()))} rooms, all includes along the arrows")
     return 1 if problems else 0
 
 

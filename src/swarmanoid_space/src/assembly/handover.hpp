@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "cast.hpp"
+#include "membership.hpp"
+#include "robot_instance.hpp"
 
 namespace swarmanoid {
 
@@ -34,6 +35,17 @@ std::string handoverProblem(const Space& space, const std::vector<RobotInstance>
 void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
                     std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
                     std::vector<Event>& events);
+
+/// A rule for one entity, and how far it has come.
+struct HandoverTrigger {
+  const HandoverDescription* rule = nullptr;
+  Engine* engine = nullptr;
+  Row row = kNoRow;
+  EntityNumber number = kNoEntity;
+  bool was_true = false;    ///< the condition, at the end of the last tick
+  bool is_due = false;      ///< it became true, is still true, and nothing has come of it yet
+  bool is_refused = false;  ///< since then; that has been reported
+};
 
 /// Whether the condition of a rule is true for an entity now.
 bool holds(const HandoverDescription& rule, const Space& space, Row row);

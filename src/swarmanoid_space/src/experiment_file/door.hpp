@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "../assembly/cast.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::door {
 
@@ -23,17 +24,5 @@ void check(const EntityDescription& entity, const Experiment& experiment);
 /// @throws ConfigError
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location);
-
-/// The wish that an engine hold an entity.
-struct Claim {
-  std::string engine;
-  std::optional<Role> role;  ///< none: the first moves it, if no other claim says that it does
-  SourceLocation location;
-};
-
-/// The memberships of an entity.
-/// @throws ConfigError for an engine that does not exist or stands there twice, and for two that would move the entity
-std::vector<Membership> memberships(const std::string& entity, const std::vector<Claim>& claims,
-                                    const std::vector<Named<Engine>>& engines);
 
 }  // namespace swarmanoid::door

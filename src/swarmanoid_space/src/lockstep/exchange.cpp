@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "../assembly/cast.hpp"
+#include "../assembly/robot_instance.hpp"
 #include "swarmanoid_interface/frame_parts.hpp"
 #include "swarmanoid_space/lockstep/controller_frames.hpp"
 #include "swarmanoid_space/lockstep/lockstep.hpp"

@@ -1,7 +1,7 @@
 // Part of phase 2: for which participants a tick waits, how long, and what is reported.
 #include <algorithm>
 
-#include "../assembly/cast.hpp"
+#include "../assembly/robot_instance.hpp"
 #include "swarmanoid_space/lockstep/lockstep.hpp"
 
 namespace swarmanoid {

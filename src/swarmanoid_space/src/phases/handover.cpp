@@ -1,5 +1,4 @@
 // Phase 5, at its end: rules for handover look at the new poses and grips, and at what controllers said.
-#include "../assembly/handover.hpp"
 
 #include "phases.hpp"
 

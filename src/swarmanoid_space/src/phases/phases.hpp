@@ -4,7 +4,10 @@
 #include <memory>
 #include <vector>
 
-#include "../assembly/cast.hpp"
+#include "../assembly/handover.hpp"
+#include "../assembly/robot_instance.hpp"
+#include "../assembly/workers.hpp"
+#include "swarmanoid_interface/command_mailbox.hpp"
 
 namespace swarmanoid::phases {
 

@@ -3,9 +3,11 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "../assembly/assembly.hpp"
 #include "../experiment_file/door.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
@@ -63,7 +65,8 @@ void refuseEndlessRun(const FrameworkDescription& framework) {
 Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts supplied)
     : experiment_(std::move(experiment)), context_(std::move(context)), supplied_(std::move(supplied)) {
   context_.experiment = &experiment_;
-  cast_ = std::make_unique<Cast>(experiment_.framework.threads);
+  assembly_ = std::make_unique<Assembly>(experiment_.framework.threads);
+  lockstep_ = std::make_unique<Lockstep>();
   space_.seed = experiment_.framework.seed;
   refuseEndlessRun(experiment_.framework);
   buildEngines();
@@ -73,7 +76,7 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
     const ObserverInstance observer{
         {makePlugin<Observer>(*entry), "visualisation '" + description.id + "' (" + description.label + ")"}};
     configure(observer, description.location, description.id, description.parameters, context_);
-    cast_->observers.push_back(observer);
+    assembly_->observers.push_back(observer);
   }
 }
 
@@ -95,18 +98,18 @@ void Simulation::buildEngines() {
     const std::string part = "engine '" + description.id + "' (" + description.label + ")";
     const auto supplied = supplied_.engines.find(description.id);
     if (supplied != supplied_.engines.end()) {
-      cast_->engines.push_back({supplied->second, part});
+      assembly_->engines.push_back({supplied->second, part});
     } else {
       const auto* entry = Registry::instance().find(PluginKind::kEngine, description.label);
-      cast_->engines.push_back({makePlugin<Engine>(*entry), part});
-      configure(cast_->engines.back(), description.location, description.id, description.parameters);
+      assembly_->engines.push_back({makePlugin<Engine>(*entry), part});
+      configure(assembly_->engines.back(), description.location, description.id, description.parameters);
     }
-    const std::string problem = cast_->engines.back()->unsupportedClocktickReason(experiment_.framework.clocktick);
+    const std::string problem = assembly_->engines.back()->unsupportedClocktickReason(experiment_.framework.clocktick);
     if (!problem.empty()) {
       throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
     }
-    cast_->engines.back()->takeTerrain(experiment_.arena.terrain);
-    space_.engines.push_back(cast_->engines.back().get());
+    assembly_->engines.back()->takeTerrain(experiment_.arena.terrain);
+    space_.engines.push_back(assembly_->engines.back().get());
     engine_parameters_.push_back(description.parameters);
   }
 }
@@ -148,7 +151,7 @@ void Simulation::buildControllerGroups() {
       const auto* entry = Registry::instance().find(PluginKind::kController, description.label);
       group->make = [entry] { return makePlugin<Controller>(*entry); };
     }
-    cast_->groups.push_back(std::move(group));
+    assembly_->groups.push_back(std::move(group));
   }
 }
 
@@ -159,7 +162,7 @@ void Simulation::buildBoundary() {
   constexpr double kThickness = 0.1;
   const Eigen::Vector3d& size = experiment_.arena.size;
   std::vector<Membership> everywhere;
-  for (const auto& engine : cast_->engines) {
+  for (const auto& engine : assembly_->engines) {
     everywhere.push_back({engine.get(), Role::kMove});
   }
   const auto addWall = [&](const std::string& side, const Eigen::Vector3d& centre, const Eigen::Vector3d& extent) {
@@ -183,7 +186,7 @@ void Simulation::buildBoundary() {
 }
 
 void Simulation::buildEntities() {
-  std::unordered_map<std::string, std::vector<door::Claim>> claims;  // by entity
+  std::unordered_map<std::string, std::vector<Claim>> claims;  // by entity
   for (const MappingDescription& mapping : experiment_.mappings) {
     for (const MappingDescription::Member& member : mapping.members) {
       claims[member.entity].push_back({mapping.engine, member.role, member.location});
@@ -191,7 +194,7 @@ void Simulation::buildEntities() {
   }
   for (const EntityDescription& entity : experiment_.arena.entities) {
     door::check(entity, experiment_);
-    const std::vector<Membership> memberships = door::memberships(entity.id, claims[entity.id], cast_->engines);
+    const std::vector<Membership> memberships = membershipsOf(entity.id, claims[entity.id], assembly_->engines);
     if (entity.distribution) {
       distribute(entity, memberships);
     } else {

@@ -1,7 +1,7 @@
 // Engines of a running experiment as seen from outside: how they are, and parameters that change live.
 #include <algorithm>
 
-#include "../assembly/cast.hpp"
+#include "../assembly/assembly.hpp"
 #include "../experiment_file/parameter_table.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
@@ -57,11 +57,11 @@ Configuration with(const Configuration& old, const std::string& name, const std:
 
 std::size_t Simulation::engineIndex(const std::string& id) const {
   std::vector<std::string> known;
-  for (std::size_t i = 0; i < cast_->engines.size(); ++i) {
-    if (cast_->engines[i]->id() == id) {
+  for (std::size_t i = 0; i < assembly_->engines.size(); ++i) {
+    if (assembly_->engines[i]->id() == id) {
       return i;
     }
-    known.push_back(cast_->engines[i]->id());
+    known.push_back(assembly_->engines[i]->id());
   }
   throw ConfigError({}, "engine '" + id + "' does not exist; there are: " + joinNames(known) + didYouMean(id, known));
 }
@@ -88,7 +88,7 @@ void Simulation::setEngineParameters(const std::string& engine, const NamedValue
   if (events.empty()) {
     return;
   }
-  cast_->engines[index]->reconfigure(parameters);
+  assembly_->engines[index]->reconfigure(parameters);
   engine_parameters_[index] = std::move(parameters);
   pending_events_.insert(pending_events_.end(), events.begin(), events.end());
 }
@@ -96,14 +96,14 @@ void Simulation::setEngineParameters(const std::string& engine, const NamedValue
 void Simulation::restoreEngineParameters() {
   for (std::size_t i = 0; i < engine_parameters_.size(); ++i) {
     engine_parameters_[i] = experiment_.engines[i].parameters;
-    cast_->engines[i]->reconfigure(engine_parameters_[i]);
+    assembly_->engines[i]->reconfigure(engine_parameters_[i]);
   }
 }
 
 std::vector<EngineReport> Simulation::engineReports() const {
   std::vector<EngineReport> reports;
-  for (std::size_t i = 0; i < cast_->engines.size(); ++i) {
-    const Engine* engine = cast_->engines[i].get();
+  for (std::size_t i = 0; i < assembly_->engines.size(); ++i) {
+    const Engine* engine = assembly_->engines[i].get();
     EngineReport report;
     report.id = engine->id();
     report.label = experiment_.engines[i].label;
@@ -114,8 +114,8 @@ std::vector<EngineReport> Simulation::engineReports() const {
         continue;
       }
       report.moved += space_.mover[k] == engine ? 1 : 0;
-      report.mirrored += static_cast<std::size_t>(
-          std::count_if(cast_->memberships[k].begin(), cast_->memberships[k].end(), [&](const Membership& membership) {
+      report.mirrored += static_cast<std::size_t>(std::count_if(
+          assembly_->memberships[k].begin(), assembly_->memberships[k].end(), [&](const Membership& membership) {
             return membership.engine == engine && membership.role == Role::kMirror;
           }));
     }

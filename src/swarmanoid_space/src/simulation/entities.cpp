@@ -1,8 +1,7 @@
 // Adding entities to a simulation and taking them out of it: decide first, then commit.
 #include <algorithm>
 
-#include "../assembly/cast.hpp"
-#include "../assembly/handover.hpp"
+#include "../assembly/assembly.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
@@ -19,22 +18,9 @@ namespace {
 
 }  // namespace
 
-std::vector<std::string> devicesOf(const ControllerGroup* group) {
-  std::vector<std::string> devices;
-  if (group != nullptr) {
-    for (const auto& sensor : group->sensors) {
-      devices.emplace_back(sensor->type());
-    }
-    for (const auto& actuator : group->actuators) {
-      devices.emplace_back(actuator->type());
-    }
-  }
-  return devices;
-}
-
 void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                                 const std::vector<Membership>& memberships) const {
-  const std::vector<std::string> devices = devicesOf(cast_->findGroup(entity.controller));
+  const std::vector<std::string> devices = devicesOf(assembly_->findGroup(entity.controller));
   for (const Membership& membership : memberships) {
     const std::string in_engine = "' in engine '" + membership.engine->id() + "': ";
     std::string problem = membership.engine->invalidPoseReason(model, pose);
@@ -69,8 +55,8 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
   space_.outside[i] = 0;
   space_.mover[i] = nullptr;
   space_.controllers[i] = ControllerState{};
-  cast_->memberships.resize(space_.entities.rowCount());
-  cast_->memberships[i].clear();
+  assembly_->memberships.resize(space_.entities.rowCount());
+  assembly_->memberships[i].clear();
   try {
     if (!entity.controller.empty()) {
       giveController(row, entity);
@@ -80,9 +66,9 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
     throw;
   }
   for (const Membership& membership : memberships) {
-    callPlugin("add", cast_->partOf(*membership.engine), UserCode::kNoTick,
+    callPlugin("add", assembly_->partOf(*membership.engine), UserCode::kNoTick,
                [&] { membership.engine->add(space_, row, membership.role); });
-    cast_->memberships[i].push_back(membership);
+    assembly_->memberships[i].push_back(membership);
     if (membership.role == Role::kMove) {
       space_.mover[i] = membership.engine;
     }
@@ -95,10 +81,10 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
 
 void Simulation::giveController(Row row, const EntityDescription& entity) {
   const auto i = static_cast<std::size_t>(row);
-  ControllerGroup* group = cast_->findGroup(entity.controller);
+  ControllerGroup* group = assembly_->findGroup(entity.controller);
   auto robot = std::make_unique<Robot>(entity.id, entity.type, space_.seed);
   robot->setLogSink(log_sink_);
-  RobotInstance& instance = cast_->robots.emplace_back();  // entity numbers only grow
+  RobotInstance& instance = assembly_->robots.emplace_back();  // entity numbers only grow
   instance.row = row;
   instance.robot = robot.get();
   instance.group = group;
@@ -140,14 +126,14 @@ void Simulation::destroyController(RobotInstance& instance) {
 }
 
 void Simulation::destroyControllers() {
-  for (RobotInstance& instance : cast_->robots) {
+  for (RobotInstance& instance : assembly_->robots) {
     destroyController(instance);
   }
 }
 
 void Simulation::removeEntity(Row row) {
   const auto i = static_cast<std::size_t>(row);
-  if (RobotInstance* instance = cast_->findRobot(space_.entities, row)) {
+  if (RobotInstance* instance = assembly_->findRobot(space_.entities, row)) {
     destroyController(*instance);
     for (const auto& sensor : instance->group->sensors) {
       sensor->remove(space_, row);
@@ -155,17 +141,17 @@ void Simulation::removeEntity(Row row) {
     for (const auto& actuator : instance->group->actuators) {
       actuator->remove(space_, row);
     }
-    cast_->robots.erase(cast_->robots.begin() + (instance - cast_->robots.data()));
+    assembly_->robots.erase(assembly_->robots.begin() + (instance - assembly_->robots.data()));
   }
   space_.robots[i].reset();
   space_.controllers[i] = ControllerState{};
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
-  for (const Membership& membership : cast_->memberships[i]) {
-    callPlugin("remove", cast_->partOf(*membership.engine), UserCode::kNoTick,
+  for (const Membership& membership : assembly_->memberships[i]) {
+    callPlugin("remove", assembly_->partOf(*membership.engine), UserCode::kNoTick,
                [&] { membership.engine->remove(space_, row); });
   }
-  cast_->memberships[i].clear();
+  assembly_->memberships[i].clear();
   space_.mover[i] = nullptr;
   auto& lone = space_.entities_without_engine;
   lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
@@ -173,16 +159,16 @@ void Simulation::removeEntity(Row row) {
 }
 
 void Simulation::unbuild() {
-  for (RobotInstance& instance : cast_->robots) {
+  for (RobotInstance& instance : assembly_->robots) {
     destroyController(instance);
   }
-  cast_->robots.clear();
-  for (const auto& engine : cast_->engines) {
+  assembly_->robots.clear();
+  for (const auto& engine : assembly_->engines) {
     engine->clear();
   }
-  cast_->groups.clear();
-  cast_->memberships.clear();
-  cast_->triggers.clear();
+  assembly_->groups.clear();
+  assembly_->memberships.clear();
+  assembly_->triggers.clear();
   space_.entities.clear();
   space_.structure.clear();
   space_.attachments.clear();

@@ -2,7 +2,8 @@
 #include <algorithm>
 #include <map>
 
-#include "../assembly/handover.hpp"
+#include "../assembly/assembly.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -51,7 +52,7 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
     }
     throw ConfigError({}, "there is no entity '" + name + "'" + didYouMean(name, known));
   }
-  Engine* engine = cast_->findEngine(engine_id);
+  Engine* engine = assembly_->findEngine(engine_id);
   if (engine == nullptr) {
     const std::vector<std::string> known = engineIds(space_);
     throw ConfigError(
@@ -62,20 +63,20 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
     return;
   }
   const std::vector<Row> members = connectedTo(space_.entities, space_.structure, space_.attachments, row);
-  refreshMirrors(space_, cast_->memberships, *engine);
-  const std::string problem = handoverProblem(space_, cast_->robots, cast_->memberships, members, row, *engine);
+  refreshMirrors(space_, assembly_->memberships, *engine);
+  const std::string problem = handoverProblem(space_, assembly_->robots, assembly_->memberships, members, row, *engine);
   if (!problem.empty()) {
     throw ConfigError({}, space_.entities.model[i]->type + " '" + name + "' cannot be handed over to engine '" +
                               engine_id + "': " + problem);
   }
   pending_events_.push_back({Event::Kind::kIntervention, name, "", "handover to " + engine_id});
-  commitHandover(space_, cast_->robots, cast_->memberships, members, *engine, pending_events_);
+  commitHandover(space_, assembly_->robots, assembly_->memberships, members, *engine, pending_events_);
 }
 
 void Simulation::buildTriggers() {
   const std::map<std::string, std::size_t> quantities = quantitiesIn(experiment_.arena);
   for (const HandoverDescription& rule : experiment_.handovers) {
-    Engine* engine = cast_->findEngine(rule.engine);
+    Engine* engine = assembly_->findEngine(rule.engine);
     if (engine == nullptr) {
       throw ConfigError(rule.location, "handover: engine '" + rule.engine + "' does not exist");
     }
@@ -86,10 +87,10 @@ void Simulation::buildTriggers() {
       }
       const auto i = static_cast<std::size_t>(row);
       const EntityModel& model = *space_.entities.model[i];
-      RobotInstance* instance = cast_->findRobot(space_.entities, row);
+      RobotInstance* instance = assembly_->findRobot(space_.entities, row);
       std::string problem = model.is_movable
                                 ? unsupportedReasonOf(*engine, model, devicesOf(instance ? instance->group : nullptr),
-                                                      cast_->memberships[i])
+                                                      assembly_->memberships[i])
                                 : "is fixed, no engine moves it";
       if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && instance == nullptr) {
         problem = "has no controller, so it has no debug values";
@@ -99,10 +100,10 @@ void Simulation::buildTriggers() {
                           "handover of " + model.type + " '" + name + "' to engine '" + rule.engine + "': " + problem);
       }
       // what is true from the start has not become true
-      cast_->triggers.push_back({&rule, engine, row, space_.entities.number[i], holds(rule, space_, row)});
+      assembly_->triggers.push_back({&rule, engine, row, space_.entities.number[i], holds(rule, space_, row)});
     }
   }
-  std::stable_sort(cast_->triggers.begin(), cast_->triggers.end(),
+  std::stable_sort(assembly_->triggers.begin(), assembly_->triggers.end(),
                    [](const HandoverTrigger& a, const HandoverTrigger& b) { return a.number < b.number; });
 }
 

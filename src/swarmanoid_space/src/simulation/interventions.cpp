@@ -1,4 +1,5 @@
 // What comes from outside, between ticks.
+#include "../assembly/assembly.hpp"
 #include "../experiment_file/door.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -8,11 +9,11 @@ namespace swarmanoid {
 
 void Simulation::spawn(const EntityDescription& entity, const std::vector<std::string>& engines) {
   door::check(entity, experiment_);
-  std::vector<door::Claim> claims;
+  std::vector<Claim> claims;
   for (const std::string& engine : engines) {
     claims.push_back({engine, std::nullopt, entity.location});
   }
-  const std::vector<Membership> memberships = door::memberships(entity.id, claims, cast_->engines);
+  const std::vector<Membership> memberships = membershipsOf(entity.id, claims, assembly_->engines);
   if (space_.entities.size() >= limits::kMostEntities) {
     throw ConfigError(entity.location, "found " + std::to_string(space_.entities.size()) +
                                            " entities in the arena already, allowed: no more");
@@ -49,13 +50,14 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   EntityDescription entity;
   entity.id = name;
   entity.type = space_.entities.model[i]->type;
-  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target, cast_->memberships[i]);
+  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target,
+                 assembly_->memberships[i]);
   // what is connected would be torn apart
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
   space_.entities.pose[i] = target;
   space_.entities.twist[i] = Twist{};
-  for (const Membership& membership : cast_->memberships[i]) {
+  for (const Membership& membership : assembly_->memberships[i]) {
     membership.engine->place(space_, row);
   }
   space_.index.rebuild(space_.entities);
@@ -81,7 +83,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   }
   restoreEngineParameters();
   build();
-  for (ObserverInstance& observer : cast_->observers) {
+  for (ObserverInstance& observer : assembly_->observers) {
     observer.is_finished = false;
     callPlugin("reset", observer.part, UserCode::kNoTick, [&] { observer->reset(); });
   }

@@ -5,13 +5,14 @@
 #include <chrono>
 #include <exception>
 
-#include "../assembly/cast.hpp"
+#include "../assembly/assembly.hpp"
 #include "../assembly/stopwatch.hpp"
 #include "../phases/phases.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 
 namespace swarmanoid {
 
@@ -35,28 +36,28 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     return true;
   }
   Stopwatch stopwatch;
-  phases::sense(space_, cast_->groups, cast_->workers);
+  phases::sense(space_, assembly_->groups, assembly_->workers);
   stopwatch.lap(phase_times_.sense);
-  if (!cast_->lockstep.exchange(space_, cast_->robots, pending_events_, log_sink_, is_disturbed)) {
+  if (!lockstep_->exchange(space_, assembly_->robots, pending_events_, log_sink_, is_disturbed)) {
     return false;
   }
   space_.events.assign(pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
-  phases::report(space_, cast_->groups);
+  phases::report(space_, assembly_->groups);
   if (supplied_.commands != nullptr) {
-    phases::applyTopics(space_, cast_->robots, *supplied_.commands, log_sink_);
+    phases::applyTopics(space_, assembly_->robots, *supplied_.commands, log_sink_);
   }
-  phases::control(space_, cast_->robots, cast_->workers);
+  phases::control(space_, assembly_->robots, assembly_->workers);
   restoreLocale();
   stopwatch.lap(phase_times_.control);
-  phases::actuate(space_, cast_->groups, cast_->faulty);
+  phases::actuate(space_, assembly_->groups, faulty_);
   noteFailures();
-  phases::stopSafely(space_, cast_->robots);
+  phases::stopSafely(space_, assembly_->robots);
   stopwatch.lap(phase_times_.actuate);
-  phases::move(space_, cast_->engines, cast_->workers, phase_times_.engines);
+  phases::move(space_, assembly_->engines, assembly_->workers, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
-  phases::connect(space_, cast_->engines, cast_->groups);
-  phases::handOver(space_, cast_->robots, cast_->triggers, cast_->memberships);
+  phases::connect(space_, assembly_->engines, assembly_->groups);
+  phases::handOver(space_, assembly_->robots, assembly_->triggers, assembly_->memberships);
   stopwatch.lap(phase_times_.connect);
   phases::index(space_);
   stopwatch.lap(phase_times_.index);
@@ -67,7 +68,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   if (space_.tick >= experiment_.framework.max_clock) {
     space_.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
-  finish_asked_ = phases::show(space_, cast_->observers);
+  finish_asked_ = phases::show(space_, assembly_->observers);
   stopwatch.lap(phase_times_.show);
   if (stopwatch.last() >= next_flush_) {
     double seconds = 0.0;
@@ -79,15 +80,15 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
 }
 
 void Simulation::noteFailures() {
-  for (const Row row : cast_->faulty) {
-    RobotInstance* instance = cast_->findRobot(space_.entities, row);
+  for (const Row row : faulty_) {
+    RobotInstance* instance = assembly_->findRobot(space_.entities, row);
     if (!instance->has_failed) {
       instance->has_failed = true;
       instance->failure = kNotFinite;
       space_.controllers[static_cast<std::size_t>(row)].status = StepStatus::kFailed;
     }
   }
-  for (RobotInstance& instance : cast_->robots) {
+  for (RobotInstance& instance : assembly_->robots) {
     if (!instance.has_failed || instance.failure.empty()) {
       continue;
     }
@@ -119,7 +120,7 @@ void Simulation::start() {
   phases::index(space_);
   space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
-  finish_asked_ = phases::show(space_, cast_->observers);
+  finish_asked_ = phases::show(space_, assembly_->observers);
   flush();
 }
 
@@ -149,7 +150,7 @@ void callAll(std::vector<ObserverInstance>& observers, const char* phase, Action
 
 void Simulation::flush() {
   next_flush_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
-  callAll(cast_->observers, "flush", [](ObserverInstance& observer) { observer->flush(); });
+  callAll(assembly_->observers, "flush", [](ObserverInstance& observer) { observer->flush(); });
 }
 
 void Simulation::finish() {
@@ -158,7 +159,7 @@ void Simulation::finish() {
   if (!is_started_) {
     return;
   }
-  callAll(cast_->observers, "finish", [](ObserverInstance& observer) {
+  callAll(assembly_->observers, "finish", [](ObserverInstance& observer) {
     if (!observer.is_finished && !observer.is_given_up) {
       observer.is_finished = true;  // before the call: if that does not return, the others are still to be called
       observer->finish();
@@ -167,16 +168,16 @@ void Simulation::finish() {
 }
 
 void Simulation::giveUp(const std::string& part) {
-  for (ObserverInstance& observer : cast_->observers) {
+  for (ObserverInstance& observer : assembly_->observers) {
     observer.is_given_up = observer.is_given_up || observer.part == part;
   }
 }
 
-std::size_t Simulation::robotCount() const { return cast_->robots.size(); }
+std::size_t Simulation::robotCount() const { return assembly_->robots.size(); }
 
 Metrics Simulation::metrics() const {
   Metrics metrics;
-  for (const ObserverInstance& observer : cast_->observers) {
+  for (const ObserverInstance& observer : assembly_->observers) {
     if (!observer.is_given_up) {
       observer->addMetrics(metrics);
     }
@@ -186,7 +187,7 @@ Metrics Simulation::metrics() const {
 
 std::optional<bool> Simulation::success() const {
   std::optional<bool> result;
-  for (const ObserverInstance& observer : cast_->observers) {
+  for (const ObserverInstance& observer : assembly_->observers) {
     if (const auto judged = observer.is_given_up ? std::nullopt : observer->success()) {
       result = result.value_or(true) && *judged;
     }
@@ -196,50 +197,14 @@ std::optional<bool> Simulation::success() const {
 
 void Simulation::addObserver(std::shared_ptr<Observer> observer) {
   const std::string part = "visualisation '" + observer->id() + "'";
-  cast_->observers.push_back({{std::move(observer), part}});
+  assembly_->observers.push_back({{std::move(observer), part}});
 }
 
 void Simulation::setLogSink(Robot::LogSink sink) {
   log_sink_ = std::move(sink);
-  for (RobotInstance& instance : cast_->robots) {
+  for (RobotInstance& instance : assembly_->robots) {
     instance.robot->setLogSink(log_sink_);
   }
-}
-
-Engine* Simulation::Cast::findEngine(const std::string& id) const {
-  for (const auto& engine : engines) {
-    if (engine->id() == id) {
-      return engine.get();
-    }
-  }
-  return nullptr;
-}
-
-const std::string& Simulation::Cast::partOf(const Engine& engine) const {
-  const auto found =
-      std::find_if(engines.begin(), engines.end(), [&](const auto& known) { return known.get() == &engine; });
-  SWARMANOID_EXPECTS(found != engines.end());
-  return found->part;
-}
-
-ControllerGroup* Simulation::Cast::findGroup(const std::string& id) const {
-  for (const auto& group : groups) {
-    if (group->description->id == id) {
-      return group.get();
-    }
-  }
-  return nullptr;
-}
-
-RobotInstance* Simulation::Cast::findRobot(const Entities& entities, Row row) {
-  if (row == kNoRow) {
-    return nullptr;
-  }
-  const auto numberOf = [&](Row of) { return entities.number[static_cast<std::size_t>(of)]; };
-  const auto found = std::lower_bound(
-      robots.begin(), robots.end(), numberOf(row),
-      [&](const RobotInstance& instance, EntityNumber number) { return numberOf(instance.row) < number; });
-  return found != robots.end() && found->row == row ? &*found : nullptr;
 }
 
 }  // namespace swarmanoid

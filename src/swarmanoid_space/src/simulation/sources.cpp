@@ -1,10 +1,11 @@
 // The source of a robot's commands: its controller here, a participant elsewhere, publishers on its topics, or none.
 #include <set>
 
-#include "../assembly/cast.hpp"
+#include "../assembly/assembly.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 #include "swarmanoid_space/lockstep/controller_frames.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
@@ -40,11 +41,11 @@ std::optional<CommandSource> parseCommandSource(const std::string& text) {
   return std::nullopt;
 }
 
-Lockstep& Simulation::lockstep() { return cast_->lockstep; }
+Lockstep& Simulation::lockstep() { return *lockstep_; }
 
-void Simulation::interrupt() { cast_->lockstep.cancel(); }
+void Simulation::interrupt() { lockstep_->cancel(); }
 
-void Simulation::wake() { cast_->lockstep.wake(); }
+void Simulation::wake() { lockstep_->wake(); }
 
 void Simulation::refuseUnlessReachable(const RobotInstance& instance, CommandSource source) const {
   if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
@@ -54,15 +55,15 @@ void Simulation::refuseUnlessReachable(const RobotInstance& instance, CommandSou
 
 void Simulation::offerRobots() {
   std::vector<std::pair<RemoteRobot, std::size_t>> robots;
-  for (std::size_t i = 0; i < cast_->robots.size(); ++i) {
-    if (cast_->robots[i].source == CommandSource::kRemote) {
-      robots.emplace_back(describe(cast_->robots[i]), i);
+  for (std::size_t i = 0; i < assembly_->robots.size(); ++i) {
+    if (assembly_->robots[i].source == CommandSource::kRemote) {
+      robots.emplace_back(describe(assembly_->robots[i]), i);
     }
   }
-  cast_->lockstep.offer(robots, space_);
+  lockstep_->offer(robots, space_);
   if (supplied_.commands != nullptr) {
     std::set<std::string> commanded_by_topics;
-    for (const RobotInstance& instance : cast_->robots) {
+    for (const RobotInstance& instance : assembly_->robots) {
       if (instance.source == CommandSource::kTopics) {
         commanded_by_topics.insert(instance.robot->name());
       }
@@ -72,7 +73,7 @@ void Simulation::offerRobots() {
 }
 
 void Simulation::setCommandSource(const std::string& robot, CommandSource source) {
-  RobotInstance* instance = cast_->findRobot(space_.entities, space_.entities.find(robot));
+  RobotInstance* instance = assembly_->findRobot(space_.entities, space_.entities.find(robot));
   if (instance == nullptr) {
     throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
   }

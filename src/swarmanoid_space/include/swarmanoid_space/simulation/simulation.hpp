@@ -63,8 +63,9 @@ struct EngineReport {
 };
 
 class Lockstep;
+struct Assembly;
+struct Membership;
 struct RobotInstance;
-struct Membership;  // of an entity in one engine, with its role there (src/cast.hpp)
 
 class Simulation {
  public:
@@ -159,8 +160,6 @@ class Simulation {
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:
-  struct Cast;  // engines, devices, controllers, observers (src/cast.hpp)
-
   void build();
   void buildEngines();
   void buildControllerGroups();
@@ -187,7 +186,9 @@ class Simulation {
   RunContext context_;
   SuppliedParts supplied_;
   Space space_;
-  std::unique_ptr<Cast> cast_;
+  std::unique_ptr<Assembly> assembly_;            // engines, robots, observers
+  std::unique_ptr<Lockstep> lockstep_;            // commands from other processes
+  std::vector<Row> faulty_;                       // scratch of `actuate`
   std::vector<Configuration> engine_parameters_;  // as of now, in the order of Space::engines
   PhaseTimes phase_times_;
   std::vector<ControllerFailure> failures_;

@@ -1,0 +1,36 @@
+/// All that a simulation is assembled of beside its space: threads, engines, robots, observers, and who belongs where.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "handover.hpp"
+#include "membership.hpp"
+#include "named_plugin.hpp"
+#include "robot_instance.hpp"
+#include "swarmanoid_space/space.hpp"
+#include "workers.hpp"
+
+namespace swarmanoid {
+
+struct Assembly {
+  explicit Assembly(int threads) : workers(threads) {}
+
+  Workers workers;
+  std::vector<Named<Engine>> engines;
+  std::vector<std::unique_ptr<ControllerGroup>> groups;
+  std::vector<RobotInstance> robots;                 ///< by entity number
+  std::vector<std::vector<Membership>> memberships;  ///< by entity row
+  std::vector<HandoverTrigger> triggers;             ///< by entity number, then as in the file
+  std::vector<ObserverInstance> observers;
+
+  Engine* findEngine(const std::string& id) const;
+  /// As UserCode has it. @pre it is one of the engines
+  const std::string& partOf(const Engine& engine) const;
+  ControllerGroup* findGroup(const std::string& id) const;
+  /// @return null for an entity without a controller, and for kNoRow
+  RobotInstance* findRobot(const Entities& entities, Row row);
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,46 @@
+/// The robots of a simulation, with their controllers, and the controller configurations that they share.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "named_plugin.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/actuator.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid {
+
+/// One controller configuration of the experiment, with the devices that all its robots share.
+struct ControllerGroup {
+  const ControllerDescription* description = nullptr;
+  std::vector<Named<Sensor>> sensors;
+  std::vector<Named<Actuator>> actuators;
+  std::function<std::shared_ptr<Controller>()> make;
+  std::string part;  ///< what `make` makes, as UserCode has it
+};
+
+/// Types of its devices; none without a group.
+std::vector<std::string> devicesOf(const ControllerGroup* group);
+
+/// One robot of the simulation, with its controller and its failure.
+struct RobotInstance {
+  Row row = kNoRow;
+  Robot* robot = nullptr;
+  ControllerGroup* group = nullptr;
+  CommandSource source = CommandSource::kController;
+  std::shared_ptr<Controller> controller;  ///< null unless the source is kController
+  UserCode step;                           ///< of the controller
+  Duration command_timeout{};              ///< with kTopics, these three
+  Time last_command = kEpoch;
+  bool is_commanded = false;        ///< a command has come, and not too long ago
+  std::optional<Time> stops_since;  ///< no controller commands it any more, and its safe stop is not over
+  bool has_failed = false;
+  std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
+};
+
+}  // namespace swarmanoid
