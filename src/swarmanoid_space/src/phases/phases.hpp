@@ -1,4 +1,6 @@
-/// The phases of a tick, one file each, in this order. What a phase reads and writes is in its signature.
+/// The phases of a tick, one file each, in this order. A phase gets the space const, and the parts that it writes.
+/// Those that call plugins which write to the space hand all of it on: what such a plugin may write is said by its base
+/// class.
 #pragma once
 
 #include <memory>
@@ -19,12 +21,13 @@ void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& g
 
 /// What has come over topics becomes the commands of the robots with that source; a robot that gets none for its
 /// time-out stops.
-void applyTopics(Space& space, std::vector<RobotInstance>& instances, CommandMailbox& mailbox,
-                 const Robot::LogSink& log);
+void applyTopics(const Space& space, Banks& commands, std::vector<Event>& events, std::vector<RobotInstance>& instances,
+                 CommandMailbox& mailbox, const Robot::LogSink& log);
 
 /// Every controller of this process turns readings into commands; those of participants have done so before, see
 /// Lockstep::exchange. A robot whose controller throws is marked as failed.
-void control(Space& space, std::vector<RobotInstance>& instances, const Workers& workers);
+void control(const Space& space, std::vector<ControllerState>& states, std::vector<RobotInstance>& instances,
+             const Workers& workers);
 
 /// Robots that are being stopped get the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
 void stopSafely(Space& space, std::vector<RobotInstance>& instances);
@@ -45,7 +48,7 @@ void handOver(Space& space, const std::vector<RobotInstance>& instances, std::ve
               std::vector<std::vector<Membership>>& memberships);
 
 /// The positional index gets the new poses; an event names entities that have left the arena.
-void index(Space& space);
+void index(const Space& space, PositionalIndex& index, std::vector<char>& outside, std::vector<Event>& events);
 
 /// All observers draw. @return whether one asks to finish
 bool show(const Space& space, const std::vector<ObserverInstance>& observers);

@@ -6,23 +6,23 @@
 namespace swarmanoid::phases {
 namespace {
 
-void report(Space& space, const RobotInstance& instance, LogLevel level, const std::string& text,
+void report(std::vector<Event>& events, const RobotInstance& instance, LogLevel level, const std::string& text,
             const Robot::LogSink& log) {
-  space.events.push_back({Event::Kind::kIntervention, instance.robot->name(), "", text});
+  events.push_back({Event::Kind::kIntervention, instance.robot->name(), "", text});
   if (log) {
     log(level, instance.robot->name(), text);
   }
 }
 
 /// @return whether there was a command for the robot
-bool apply(const CommandMailbox::Commands& commands, Space& space, const RobotInstance& instance) {
+bool apply(const CommandMailbox::Commands& received, const Banks& commands, const RobotInstance& instance) {
   bool has_applied = false;
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
   for (const auto& actuator : instance.group->actuators) {
-    const auto command = commands.find({instance.robot->name(), actuator->type()});
-    if (command != commands.end()) {
+    const auto command = received.find({instance.robot->name(), actuator->type()});
+    if (command != received.end()) {
       ByteReader in(command->second);
-      findDeviceType(actuator->type())->read(in, space.commands.find(actuator->type(), instance.row), parts);
+      findDeviceType(actuator->type())->read(in, commands.find(actuator->type(), instance.row), parts);
       has_applied = true;
     }
   }
@@ -31,27 +31,27 @@ bool apply(const CommandMailbox::Commands& commands, Space& space, const RobotIn
 
 }  // namespace
 
-void applyTopics(Space& space, std::vector<RobotInstance>& instances, CommandMailbox& mailbox,
-                 const Robot::LogSink& log) {
+void applyTopics(const Space& space, Banks& commands, std::vector<Event>& events, std::vector<RobotInstance>& instances,
+                 CommandMailbox& mailbox, const Robot::LogSink& log) {
   if (mailbox.isIdle()) {
     return;
   }
-  const CommandMailbox::Commands commands = mailbox.take();
+  const CommandMailbox::Commands received = mailbox.take();
   for (RobotInstance& instance : instances) {
     if (instance.source != CommandSource::kTopics || instance.has_failed) {
       continue;
     }
-    if (apply(commands, space, instance)) {
+    if (apply(received, commands, instance)) {
       instance.last_command = space.time;
       instance.stops_since.reset();
       if (!instance.is_commanded) {
         instance.is_commanded = true;
-        report(space, instance, LogLevel::kInfo, "commands come over topics", log);
+        report(events, instance, LogLevel::kInfo, "commands come over topics", log);
       }
     } else if (instance.is_commanded && space.time - instance.last_command >= instance.command_timeout) {
       instance.is_commanded = false;
       instance.stops_since = space.time;
-      report(space, instance, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
+      report(events, instance, LogLevel::kWarning, "no more commands over topics, the robot stops", log);
     }
   }
 }

@@ -45,9 +45,9 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   pending_events_.clear();
   phases::report(space_, assembly_->groups);
   if (supplied_.commands != nullptr) {
-    phases::applyTopics(space_, assembly_->robots, *supplied_.commands, log_sink_);
+    phases::applyTopics(space_, space_.commands, space_.events, assembly_->robots, *supplied_.commands, log_sink_);
   }
-  phases::control(space_, assembly_->robots, assembly_->workers);
+  phases::control(space_, space_.controllers, assembly_->robots, assembly_->workers);
   restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(space_, assembly_->groups, faulty_);
@@ -59,7 +59,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phases::connect(space_, assembly_->engines, assembly_->groups);
   phases::handOver(space_, assembly_->robots, assembly_->triggers, assembly_->memberships);
   stopwatch.lap(phase_times_.connect);
-  phases::index(space_);
+  phases::index(space_, space_.index, space_.outside, space_.events);
   stopwatch.lap(phase_times_.index);
   logNewOverflows();
 
@@ -117,7 +117,7 @@ void Simulation::logNewOverflows() {
 
 void Simulation::start() {
   is_started_ = true;
-  phases::index(space_);
+  phases::index(space_, space_.index, space_.outside, space_.events);
   space_.events.insert(space_.events.end(), pending_events_.begin(), pending_events_.end());
   pending_events_.clear();
   finish_asked_ = phases::show(space_, assembly_->observers);
