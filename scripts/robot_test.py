@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""robot_test.py: a robot's computer. Builds a workspace of the three packages that it has, no others, looks whether
+"""robot_test.py: a robot's computer. Builds a workspace of the four packages that it has, no others, looks whether
 anything of a simulator is needed or linked there, and runs controllers against the mock drivers."""
 
 import glob

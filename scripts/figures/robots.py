@@ -29,13 +29,13 @@ def conformance(table, build):
 def stops(table):
     table.add("safe stop of footbot, eyebot, handbot: exception, lost sensors, SIGINT; watchdogs of drivers",
               "within one control period of the exception, the stated time-out of lost sensors",
-              *rostest("robot_safe_stop", "interface"))
+              *rostest("robot_safe_stop", "hosts"))
     table.add("missing devices, overruns, devices that are not listed", "named; reported; silent",
-              *rostest("robot_host", "interface"))
+              *rostest("robot_host", "hosts"))
 
 
 def workspace(table):
-    table.add("robot-only workspace: three packages built, controllers of the experiments against mock drivers",
+    table.add("robot-only workspace: four packages built, controllers of the experiments against mock drivers",
               "builds and runs; no ODE, Box2D, simulator package", *last_words_of([ROOT / "scripts/robot_test.py"]))
 
 

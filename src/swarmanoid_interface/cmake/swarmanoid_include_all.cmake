@@ -1,4 +1,4 @@
-# swarmanoid_include_all(SOURCE FOLDER): writes SOURCE, in the build folder, which includes all headers of include/FOLDER, so
+# swarmanoid_include_all(SOURCE FOLDER): writes a source, whose path SOURCE gets, that includes all headers of include/FOLDER, so
 # that what they register is in the library. A header that comes or goes is noticed when the package is built.
 function(swarmanoid_include_all source folder)
   file(GLOB _headers RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include CONFIGURE_DEPENDS
@@ -7,5 +7,10 @@ function(swarmanoid_include_all source folder)
   foreach(_header ${_headers})
     string(APPEND _text "#include \"${_header}\"\n")
   endforeach()
-  file(GENERATE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${source} CONTENT "${_text}")
+  string(MAKE_C_IDENTIFIER ${folder} _name)
+  set(_file ${CMAKE_CURRENT_BINARY_DIR}/${_name}.cpp)
+  file(GENERATE OUTPUT ${_file} CONTENT "${_text}")
+  # alone, so that clang-tidy finds the sources of the package as they are compiled
+  set_source_files_properties(${_file} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+  set(${source} ${_file} PARENT_SCOPE)
 endfunction()

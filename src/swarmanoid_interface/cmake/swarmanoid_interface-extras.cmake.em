@@ -12,3 +12,11 @@ include("${_swarmanoid_cmake}/swarmanoid_compile_options.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_declare_plugins.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_add_plugins.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_include_all.cmake")
+
+# swarmanoid_hosts has the real one
+if(NOT COMMAND swarmanoid_add_controller)
+  function(swarmanoid_add_controller)
+    message(FATAL_ERROR "swarmanoid_add_controller is in swarmanoid_hosts: find_package(catkin REQUIRED COMPONENTS "
+      "swarmanoid_hosts swarmanoid_interface), and depend on it in package.xml")
+  endfunction()
+endif()

@@ -35,11 +35,10 @@ const char* toString(PluginKind kind) {
 
 std::string describe(const Registry::Conflict& conflict) {
   const bool are_two = conflict.first_library != conflict.second_library;
-  const bool is_device = conflict.kind == PluginKind::kSensor || conflict.kind == PluginKind::kActuator;
-  const bool is_about_default = is_device && conflict.implementation.empty();
+  const bool names_implementation = !conflict.implementation.empty() && !conflict.is_about_default;
   return std::string(toString(conflict.kind)) + " '" + conflict.label +
-         (conflict.implementation.empty() ? "" : " " + conflict.implementation) +
-         (is_about_default ? "' has two default implementations" : "' is registered twice") +
+         (names_implementation ? " " + conflict.implementation : "") +
+         (conflict.is_about_default ? "' has two default implementations" : "' is registered twice") +
          (are_two ? " (" + conflict.first_library + ", " + conflict.second_library + ")" : "") + "; the first is used";
 }
 
@@ -53,14 +52,14 @@ void Registry::add(PluginKind kind, PluginDescription description, Factory make)
     if (entry->kind == kind && entry->description.label == description.label &&
         entry->description.implementation == description.implementation) {
       conflicts_.push_back({kind, description.label, description.implementation, libraryOf(&entry->make.target_type()),
-                            libraryOf(&make.target_type())});
+                            libraryOf(&make.target_type()), false});
       return;
     }
   }
   const Entry* former = find(kind, description.label);
   if (description.is_default && former != nullptr && former->description.is_default) {
-    conflicts_.push_back(
-        {kind, description.label, "", libraryOf(&former->make.target_type()), libraryOf(&make.target_type())});
+    conflicts_.push_back({kind, description.label, description.implementation, libraryOf(&former->make.target_type()),
+                          libraryOf(&make.target_type()), true});
     description.is_default = false;
   }
   entries_.push_back(std::make_unique<Entry>(Entry{kind, std::move(description), std::move(make)}));

@@ -77,6 +77,7 @@ TEST(RegistryTest, TheSecondDefaultIsNamedAndDoesNotBecomeIt) {
   EXPECT_EQ(found(registry, PluginKind::kSensor, "camera"), 1);
   EXPECT_EQ(found(registry, PluginKind::kSensor, "camera", "blobs"), 2);
   ASSERT_EQ(registry.conflicts().size(), 1U);
+  EXPECT_TRUE(registry.conflicts()[0].is_about_default);
   EXPECT_EQ(describe(registry.conflicts()[0]), "sensor 'camera' has two default implementations; the first is used");
 }
 

@@ -115,7 +115,7 @@ void writeFields(const std::string& device, std::ostream& out) {
 void write(const PluginDescription& description, const DeclaredLibrary& origin, std::ostream& out) {
   out << "  " << description.label;
   if (!description.implementation.empty()) {
-    out << " (" << description.implementation << ")";
+    out << " (" << description.implementation << (description.is_default ? ", default)" : ")");
   }
   out << (description.summary.empty() ? "" : ": " + description.summary) << '\n';
   if (!origin.library.empty()) {

@@ -91,6 +91,20 @@ TEST(DeviceMessages, KeepAllBlobs) {
   EXPECT_EQ(bytesOf("footbot_camera", &camera), bytesOf("footbot_camera", &back));
 }
 
+TEST(DeviceMessages, ARefusedListLeavesTheFormerOne) {
+  swarmanoid_msgs::ColorBlobs message;
+  message.blobs.resize(2);
+  message.blobs[1].bearing = 0.75F;
+  FootbotCamera camera;
+  VariableParts parts;
+  detail::receive(message, camera, parts);
+  message.blobs.resize(500);
+  message.blobs[499].distance = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(detail::receive(message, camera, parts), std::runtime_error);
+  ASSERT_EQ(2U, camera.blobs.size());
+  EXPECT_EQ(0.75F, camera.blobs[1].bearing);
+}
+
 TEST(DeviceMessages, KeepAllCommands) {
   expectNothingLost<swarmanoid_msgs::WheelsCommand>(FootbotWheels{1.5, -2.5});
   expectNothingLost<swarmanoid_msgs::GripperCommand>(FootbotGripper{true});

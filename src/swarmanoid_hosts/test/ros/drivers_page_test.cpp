@@ -6,7 +6,7 @@
 #include <set>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
-#include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -54,10 +54,26 @@ TEST(DriversPage, NamesWhatIsSubscribed) {
   EXPECT_EQ(topicsOfKind(DeviceTopic::Kind::kCommand), rowsOf("Subscribed", false));
 }
 
-TEST(DriversPage, EachActuatorHasASafeStop) {
+/// The last column of a device's row: "zero", "as it is", ...
+std::string safeStopOf(const std::string& device) {
+  std::ifstream page(PAGE);
+  const std::regex row(R"(\| `)" + device + R"(` \|.*\| ([^|]*) \|)");
+  for (std::string line; std::getline(page, line);) {
+    std::smatch found;
+    if (std::regex_match(line, found, row)) {
+      return found[1];
+    }
+  }
+  return "no row";
+}
+
+TEST(DriversPage, SaysWhichActuatorsJustRest) {
   for (const DeviceTopic* topic : deviceTopics()) {
-    EXPECT_EQ(topic->kind == DeviceTopic::Kind::kCommand, findDeviceType(topic->device)->stop != nullptr)
-        << topic->device;
+    const DeviceType& type = *findDeviceType(topic->device);
+    EXPECT_EQ(topic->kind == DeviceTopic::Kind::kCommand, type.kind == DeviceKind::kActuator) << topic->device;
+    if (type.kind == DeviceKind::kActuator) {
+      EXPECT_EQ(type.has_own_stop, safeStopOf(topic->device) != "zero") << topic->device;
+    }
   }
 }
 

@@ -19,6 +19,7 @@
 #include <cstddef>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/range.hpp"
@@ -36,8 +37,8 @@ struct FieldInfo {
 
 /// One field as others see it; of structs, each of their fields.
 struct FieldDescription {
-  std::string
-      name;  ///< "left.shoulder"; arrays and spans have brackets: "value[]", "joints[].angle", "blobs[].bearing"
+  /// "left.shoulder"; arrays and spans have brackets: "value[]", "joints[].angle", "blobs[].bearing"
+  std::string name;
   std::string type;  ///< of one number: f4, f8, b1, u1, ... i8
   std::string unit;
   std::string meaning;

@@ -14,7 +14,7 @@
 ///     REGISTER_DEVICE(Sonar, kSensor, "The distance of what is ahead.")
 ///
 /// device_field.hpp says what a field may be. The values that members are given in the struct are what the device says
-/// or does at rest. An actuator whose safe stop is another one than that (safe_stop.hpp) has beside it
+/// or does at rest. An actuator whose safe stop is another one than that (safe_stop.hpp) has, above REGISTER_DEVICE,
 ///
 ///     inline bool stopSafely(MyDevice& command, const SafeStopMoment& moment) { ...; return true; }
 ///
@@ -52,6 +52,7 @@ struct DeviceType {
   bool (*is_finite)(const void* device) = nullptr;  ///< no number is NaN or infinite
   /// Of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
   bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
+  bool has_own_stop = false;  ///< `stopSafely` stands beside the struct; else the safe stop is what it does at rest
 };
 
 /// @return null if no device of that type is registered
@@ -116,6 +117,7 @@ DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
     type.stop = [](void* command, const SafeStopMoment& moment) {
       return stop(*static_cast<Device*>(command), moment);
     };
+    type.has_own_stop = HasSafeStop<Device>::value;
   }
   return type;
 }

@@ -84,14 +84,14 @@ class Registry {
     Factory make;
   };
 
-  /// A plugin that was refused, for another of its name was first; or, of a device and without an implementation, one
-  /// that wanted to be the default when another was it.
+  /// A plugin that was refused, for another of its name was first; or that is not the default, for another is it.
   struct Conflict {
     PluginKind kind;
     std::string label;
     std::string implementation;
     std::string first_library;   ///< file name of the one that is used
     std::string second_library;  ///< of the one that is not; it may be the same
+    bool is_about_default = false;
   };
 
   static Registry& instance();

@@ -1,5 +1,5 @@
 /// The Swarmanoid Space (thesis 3.4): the state of one world, in parts. Engines, devices, controllers and
-/// visualisations meet only here.
+/// observers meet only here.
 ///
 /// Frames: W, the space's own, z up; the arena spans from the origin to `size`. SI units.
 /// Which phase writes a part stands beside it; all may read it in the other phases.
@@ -73,8 +73,8 @@ class Space {
   Attachments attachments;         ///< connect
   PositionalIndex index;           ///< index; as of the end of the last tick
   std::vector<JointState> joints;  ///< move; rows of EntityModel::kMaxJoints, by entity row: those of model->joints
-  std::vector<Color>
-      leds;  ///< actuate; rows of EntityModel::kMaxLeds, by entity row: the colours of model->led_positions
+  /// actuate; rows of EntityModel::kMaxLeds, by entity row: the colours of model->led_positions
+  std::vector<Color> leds;
   std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
   std::vector<Event> events;           ///< of this tick, in order of happening
   std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks

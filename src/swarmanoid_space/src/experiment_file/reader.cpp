@@ -92,7 +92,8 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
   const std::string file = path.extension() == ".so" ? path.filename().string() : "lib" + library + ".so";
   for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
     const bool is_its_own = conflict.kind == entry.kind && conflict.label == entry.description.label;
-    if (is_its_own && conflict.second_library == file && conflict.first_library != file) {
+    // of two defaults the first is used, which a warning says, and all can be named
+    if (is_its_own && !conflict.is_about_default && conflict.second_library == file && conflict.first_library != file) {
       element.refuse("found the label '" + conflict.label + "' in two libraries (" + conflict.first_library + ", " +
                      conflict.second_library + "), allowed: one in a process");
     }

@@ -15,7 +15,7 @@ void report(std::vector<Event>& events, const RobotInstance& instance, LogLevel 
 }
 
 /// @return whether there was a command for the robot
-bool apply(const CommandMailbox::Commands& received, const Banks& commands, const RobotInstance& instance) {
+bool apply(const CommandMailbox::Commands& received, Banks& commands, const RobotInstance& instance) {
   bool has_applied = false;
   VariableParts parts;  // actuators with spans would need a place that lasts; there are none
   for (const auto& actuator : instance.group->actuators) {

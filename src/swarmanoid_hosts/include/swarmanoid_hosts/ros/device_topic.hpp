@@ -25,6 +25,7 @@
 #include <stdexcept>
 #include <string>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/device_type.hpp"
@@ -70,17 +71,27 @@ struct KeepsParts<Device, Message,
                   std::void_t<decltype(fromMessage(std::declval<const Message&>(), std::declval<Device&>(),
                                                    std::declval<VariableParts&>()))>> : std::true_type {};
 
-/// @throws std::runtime_error; the device is then as it was
+/// @throws std::runtime_error
+template <class Device>
+void refuseUnlessFinite(const Device& device) {
+  if (!isFinite(device)) {
+    throw std::runtime_error("found a number that is not finite, allowed: finite numbers");
+  }
+}
+
+/// @param parts where lists of the device are kept
+/// @throws std::runtime_error; the device and its lists are then as they were
 template <class Device, class Message>
 void receive(const Message& message, Device& device, VariableParts& parts) {
   Device received = device;
   if constexpr (KeepsParts<Device, Message>::value) {
-    fromMessage(message, received, parts);
+    VariableParts received_parts;
+    fromMessage(message, received, received_parts);
+    refuseUnlessFinite(received);
+    std::swap(parts, received_parts);  // the elements stay where they are
   } else {
     fromMessage(message, received);
-  }
-  if (!isFinite(received)) {
-    throw std::runtime_error("found a number that is not finite, allowed: finite numbers");
+    refuseUnlessFinite(received);
   }
   device = received;
 }
@@ -126,6 +137,6 @@ struct DeviceTopicRegistration {
 }  // namespace swarmanoid
 
 /// @param kind kReading or kCommand @param ... name and, of readings, frame
-#define REGISTER_DEVICE_TOPIC(Device, Message, kind, ...)                                                        \
-  inline const ::swarmanoid::DeviceTopicRegistration SWARMANOID_CONCATENATE(device_topic_of_##Device, __LINE__)( \
+#define REGISTER_DEVICE_TOPIC(Device, Message, kind, ...)                                                             \
+  static const ::swarmanoid::DeviceTopicRegistration SWARMANOID_CONCATENATE(device_topic_registration_, __COUNTER__)( \
       ::swarmanoid::makeDeviceTopic<Device, Message>(::swarmanoid::DeviceTopic::Kind::kind, __VA_ARGS__));

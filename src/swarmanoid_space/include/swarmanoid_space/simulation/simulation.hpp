@@ -1,8 +1,7 @@
 /// A running experiment: the space, and all that acts on it.
 ///
-/// Threads  all functions from one thread (the space's), unless they say otherwise. ROS is not known here: the space
-/// nodelet
-///          and the command-line program both hold one of these.
+/// Threads  all functions from one thread (the space's), unless they say otherwise.
+/// ROS      is not known here: the space nodelet and the command-line program both hold one of these.
 #pragma once
 
 #include <chrono>
@@ -112,7 +111,7 @@ class Simulation {
   /// The values that an engine works with: those of the file, and what was set since.
   /// @throws ConfigError if there is no such engine
   const Configuration& engineParameters(const std::string& engine) const;
-  /// What the visualisations that judge it agree on; nothing if none judges.
+  /// What the observers that judge it agree on; nothing if none judges.
   std::optional<bool> success() const;
 
   /// For code that carries frames between this simulation and participants.
@@ -154,9 +153,8 @@ class Simulation {
   /// has changed
   void setCommandSource(const std::string& robot, CommandSource source);
   /// Back to the state before tick 0: spawned, deleted and handed over entities included, and parameters of engines as
-  /// in the file. `seed` replaces the
-  /// experiment's if given. Space::time_before_reset grows so that ROS time keeps rising, unless `rewind` sets it back
-  /// to 0.
+  /// in the file. `seed` replaces the experiment's if given. Space::time_before_reset grows so that ROS time keeps
+  /// rising, unless `rewind` sets it back to 0.
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:

@@ -59,7 +59,7 @@ class SimulationThread {
 
   /// Starts the simulation, which has not been started.
   SimulationThread(std::unique_ptr<Simulation> simulation, Options options);
-  /// Stops; what visualisations write is completed.
+  /// Stops; what observers write is completed.
   ~SimulationThread();
   SimulationThread(const SimulationThread&) = delete;
   SimulationThread& operator=(const SimulationThread&) = delete;
@@ -90,7 +90,7 @@ class SimulationThread {
   /// @throws what that throws; the run is stopped then
   void reset(std::optional<std::uint64_t> seed, bool rewind);
 
-  /// Ends the run at the next tick boundary, and completes what visualisations write. Later reasons are ignored.
+  /// Ends the run at the next tick boundary, and completes what observers write. Later reasons are ignored.
   void stop(const std::string& reason);
 
  private:

@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/expects.hpp"
@@ -86,10 +87,11 @@ class Banks {
   const Device* find(Row row) const {
     return static_cast<const Device*>(find(Device::kType, row));
   }
-  void* find(const std::string& type, Row row) const {
+  const void* find(const std::string& type, Row row) const {
     const auto bank = banks_.find(type);
     return bank == banks_.end() ? nullptr : bank->second->findSlot(row);
   }
+  void* find(const std::string& type, Row row) { return const_cast<void*>(std::as_const(*this).find(type, row)); }
 
   void clear() { banks_.clear(); }
 

@@ -13,7 +13,7 @@ inline void toMessage(const EyebotMagnet& command, swarmanoid_msgs::GripperComma
   message.closed = command.on;
 }
 
-void fromMessage(const swarmanoid_msgs::GripperCommand& message, EyebotMagnet& command) {
+inline void fromMessage(const swarmanoid_msgs::GripperCommand& message, EyebotMagnet& command) {
   command.on = message.closed != 0;
 }
 
