@@ -1,4 +1,4 @@
-// The strict readers of single values, and the words their messages are made of.
+// Strict readers of single values, and the texts of their messages.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -20,7 +20,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(" \t\r\n") - first + 1);
 }
 
-/// What somebody can read: of a text without end, how it begins.
+/// Returns a readable form of the text; of a long text only its beginning.
 std::string readable(const std::string& text) {
   constexpr std::size_t kLongest = 200;
   return text.size() <= kLongest ? text : text.substr(0, kLongest) + "...";
@@ -88,7 +88,7 @@ std::string Range::toString() const {
 }
 
 std::string numberText(double value) {
-  std::array<char, 32> text{};  // the longest has 24 letters
+  std::array<char, 32> text{};  // the longest number has 24 letters
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
 }
@@ -159,7 +159,7 @@ std::optional<std::string> nearestName(std::string_view word, const std::vector<
   int best_distance = std::max(2, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {
     const int distance = editDistance(word, candidate);
-    // a name that shares no letter with the word is no help
+    // a name that shares no letter with the word does not help
     if (distance < best_distance && distance < static_cast<int>(word.size())) {
       best_distance = distance;
       best = candidate;
@@ -174,7 +174,7 @@ std::string didYouMean(std::string_view word, const std::vector<std::string>& ca
 }
 
 std::string joinNames(const std::vector<std::string>& names) {
-  constexpr std::size_t kMost = 200;  // names in a message that somebody shall read
+  constexpr std::size_t kMost = 200;  // keeps a message with many names readable
   std::string result;
   for (std::size_t i = 0; i < std::min(names.size(), kMost); ++i) {
     result += (result.empty() ? "" : ", ") + names[i];

@@ -38,7 +38,7 @@ void restoreLocale() {
     reportOnce();
     uselocale(LC_GLOBAL_LOCALE);
   }
-  // first that of C++, which may set the other one too
+  // the locale of C++ first, which may set the other one too
   if (std::locale() != std::locale::classic()) {
     reportOnce();
     std::locale::global(std::locale::classic());

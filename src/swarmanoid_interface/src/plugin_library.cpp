@@ -39,13 +39,14 @@ std::vector<std::string> prefixes() {
   return result;
 }
 
-/// Its static constructors run meanwhile. What they throw cannot be caught: it ends the process, as a crash does.
-/// @return "", or why the system's loader does not find or like it
+/// Loads the library; its static constructors run meanwhile. Their exceptions cannot be caught: one ends the process,
+/// as a crash does.
+/// @return "", or the reason why the system's loader refuses it
 std::string load(const std::string& file, const std::string& library) {
   const std::string part = "library '" + library + "'";
   const UserCode code{"loading", part, ""};
   const UserCall call(code);
-  // RTLD_GLOBAL is not needed: plugins meet in the registry, by name
+  // RTLD_GLOBAL is not needed: plugins refer to each other by name in the registry
   std::string problem = dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL) == nullptr ? dlerror() : "";
   restoreLocale();
   return problem;

@@ -22,7 +22,7 @@ std::uint64_t RandomStream::bits() {
   const r123::Philox4x32 philox;
   const r123::Philox4x32::ctr_type counter{{static_cast<std::uint32_t>(tick_), static_cast<std::uint32_t>(tick_ >> 32),
                                             draw_++, static_cast<std::uint32_t>(stream_ >> 32)}};
-  // the stream's upper half rides in the counter because the key has room for 64 bits only
+  // the stream's upper half is part of the counter because the key has room for 64 bits only
   const r123::Philox4x32::key_type key{{static_cast<std::uint32_t>(seed_) ^ static_cast<std::uint32_t>(stream_),
                                         static_cast<std::uint32_t>(seed_ >> 32)}};
   const r123::Philox4x32::ctr_type word = philox(counter, key);

@@ -33,7 +33,7 @@ bool Robot::hasActuator(const std::string& type) const {
 }
 
 void Robot::log(LogLevel level, const std::string& text) {
-  // a clock that was put back starts a new second too
+  // a clock that was set back starts a new second too
   if (time_ < log_window_start_ || time_ - log_window_start_ >= std::chrono::seconds(1)) {
     log_window_start_ = time_;
     logged_in_window_ = 0;
@@ -46,7 +46,7 @@ void Robot::log(LogLevel level, const std::string& text) {
     log_sink_(level, name_, "(more in this second is left out)");
     return;
   }
-  // the sink ends the line; a text that ends it too would leave a blank one in every log
+  // the sink ends the line; a line break in the text would add a blank one in every log
   log_sink_(level, name_, text.substr(0, text.find_last_not_of("\r\n") + 1));
 }
 
@@ -64,7 +64,7 @@ void Robot::debug(std::string_view key, std::string_view value) {
 }
 
 void Robot::provideSensor(const std::string& type, const void* readings) {
-  // kept without const beside the actuators; sensor() gives it back as const
+  // stored without const in the same list type as the actuators; sensor() returns it as const
   sensors_.emplace_back(type, const_cast<void*>(readings));
 }
 

@@ -64,7 +64,7 @@ TEST(AttachmentPointTest, PartsMayComeAndGoWhileItRuns) {
   point->detach(PluginKind::kObserver, "fb_9");
   point->forget(PluginKind::kObserver, "fb_9");
   EXPECT_NE("", messageOf([&] { point->request(PluginKind::kObserver, "fb_9"); }));
-  point->detach(PluginKind::kObserver, "fb_9");  // it may be late
+  point->detach(PluginKind::kObserver, "fb_9");  // a late detach is allowed
 }
 
 TEST(AttachmentPointTest, NamesWhoWasRefusedAndWhy) {

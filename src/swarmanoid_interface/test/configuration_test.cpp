@@ -1,4 +1,4 @@
-// Values from experiment files: what is read, and the exact words with which the rest is refused.
+// Values from experiment files: which are read, and the exact messages for those that are refused.
 #include "swarmanoid_interface/configuration.hpp"
 
 #include <gtest/gtest.h>

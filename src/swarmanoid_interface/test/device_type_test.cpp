@@ -67,7 +67,7 @@ std::size_t sizeOf(const std::string& layout) {
   return size;
 }
 
-/// Arbitrary bytes make a device whose bytes are those again: no field is left out, doubled or rounded.
+/// A device that is read from arbitrary bytes is written as the same bytes: no field is left out, doubled or rounded.
 TEST(DeviceTypeTest, EveryFieldGoesThereAndBack) {
   for (const DeviceType* type : deviceTypes()) {
     const bool has_span = type->layout[0] == '(';

@@ -1,4 +1,5 @@
-// The mathematics that results are free of the processor with: what it is called, what it is, and how it is asked for.
+// The mathematical library whose results are independent of the processor: its name, its results, and how it is
+// selected.
 #include "swarmanoid_interface/process/math_library.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +36,7 @@ TEST(TunablesTest, AreLeftAloneOnceTheyAskForIt) {
 
 /// An argument whose sine differs in the last bit, the same way in the glibc of Debian 12 and 13.
 double sineThatTells() {
-  const volatile double argument = 0x1.b38p+3;  // not the compiler is to calculate it
+  const volatile double argument = 0x1.b38p+3;  // prevents the compiler from computing the result
   return std::sin(argument);
 }
 
@@ -61,7 +62,7 @@ TEST(MathLibraryTest, IsFixedWhateverTheEnvironmentIs) {
   }
 }
 
-/// Of a process that the test above starts: main() is gtest's, so the arguments come from here.
+/// Runs in a process that the test above starts: main() is gtest's, so the arguments come from here.
 TEST(MathLibraryTest, DISABLED_IsFixedByTheProcessItself) {
   std::string words[] = {"itself", "--gtest_filter=MathLibraryTest.DISABLED_IsFixedByTheProcessItself",
                          "--gtest_also_run_disabled_tests"};

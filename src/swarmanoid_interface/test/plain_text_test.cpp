@@ -11,7 +11,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Digits in groups and a decimal comma, whatever locales the machine has.
+/// Groups of digits and a decimal comma, independent of the installed locales.
 struct Commas : std::numpunct<char> {
   char do_decimal_point() const override { return ','; }
   char do_thousands_sep() const override { return '.'; }

@@ -1,5 +1,5 @@
 // Random numbers: the published vectors of the generator, independence of everything but the key, and moments that a
-// wrong generator misses.
+// wrong generator does not have.
 #include "swarmanoid_interface/random.hpp"
 
 #include <gtest/gtest.h>
@@ -139,7 +139,7 @@ TEST(RandomStreamTest, UniformNumbersAreUniformAndNeighboursIndependent) {
         const double expected = static_cast<double>(kMany) / kBins;
         chi_squared += (count - expected) * (count - expected) / expected;
       }
-      // 99 degrees of freedom: mean 99, standard deviation 14; too even is as wrong as too uneven
+      // 99 degrees of freedom: mean 99, standard deviation 14; too even a distribution is as wrong as too uneven a one
       EXPECT_LT(chi_squared, 99.0 + 5.0 * 14.1);
       EXPECT_GT(chi_squared, 99.0 - 4.0 * 14.1);
     }

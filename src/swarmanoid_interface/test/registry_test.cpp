@@ -1,4 +1,4 @@
-// The list of plugins: who is found under which name, and what happens when two want the same.
+// The list of plugins: which plugin is found under which name, and what happens when two have the same name.
 #include "swarmanoid_interface/registry.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ void add(Registry& registry, PluginKind kind, const std::string& label, const st
   registry.add(kind, description, [number] { return std::make_shared<Plugin>(Plugin{number}); });
 }
 
-/// The number of the plugin that is found; -1 if there is none.
+/// Returns the number of the plugin that is found; -1 if there is none.
 int found(const Registry& registry, PluginKind kind, const std::string& label, const std::string& implementation = "") {
   const Registry::Entry* entry = registry.find(kind, label, implementation);
   return entry == nullptr ? -1 : makePlugin<Plugin>(*entry)->number;
@@ -33,7 +33,7 @@ TEST(RegistryTest, FindsByLabelImplementationAndAlias) {
   add(registry, PluginKind::kSensor, "footbot_camera", "color_blobs", 1, {"pie_camera"}, {"generic_pie_camera"});
   add(registry, PluginKind::kSensor, "footbot_camera", "ideal", 2);
   for (const char* label : {"footbot_camera", "pie_camera"}) {
-    EXPECT_EQ(found(registry, PluginKind::kSensor, label), 1);  // none says that it is the default: the first by name
+    EXPECT_EQ(found(registry, PluginKind::kSensor, label), 1);  // none is declared as the default: the first by name
     EXPECT_EQ(found(registry, PluginKind::kSensor, label, "generic_pie_camera"), 1);
   }
   EXPECT_EQ(found(registry, PluginKind::kSensor, "footbot_camera", "ideal"), 2);
@@ -54,7 +54,7 @@ TEST(RegistryTest, TheDefaultIsWhatSaysSoInWhateverOrder) {
       addImplementation(registry, "pinhole", true, 1);
     }
     addImplementation(registry, "blobs", false, 2);
-    EXPECT_TRUE(registry.hasDefault(PluginKind::kSensor, "camera"));  // that one, or the only one
+    EXPECT_TRUE(registry.hasDefault(PluginKind::kSensor, "camera"));  // the declared one, or the only one
     if (!is_first) {
       addImplementation(registry, "pinhole", true, 1);
     }

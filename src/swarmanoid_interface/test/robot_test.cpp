@@ -1,4 +1,5 @@
-// What a controller gets from its robot: exactly the devices that are listed, a log that cannot flood, its own chance.
+// The interface of a robot for its controller: exactly the listed devices, a log of limited rate, its own random
+// stream.
 #include "swarmanoid_interface/robot.hpp"
 
 #include <gtest/gtest.h>
@@ -67,7 +68,7 @@ class LogTest : public testing::Test {
     });
   }
 
-  /// Logs so many texts at a time.
+  /// Logs `count` texts at a time.
   void logAt(Time time, int count) {
     robot_.startTick(0, time);
     for (int i = 0; i < count; ++i) {

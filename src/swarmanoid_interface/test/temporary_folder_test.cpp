@@ -1,4 +1,4 @@
-// Folders for files that nobody needs afterwards.
+// Folders for temporary files.
 #include "swarmanoid_interface/process/temporary_folder.hpp"
 
 #include <gtest/gtest.h>

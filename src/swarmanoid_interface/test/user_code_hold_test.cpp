@@ -1,4 +1,4 @@
-// Users' code is held while the process is being ended, and the watch does not go by the calendar.
+// Users' code is held while the process is being ended, and the watch does not depend on the system date.
 #include <gtest/gtest.h>
 #include <sys/syscall.h>
 #include <unistd.h>
@@ -17,7 +17,8 @@ std::atomic<bool> is_calendar_ahead{false};
 
 }  // namespace
 
-/// The system's, but the calendar can be an hour ahead of the one that the kernel waits by, as after it was set back.
+/// Replaces the system's function: the calendar can be an hour ahead of the clock that the kernel waits by, as after it
+/// was set back.
 extern "C" int clock_gettime(clockid_t clock, timespec* time) {
   const auto result = static_cast<int>(syscall(SYS_clock_gettime, clock, time));
   if (clock == CLOCK_REALTIME && is_calendar_ahead) {
@@ -31,7 +32,7 @@ namespace {
 
 using std::chrono::milliseconds;
 
-constexpr int kWentOn = 77;  // exit code of a thread that should stand still
+constexpr int kWentOn = 77;  // exit code of a thread that should be blocked
 
 const UserCode kStep{"step", "controller 'drive' of libdrive.so", "fb_3", 17};
 const char* const kStepText = "step of robot 'fb_3' \\(controller 'drive' of libdrive.so\\), tick 17";
@@ -55,16 +56,16 @@ TEST(UserCallHoldTest, NobodyEntersOrLeavesUsersCodeUntilItIsTakenBack) {
   });
   for (int i = 0; i < 200; ++i) {
     const std::uint64_t before = calls;
-    while (calls < before + 3) {  // it goes on after the last time
+    while (calls < before + 3) {  // the thread goes on after the last release
       std::this_thread::yield();
     }
     holdUserCalls();
     const std::uint64_t changes_held = changes();
     const std::uint64_t calls_held = calls;
     std::this_thread::sleep_for(milliseconds(2));
-    EXPECT_LE(changes(), changes_held + 1);  // it stands still where it counts them
+    EXPECT_LE(changes(), changes_held + 1);  // the thread is blocked where it counts calls
     EXPECT_LE(calls, calls_held + 1);
-    { const UserCall own(kStep); }  // whoever holds the others is not held
+    { const UserCall own(kStep); }  // the thread that holds the others is not held
     releaseUserCalls();
   }
   is_over = true;
@@ -76,7 +77,7 @@ class UserCallHoldDeathTest : public testing::Test {
   UserCallHoldDeathTest() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
 };
 
-/// Makes a call that takes so long, and ends the process when it has returned.
+/// Makes a call of the given duration, and ends the process when it has returned.
 void callAndGoOn(double watchdog, milliseconds duration, milliseconds closing_takes) {
   UserCodeWatch watch({nullptr, watchdog});
   const UserCodeWatch::Closing closing(watch, [closing_takes](const UserCodeEnd& end) {

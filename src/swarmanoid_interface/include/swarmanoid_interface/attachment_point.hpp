@@ -1,10 +1,10 @@
-/// Where the nodelets of one process meet a space: the space says which parts its experiment needs, each nodelet makes
-/// one and attaches it. No ROS here; the space nodelet's name is the key.
+/// Connects the nodelets of one process with a space: the space lists the parts that its experiment needs, and each
+/// nodelet makes one part and attaches it. This file does not use ROS; the name of the space nodelet is the key.
 ///
-/// Both sides own what they share, so neither may outlive it: the space keeps an engine whose nodelet is gone until the
-/// run is stopped, a nodelet keeps its place when the space is gone.
+/// Both sides share the ownership: the space keeps an engine whose nodelet is unloaded until the run is stopped, and a
+/// nodelet keeps the attachment point after the space is destroyed.
 ///
-/// Threads  all functions from any thread.
+/// Threads  all functions may be called from any thread.
 #pragma once
 
 #include <chrono>
@@ -32,9 +32,9 @@ class AttachmentPoint {
   struct Request {
     PluginKind kind = PluginKind::kEngine;
     std::string id;
-    std::string label;  ///< in the registry, where the space has seen to it that it is
+    std::string label;  ///< the label in the registry; the space has checked that it is registered
     Configuration parameters;
-    /// Of kObserver: where commands from outside may be put; or null.
+    /// For kObserver: the mailbox for commands from outside, or null.
     std::shared_ptr<CommandMailbox> commands = nullptr;
   };
 
@@ -42,30 +42,31 @@ class AttachmentPoint {
 
   // For nodelets.
 
-  /// @throws std::runtime_error naming what is needed, if that is not
+  /// @throws std::runtime_error that names the needed parts, if this part is not needed
   Request request(PluginKind kind, const std::string& id) const;
-  /// @throws std::runtime_error if the part is not needed, or there already
+  /// @throws std::runtime_error if the part is not needed, or is attached already
   void attach(PluginKind kind, const std::string& id, std::shared_ptr<void> part);
-  /// The part cannot be made; whoever waits for it learns why. The first reason counts.
+  /// Reports that the part cannot be made; waitForAll throws the reason. The first reason counts.
   void refuse(PluginKind kind, const std::string& id, const std::string& reason);
   /// Returns once the space has stopped using the part. Nothing happens if it is not attached.
   void detach(PluginKind kind, const std::string& id);
 
   // For the space.
 
-  /// One more part is needed while the experiment runs; nobody waits for it. Nothing happens if it is needed already.
+  /// Adds a part that is needed while the experiment runs; no call waits for it. Nothing happens if it is needed
+  /// already.
   void expect(Request request);
-  /// The part is needed no more. @pre nothing is attached as that part
+  /// Removes the part from those that are needed. @pre nothing is attached as that part
   void forget(PluginKind kind, const std::string& id);
 
-  /// Waits until all parts are there or one is refused.
-  /// @throws std::runtime_error naming who is missing, or who was refused and why
+  /// Waits until all parts are attached or one is refused.
+  /// @throws std::runtime_error naming the missing part, or the refused part and the reason
   void waitForAll(std::chrono::milliseconds timeout);
   /// @pre waitForAll has returned
   std::shared_ptr<void> part(PluginKind kind, const std::string& id) const;
   using LossHandler = std::function<void(PluginKind kind, const std::string& id)>;
-  /// Called when a part is detached; it must not return before the part is out of use. After setLossHandler returns,
-  /// the former handler is not running and will not be called again.
+  /// The handler is called when a part is detached; it must not return before the part is out of use. After
+  /// setLossHandler returns, the former handler is not running and will not be called again.
   void setLossHandler(LossHandler handler);
 
  private:
@@ -85,7 +86,8 @@ class AttachmentPoint {
   LossHandler loss_handler_;
 };
 
-/// The attachment point of a space, findable as long as somebody holds it. A former one of that name is replaced.
+/// Returns the attachment point of a space; it can be found as long as a pointer to it is held. It replaces a former
+/// one of that name.
 std::shared_ptr<AttachmentPoint> openAttachmentPoint(const std::string& space,
                                                      std::vector<AttachmentPoint::Request> requests);
 

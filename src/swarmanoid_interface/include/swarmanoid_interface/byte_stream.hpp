@@ -1,5 +1,5 @@
-/// Values as bytes and back, for frames between processes: numbers little-endian and in full precision, texts and
-/// blocks with their lengths before them.
+/// Converts values to bytes and back, for frames between processes. Numbers are little-endian and in full precision;
+/// texts and blocks are preceded by their lengths.
 #pragma once
 
 #include <array>
@@ -22,22 +22,22 @@ static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "bytes are copied as th
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// Bytes that are not what the reader expects.
+/// The bytes do not have the layout that the reader expects.
 class ByteError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
 
-/// All of the values in turn: numbers, enumerations, arrays, spans, and structs that have `fields`.
+/// Visits all values in turn: numbers, enumerations, arrays, spans, and structs that have `fields`.
 template <class Stream, class... Values>
 void all(Stream& stream, Values&... values);
 
-/// Appends to bytes that somebody else owns.
+/// Appends to a byte vector that the caller owns.
 class ByteWriter {
  public:
   explicit ByteWriter(Bytes& out) : out_(out) {}
 
-  /// A field of a device.
+  /// Writes a field of a device.
   template <class Value>
   void operator()(Value& value, const FieldInfo& /*info*/) {
     all(*this, value);
@@ -60,7 +60,7 @@ class ByteWriter {
     out_.insert(out_.end(), text.begin(), text.end());
   }
 
-  /// What is written up to closeBlock can be measured by its reader. @return what closeBlock is to be given
+  /// Begins a block: its length is written before what is written up to closeBlock. @return the argument for closeBlock
   std::size_t openBlock() {
     number(std::uint32_t{0});
     return out_.size();
@@ -74,10 +74,10 @@ class ByteWriter {
   Bytes& out_;
 };
 
-/// Where the elements of spans are kept that were read from bytes.
+/// Stores the elements of spans that are read from bytes.
 class VariableParts {
  public:
-  /// Room for `count` elements with their initial values, until clear.
+  /// Returns room for `count` elements with their initial values, valid until clear.
   template <class T>
   T* room(std::size_t count) {
     static_assert(std::is_trivially_destructible_v<T> && alignof(T) <= alignof(std::uint64_t));
@@ -99,12 +99,12 @@ class VariableParts {
   std::size_t used_ = 0;
 };
 
-/// Reads what a ByteWriter wrote. @throws ByteError where the bytes end too early
+/// Reads the bytes of a ByteWriter. @throws ByteError where the bytes end too early
 class ByteReader {
  public:
   explicit ByteReader(Span<const std::uint8_t> in) : in_(in) {}
 
-  /// A field of a device.
+  /// Reads a field of a device.
   template <class Value>
   void operator()(Value& value, const FieldInfo& /*info*/) {
     all(*this, value);
@@ -128,7 +128,7 @@ class ByteReader {
   template <class T>
   void span(Span<const T>& values) {
     const auto count = number<std::uint32_t>();
-    if (count > in_.size()) {  // each element has a byte at the least
+    if (count > in_.size()) {  // each element has at least one byte
       throw ByteError("found a length of " + std::to_string(count) + ", allowed: at most " +
                       std::to_string(in_.size()) + ", the bytes that are left");
     }
@@ -143,11 +143,11 @@ class ByteReader {
     const Span<const std::uint8_t> bytes = take(number<std::uint32_t>());
     return {bytes.begin(), bytes.end()};
   }
-  /// A block as a reader of its own.
+  /// Returns a block as a reader of its own.
   ByteReader block() { return ByteReader(take(number<std::uint32_t>())); }
   std::size_t left() const { return in_.size(); }
 
-  /// Where elements of spans go from now on. @pre set before a span is read
+  /// Sets where the elements of spans are stored from now on. @pre set before a span is read
   void keepVariablePartsIn(VariableParts& parts) { parts_ = &parts; }
 
  private:
@@ -164,10 +164,10 @@ class ByteReader {
   VariableParts* parts_ = nullptr;
 };
 
-/// Says in words which fields there are: "f8 f8 u1", spans as "(f4 f4)*".
+/// Writes the layout of the fields as text: "f8 f8 u1", spans as "(f4 f4)*".
 class LayoutWriter {
  public:
-  /// A field of a device.
+  /// Adds a field of a device.
   template <class Value>
   void operator()(Value& value, const FieldInfo& /*info*/) {
     all(*this, value);

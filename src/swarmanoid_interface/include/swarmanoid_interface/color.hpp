@@ -16,7 +16,7 @@ struct Color {
   std::uint8_t green = 0;
   std::uint8_t blue = 0;
 
-  /// Black is "off": an LED of that colour is not seen.
+  /// Black means "off": cameras do not see an LED of that colour.
   constexpr bool isLit() const { return red != 0 || green != 0 || blue != 0; }
   friend constexpr bool operator==(Color a, Color b) {
     return a.red == b.red && a.green == b.green && a.blue == b.blue;
@@ -48,7 +48,7 @@ constexpr Color kGray{128, 128, 128};
 /// @return nothing if the text is neither
 std::optional<Color> parseColor(std::string_view text);
 
-/// The names that parseColor knows, in the order of `colors`.
+/// Returns the names that parseColor accepts, in the order of `colors`.
 const std::vector<std::string>& colorNames();
 
 /// The name of a colour of `colors`, else "r,g,b".

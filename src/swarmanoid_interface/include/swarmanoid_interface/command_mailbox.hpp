@@ -1,7 +1,7 @@
-/// Commands for simulated robots that come from outside at any time, such as over topics: whoever receives them puts
-/// them here, and the space takes them at the next tick. No ROS here.
+/// Collects commands for simulated robots that come from outside at any time, such as over topics: receivers put them
+/// here, and the space takes them at the next tick. This file does not use ROS.
 ///
-/// Threads  all functions from any thread.
+/// Threads  all functions may be called from any thread.
 #pragma once
 
 #include <map>
@@ -16,26 +16,26 @@ namespace swarmanoid {
 
 class CommandMailbox {
  public:
-  /// Robot and device type: the command of the device, as bytes (device_type.hpp).
+  /// Maps robot and device type to the command of the device, as bytes (device_type.hpp).
   using Commands = std::map<std::pair<std::string, std::string>, Bytes>;
 
-  // For those who receive commands.
+  // Functions for receivers of commands.
 
-  /// Somebody listens to commands for this robot.
+  /// Registers a receiver of commands for this robot.
   void open(const std::string& robot);
   void close(const std::string& robot);
-  /// Replaces what has come for the device since the last tick.
-  /// @return "", or why it is refused: the robot is commanded by somebody else
+  /// Replaces the command that has come for the device since the last tick.
+  /// @return "", or the reason why the command is refused: the robot has another command source
   std::string put(const std::string& robot, const std::string& device, Bytes command);
 
-  // For the space.
+  // Functions for the space.
 
   bool isOpen(const std::string& robot) const;
-  /// Only commands for these robots are taken from now on; what has come for others is forgotten.
+  /// Accepts commands for these robots only from now on, and discards those that have come for other robots.
   void accept(std::set<std::string> robots);
-  /// Commands are taken for nobody.
+  /// Returns whether commands are accepted for no robot.
   bool isIdle() const;
-  /// What has come since the last call.
+  /// Returns the commands that have come since the last call.
   Commands take();
 
  private:

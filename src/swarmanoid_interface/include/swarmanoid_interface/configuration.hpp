@@ -1,8 +1,8 @@
-/// Named values from an experiment file (or any other source), each with the place it came from.
+/// This file holds named values from an experiment file (or any other source), each with its source location.
 ///
 /// A Configuration is one element: its text, and its named children; an XML attribute and a child element of the same
-/// name are the same thing. Readers ask for values by name and type. What nobody asked for can be refused, so that a
-/// misspelt name is an error and never a silent default.
+/// name are the same thing. Readers ask for values by name and type. Values that no reader asked for can be refused, so
+/// that a misspelt name is an error and never a silent default.
 ///
 /// Angles are degrees in files and radians everywhere else: `angle` converts.
 #pragma once
@@ -22,7 +22,7 @@
 
 namespace swarmanoid {
 
-/// Where a value stands. Line 0 means the whole file; an empty file name means no file (built in code).
+/// The location of a value. Line 0 means the whole file; an empty file name means no file (built in code).
 struct SourceLocation {
   std::string file;
   int line = 0;
@@ -31,7 +31,8 @@ struct SourceLocation {
   std::string toString() const;
 };
 
-/// The user's mistake: "file:line: what was found, what is allowed", without the place if it stands in no file.
+/// A mistake of the user: "file:line: what was found, what is allowed"; the location is left out if the value stands in
+/// no file.
 class ConfigError : public std::runtime_error {
  public:
   ConfigError(const SourceLocation& location, const std::string& message);
@@ -48,7 +49,7 @@ class Configuration {
       : name_(std::move(name)), text_(std::move(text)), location_(std::move(location)) {}
 
   const std::string& name() const { return name_; }
-  /// The element's own text, without surrounding white space.
+  /// Returns the element's own text, without surrounding white space.
   const std::string& text() const { return text_; }
   const SourceLocation& location() const { return location_; }
   const std::vector<Configuration>& children() const { return children_; }
@@ -56,10 +57,10 @@ class Configuration {
   Configuration& set(const std::string& name, const std::string& text);
 
   bool has(std::string_view key) const { return find(key) != nullptr; }
-  /// The first child of that name, marked as read; null if there is none.
+  /// Returns the first child of that name and marks it as read; null if there is none.
   const Configuration* find(std::string_view key) const;
 
-  /// Values by name. Without a fallback a missing key is an error.
+  /// These functions return values by name. Without a fallback a missing key is an error.
   /// @throws ConfigError naming the key, what was found and what is allowed
   double number(std::string_view key, Range range = {}) const;
   double number(std::string_view key, double fallback, Range range = {}) const;
@@ -76,11 +77,11 @@ class Configuration {
   /// "x, y, z"
   Eigen::Vector3d vector3(std::string_view key) const;
   Eigen::Vector3d vector3(std::string_view key, const Eigen::Vector3d& fallback) const;
-  /// Degrees in the file. @return radians
+  /// Converts an angle, which is in degrees in the file. @return radians
   double angle(std::string_view key, double fallback_rad, Range range_deg = {}) const;
 
-  /// @throws ConfigError for the first child that nobody asked for, with the nearest name among `known`, or that stands
-  /// there twice
+  /// @throws ConfigError for the first child that no reader asked for, with the nearest name among `known`, or for one
+  /// that occurs twice
   void refuseUnread(const std::vector<std::string>& known = {}) const;
 
  private:
@@ -94,27 +95,28 @@ class Configuration {
   mutable bool read_ = false;
 };
 
-/// Strict readers of a whole text: surrounding white space is allowed, anything else after the value is not.
+/// These functions read a whole text strictly: surrounding white space is allowed, anything else after the value is
+/// not.
 /// @throws ConfigError with what was found and what is allowed; `what` names the value in the message
 double parseNumber(const std::string& text, const std::string& what, const SourceLocation& location, Range range = {});
 std::int64_t parseInteger(const std::string& text, const std::string& what, const SourceLocation& location,
                           Range range = {});
 bool parseBoolean(const std::string& text, const std::string& what, const SourceLocation& location);
 Color parseColorOrThrow(const std::string& text, const std::string& what, const SourceLocation& location);
-/// The shortest text that is read as this number.
+/// Returns the shortest text that is read as this number.
 std::string numberText(double value);
-/// `count` numbers separated by commas, each in the range.
+/// Reads `count` numbers separated by commas, each in the range.
 std::vector<double> parseNumbers(const std::string& text, std::size_t count, const std::string& what,
                                  const SourceLocation& location, Range range = {});
 
-/// The candidate with the smallest edit distance to `word`; nothing if none is near (distance above a third of its
-/// length, at least 2).
+/// Returns the candidate with the smallest edit distance to `word`; nothing if none is near (distance above a third of
+/// its length, at least 2).
 std::optional<std::string> nearestName(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "; did you mean 'x'?" or "".
+/// Returns "; did you mean 'x'?" or "".
 std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "a, b, c" for messages that say what is allowed.
+/// Returns "a, b, c" for messages that list what is allowed.
 std::string joinNames(const std::vector<std::string>& names);
 
 }  // namespace swarmanoid

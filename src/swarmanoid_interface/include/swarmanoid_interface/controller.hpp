@@ -1,7 +1,8 @@
 /// The base class of every controller (thesis 3.3, "Controller Common Interface").
 ///
 /// One object controls one robot. The framework makes it, calls init once, step at every control period, reset when the
-/// experiment is put back to its start, and destroy before it goes. Nothing here knows whether the robot is simulated.
+/// experiment is put back to its start, and destroy before it is deleted. The interface is the same for simulated and
+/// real robots.
 #pragma once
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -16,15 +17,15 @@ class Controller {
   virtual ~Controller() = default;
 
   /// Asks the robot for its devices and reads the `<parameters>` of the experiment file.
-  /// @throws ConfigError, DeviceError: the controller does not start, and the message says why
+  /// @throws ConfigError, DeviceError: the controller does not start; the message gives the reason
   virtual void init(Robot& robot, const Configuration& parameters) = 0;
 
-  /// Reads sensors, writes actuators. Runs at the same time as other robots' steps: touch only this object and its
-  /// robot. An exception stops this robot, and only this one.
-  /// @param time of this tick; @param dt since the last one
+  /// Reads sensors, writes actuators. The steps of several robots run at the same time: this function may use only this
+  /// object and its robot. An exception stops this robot, and only this one.
+  /// @param time of this tick; @param dt time since the last step
   virtual void step(Time time, Duration dt) = 0;
 
-  /// Back to the state after init.
+  /// Returns to the state after init.
   virtual void reset() {}
 
   virtual void destroy() {}
@@ -32,8 +33,8 @@ class Controller {
 
 }  // namespace swarmanoid
 
-/// At the end of a controller's source: makes `Class` available under `label`, the tag in `<controllers>`
-/// (thesis 4.1.2). Together with the CMake function swarmanoid_add_controller it becomes a nodelet too.
+/// Stands at the end of a controller's source: makes `Class` available under `label`, the tag in `<controllers>`
+/// (thesis 4.1.2). Together with the CMake function swarmanoid_add_controller the controller becomes a nodelet too.
 #define REGISTER_CONTROLLER(Class, controller_label)                                              \
   namespace {                                                                                     \
   const ::swarmanoid::PluginRegistration<::swarmanoid::Controller, Class> SWARMANOID_CONCATENATE( \

@@ -1,7 +1,7 @@
-/// How a device says what its fields are, once and for everybody: bytes between processes, names in Python and in
-/// comparisons, checks for numbers that are not finite, tables for people.
+/// A device describes its fields once. The description serves the bytes between processes, the names in Python and in
+/// comparisons, the checks for numbers that are not finite, and the tables of the documentation.
 ///
-/// Beside the struct stands a function that names each field to a visitor, in the order in which the fields travel:
+/// A function beside the struct passes the name of each field to a visitor, in the order in which the fields travel:
 ///
 ///     template <class Visitor>
 ///     void fields(Visitor& visit, MyDevice& device) {
@@ -27,15 +27,15 @@
 
 namespace swarmanoid {
 
-/// What the device says of one field.
+/// The description that a device gives of one field.
 struct FieldInfo {
-  const char* name;          ///< that of the member
+  const char* name;          ///< the name of the member
   const char* unit = "";     ///< "rad/s"; "" for none
   const char* meaning = "";  ///< one phrase
-  Range range = {};          ///< that values keep, or are cut to
+  Range range = {};          ///< the bounds that values keep or are limited to
 };
 
-/// One field as others see it; of structs, each of their fields.
+/// The description of one field for readers of the device; a struct gives one for each of its fields.
 struct FieldDescription {
   /// "left.shoulder"; arrays and spans have brackets: "value[]", "joints[].angle", "blobs[].bearing"
   std::string name;
@@ -43,19 +43,19 @@ struct FieldDescription {
   std::string unit;
   std::string meaning;
   Range range;
-  std::size_t count = 1;     ///< how many there are in a device; 0: it varies
-  double resting_value = 0;  ///< in a device that was just made; of the first, if there are several
+  std::size_t count = 1;     ///< count in a device; 0: it varies
+  double resting_value = 0;  ///< value in a device that was just made; of the first number, if there are several
 };
 
-/// "value[24] [rad], float32, from 0 to 1"; the range only if there is one.
+/// Returns "value[24] [rad], float32, from 0 to 1"; the range stands there only if the field has one.
 std::string describe(const FieldDescription& field);
-/// "float64", "bool", "uint8", ...: the type by the name that ROS and NumPy have for it.
+/// Returns "float64", "bool", "uint8", ...: the name that ROS and NumPy use for the type.
 std::string typeName(const FieldDescription& field);
 
-/// Names of the numbers of a device in the order in which they travel.
+/// The names of the numbers of a device in the order in which they travel.
 struct NumberName {
   std::string name;                  ///< "left.shoulder", "value[3]"; of a span: "blobs"
-  std::vector<NumberName> elements;  ///< of a span only: the numbers of one element
+  std::vector<NumberName> elements;  ///< for spans only: the numbers of one element
 };
 
 namespace detail {
@@ -81,7 +81,7 @@ std::string numberType() {
   return kind + std::to_string(sizeof(Number));
 }
 
-/// Whether all numbers are finite.
+/// Checks whether all numbers are finite.
 class FiniteCheck {
  public:
   template <class Value>
@@ -111,7 +111,7 @@ class FiniteCheck {
   bool is_finite_ = true;
 };
 
-/// Makes the list of descriptions.
+/// Collects the list of descriptions.
 class FieldLister {
  public:
   template <class Value>
@@ -147,10 +147,10 @@ class FieldLister {
 
   std::vector<FieldDescription> fields_;
   std::string prefix_;
-  std::size_t count_ = 1;  // of the struct that is visited
+  std::size_t count_ = 1;  // number of structs like the one that is visited
 };
 
-/// Makes the list of names.
+/// Collects the list of names.
 class NameLister {
  public:
   template <class Value>
@@ -188,11 +188,11 @@ class NameLister {
 
 }  // namespace detail
 
-/// Whether no number of the device is NaN or infinite.
+/// Returns whether no number of the device is NaN or infinite.
 template <class Device>
 bool isFinite(const Device& device) {
   detail::FiniteCheck check;
-  // one list of fields serves all visitors; this one changes nothing
+  // the same list of fields serves all visitors; this visitor changes nothing
   fields(check, const_cast<Device&>(device));
   return check.isFinite();
 }

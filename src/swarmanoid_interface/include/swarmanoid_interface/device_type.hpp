@@ -1,5 +1,5 @@
-/// Devices by their names: what hosts, lockstep, recordings and checks need to know of a device whose struct they do
-/// not include. All of it follows from the device's descriptor, which stands beside its struct:
+/// Describes devices by name for hosts, lockstep, recordings and checks, which do not include the struct of the device.
+/// The description follows from the device's descriptor, which stands beside its struct:
 ///
 ///     /// Sensor: the distance of what is ahead.
 ///     struct Sonar {
@@ -19,7 +19,7 @@
 ///     inline bool stopSafely(MyDevice& command, const SafeStopMoment& moment) { ...; return true; }
 ///
 /// As bytes a device is its fields one after the other, each in its own precision and little-endian, without padding; a
-/// span is its length (4 bytes) and its elements. So a controller elsewhere sees the same bits.
+/// span is its length (4 bytes) and its elements. A controller in another process therefore reads the same bits.
 #pragma once
 
 #include <memory>
@@ -44,26 +44,26 @@ struct DeviceType {
   std::string summary;  ///< one sentence
   std::vector<FieldDescription> fields;
   std::vector<NumberName> names;  ///< of the numbers, in the order of the bytes
-  std::string layout;             ///< of the bytes: "f8 f8"; two processes understand each other if theirs are equal
+  std::string layout;             ///< of the bytes: "f8 f8"; two processes can exchange the device if theirs are equal
   void (*write)(const void* device, ByteWriter& out) = nullptr;
   /// @throws ByteError; the device is then partly read
   void (*read)(ByteReader& in, void* device, VariableParts& parts) = nullptr;
-  std::shared_ptr<void> (*make)() = nullptr;        ///< a device at rest
-  bool (*is_finite)(const void* device) = nullptr;  ///< no number is NaN or infinite
-  /// Of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
+  std::shared_ptr<void> (*make)() = nullptr;        ///< makes a device at rest
+  bool (*is_finite)(const void* device) = nullptr;  ///< returns whether no number is NaN or infinite
+  /// The safe stop of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
   bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
   bool has_own_stop = false;  ///< `stopSafely` stands beside the struct; else the safe stop is what it does at rest
 };
 
 /// @return null if no device of that type is registered
 const DeviceType* findDeviceType(const std::string& type);
-/// Sorted by type.
+/// Returns all types, sorted by type.
 std::vector<const DeviceType*> deviceTypes();
 
-/// While libraries load; the first of a type stays.
+/// Registers a type while a library loads; the first registration of a type stays.
 void registerDeviceType(DeviceType type);
 
-/// "sensor" or "actuator"
+/// Returns "sensor" or "actuator".
 const char* toString(DeviceKind kind);
 
 namespace detail {
@@ -81,7 +81,7 @@ struct HasSafeStop<Device,
                    std::void_t<decltype(stopSafely(std::declval<Device&>(), std::declval<const SafeStopMoment&>()))>>
     : std::true_type {};
 
-/// The safe stop of its own, or what it does at rest.
+/// Applies the device's own safe stop, or its command at rest if it has none.
 template <class Device>
 bool stop(Device& command, const SafeStopMoment& moment) {
   if constexpr (HasSafeStop<Device>::value) {
@@ -103,7 +103,7 @@ DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
   fields(names, device);
   DeviceType type{Device::kType, kind, summary, descriptions.take(), names.take(), layout.text()};
   type.write = [](const void* source, ByteWriter& out) {
-    // one list of fields serves both ways; writing changes nothing
+    // the same list of fields serves reading and writing; writing changes nothing
     fields(out, *const_cast<Device*>(static_cast<const Device*>(source)));
   };
   type.read = [](ByteReader& in, void* target, VariableParts& parts) {
@@ -124,7 +124,7 @@ DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
 
 }  // namespace detail
 
-/// Whether the function `fields` stands beside the device.
+/// Whether the function `fields` is defined beside the device.
 template <class Device>
 constexpr bool kHasFields = detail::HasFields<Device>::value;
 
@@ -137,8 +137,8 @@ struct DeviceRegistration {
 
 }  // namespace swarmanoid
 
-/// Below the device's struct and its fields, in the same header and namespace: every library that includes it knows the
-/// device. @param kind kSensor or kActuator @param summary one sentence
+/// Stands below the device's struct and its fields, in the same header and namespace: every library that includes the
+/// header registers the device. @param kind kSensor or kActuator @param summary one sentence
 #define REGISTER_DEVICE(Device, kind, summary)                                           \
   inline const ::swarmanoid::DeviceRegistration<Device> device_registration_of_##Device{ \
       ::swarmanoid::DeviceKind::kind, summary};

@@ -1,4 +1,5 @@
-/// What a function expects of its caller (@pre): a mistake in the suite, not in anybody's file, so it ends the process.
+/// Checks what a function expects of its caller (@pre). A violation is a mistake in the suite, not in a user's file, so
+/// it ends the process.
 ///
 /// Checked in builds without NDEBUG, and with the CMake option SWARMANOID_EXPECTATIONS, which ./test sets. Elsewhere
 /// the condition is compiled but never evaluated: it costs nothing.
@@ -16,7 +17,7 @@
 
 namespace swarmanoid {
 
-/// Says where which condition is false, and aborts.
+/// Reports which condition is false and where, and aborts.
 [[noreturn, gnu::cold, gnu::noinline]] inline void endUnexpected(const char* condition, const char* file, int line) {
   std::fprintf(stderr, "%s:%d: expected of the caller: %s\n", file, line, condition);
   std::abort();

@@ -1,5 +1,4 @@
-/// What the data of frames are made of (frames.hpp): devices as blocks, and debug values. For whoever writes or reads
-/// them.
+/// Reads and writes the fields of the data of frames (frames.hpp): devices as blocks, and debug values.
 #pragma once
 
 #include <vector>
@@ -11,7 +10,7 @@ namespace swarmanoid {
 
 void writeBlock(const DeviceType& type, const void* device, ByteWriter& out);
 
-/// Takes the next block.
+/// Reads the next block.
 /// @throws ByteError, also for a block that is longer than the device; the device is then partly read
 void readBlock(const DeviceType& type, ByteReader& in, void* device, VariableParts& parts);
 

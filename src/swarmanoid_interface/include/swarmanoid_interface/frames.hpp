@@ -1,11 +1,11 @@
-/// What travels between a space and a participant, a process that runs controllers for it: one sensor frame and one
-/// command frame a tick. No ROS here; swarmanoid_msgs has the messages of the same names.
+/// The frames between a space and a participant, a process that runs controllers for the space: one sensor frame and
+/// one command frame a tick. This file does not use ROS; swarmanoid_msgs has the messages of the same names.
 ///
-/// Data of a sensor frame: for each robot of the registration, in that order, one byte (1: present, 0: it has nothing
-/// to do: deleted, failed, or commanded by somebody else), and if present each of its sensors as a block
-/// (device_type.hpp).
-/// Data of a command frame: for each robot one byte (0: nothing done, 1: stepped, 2: its controller failed), then
-/// if stepped each of its actuators as a block, and its debug values: count, key, value, ...; if failed the reason.
+/// Data of a sensor frame: for each robot of the registration, in that order, one byte (1: present, 0: the controller
+/// is not to step, for the robot is deleted, has failed, or has another command source), and if present each of its
+/// sensors as a block (device_type.hpp). Data of a command frame: for each robot one byte (0: not stepped, 1: stepped,
+/// 2: its controller failed), then if stepped each of its actuators as a block, and its debug values: count, key,
+/// value, ...; if failed the reason.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +18,7 @@
 
 namespace swarmanoid {
 
-/// Which tick a frame belongs to, and whom it is for.
+/// The tick of a frame and the registration that it belongs to.
 struct FrameStamp {
   std::uint64_t session = 0;  ///< of the registration
   std::uint64_t run = 0;
@@ -43,10 +43,10 @@ struct CommandFrame {
   Bytes data;
 };
 
-/// What came of a control step: a controller was not asked or not in time, has written commands, or has thrown.
+/// Result of a control step: the controller was not called or not in time, has written commands, or has thrown.
 enum class StepStatus : std::uint8_t { kNothing = 0, kStepped = 1, kFailed = 2 };
 
-/// A device of a robot, with the layout that its bytes have.
+/// A device of a robot, with the layout of its bytes.
 struct DeviceLayout {
   std::string type;
   std::string layout;
@@ -63,7 +63,7 @@ struct RemoteRobot {
   Configuration parameters;
 };
 
-/// What a space answers to a participant.
+/// The answer of a space to a participant.
 struct Registration {
   std::uint64_t session = 0;
   std::uint64_t run = 0;

@@ -1,4 +1,5 @@
-/// Numbers as files and messages have them, whatever locale users' code has set: "0.5", "1000000".
+/// Formats numbers as files and messages contain them, independently of a locale that users' code has set: "0.5",
+/// "1000000".
 #pragma once
 
 #include <locale>
@@ -7,17 +8,17 @@
 
 namespace swarmanoid {
 
-/// What a std::ostringstream is where nobody changes the locale. Used instead of it wherever a number is written.
+/// A std::ostringstream that always uses the classic locale. It is used wherever a number is written.
 class PlainTextStream : public std::ostringstream {
  public:
   PlainTextStream() { imbue(std::locale::classic()); }
 };
 
-/// As "%.*g" writes it.
+/// Formats the number as "%.*g" does.
 std::string shortNumber(double value, int digits);
 
-/// Undoes what users' code has done to the locale of the process, of C++ and of this thread; the first time it says so
-/// on standard error. Called after users' code, where others may still be in a step.
+/// Restores the locale of the process, of C++ and of this thread after users' code has changed it; the first time a
+/// warning is written to standard error. It is called after users' code, while other threads may still be in a step.
 void restoreLocale();
 
 }  // namespace swarmanoid

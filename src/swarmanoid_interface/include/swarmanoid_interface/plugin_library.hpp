@@ -1,4 +1,4 @@
-/// Finds and loads the shared libraries that plugins live in.
+/// Finds and loads the shared libraries of plugins.
 #pragma once
 
 #include <string>
@@ -9,30 +9,32 @@
 namespace swarmanoid {
 
 /// Loads `lib<name>.so` (or the file itself, if `library` has a slash or ends in .so), once; loading it again does
-/// nothing. Looked for in `folders`, then in lib/ of every prefix of CMAKE_PREFIX_PATH, then beside this library, then
-/// where the system's loader looks.
-/// @throws ConfigError at `location`, with every place that was searched or the loader's own words
+/// nothing. The library is searched in `folders`, then in lib/ of every prefix of CMAKE_PREFIX_PATH, then beside this
+/// library, then where the system's loader looks.
+/// @throws ConfigError at `location`, with every place that was searched or the loader's message
 void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
                        const SourceLocation& location);
 
-/// Whether libraries may be named by their files, and be looked for in folders that an experiment file names; so it is
-/// at first. Else only what is installed is loaded. For the whole process, from now on.
+/// Sets whether libraries may be named by their files, and be searched in folders that an experiment file names;
+/// initially they may. Otherwise only installed libraries are loaded. The setting holds for the whole process, from now
+/// on.
 void allowLibrariesByPath(bool is_allowed);
 
-/// Folders that hold `share/` data of this installation, most important first: of the prefix that this library is in,
-/// then of every prefix of CMAKE_PREFIX_PATH. A devel space and an install space have the same layout.
+/// Returns the folders that hold `share/` data of this installation, most important first: of the prefix that this
+/// library is in, then of every prefix of CMAKE_PREFIX_PATH. A devel space and an install space have the same layout.
 std::vector<std::string> shareFolders();
 
 /// A library with plugins, as the package that builds it declares it (cmake/swarmanoid_declare_plugins.cmake).
 struct DeclaredLibrary {
-  std::string library;  ///< as loadPluginLibrary takes it
+  std::string library;  ///< in the form that loadPluginLibrary accepts
   std::string package;
 };
 
-/// All that the packages of this installation, and of every prefix of CMAKE_PREFIX_PATH, declare: by name, each once.
+/// Returns all libraries that the packages of this installation, and of every prefix of CMAKE_PREFIX_PATH, declare,
+/// sorted by name, each once.
 std::vector<DeclaredLibrary> declaredLibraries();
 
-/// The first existing `share/<package>/<path>`; "" if there is none.
+/// Returns the first existing `share/<package>/<path>`; "" if there is none.
 std::string findShared(const std::string& package, const std::string& path);
 
 }  // namespace swarmanoid

@@ -1,7 +1,7 @@
 /// Counter-based random numbers (Philox, Salmon et al. 2011, from the Random123 library).
 ///
 /// A number is a pure function of (seed, stream name, tick, draw). It does not depend on the order in which robots are
-/// updated, on threads, on processes or on who is subscribed, and a stream needs no state beyond its draw count.
+/// updated, on threads, on processes or on subscribers, and a stream needs no state beyond its draw count.
 #pragma once
 
 #include <cstdint>
@@ -11,34 +11,34 @@
 
 namespace swarmanoid {
 
-/// FNV-1a of a text: the same on every machine and in every process, unlike std::hash.
+/// FNV-1a of a text: unlike std::hash it is the same on every machine and in every process.
 std::uint64_t stableHash(std::string_view text);
 
 class RandomStream {
  public:
   RandomStream() = default;
-  /// @param stream who draws: stableHash of the entity's name combined with the device's
+  /// @param stream identifies the stream: stableHash of the entity's name combined with the device's
   RandomStream(std::uint64_t seed, std::uint64_t stream) : seed_(seed), stream_(stream) {}
   RandomStream(std::uint64_t seed, std::string_view entity, std::string_view device);
 
-  /// Starts the tick's own sequence; draws of other ticks do not matter.
+  /// Starts the sequence of the tick; it does not depend on the draws of other ticks.
   void startTick(std::uint64_t tick) {
     tick_ = tick;
     draw_ = 0;
   }
 
-  /// 64 random bits.
+  /// Returns 64 random bits.
   std::uint64_t bits();
-  /// Uniform in [0, 1).
+  /// Returns a number uniform in [0, 1).
   double uniform();
-  /// Uniform in [low, high).
+  /// Returns a number uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Uniform among 0 .. count - 1. @pre count > 0
+  /// Returns a number uniform among 0 .. count - 1. @pre count > 0
   std::uint64_t below(std::uint64_t count) {
     SWARMANOID_EXPECTS(count > 0);
     return bits() % count;
   }
-  /// Normal with the given mean and standard deviation (Box-Muller).
+  /// Returns a normal number with the given mean and standard deviation (Box-Muller).
   double gaussian(double mean, double standard_deviation);
 
  private:

@@ -12,7 +12,7 @@ struct Range {
   double maximum = std::numeric_limits<double>::infinity();
 
   bool contains(double value) const { return value >= minimum && value <= maximum; }
-  /// "from 0 to 1", "at least 0", "at most 1" or "any number".
+  /// Returns "from 0 to 1", "at least 0", "at most 1" or "any number".
   std::string toString() const;
 };
 

@@ -1,8 +1,8 @@
 /// The one list of everything that can be named in an experiment file: controllers, sensors, actuators, engines,
-/// visualisations and entity types. A plugin enters itself when its library is loaded; libraries are never unloaded.
+/// visualisations and entity types. A plugin is registered when its library is loaded; libraries are never unloaded.
 ///
-/// Keys are strings, never C++ types, so plugins that were built apart meet here safely. Registration happens while a
-/// library loads (one thread); afterwards the registry is only read.
+/// Keys are strings, never C++ types, so plugins that were built separately can be registered side by side.
+/// Registration happens while a library loads (one thread); afterwards the registry is only read.
 #pragma once
 
 #include <functional>
@@ -18,11 +18,11 @@ namespace swarmanoid {
 
 enum class PluginKind { kController, kSensor, kActuator, kEngine, kObserver, kEntity };
 
-/// "controller", "sensor", ...
+/// Returns "controller", "sensor", ...
 const char* toString(PluginKind kind);
 
 /// One value that a plugin reads from the experiment file. The parser, the XSD, `swarmanoid list` and the reference
-/// pages all come from these, so they cannot differ.
+/// pages are all generated from these descriptions, so they cannot differ.
 struct Parameter {
   enum class Type {
     kNumber,
@@ -41,13 +41,13 @@ struct Parameter {
   Type type = Type::kText;
   std::string description;           ///< one sentence
   std::string unit;                  ///< of numbers: "m", "rad/s", "" for none
-  std::optional<std::string> value;  ///< the default, as it would stand in the file; none: must be given
-  Range range;                       ///< of the number, or of each number of several
+  std::optional<std::string> value;  ///< the default, as written in the file; without one the parameter must be given
+  Range range;                       ///< range of the number, or of each number of several
   std::vector<std::string> choices;
-  bool is_live = false;  ///< engines: may change while an experiment runs
+  bool is_live = false;  ///< for engines: the value may change while an experiment runs
 };
 
-/// A short way to write one in a table. @param value the default; none: must be given
+/// A short way to write a parameter in a table. @param value the default; without one the parameter must be given
 inline Parameter makeParameter(std::string name, Parameter::Type type, std::string unit,
                                std::optional<std::string> value, Range range, std::string description) {
   Parameter parameter;
@@ -60,17 +60,17 @@ inline Parameter makeParameter(std::string name, Parameter::Type type, std::stri
   return parameter;
 }
 
-/// What a plugin says of itself.
+/// The description that a plugin gives of itself.
 struct PluginDescription {
   std::string label;           ///< the tag in the experiment file: a controller's, an engine's, ... or a device's type
   std::string implementation;  ///< sensors and actuators: the value of `<implementation>`; "" for the other kinds
-  bool is_default = false;     ///< sensors and actuators: meant where no implementation is named
+  bool is_default = false;     ///< sensors and actuators: used where no implementation is named
   std::string summary;         ///< one sentence
   std::vector<Parameter> parameters;
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
   std::vector<std::string> implementation_aliases;  ///< likewise
   std::vector<std::string> robots;                  ///< devices: the robot types that carry it; empty: any
-  bool free_parameters = false;                     ///< reads whatever parameters it likes (controllers)
+  bool free_parameters = false;                     ///< the plugin reads parameters of any name (controllers)
 };
 
 class Registry {
@@ -96,29 +96,29 @@ class Registry {
 
   static Registry& instance();
 
-  /// The second plugin of the same kind, label and implementation is refused: the first stays, and the conflict is
-  /// kept for `conflicts`. Of two implementations that say that they are the default, the second does not become it.
+  /// The second plugin of the same kind, label and implementation is refused: the first stays, and the conflict is kept
+  /// for `conflicts`. If two implementations claim to be the default, the first is the default.
   void add(PluginKind kind, PluginDescription description, Factory make);
 
-  /// By label or alias. For devices an empty implementation means the default: the one that says so, or the only one.
-  /// Where there are several and none says so, it is the first by name; see `hasDefault`.
+  /// Finds an entry by label or alias. For devices an empty implementation means the default: the one declared as such,
+  /// or the only one. If there are several and none is declared, it is the first by name; see `hasDefault`.
   /// @return null if there is none
   const Entry* find(PluginKind kind, const std::string& label, const std::string& implementation = "") const;
 
-  /// Whether a device of that label, which is there, has an implementation that is meant where none is named.
+  /// Returns whether a registered device of that label has an implementation that is used where none is named.
   bool hasDefault(PluginKind kind, const std::string& label) const;
 
-  /// By label or alias.
+  /// Returns an entry by label or alias.
   /// @throws std::runtime_error naming all labels of the kind, if there is none
   const Entry& require(PluginKind kind, const std::string& label) const;
 
-  /// All entries of a kind, sorted by label and implementation.
+  /// Returns all entries of a kind, sorted by label and implementation.
   std::vector<const Entry*> all(PluginKind kind) const;
 
-  /// All labels of a kind, sorted, once each, aliases left out.
+  /// Returns all labels of a kind, sorted, each once, without aliases.
   std::vector<std::string> labels(PluginKind kind) const;
 
-  /// In the order in which they came.
+  /// Returns the conflicts in the order in which they occurred.
   const std::vector<Conflict>& conflicts() const { return conflicts_; }
 
  private:
@@ -129,7 +129,7 @@ class Registry {
 /// "sensor 'footbot_proximity polynomial' is registered twice (liba.so, libb.so); the first is used"
 std::string describe(const Registry::Conflict& conflict);
 
-/// Enters class `Plugin` (of base `Base`) while its library loads; use it through the REGISTER_ macros.
+/// Registers class `Plugin` (of base `Base`) while its library loads; it is used through the REGISTER_ macros.
 template <class Base, class Plugin>
 struct PluginRegistration {
   PluginRegistration(PluginKind kind, const PluginDescription& description) {
@@ -139,7 +139,7 @@ struct PluginRegistration {
   }
 };
 
-/// Makes a plugin found in the registry. `Base` must be the base class of the entry's kind.
+/// Makes a plugin of a registry entry. `Base` must be the base class of the entry's kind.
 template <class Base>
 std::shared_ptr<Base> makePlugin(const Registry::Entry& entry) {
   return std::static_pointer_cast<Base>(entry.make());
@@ -147,6 +147,6 @@ std::shared_ptr<Base> makePlugin(const Registry::Entry& entry) {
 
 }  // namespace swarmanoid
 
-/// Names of generated variables.
+/// Composes the names of generated variables.
 #define SWARMANOID_CONCATENATE_(a, b) a##b
 #define SWARMANOID_CONCATENATE(a, b) SWARMANOID_CONCATENATE_(a, b)

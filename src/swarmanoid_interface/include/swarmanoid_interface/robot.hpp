@@ -1,8 +1,8 @@
-/// What a controller sees of its robot: the devices that its configuration lists, a log, a random stream
+/// The interface of a robot for its controller: the devices that its configuration lists, a log, a random stream
 /// (thesis 3.3, "Robot Common Interface").
 ///
-/// The same class in the simulator and on a robot. Whoever provides the devices (the simulator's banks, or a binding to
-/// topics) fills in the references; they stay valid as long as the robot.
+/// The class is the same in the simulator and on a robot. The provider of the devices (the simulator's banks, or a
+/// binding to topics) fills in the references; they stay valid as long as the robot object.
 #pragma once
 
 #include <cstdint>
@@ -40,14 +40,14 @@ class Robot {
   const std::string& name() const { return name_; }
   const std::string& type() const { return type_; }
 
-  /// The readings of a sensor, refreshed before each step. Ask once, in init, and keep the reference.
+  /// Returns the readings of a sensor, refreshed before each step. Call it once, in init, and keep the reference.
   /// @throws DeviceError if the configuration does not list it
   template <class Device>
   const Device& sensor() const {
     return *static_cast<const Device*>(find(sensors_, Device::kType, "sensor"));
   }
 
-  /// The command of an actuator; what was written stays until it is changed. Ask once, in init.
+  /// Returns the command of an actuator; a written value stays until it is changed. Call it once, in init.
   /// @throws DeviceError if the configuration does not list it
   template <class Device>
   Device& actuator() {
@@ -57,25 +57,26 @@ class Robot {
   bool hasSensor(const std::string& type) const;
   bool hasActuator(const std::string& type) const;
 
-  /// The controller's own random numbers: the same for one seed, robot and tick, whatever else runs.
+  /// The controller's own random numbers: the same for one seed, robot and tick, independent of other robots and
+  /// processes.
   RandomStream& random() { return random_; }
 
-  /// Prefixed with the robot's name, and a line of its own: line breaks at the text's end are left out. Beyond 10 texts
-  /// a second of robot time the rest is dropped, and one text says so.
+  /// Writes a text to the log, prefixed with the robot's name, as a line of its own: line breaks at its end are left
+  /// out. Beyond 10 texts a second of robot time the rest is dropped, and one text reports that.
   void log(LogLevel level, const std::string& text);
   void log(const std::string& text) { log(LogLevel::kInfo, text); }
 
-  /// A named value for people: in the text table's companion file, on a topic, as text in rviz. Moves no robot;
-  /// at most, a rule for handover in the experiment file waits for it. Once a key is known, a value of up to 64 letters
-  /// allocates nothing.
+  /// Sets a named value for people, shown in the text table's companion file, on a topic and as text in rviz. It moves
+  /// no robot; only a rule for handover in the experiment file can wait for it. After the first use of a key, a value
+  /// of up to 64 letters allocates nothing.
   void debug(std::string_view key, std::string_view value);
   const std::vector<DebugValue>& debugValues() const { return debug_values_; }
 
-  // For providers only.
+  // Functions for providers of devices only.
   void provideSensor(const std::string& type, const void* readings);
   void provideActuator(const std::string& type, void* command);
   void setLogSink(LogSink sink) { log_sink_ = std::move(sink); }
-  /// Called before each step.
+  /// Is called before each step.
   void startTick(std::uint64_t tick, Time time);
 
  private:

@@ -1,28 +1,29 @@
 /// The commands of a robot's actuators when no controller decides any more: its controller threw, its sensors are lost,
-/// or its process ends. Hosts of controllers on robots use it, the simulator, and drivers that have had no command for
-/// too long.
+/// or its process ends. Hosts of controllers on robots, the simulator, and drivers that have received no command for
+/// too long use it.
 ///
-/// An actuator stops as the function `stopSafely` beside its struct says, else it gets its initial value, which means
-/// "do nothing" (device_type.hpp). The function starts from the last command and is called again every period, so that
-/// a stop may take its time: an eyebot hovers, then comes down. What is held is not dropped.
+/// The function `stopSafely` beside the struct of an actuator defines its stop; without one the actuator gets its
+/// initial value, which means "do nothing" (device_type.hpp). The function starts from the last command and is called
+/// again every period, so that a stop may take its time: an eyebot hovers, then comes down. A held object is not
+/// dropped.
 #pragma once
 
 #include "swarmanoid_interface/robot.hpp"
 
 namespace swarmanoid {
 
-/// How an eyebot comes down.
+/// The phases of an eyebot's descent.
 struct SafeStopSettings {
   double hover = 2.0;          ///< [s]
   double descend_speed = 0.3;  ///< [m/s]
   double descend_time = 8.0;   ///< [s]
 };
 
-/// What a device's stop goes by.
+/// The inputs of a device's safe stop.
 struct SafeStopMoment {
-  double since = 0.0;  ///< the stop began [s]
+  double since = 0.0;  ///< time since the stop began [s]
   SafeStopSettings settings;
-  const Robot& robot;  ///< with the sensors that the configuration lists, as last heard of
+  const Robot& robot;  ///< the robot with the sensors that its configuration lists, with their last received readings
 };
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-/// A view of consecutive elements that somebody else owns (std::span is C++20; ROS 1 messages stop at C++17).
+/// A view of consecutive elements that another object owns (std::span is C++20; ROS 1 messages stop at C++17).
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-/// The life of one controller, wherever it runs: for those who host controllers. Calls of it are noted (user_code.hpp).
+/// Makes, steps and ends one controller, for all hosts of controllers. Calls of the controller are noted
+/// (user_code.hpp).
 #pragma once
 
 #include <cstdint>
@@ -12,29 +13,28 @@
 
 namespace swarmanoid {
 
-/// Why a robot is stopped whose controller commands a number that is not finite.
+/// The reason for which a robot is stopped if its controller commands a number that is not finite.
 constexpr const char* kNotFinite = "commanded a number that is not finite";
 
-/// Whatever the controller throws is caught.
+/// Steps the controller; every exception is caught.
 /// @param step the call, as it is noted: its host makes it once, {"step", part, robot.name()}, and keeps it; a robot is
 /// stepped often, so its tick alone is set anew
-/// @param failure why it failed; written only then
+/// @param failure the reason if it failed; written only then
 /// @return whether it did not fail; else it is not to be stepped again
 bool stepController(Controller& controller, UserCode& step, Robot& robot, std::uint64_t tick, Time time, Duration dt,
                     std::string& failure);
 
-/// Makes a controller and initialises it.
-/// @param part the controller and its library, for people (UserCode::part) One that does not start is let go without
-/// destroy().
-/// @throws ConfigError that its init throws, as it is; std::runtime_error for whatever else is thrown
+/// Makes a controller and initialises it. A controller that does not start is released without destroy().
+/// @param part the controller and its library, for people (UserCode::part)
+/// @throws ConfigError of its init, unchanged; std::runtime_error for anything else that is thrown
 std::shared_ptr<Controller> startController(const std::function<std::shared_ptr<Controller>()>& make,
                                             std::string_view part, Robot& robot, const Configuration& parameters);
 
-/// Has it destroyed and lets it go, whatever it throws. Null: nothing is done.
-/// @return "", or "destroy: " and what it threw
+/// Calls destroy() of the controller and releases it, even if it throws. Null: nothing is done.
+/// @return "", or "destroy: " and the description of the exception
 std::string endController(std::shared_ptr<Controller>& controller, std::string_view part, const Robot& robot);
 
-/// "controller 'drive' of libdiffusion.so"; without the library if the label is not registered.
+/// Returns "controller 'drive' of libdiffusion.so"; without the library if the label is not registered.
 std::string controllerPart(const std::string& id, const std::string& label);
 
 }  // namespace swarmanoid

@@ -11,7 +11,7 @@ namespace swarmanoid {
 
 using Duration = std::chrono::nanoseconds;
 
-/// The clock of a simulation; it has no now(): time is passed as an argument.
+/// The clock of a simulation. It has no now(): time is passed as an argument.
 struct SimulationClock {
   using duration = Duration;
   using rep = duration::rep;

@@ -11,7 +11,7 @@ namespace swarmanoid {
 
 void endWithinSeconds(ExitCode code) {
   try {
-    // no alarm: the thread that ends the process may have closed itself to signals
+    // alarm() is not used: the thread that ends the process may have blocked signals
     std::thread([code] {
       constexpr std::chrono::seconds kPatience{10};
       std::this_thread::sleep_for(kPatience);
@@ -20,7 +20,7 @@ void endWithinSeconds(ExitCode code) {
       _exit(toNumber(code));
     }).detach();
   } catch (const std::system_error&) {
-    // nothing is lost where there are no more threads
+    // the limit is not essential where no thread can be started
   }
 }
 

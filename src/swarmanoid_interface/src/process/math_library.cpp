@@ -11,7 +11,7 @@
 #include <gnu/libc-version.h>
 #if defined(__x86_64__)
 #if defined(__clang__)
-// the header's own functions are C, and clang knows this word in C only. NOLINTNEXTLINE(bugprone-reserved-identifier)
+// the header's own functions are C, and clang defines this word in C only. NOLINTNEXTLINE(bugprone-reserved-identifier)
 #define _Bool bool
 #endif
 #include <sys/platform/x86.h>
@@ -24,7 +24,8 @@ namespace {
 constexpr const char* kVariable = "GLIBC_TUNABLES";
 constexpr std::string_view kName = "glibc.cpu.hwcaps=";
 
-/// As the C library itself chooses (sysdeps/x86_64/fpu/multiarch): what the processor has and nobody has hidden.
+/// Follows the selection in the C library (sysdeps/x86_64/fpu/multiarch): the features of the processor that no setting
+/// hides.
 bool isFused() {
 #if defined(__GLIBC__) && defined(__x86_64__)
   return (CPU_FEATURE_ACTIVE(FMA) && CPU_FEATURE_ACTIVE(AVX2)) || CPU_FEATURE_ACTIVE(FMA4);
@@ -55,7 +56,7 @@ std::string mathLibrary() {
 
 std::string tunablesOfFixedMathLibrary(const std::string& tunables) {
   const std::string list = ":" + tunables;
-  const auto name = list.rfind(":" + std::string(kName));  // of several lists the last one counts
+  const auto name = list.rfind(":" + std::string(kName));  // if there are several lists the last one counts
   if (name == std::string::npos) {
     return tunables + (tunables.empty() ? "" : ":") + std::string(kName) + "-FMA,-FMA4";
   }
@@ -78,10 +79,10 @@ void fixMathLibrary(char** arguments) {
   const std::string before = found == nullptr ? "" : found;
   const std::string after = tunablesOfFixedMathLibrary(before);
   std::error_code error;
-  // by its name: as /proc/self/exe it would be called exe in lists of processes
+  // the real path is used: started as /proc/self/exe the process would be listed under the name exe
   const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
   if (after == before || error) {
-    return;  // asked for already, in vain; or nothing to start anew
+    return;  // the restart was tried already without success, or there is no program to start
   }
   setenv(kVariable, after.c_str(), 1);
   execv(program.c_str(), arguments);

@@ -1,4 +1,4 @@
-/// The notes of user_code.hpp, for those who read them from outside: handlers of signals and the watch.
+/// The notes of user_code.hpp, for their readers in other threads: handlers of signals and the watch.
 #pragma once
 
 #include <array>
@@ -10,12 +10,12 @@
 
 namespace swarmanoid {
 
-/// The call that one thread is in. Only that thread writes it. It lies where it is for as long as the process lives;
-/// what it points to goes with the call.
+/// The call that one thread is in. Only that thread writes it. The note stays at its address for as long as the process
+/// lives; the texts that it points to are valid during the call.
 struct alignas(64) UserCallNote {
-  std::atomic<bool> is_taken{false};           ///< by a thread
+  std::atomic<bool> is_taken{false};           ///< a thread owns this note
   std::atomic<std::uint64_t> changes{0};       ///< counts calls and returns
-  std::atomic<const UserCode*> call{nullptr};  ///< the innermost one; null: none
+  std::atomic<const UserCode*> call{nullptr};  ///< the innermost call; null: none
 };
 
 /// More threads than this are not watched.
@@ -23,30 +23,31 @@ constexpr std::size_t kMostUserCallNotes = 2048;
 using UserCallNotes = std::array<UserCallNote, kMostUserCallNotes>;
 UserCallNotes& userCallNotes();
 
-/// Of this thread; null if it has never called users' code. A handler of signals may read it: it lies at a fixed
-/// offset, so no thread-local storage is made meanwhile. No thread_local, which other sources reach through a function
-/// only.
+/// The note of this thread; null if the thread has never called users' code. A handler of signals may read it: it lies
+/// at a fixed offset, so no thread-local storage is made meanwhile. It is not thread_local, which other sources reach
+/// through a function only.
 extern __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec"), visibility("hidden")));
 /// Makes the note of this thread, if one is left.
 void takeUserCallNote();
 
-/// See holdUserCalls.
+/// Whether threads are held, see holdUserCalls.
 extern std::atomic<bool> are_user_calls_held __attribute__((visibility("hidden")));
 void standStillUnlessHolder();
 
-/// Notes the call that the thread is in from here on; null: none. In line, for it is done twice a robot and tick.
+/// Notes the call that the thread is in from here on; null: none. It is inline because it runs twice per robot and
+/// tick.
 [[gnu::always_inline]] inline void noteUserCall(UserCallNote& note, const UserCode* call) {
   constexpr auto kRelaxed = std::memory_order_relaxed;
   std::atomic_signal_fence(std::memory_order_seq_cst);
   note.call.store(call, kRelaxed);
   note.changes.store(note.changes.load(kRelaxed) + 1, std::memory_order_release);
-  std::atomic_signal_fence(std::memory_order_seq_cst);  // holdUserCalls makes a whole one of it
+  std::atomic_signal_fence(std::memory_order_seq_cst);  // holdUserCalls turns this into a full fence
   if (__builtin_expect(are_user_calls_held.load(kRelaxed), false)) {
     standStillUnlessHolder();
   }
 }
 
-/// @return the call that this one is in, for leaveUserCode; null: none
+/// @return the call that encloses this one, for leaveUserCode; null: none
 [[gnu::always_inline]] inline const UserCode* enterUserCode(const UserCode& code) {
   if (own_user_call_note == nullptr) {
     takeUserCallNote();
@@ -64,7 +65,7 @@ void standStillUnlessHolder();
   }
 }
 
-/// As UserCall, but in line. For the steps of controllers.
+/// Does the same as UserCall, but inline, for the steps of controllers.
 class NotedCall {
  public:
   explicit NotedCall(const UserCode& code) noexcept : outer_(enterUserCode(code)) {}
@@ -76,18 +77,18 @@ class NotedCall {
   const UserCode* outer_;
 };
 
-/// Of this thread, as it stands. Can be called by a handler of signals.
+/// Returns the present call of this thread. A handler of signals may call it.
 UserCode ownUserCode();
 
-/// From when this returns every thread but this one stands still where it enters or leaves users' code, until the
-/// process ends or they are released. A call that is under way goes on, and does not return. Whoever reads from a note
-/// after this that its call has not changed is right for as long as they are held.
+/// After this returns every other thread is blocked where it enters or leaves users' code, until the process ends or
+/// they are released. A call that is under way goes on, and does not return. A note that is read unchanged after this
+/// stays valid for as long as the threads are held.
 void holdUserCalls();
-/// By the thread that held them.
+/// Releases the threads; is called by the thread that held them.
 void releaseUserCalls();
 
-/// Called instead of ending a thread or the process in the middle of users' code: "called exit". Does not return. Null:
-/// nobody watches.
+/// Is called instead of ending a thread or the process in the middle of users' code: "called exit". It does not return.
+/// Null: there is no watch.
 using UserCodeEnder = void (*)(const char* deed);
 void setUserCodeEnder(UserCodeEnder ender);
 

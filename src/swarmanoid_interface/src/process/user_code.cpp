@@ -22,13 +22,13 @@ namespace {
 UserCallNotes notes;
 std::atomic<UserCodeEnder> ender{nullptr};
 
-/// A stack for handlers of signals: after an overflow there is none other.
+/// A stack for handlers of signals, for after an overflow the thread's own cannot be used.
 class HandlerStack {
  public:
   HandlerStack() {
     stack_t current{};
     if (sigaltstack(nullptr, &current) != 0 || (current.ss_flags & SS_DISABLE) == 0) {
-      return;  // somebody else has given it one
+      return;  // the thread has one already
     }
     void* memory = mmap(nullptr, kSize, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
     if (memory != MAP_FAILED) {
@@ -54,7 +54,7 @@ class HandlerStack {
   void* memory_ = nullptr;
 };
 
-/// A thread's note, from its first call to the thread's end.
+/// Holds a thread's note, from its first call to the thread's end.
 class OwnNote {
  public:
   OwnNote() {
@@ -70,7 +70,7 @@ class OwnNote {
     if (own_user_call_note == nullptr) {
       return;
     }
-    // exit() ends what is thread-local first; a thread that ends otherwise has left its calls
+    // exit() destroys thread-local objects first; a thread that ends otherwise has left its calls
     const UserCodeEnder end = ender;
     if (own_user_call_note->call.load(std::memory_order_relaxed) != nullptr && end != nullptr) {
       end("called exit");
@@ -88,11 +88,11 @@ class OwnNote {
 
 thread_local bool is_holder = false;
 
-/// Every other thread has passed a full fence when this returns: so threads that call users' code need none.
+/// Makes every other thread pass a full fence before it returns, so that threads that call users' code need none.
 void fenceAllThreads() {
   std::atomic_thread_fence(std::memory_order_seq_cst);
-  if (syscall(SYS_membarrier, MEMBARRIER_CMD_GLOBAL, 0, 0) != 0) {  // refused, as some containers do
-    constexpr timespec kLong{0, 50'000'000};                        // no store is under way for so long
+  if (syscall(SYS_membarrier, MEMBARRIER_CMD_GLOBAL, 0, 0) != 0) {  // some containers refuse the call
+    constexpr timespec kLong{0, 50'000'000};                        // longer than any store takes to become visible
     nanosleep(&kLong, nullptr);
   }
 }
@@ -119,7 +119,7 @@ std::string otherThing(const std::string& what) { return "threw " + what + ", wh
 
 UserCallNotes& userCallNotes() { return notes; }
 
-// the attribute again: a definition without it would take the place of the declaration's
+// the attribute is repeated: a definition without it would take the place of the declaration's
 __thread UserCallNote* own_user_call_note __attribute__((tls_model("initial-exec"))) = nullptr;
 
 [[gnu::noinline]] void takeUserCallNote() { thread_local OwnNote own; }

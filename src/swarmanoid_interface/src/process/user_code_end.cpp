@@ -37,7 +37,7 @@ static_assert(std::atomic<ExitCode>::is_always_lock_free, "a signal handler read
 Order the_order;
 __attribute__((tls_model("initial-exec"))) thread_local bool is_watch = false;
 
-/// In one piece, if that is possible. Memory that is not there makes the kernel refuse, but does not crash.
+/// Writes all in one piece, if possible. If memory is not accessible the kernel refuses the write, but nothing crashes.
 void say(std::initializer_list<std::string_view> words) {
   std::array<iovec, 16> pieces{};
   int count = 0;
@@ -50,7 +50,7 @@ void say(std::initializer_list<std::string_view> words) {
   }
 }
 
-/// As describe() has it.
+/// Writes the text of describe().
 void say(const char* deed, const UserCode& code) {
   std::array<char, 21> digits{};
   std::size_t first = digits.size();
@@ -64,7 +64,7 @@ void say(const char* deed, const UserCode& code) {
        has_tick ? std::string_view(&digits[first], digits.size() - first) : "", "\n"});
 }
 
-bool isWatchedProcess() { return getpid() == watched_process; }  // not a child that has come of a fork
+bool isWatchedProcess() { return getpid() == watched_process; }  // excludes children made by fork
 
 [[noreturn]] void standStill() {
   for (;;) {
@@ -92,10 +92,10 @@ void endByDefault(int signal) {
   struct sigaction action {};
   action.sa_handler = SIG_DFL;
   sigaction(signal, &action, nullptr);
-  raise(signal);  // which comes when the handler is left
+  raise(signal);  // the signal is delivered when the handler returns
 }
 
-/// On the watch's thread, which calls users' code only then.
+/// Runs on the watch's thread, which calls users' code only then.
 void endClosing(const char* deed) {
   if (is_watch && is_ending) {
     say({"swarmanoid: ", deed, " while files were completed\n"});

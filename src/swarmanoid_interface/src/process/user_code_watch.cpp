@@ -28,8 +28,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr double kLate = 5.0;          // [s] until a call is reported
 constexpr double kAgain = 30.0;        // [s] until it is reported again
-constexpr double kStuck = 0.4;         // [s] a call does not end by itself when the end is asked for
-constexpr double kEndsByItself = 5.0;  // [s] for whoever is asked to end, and is not in users' code
+constexpr double kStuck = 0.4;         // [s] after which a call counts as stuck when the end is requested
+constexpr double kEndsByItself = 5.0;  // [s] for a process that is asked to end and is not in users' code
 
 sem_t wake;
 std::atomic<int> ends_asked_for{0};
@@ -37,7 +37,7 @@ std::atomic<bool> is_watched{false};
 
 std::string secondsText(double seconds) { return std::to_string(std::lround(seconds)) + " s"; }
 
-/// Reads what may be gone by now: the kernel refuses to, where a pointer would crash.
+/// Reads memory that may be unmapped: the kernel refuses to, where a pointer would crash.
 class CarefulReader {
  public:
   CarefulReader() {
@@ -64,10 +64,10 @@ class CarefulReader {
   int pipe_[2] = {-1, -1};
 };
 
-/// One note, as it was when it was looked at last.
+/// One note, as it was when it was last read.
 struct Sight {
   std::uint64_t changes = 0;
-  double seconds = 0.0;        ///< of the call that is under way
+  double seconds = 0.0;        ///< duration of the call that is under way
   double next_report = kLate;  ///< [s]
 };
 
@@ -126,7 +126,7 @@ class Watch {
 
   UserCodeWatch::Options options_;
   CarefulReader reader_;
-  std::vector<Sight> sights_;  // as the notes
+  std::vector<Sight> sights_;  // in the order of the notes
   double asked_seconds_ = 0.0;
   std::mutex closings_mutex_;
   std::map<std::uint64_t, std::function<void(const UserCodeEnd&)>> closings_;
@@ -158,7 +158,7 @@ void Watch::run() {
       endWith(order->deed, &order->code, user_code_end::exitCodeOf(order->code));
     }
     const auto now = Clock::now();
-    // of a process that was stopped meanwhile no more than this
+    // if the process was stopped meanwhile, no more than this counts
     const double passed = std::min(1.0, std::chrono::duration<double>(now - last).count());
     last = now;
     look(passed);
@@ -206,7 +206,7 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
   }
 }
 
-/// @return false: the call is over, so it may be the next one's texts that were read
+/// @return false if the call is over, so that the texts may be those of the next call
 bool Watch::copy(const UserCallNote& note, const Sight& sight, OwnedCode& owned) const {
   const auto is_over = [&] { return note.changes.load(std::memory_order_acquire) != sight.changes; };
   const std::string bytes = reader_.read(reinterpret_cast<const char*>(note.call.load()), sizeof(UserCode));
@@ -221,8 +221,8 @@ bool Watch::copy(const UserCallNote& note, const Sight& sight, OwnedCode& owned)
   return !is_over();
 }
 
-/// All users' code stands still from here on, so that nobody is at work on what is closed.
-/// @return false: the call that this is for has ended meanwhile, and all go on
+/// Holds all users' code, so that no thread uses what is being closed.
+/// @return false if the call in question has ended meanwhile; then all threads go on
 bool Watch::holdUnlessOver(std::size_t i) const {
   holdUserCalls();
   const bool is_over = userCallNotes()[i].changes.load(std::memory_order_acquire) != sights_[i].changes;
@@ -262,7 +262,7 @@ void Watch::endWith(const std::string& deed, const UserCode* code, ExitCode exit
   if (user_code_end::order() == nullptr && code != nullptr) {
     std::fprintf(stderr, "swarmanoid: %s\n", reason.c_str());
   }
-  if (code != nullptr) {  // else others may be at work on what is to be closed
+  if (code != nullptr) {  // otherwise other threads may use what is to be closed
     const std::lock_guard<std::mutex> lock(closings_mutex_);
     for (const auto& [number, close] : closings_) {
       try {

@@ -23,16 +23,16 @@ void fields(Visitor& visit, ColorBlob& blob) {
   visit(blob.distance, {"distance", "m", "horizontal", {0.0, kInfinity}});
 }
 
-/// What a colour-blob camera saw this tick. LEDs on the far side of their own robot are hidden. Blobs come in the order
-/// of what they belong to: entities by number (the LEDs of one by theirs), then laser spots, then floor patches. If
-/// more is in sight than the camera reports, the nearest are reported, in the same order. The span is valid until the
-/// next tick.
+/// The reading of a colour-blob camera in this tick. LEDs on the far side of their own robot are hidden. Blobs come in
+/// the order of their sources: entities by number (the LEDs of one entity by LED number), then laser spots, then floor
+/// patches. If more blobs are in sight than the camera reports, the nearest are reported, in the same order. The span
+/// is valid until the next tick.
 struct ColorBlobs {
   Span<const ColorBlob> blobs;
-  bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event says so)
+  bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event reports it)
 };
 
-/// Of both cameras.
+/// Describes the fields of both cameras.
 template <class Visitor>
 void fields(Visitor& visit, ColorBlobs& camera) {
   visit(camera.blobs, {"blobs"});
@@ -46,7 +46,7 @@ struct FootbotCamera : ColorBlobs {
 
 REGISTER_DEVICE(FootbotCamera, kSensor, "An omnidirectional camera that reports blobs of colour.")
 
-/// The eyebot's camera, looking down: what it sees lies in a circle on the ground under the robot.
+/// The eyebot's camera, which looks down: its field of view is a circle on the ground under the robot.
 struct EyebotCamera : ColorBlobs {
   static constexpr const char* kType = "eyebot_camera";
 };

@@ -1,5 +1,5 @@
-/// Actuator: the laser pointer under an eyebot. Its red spot on the ground is how the eyebot talks to footbots
-/// (thesis 4.3).
+/// Actuator: the laser pointer under an eyebot. With its red spot on the ground the eyebot signals to footbots (thesis
+/// 4.3).
 #pragma once
 
 #include "swarmanoid_interface/device_type.hpp"

@@ -6,7 +6,8 @@
 
 namespace swarmanoid {
 
-/// On: it holds what it touches, if that is ferromagnetic. Off: it lets go, and the eyebot flies on from there.
+/// On: the magnet holds what it touches, if that is ferromagnetic. Off: it releases it, and the eyebot flies on from
+/// there.
 struct EyebotMagnet {
   static constexpr const char* kType = "eyebot_magnet";
 
@@ -17,11 +18,11 @@ template <class Visitor>
 void fields(Visitor& visit, EyebotMagnet& magnet) {
   visit(magnet.on, {"on", "", "on: holds what it touches, if that is ferromagnetic; off: lets go"});
 }
-/// Who hangs stays up.
+/// The command stays, so that a hanging eyebot does not fall.
 inline bool stopSafely(EyebotMagnet& /*magnet*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(EyebotMagnet, kActuator, "The magnet on top, by which the robot hangs under a ceiling.")
 
-/// As of the end of the last tick.
+/// The state at the end of the last tick.
 struct EyebotMagnetState {
   static constexpr const char* kType = "eyebot_magnet_state";
 

@@ -1,4 +1,4 @@
-/// Actuator: the flight controller of an eyebot, commanded a velocity.
+/// Actuator: the flight controller of an eyebot, whose command is a velocity.
 #pragma once
 
 #include <Eigen/Core>
@@ -22,7 +22,7 @@ void fields(Visitor& visit, EyebotVelocity& velocity) {
   visit(velocity.linear, {"linear", "m/s", "velocity in the robot's frame: ahead, left, up"});
   visit(velocity.yaw_rate, {"yaw_rate", "rad/s", "counter-clockwise seen from above"});
 }
-/// Hovers, then comes down; an eyebot whose sensors say that it hangs by its magnet stays where it is.
+/// Commands hovering, then a descent; an eyebot whose sensors report that it hangs by its magnet stays where it is.
 inline bool stopSafely(EyebotVelocity& velocity, const SafeStopMoment& moment) {
   velocity = EyebotVelocity{};
   const Robot& robot = moment.robot;

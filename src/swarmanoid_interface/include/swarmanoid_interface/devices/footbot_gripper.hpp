@@ -5,7 +5,7 @@
 
 namespace swarmanoid {
 
-/// The command of the gripper. A closed gripper holds what it reaches; an open one lets go.
+/// The command of the gripper. A closed gripper holds the object within its reach; an open gripper releases it.
 struct FootbotGripper {
   static constexpr const char* kType = "footbot_gripper";
 
@@ -19,15 +19,15 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotGripper& gripper) {
   visit(gripper.closed, {"closed", "", "closed: holds what it reaches; open: lets go"});
 }
-/// What is held is not dropped.
+/// The command stays, so that a held object is not dropped.
 inline bool stopSafely(FootbotGripper& /*gripper*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(FootbotGripper, kActuator, "The rigid gripper at the front, which turns with the turret.")
 
-/// What the gripper's contact switch says.
+/// The reading of the gripper's contact switch.
 struct FootbotGripperState {
   static constexpr const char* kType = "footbot_gripper_state";
 
-  bool gripping = false;  ///< something is held, as of the end of the last tick
+  bool gripping = false;  ///< an object is held, as of the end of the last tick
 };
 
 template <class Visitor>

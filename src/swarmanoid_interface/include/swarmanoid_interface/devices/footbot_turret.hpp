@@ -11,14 +11,14 @@
 
 namespace swarmanoid {
 
-/// The command of the turret's motor. At first it holds the angle 0, which is what a robot without this device does.
+/// The command of the turret's motor. Its initial value holds the angle 0, as does a robot without this device.
 struct FootbotTurret {
   static constexpr const char* kType = "footbot_turret";
 
   enum class Mode : std::uint8_t {
     kAngle,   ///< turns to an angle, the shorter way, and holds it
-    kSpeed,   ///< turns on and on
-    kPassive  ///< the motor is off: the turret turns as what the gripper holds pulls it
+    kSpeed,   ///< turns at a speed without end
+    kPassive  ///< the motor is off: forces on the held object turn the turret
   };
 
   Mode mode = Mode::kAngle;
@@ -36,7 +36,7 @@ void fields(Visitor& visit, FootbotTurret& turret) {
   visit(turret.angle, {"angle", "rad", "to turn to in mode 0"});
   visit(turret.speed, {"speed", "rad/s", "to turn at in mode 1"});
 }
-/// Stands where it is; a passive turret stays passive.
+/// The turret holds its present angle; a passive turret stays passive.
 inline bool stopSafely(FootbotTurret& turret, const SafeStopMoment& /*moment*/) {
   if (turret.mode != FootbotTurret::Mode::kPassive) {
     turret.turnAt(0.0);
@@ -45,7 +45,7 @@ inline bool stopSafely(FootbotTurret& turret, const SafeStopMoment& /*moment*/) 
 }
 REGISTER_DEVICE(FootbotTurret, kActuator, "The ring that carries the gripper and turns against the chassis.")
 
-/// What the turret's encoder and its motor say, as of the end of the last tick.
+/// The readings of the turret's encoder and motor, as of the end of the last tick.
 struct FootbotTurretState {
   static constexpr const char* kType = "footbot_turret_state";
 

@@ -1,4 +1,4 @@
-/// Actuator: the two treels of a footbot.
+/// Actuator: the two treels of a footbot. A treel is a track combined with a wheel.
 #pragma once
 
 #include "swarmanoid_interface/device_type.hpp"
@@ -19,7 +19,7 @@ struct FootbotWheels {
     left = left_rad_per_s;
     right = right_rad_per_s;
   }
-  /// The same by speed and turn rate.
+  /// Sets both wheels from speed and turn rate.
   /// @param speed ahead [m/s]; @param turn_rate [rad/s], counter-clockwise
   void drive(double speed, double turn_rate) {
     const double difference = 0.5 * turn_rate * kSeparation;

@@ -9,8 +9,8 @@
 
 namespace swarmanoid {
 
-/// Where an arm's joints are to be [rad], right-handed about the axes that the URDF gives: y, z, x of the robot while
-/// the arm is stretched ahead.
+/// Target angles of an arm's joints [rad], right-handed about the axes in the URDF: y, z, x of the robot while the arm
+/// is stretched ahead.
 struct ArmAngles {
   double shoulder = 0.0;  ///< -1.57 (straight up) to 0.7
   double elbow = 0.0;     ///< -1.2 (to the right) to 1.2 (to the left)
@@ -24,7 +24,7 @@ void fields(Visitor& visit, ArmAngles& arm) {
   visit(arm.wrist, {"wrist", "rad", "about x: turns the hand", {-3.14, 3.14}});
 }
 
-/// The joints go there as fast as their motors can, and hold the commanded angles with no more than the motors' torque.
+/// The joints move to the commanded angles as fast as their motors can, and hold them with at most the motors' torque.
 struct HandbotArms {
   static constexpr const char* kType = "handbot_arms";
 
@@ -37,11 +37,11 @@ void fields(Visitor& visit, HandbotArms& arms) {
   visit(arms.left, {"left"});
   visit(arms.right, {"right"});
 }
-/// What is held is not dropped.
+/// The command stays, so that a held object is not dropped.
 inline bool stopSafely(HandbotArms& /*arms*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(HandbotArms, kActuator, "Two arms, each with shoulder, elbow and wrist.")
 
-/// Where the joints are, as of the end of the last tick, and what their motors give.
+/// The angles of the joints at the end of the last tick, and the torques of their motors.
 struct HandbotArmsState {
   static constexpr const char* kType = "handbot_arms_state";
   static constexpr std::size_t kJoints = 6;

@@ -6,7 +6,7 @@
 
 namespace swarmanoid {
 
-/// Suction on: a hand holds the surface that its cups touch. Off: it lets go.
+/// Suction on: a hand holds the surface that its cups touch. Off: it releases the surface.
 struct HandbotHands {
   static constexpr const char* kType = "handbot_hands";
 
@@ -19,17 +19,17 @@ void fields(Visitor& visit, HandbotHands& hands) {
   visit(hands.left, {"left", "", "suction on: holds what the cups touch; off: lets go"});
   visit(hands.right, {"right", "", "the same of the right hand"});
 }
-/// What is held is not dropped.
+/// The command stays, so that a held object is not dropped.
 inline bool stopSafely(HandbotHands& /*hands*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(HandbotHands, kActuator, "The suction cups of the hands, which grip objects and hold on to walls.")
 
-/// What the docking sensor of each hand says, as of the end of the last tick.
+/// The readings of each hand's docking sensor, as of the end of the last tick.
 struct HandbotHandsState {
   static constexpr const char* kType = "handbot_hands_state";
 
   struct Hand {
     bool holding = false;
-    double force = 0.0;  ///< between hand and what it holds, without the noise of single engine steps [N]
+    double force = 0.0;  ///< between the hand and the held object, without the noise of single engine steps [N]
   };
   Hand left;
   Hand right;

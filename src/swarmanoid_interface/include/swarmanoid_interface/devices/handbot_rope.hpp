@@ -6,9 +6,9 @@
 
 namespace swarmanoid {
 
-/// Shot: the rope flies up, and holds if it meets something ferromagnetic within its length. If it meets nothing such,
-/// is torn off, or loses what it holds, it comes back, and is shot again only after `shot` was false. Not shot: the
-/// magnet lets go and the rope is back in its launcher.
+/// Shot: the rope flies up, and attaches if it reaches a ferromagnetic surface within its length. If it reaches none,
+/// is torn off, or its anchor is removed, it comes back, and is shot again only after `shot` was false. Not shot: the
+/// magnet releases its hold and the rope is back in its launcher.
 struct HandbotRope {
   static constexpr const char* kType = "handbot_rope";
 
@@ -28,7 +28,7 @@ inline bool stopSafely(HandbotRope& rope, const SafeStopMoment& /*moment*/) {
 }
 REGISTER_DEVICE(HandbotRope, kActuator, "The rope with a magnet at its end, shot straight up along the robot's z axis.")
 
-/// As of the end of the last tick.
+/// The state at the end of the last tick.
 struct HandbotRopeState {
   static constexpr const char* kType = "handbot_rope_state";
 

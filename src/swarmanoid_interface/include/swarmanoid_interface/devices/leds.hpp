@@ -25,7 +25,7 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotLeds& leds) {
   visit(leds.ring, {"ring"});
 }
-/// They shine on.
+/// The LEDs keep their colours.
 inline bool stopSafely(FootbotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(FootbotLeds, kActuator, "The ring of coloured LEDs.")
 
@@ -42,7 +42,7 @@ template <class Visitor>
 void fields(Visitor& visit, EyebotLeds& leds) {
   visit(leds.ring, {"ring"});
 }
-/// They shine on.
+/// The LEDs keep their colours.
 inline bool stopSafely(EyebotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(EyebotLeds, kActuator, "The ring of coloured LEDs.")
 

@@ -1,18 +1,19 @@
-/// What processes of the suite end with: the program `swarmanoid`, the space's nodelet, which writes it to a file as
-/// well, hosts of controllers, mock drivers. Scripts go by the numbers, so they stay (docs/reference/program.md).
+/// Exit codes of the processes of the suite: the program `swarmanoid`, the space's nodelet, which writes the code to a
+/// file as well, hosts of controllers, mock drivers. Scripts depend on the numbers, so they do not change
+/// (docs/reference/program.md).
 #pragma once
 
 namespace swarmanoid {
 
 enum class ExitCode : int {
-  kFinished = 0,          ///< done, whether or not the experiment was a success
+  kFinished = 0,          ///< the run was completed, whether or not the experiment was a success
   kBadInput = 2,          ///< a mistake in a file, a parameter or on the command line: nothing was run
   kControllerFailed = 3,  ///< it threw, crashed or took too long: the run went on without it, or ended in that call
-  kStopped = 4,           ///< by an engine, a device, an observer or another participant, or by a disk that is full
-  kInterrupted = 130      ///< by a signal; 128 + SIGINT, as shells have it
+  kStopped = 4,           ///< an engine, a device, an observer, another participant or a full disk stopped the run
+  kInterrupted = 130      ///< a signal ended the run; 128 + SIGINT, as in shells
 };
 
-/// For main, exit and files.
+/// Converts the code for main, exit and files.
 constexpr int toNumber(ExitCode code) { return static_cast<int>(code); }
 
 }  // namespace swarmanoid

@@ -1,13 +1,14 @@
-/// What libraries do when the process ends is users' code too: static destructors, which nobody watches.
+/// Limits the time that the process takes to end: static destructors of libraries are users' code too, and no watch
+/// covers them.
 #pragma once
 
 #include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid {
 
-/// To be called when all is done and said: a process that does not end by itself ends with this exit code some seconds
-/// later, and says so. Starts a thread for that, which keeps nobody from ending earlier; where there can be none,
-/// nothing happens. From any thread.
+/// Is called when all work and output is done: a process that does not end by itself within some seconds ends with this
+/// exit code, and reports it. The function starts a thread for that, which does not delay an earlier end; where no
+/// thread can be started, nothing happens. It may be called from any thread.
 void endWithinSeconds(ExitCode code);
 
 }  // namespace swarmanoid

@@ -1,31 +1,33 @@
-/// Which versions of sine, cosine, arctangent, exponential and their like this process calculates with.
+/// Selects the versions of sine, cosine, arctangent, exponential and similar functions that this process uses.
 ///
 /// The C library (glibc) for x86-64 has two of each, one for every processor and one for processors that multiply and
 /// add in one step (fused, FMA), and takes the second where it can. Both are good to 0.6 of the last bit, but of a
 /// thousand results one differs in that bit, so the same run would end elsewhere on another computer. Here the first is
-/// the **fixed** library: it gives the same bits on any x86-64, to us, to Box2D and ODE, to controllers and to Python
-/// alike. The environment variable GLIBC_TUNABLES chooses, once, when a process starts.
+/// the **fixed** library: it gives the same bits on any x86-64, in the suite, in Box2D and ODE, in controllers and in
+/// Python. The environment variable GLIBC_TUNABLES selects the version once, when a process starts.
 ///
-/// @par Threads fixMathLibrary() before there are any; the others from any.
+/// @par Threads fixMathLibrary() is called before other threads exist; the other functions may be called from any
+/// thread.
 #pragma once
 
 #include <string>
 
 namespace swarmanoid {
 
-/// @return whether results are free of the processor: the fixed library, or one that has no other versions
+/// @return whether results are independent of the processor: the fixed library is in use, or the library has no other
+/// versions
 bool isMathLibraryFixed();
 
-/// @return what to write beside a result: "glibc 2.36, any x86-64" or "glibc 2.36, x86-64 with FMA"
+/// @return the text that is written beside a result: "glibc 2.36, any x86-64" or "glibc 2.36, x86-64 with FMA"
 std::string mathLibrary();
 
 /// @param tunables a value of GLIBC_TUNABLES, may be empty
-/// @return that value, with which a process takes the fixed library, and all else that was asked for stays
+/// @return that value with the setting that selects the fixed library; all other settings stay
 std::string tunablesOfFixedMathLibrary(const std::string& tunables);
 
-/// Replaces this process by itself, in an environment that chooses the fixed library, which its children inherit.
-/// Nothing is lost if it is the first thing that main() does. Returns if there is nothing to change, or if it cannot be
-/// changed: mathLibrary() says then what it is.
+/// Restarts this process in an environment that selects the fixed library, which its children inherit. Nothing is
+/// lost if it is the first call in main(). It returns if there is nothing to change, or if the library cannot be
+/// changed: mathLibrary() then reports which one is in use.
 /// @param arguments argv of main()
 void fixMathLibrary(char** arguments);
 

@@ -1,4 +1,4 @@
-/// A folder for files that nobody needs afterwards.
+/// A folder for temporary files.
 #pragma once
 
 #include <filesystem>
@@ -6,11 +6,11 @@
 
 namespace swarmanoid {
 
-/// A new folder of this user alone where the system keeps such files (TMPDIR, else /tmp). It goes, with all that is in
-/// it, when its owner does.
+/// A new folder that only this user can access, where the system keeps temporary files (TMPDIR, else /tmp). The
+/// destructor removes it with all its contents.
 class TemporaryFolder {
  public:
-  /// @param purpose becomes part of its name, for whoever finds it
+  /// @param purpose becomes part of the folder's name, so that its origin can be recognised
   /// @throws std::runtime_error if it cannot be made
   explicit TemporaryFolder(const std::string& purpose);
   ~TemporaryFolder();

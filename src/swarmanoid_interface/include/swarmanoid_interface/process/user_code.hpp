@@ -1,13 +1,13 @@
-/// The boundary between the suite and users' code. Whose code is called is noted for as long as the call lasts, and
-/// whatever it throws is caught: every call of a controller, the loading of every library, and the calls of a tick that
-/// engines, devices and visualisations get, the suite's own included, go through here.
+/// The boundary between the suite and users' code. The owner of the called code is noted for as long as the call lasts,
+/// and every exception is caught: every call of a controller, the loading of every library, and the calls of a tick to
+/// engines, devices and observers, the suite's own included, go through here.
 ///
-/// The notes are for whoever has to name the robot, or the plugin, when a call does not return: handlers of crashes,
-/// and the watch that reports calls that take too long (user_code_watch.hpp).
+/// The notes supply the name of the robot, or of the plugin, when a call does not return: they are read by handlers of
+/// crashes, and by the watch that reports calls that take too long (user_code_watch.hpp).
 ///
-/// Threads  all functions from any thread; each thread has its own notes.
-/// Cost     a note is some stores into memory that is the thread's own, and a look at whether the process is being
-///          ended: no allocation, lock or system call, but for the first one of a thread.
+/// Threads  all functions may be called from any thread; each thread has its own notes.
+/// Cost     a note is some stores into memory that is the thread's own, and a check whether the process is being ended:
+///          no allocation, lock or system call, except for the first note of a thread.
 #pragma once
 
 #include <cstdint>
@@ -18,25 +18,25 @@
 
 namespace swarmanoid {
 
-/// A call of users' code. What it refers to outlives the call.
+/// A call of users' code. The texts that it refers to outlive the call.
 struct UserCode {
   static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
 
   const char* phase = nullptr;  ///< "step", "init", "loading", "move", ...; a literal
   std::string_view part;        ///< "controller 'drive' of libdiffusion.so", "engine 'ground' (dynamics2d)"
-  std::string_view robot;       ///< its name; "" if the call is for no robot
+  std::string_view robot;       ///< the robot's name; "" if the call is for no robot
   std::uint64_t tick = kNoTick;
-  bool is_controllers = true;  ///< or a library's; else an engine's, a device's, an observer's (callPlugin)
+  bool is_controllers = true;  ///< code of a controller or a library; else of an engine, a device or an observer
 };
 
-/// "step of robot 'fb_3' (controller 'drive' of libdiffusion.so), tick 17", "move of engine 'ground' (dynamics2d), tick
-/// 17", "loading of library 'diffusion'"
+/// Returns "step of robot 'fb_3' (controller 'drive' of libdiffusion.so), tick 17", "move of engine 'ground'
+/// (dynamics2d), tick 17", "loading of library 'diffusion'"
 std::string describe(const UserCode& code);
 
-/// While it lives, its thread is in users' code. They may be nested; the innermost counts.
+/// Marks its thread as being in users' code during its lifetime. Calls may be nested; the innermost counts.
 class UserCall {
  public:
-  /// @param code outlives it
+  /// @param code outlives this object
   explicit UserCall(const UserCode& code) noexcept;
   explicit UserCall(UserCode&& code) = delete;
   ~UserCall();
@@ -47,13 +47,13 @@ class UserCall {
   const UserCode* outer_;
 };
 
-/// What was thrown, for people, whether it is a std::exception or not; never empty, and of a bounded length. Only
-/// inside a `catch (...)`. Does not return if the thread is being ended (pthread_exit): that ends the process, as a
-/// crash does.
+/// Describes the current exception for people, whether it is a std::exception or not; the text is never empty, and of a
+/// bounded length. It may be called only inside a `catch (...)`. It does not return if the thread is being ended
+/// (pthread_exit): that ends the process, as a crash does.
 std::string describeException();
 
 /// Calls users' code whose call is noted already. @return whether it threw nothing
-/// @param failure what it threw; written only then
+/// @param failure description of the exception; written only if there was one
 template <class Action>
 bool succeeds(Action action, std::string& failure) {
   try {
@@ -64,12 +64,12 @@ bool succeeds(Action action, std::string& failure) {
       failure = describeException();
     }
   } catch (...) {
-    failure = describeException();  // what was thrown throws when it goes
+    failure = describeException();  // the destructor of the thrown object throws
   }
   return false;
 }
 
-/// Calls users' code. @return "", or what it threw
+/// Calls users' code. @return "", or the description of the exception
 template <class Action>
 std::string failureOf(const UserCode& code, Action action) {
   const UserCall call(code);
@@ -79,7 +79,8 @@ std::string failureOf(const UserCode& code, Action action) {
 }
 
 /// Calls users' code. @return what it returns
-/// @throws std::exceptions that it throws, as they are; std::runtime_error that says what else it threw
+/// @throws std::exceptions of users' code, unchanged; std::runtime_error with a description for anything else that is
+/// thrown
 template <class Action>
 auto callUserCode(const UserCode& code, Action action) {
   const UserCall call(code);
@@ -92,9 +93,9 @@ auto callUserCode(const UserCode& code, Action action) {
   }
 }
 
-/// Calls a plugin that is no controller: an engine, a device, an observer. std::exceptions pass, for they say who
-/// throws them. @param phase, part, tick as UserCode has them
-/// @throws std::runtime_error "engine 'ground' (dynamics2d) threw the number 7, ..." for whatever else is thrown
+/// Calls a plugin that is no controller: an engine, a device, an observer. std::exceptions pass unchanged, for their
+/// messages name the plugin. @param phase, part, tick as UserCode has them
+/// @throws std::runtime_error "engine 'ground' (dynamics2d) threw the number 7, ..." for anything else that is thrown
 template <class Action>
 auto callPlugin(const char* phase, std::string_view part, std::uint64_t tick, Action action) {
   const UserCode code{phase, part, "", tick, false};
@@ -108,8 +109,8 @@ auto callPlugin(const char* phase, std::string_view part, std::uint64_t tick, Ac
   }
 }
 
-/// File name, without folders, of the library that something of static storage duration is in, such as a function or a
-/// type's description; "" if that is not known.
+/// Returns the file name, without folders, of the library that contains an object of static storage duration, such as a
+/// function or a type's description; "" if that is not known.
 std::string libraryOf(const void* address);
 
 }  // namespace swarmanoid

@@ -5,20 +5,20 @@
 ///     a call that takes longer than the watchdog allows        exit code 3; of an engine, a device, an observer 4
 ///     a call under way when the end is asked for a second time  exit code 130
 ///
-/// The robot, the controller, its library, the phase and the tick are named on standard error, or the plugin that is no
-/// controller; then `close` has some seconds to keep what can be kept. A crash that is not in users' code is said to be
-/// in the simulator, and ends the process by its signal, as if nobody watched. A call that is late is reported, while
-/// it goes on.
+/// A message on standard error names the robot, the controller, its library, the phase and the tick, or the plugin that
+/// is no controller; then `close` has some seconds to save the results. A crash that is not in users' code is reported
+/// as one of the simulator, and ends the process by its signal, as without a watch. A call that is late is reported
+/// while it goes on.
 ///
-/// `close` runs on the watch's thread. The thread of the call that failed stands still until the process ends, and so
-/// does whoever waits for it: what they left is as at the time of the call. If a late call returns after all, it stands
-/// still where it returns; if it has returned before that is made sure of, the process goes on, or ends by itself if it
-/// has been asked to. All other threads stand still where they next enter or leave users' code. So a simulation that
-/// the failing call is no part of, another one in the process, may still be in the middle of a tick while its `close`
-/// runs, for as long as it takes to reach the next call: its files are completed, but of its last tick they may have a
-/// part.
+/// `close` runs on the watch's thread. The thread of the call that failed is blocked until the process ends, and so are
+/// the threads that wait for it: their data remain as at the time of the call. If a late call returns after all, its
+/// thread is blocked at the return; if the call has returned before the threads are held, the process goes on, or ends
+/// by itself if its end has been requested. All other threads are blocked where they next enter or leave users' code.
+/// So another simulation in the process, of which the failing call is no part, may still be in the middle of a tick
+/// while its `close` runs, until it reaches the next call: its files are completed, but they may contain only a part of
+/// its last tick.
 ///
-/// Time     wall time, whatever is done to the calendar; time in which the process is stopped does not count
+/// Time     wall time, independent of changes of the system date; time in which the process is stopped does not count
 #pragma once
 
 #include <functional>
@@ -29,10 +29,10 @@
 
 namespace swarmanoid {
 
-/// Why the process ends.
+/// The reason why the process ends.
 struct UserCodeEnd {
-  std::string robot;   ///< "" if the call was for none
-  std::string part;    ///< as UserCode has it: whoever is called so is not to be called by `close`
+  std::string robot;   ///< "" if the call was for no robot
+  std::string part;    ///< as in UserCode: `close` must not call the plugin or controller of this name
   std::string reason;  ///< "crashed: SIGSEGV in step of robot ..."
   ExitCode exit_code = ExitCode::kControllerFailed;
 };
@@ -40,22 +40,23 @@ struct UserCodeEnd {
 class UserCodeWatch {
  public:
   struct Options {
-    std::function<void(const std::string&)> report;  ///< of a late call, on the watch's thread; nothing: standard error
+    std::function<void(const std::string&)> report;  ///< of a late call, on the watch's thread; empty: standard error
     double watchdog = 0.0;                           ///< [s] of wall time for one call; 0: any time
   };
 
-  /// Takes over the signals of crashes. While there are several in a process the options of the first hold.
+  /// Installs handlers for the signals of crashes. If several watches exist in a process, the options of the first
+  /// hold.
   explicit UserCodeWatch(Options options);
-  /// The last one gives them back.
+  /// The destructor of the last watch restores the former handlers.
   ~UserCodeWatch();
   UserCodeWatch(const UserCodeWatch&) = delete;
   UserCodeWatch& operator=(const UserCodeWatch&) = delete;
 
-  /// While it lives, this is done before the process ends.
+  /// Registers an action that is done before the process ends, during its lifetime.
   class Closing {
    public:
     Closing(UserCodeWatch& watch, std::function<void(const UserCodeEnd&)> close);
-    /// Waits for ever if it is being done: the process ends meanwhile.
+    /// Blocks if the action is being done, for the process ends meanwhile.
     ~Closing();
     Closing(const Closing&) = delete;
     Closing& operator=(const Closing&) = delete;
@@ -64,14 +65,14 @@ class UserCodeWatch {
     std::uint64_t number_;
   };
 
-  /// The end is asked for once more. If a controller's call is under way the process ends with 130 after `close`; else
-  /// it has some seconds to end by itself, for other plugins may be completing files. Asked for again, it ends at once.
-  /// Can be called by a handler of signals.
+  /// Requests the end once more. If a controller's call is under way the process ends with 130 after `close`;
+  /// otherwise it has some seconds to end by itself, for other plugins may be completing files. A further request ends
+  /// it at once. A handler of signals may call this function.
   static void askToEndNow();
 };
 
-/// "step of robot 'fb_3' (...), tick 17 since 12 s", of the call that is under way for longest; "" if none takes longer
-/// than 5 s, or if nobody watches.
+/// Returns "step of robot 'fb_3' (...), tick 17 since 12 s" for the call that is under way for longest; "" if none
+/// takes longer than 5 s, or if there is no watch.
 std::string lateUserCall();
 
 }  // namespace swarmanoid

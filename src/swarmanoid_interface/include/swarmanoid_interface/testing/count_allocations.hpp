@@ -1,4 +1,4 @@
-/// For tests that hold code to allocating nothing: counts every malloc of the program, and so every new.
+/// Serves tests that code allocates nothing: it counts every malloc of the program, and so every new.
 ///
 /// Include it in one source file of the test's executable; it replaces malloc and its relatives there.
 #pragma once
@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstddef>
 
-// Sanitizers bring a malloc of their own; nothing is counted there, and tests skip themselves.
+// Sanitizers have their own malloc; nothing is counted there, and tests skip themselves.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
 #define SWARMANOID_COUNTS_ALLOCATIONS 0
 #else
