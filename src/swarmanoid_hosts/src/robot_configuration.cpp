@@ -24,7 +24,7 @@ Duration secondsToDuration(double seconds) {
   return Duration(std::llround(seconds * kNanosecondsPerSecond));
 }
 
-/// "a, b" as a and b.
+/// Splits "a, b" into a and b.
 std::vector<std::string> split(const std::string& text) {
   std::vector<std::string> names;
   std::istringstream in(text);

@@ -94,7 +94,7 @@ void RobotLoop::run(Duration now, std::uint64_t passed) {
 }
 
 void RobotLoop::carryOnStopping(Duration now) {
-  constexpr std::uint64_t kFewest = 3;  // one message may be lost
+  constexpr std::uint64_t kFewest = 3;  // allows the loss of one message
   const bool is_done = stop(now);
   ++stop_periods_;
   if (state_ == State::kEnding && is_done && stop_periods_ >= kFewest) {
@@ -109,7 +109,7 @@ void RobotLoop::end(Duration now) {
   }
   end_ = End::kAsked;
   if (steps_ == 0) {
-    state_ = State::kOver;  // nothing was ever commanded
+    state_ = State::kOver;  // no command was ever given
     text_ = "ended";
   } else {
     // a stop under way goes on: an eyebot that comes down does not hover again
@@ -122,7 +122,7 @@ void RobotLoop::end(Duration now) {
   }
 }
 
-/// At the start.
+/// Returns the devices that are missing at the start.
 std::string RobotLoop::missing(Duration now) const {
   std::string what;
   for (const Sensor& sensor : sensors_) {
@@ -180,7 +180,7 @@ void RobotLoop::makeFrame() {
   frame_.time = kEpoch + static_cast<Duration::rep>(period_) * configuration_.period;
   const std::uint64_t passed = steps_ == 0 ? 1 : period_ - before;
   frame_.clocktick = static_cast<Duration::rep>(passed) * configuration_.period;
-  frame_.data.assign(1, std::uint8_t{1});  // present
+  frame_.data.assign(1, std::uint8_t{1});  // the robot is present
   ByteWriter out(frame_.data);
   for (const Sensor& sensor : sensors_) {
     writeBlock(*sensor.type, sensor.reading.data.get(), out);
@@ -198,7 +198,7 @@ std::string RobotLoop::readAnswer() {
     if (!actuator.type->is_finite(actuator.received.data.get())) {
       append(failure, "; ", actuator.device.type + ": found a number that is not finite");
     } else {
-      std::swap(actuator.command, actuator.received);  // the command that a safe stop starts from is always sound
+      std::swap(actuator.command, actuator.received);  // the safe stop always starts from a valid command
     }
   }
   debug_values_ = readDebugValues(in);

@@ -8,7 +8,7 @@
 namespace swarmanoid {
 namespace {
 
-/// The left wheel counts steps, the right one draws a random number, the gripper's state decides on failure.
+/// The left wheel counts steps, the right one draws a random number, and the gripper's state selects whether it fails.
 class Counter final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {

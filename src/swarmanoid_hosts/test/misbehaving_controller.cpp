@@ -1,4 +1,4 @@
-// For tests of hosts: moves whatever it is given, a little faster each time, and misbehaves when it is told to.
+// A controller for tests of hosts: it moves all its actuators, a little faster each time, and misbehaves on demand.
 #include <chrono>
 #include <stdexcept>
 #include <thread>

@@ -1,4 +1,4 @@
-// Mock robots move as they are told, and their sensors show it.
+// Mock robots move as commanded, and their sensors show the motion.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -29,7 +29,7 @@ std::string refusalOf(const Configuration& values) {
   return "";
 }
 
-/// @param key with another value than the smallest configuration has
+/// @param key that gets another value than in the smallest configuration
 std::string refusalOf(const std::string& key, const std::string& text) {
   Configuration values("configuration", "", {"/c", 0});
   const Configuration base = smallest();

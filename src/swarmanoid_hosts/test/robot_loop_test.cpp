@@ -1,4 +1,4 @@
-// A robot's loop with a clock that is moved by hand.
+// Tests a robot's loop with a clock that the test advances.
 #include "swarmanoid_hosts/robot_loop.hpp"
 
 #include <gtest/gtest.h>
@@ -17,9 +17,9 @@ namespace {
 using std::chrono::milliseconds;
 constexpr Duration kPeriod = milliseconds(100);
 
-/// What the controller was given, and what it is to do.
+/// The input that the controller received, and the actions that it shall take.
 struct Script {
-  std::vector<double> seen;   // of sensor 0
+  std::vector<double> seen;   // readings of sensor 0
   std::vector<double> times;  // [s]
   std::vector<double> dts;    // [s]
   int destroyed = 0;
@@ -82,14 +82,14 @@ RobotConfiguration footbot() {
   return configuration;
 }
 
-/// A robot whose devices work as long as `are_there`.
+/// A robot whose devices are connected as long as `are_there` is true.
 struct Bench {
   explicit Bench(RobotConfiguration configuration = footbot()) {
     loop = std::make_unique<RobotLoop>(
         "fb_1", "scripted", std::move(configuration), [this] { return std::make_shared<Scripted>(script); }, nullptr,
         now);
   }
-  /// @return of the last one, whether commands are to be sent
+  /// @return whether commands are to be sent, for the last tick
   bool tick(int count = 1, std::uint64_t passed = 1) {
     bool is_to_send = false;
     for (int i = 0; i < count; ++i) {

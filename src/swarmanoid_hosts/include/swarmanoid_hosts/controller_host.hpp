@@ -1,9 +1,9 @@
-/// Runs controllers without a space in the same process: a sensor frame in, a command frame out.
+/// Runs controllers without a space in the same process: a sensor frame is the input, a command frame the output.
 ///
-/// The controllers see what they would see in the space's process, to the last bit: their robots' names, the seed, the
+/// The controllers get the same input as in the space's process, to the last bit: their robots' names, the seed, the
 /// time and the readings are the same. When the space is reset, or a robot comes back, its controller starts anew.
 ///
-/// Threads  all functions from one thread.
+/// Threads  all functions are called from one thread.
 #pragma once
 
 #include <functional>
@@ -23,15 +23,16 @@ class ControllerHost {
   using Factory = std::function<std::shared_ptr<Controller>()>;
 
   /// Makes all controllers.
-  /// @throws std::runtime_error for a device that is not known here, or has other fields here
-  /// @throws what a controller's init throws
+  /// @throws std::runtime_error for a device that is not registered in this process, or has other fields in it
+  /// @throws the exception of a controller's init
   ControllerHost(Registration registration, Factory make, Robot::LogSink log);
   ~ControllerHost();
   ControllerHost(const ControllerHost&) = delete;
   ControllerHost& operator=(const ControllerHost&) = delete;
 
-  /// Steps the controllers of all robots that are present. The same frame again gets the same answer and steps nobody.
-  /// @throws ByteError for a frame that does not fit the registration; then nobody was stepped
+  /// Steps the controllers of all robots that are present. A repeated frame gets the same answer and steps no
+  /// controller.
+  /// @throws ByteError for a frame that does not fit the registration; then no controller was stepped
   const CommandFrame& answer(const SensorFrame& frame);
 
  private:
@@ -41,12 +42,12 @@ class ControllerHost {
     VariableParts parts;
   };
   struct Hosted {
-    std::unique_ptr<Robot> robot;  // null: not present
+    std::unique_ptr<Robot> robot;  // null: the robot is not present
     std::vector<Device> sensors;
     std::vector<Device> actuators;
     std::shared_ptr<Controller> controller;
-    std::string part;  // of it, as UserCode has it
-    UserCode step;     // of it
+    std::string part;  // the controller's, as UserCode has it
+    UserCode step;     // the call of the controller's step
     std::string failure;
     bool is_present = false;
   };
@@ -61,7 +62,7 @@ class ControllerHost {
   Robot::LogSink log_;
   std::uint64_t run_;
   std::uint64_t seed_;
-  std::vector<Hosted> hosted_;  // as registration_.robots
+  std::vector<Hosted> hosted_;  // in the order of registration_.robots
   CommandFrame answer_;
   bool has_answered_ = false;
 };

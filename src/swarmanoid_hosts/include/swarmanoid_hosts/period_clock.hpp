@@ -1,5 +1,5 @@
-/// Periods of equal length on a grid: which one begins when, and how many were missed because something took too long.
-/// A period that is missed is left out, never made up for.
+/// A clock of periods of equal length on a grid: it returns when each period begins, and counts those that were missed
+/// because a step took too long. A missed period is left out, never made up for.
 #pragma once
 
 #include <algorithm>
@@ -15,10 +15,11 @@ class PeriodClock {
   /// The first period begins at `start`, on whatever clock the caller uses.
   PeriodClock(Duration start, Duration period) : start_(start), period_(period) {}
 
-  /// When the next period begins.
+  /// Returns the time at which the next period begins.
   Duration next() const { return start_ + static_cast<Duration::rep>(begun_) * period_; }
 
-  /// Begins a period. @pre now is at least `next` @return how many have passed with it: 1, and each that was missed
+  /// Begins a period. @pre now is at least `next` @return the number of periods that have passed: 1, and each that was
+  /// missed
   std::uint64_t begin(Duration now) {
     SWARMANOID_EXPECTS(now >= next());
     const auto on_grid = static_cast<std::uint64_t>((now - start_) / period_) + 1;
@@ -28,7 +29,7 @@ class PeriodClock {
     return passed;
   }
 
-  /// Since the start.
+  /// Returns the number of missed periods since the start.
   std::uint64_t missed() const { return missed_; }
 
  private:

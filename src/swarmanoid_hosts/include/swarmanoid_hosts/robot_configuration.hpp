@@ -1,5 +1,6 @@
-/// The configuration of a robot's host: which of its devices a controller uses and how, how often, and when the
-/// robot is stopped. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is values, from wherever.
+/// The configuration of a robot's host: which of its devices a controller uses and how, how often, and when the robot
+/// is stopped. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is a Configuration, from any
+/// source.
 ///
 ///     robot_type: footbot                       footbot, eyebot or handbot
 ///     rate: 10                                  of the controller [Hz], 0.1 to 1000
@@ -24,17 +25,17 @@
 
 namespace swarmanoid {
 
-/// A device that has topics in this process.
+/// A device type that has topics in this process.
 struct KnownDevice {
   std::string type;
   bool is_sensor = false;
-  std::vector<std::string> topics;  ///< the first is the main one
+  std::vector<std::string> topics;  ///< the first is the main topic
 };
 
 struct RobotConfiguration {
   struct Device {
     std::string type;
-    std::string topic;  ///< in the robot's namespace
+    std::string topic;  ///< topic in the robot's namespace
   };
 
   std::string robot_type;
@@ -48,7 +49,7 @@ struct RobotConfiguration {
   SafeStopSettings safe_stop;
 };
 
-/// @throws ConfigError with the value's place, what was found and what is allowed; also for names that are not known
+/// @throws ConfigError with the value's place, what was found and what is allowed; also for unknown names
 RobotConfiguration readRobotConfiguration(const Configuration& values, const std::vector<KnownDevice>& known);
 
 }  // namespace swarmanoid

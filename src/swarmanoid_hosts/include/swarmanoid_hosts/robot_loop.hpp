@@ -1,5 +1,5 @@
-/// One robot and its controller, period after period, without ROS: whoever has the robot's devices says what was heard
-/// of them and what time it is, and sends their commands when the caller asks for it.
+/// One robot and its controller, period after period, without ROS: the caller, which has the robot's devices, passes
+/// their readings and the time, and sends the commands when `tick` returns true.
 ///
 ///     waiting ----> running <----> stopped      all devices are there; sensors are lost; all are back
 ///        |             |              |
@@ -10,9 +10,9 @@
 /// While stopped and while ending, commands are the safe stop's (safe_stop.hpp). While stopped the controller is not
 /// stepped and its time stands still; it goes on where it was, without a reset. After a failure it never goes on.
 ///
-/// Time     the controller's is kEpoch at its first step and goes on by whole periods, missed ones included; dt is what
-///          went by since its last step. `now` is any steady clock's.
-/// Threads  all functions from one thread.
+/// Time     the controller's time is kEpoch at its first step and advances by whole periods, missed ones included; dt
+///          is the time since its last step. `now` is the time of any steady clock.
+/// Threads  all functions are called from one thread.
 #pragma once
 
 #include <deque>
@@ -30,10 +30,10 @@ namespace swarmanoid {
 class RobotLoop {
  public:
   enum class State { kWaiting, kRunning, kStopped, kEnding, kOver };
-  /// Why it ends.
+  /// The reason for the end.
   enum class End { kNone, kAsked, kFailed, kMissing };
 
-  /// A device's struct, and where its variable parts are kept.
+  /// A device's struct, and the storage of its variable parts.
   struct Value {
     std::shared_ptr<void> data;
     VariableParts parts;
@@ -41,19 +41,19 @@ class RobotLoop {
   struct Sensor {
     RobotConfiguration::Device device;
     const DeviceType* type = nullptr;
-    Value reading;                  ///< to be written to
-    std::optional<Duration> heard;  ///< when last
+    Value reading;                  ///< the caller writes to it
+    std::optional<Duration> heard;  ///< time of the last reading
   };
   struct Actuator {
     RobotConfiguration::Device device;
     const DeviceType* type = nullptr;
-    Value command;          ///< to be sent when `tick` says so
-    Value received;         ///< of the controller, not looked at yet
-    bool is_heard = false;  ///< somebody receives its commands
+    Value command;          ///< the caller sends it when `tick` returns true
+    Value received;         ///< command of the controller, not checked yet
+    bool is_heard = false;  ///< whether a receiver of its commands is connected
   };
 
-  /// Makes the controller. @param label of it, for the record
-  /// @throws std::runtime_error for a device whose fields are not registered; what the controller's init throws
+  /// Makes the controller. @param label the controller's, for the record
+  /// @throws std::runtime_error for a device whose fields are not registered; the exception of the controller's init
   RobotLoop(const std::string& robot, const std::string& label, RobotConfiguration configuration,
             ControllerHost::Factory make, const Robot::LogSink& log, Duration now);
   RobotLoop(const RobotLoop&) = delete;
@@ -62,26 +62,26 @@ class RobotLoop {
   std::deque<Sensor>& sensors() { return sensors_; }
   std::deque<Actuator>& actuators() { return actuators_; }
 
-  /// One period. @param passed since the last one, in periods
+  /// Carries out one period. @param passed time since the last call, in periods
   /// @return whether the commands of all actuators are to be sent
   bool tick(Duration now, std::uint64_t passed = 1);
 
-  /// The robot is to stop safely, and then it is over.
+  /// Begins the safe stop of the robot, after which the loop is over.
   void end(Duration now);
 
   State state() const { return state_; }
   End whyItEnds() const { return end_; }
-  /// Of the state, for people: "waiting for ...", "running", ...
+  /// Returns the state for people: "waiting for ...", "running", ...
   const std::string& text() const { return text_; }
 
-  /// Whether the last tick stepped the controller, be it that it failed: then these are its frames.
+  /// Returns whether the last tick stepped the controller, even if it failed: then these are its frames.
   bool hasStepped() const { return has_stepped_; }
   const SensorFrame& sensorFrame() const { return frame_; }
   const CommandFrame& commandFrame() const { return *answer_; }
   const Registration& registration() const { return registration_; }
   const std::vector<Robot::DebugValue>& debugValues() const { return debug_values_; }
   std::uint64_t steps() const { return steps_; }
-  /// How often sensors were lost.
+  /// Returns how often sensors were lost.
   std::uint64_t stops() const { return stops_; }
 
  private:
@@ -93,17 +93,17 @@ class RobotLoop {
   void carryOnStopping(Duration now);
   void step(Duration now);
   void makeFrame();
-  /// @throws ByteError @return "", or why the controller failed
+  /// @throws ByteError @return "", or the reason why the controller failed
   std::string readAnswer();
   void beginStop(Duration now, State state);
-  /// @return whether the commands stay now
+  /// @return whether the commands no longer change
   bool stop(Duration now);
 
   RobotConfiguration configuration_;
   std::deque<Sensor> sensors_;
   std::deque<Actuator> actuators_;
   Registration registration_;
-  Robot robot_;  ///< of the safe stop: sensors as they are here
+  Robot robot_;  ///< robot for the safe stop, with the sensors as they are here
   std::unique_ptr<ControllerHost> host_;
   SensorFrame frame_;
   const CommandFrame* answer_ = nullptr;
@@ -114,7 +114,7 @@ class RobotLoop {
   Duration began_;
   Duration stop_began_{};
   std::uint64_t stop_periods_ = 0;
-  std::uint64_t period_ = 0;  ///< of the controller's time
+  std::uint64_t period_ = 0;  ///< period of the controller's time
   std::uint64_t steps_ = 0;
   std::uint64_t stops_ = 0;
   bool has_stepped_ = false;

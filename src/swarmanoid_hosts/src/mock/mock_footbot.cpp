@@ -1,4 +1,4 @@
-// A footbot on flat ground: it drives through walls, but its proximity sensors and its camera see where it is.
+// A footbot on flat ground: it drives through walls, but its proximity sensors and its camera depend on its pose.
 #include <algorithm>
 #include <cmath>
 

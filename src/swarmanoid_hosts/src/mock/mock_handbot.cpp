@@ -1,5 +1,5 @@
-// A handbot that stands where it is, or hangs by its rope. What a hand reaches out for at its own height is there, if
-// the world has it.
+// A handbot that stands at its place, or hangs by its rope. A hand that reaches out at its own height touches an
+// object, if the world has one there.
 #include <algorithm>
 #include <cmath>
 
@@ -56,7 +56,7 @@ class MockHandbot final : public MockRobot {
   }
 
   void moveHands() {
-    constexpr double kLevel = 0.1;  // [rad] of the shoulder: the arm reaches out
+    constexpr double kLevel = 0.1;  // [rad] of the shoulder: the arm counts as stretched out
     constexpr double kForce = 5.0;  // [N]
     const auto hold = [&](bool is_on, bool is_something, std::size_t shoulder, HandbotHandsState::Hand& hand) {
       hand.holding = is_on && is_something && (hand.holding || std::abs(arms_state_.joints[shoulder].angle) < kLevel);

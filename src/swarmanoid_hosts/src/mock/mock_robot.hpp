@@ -1,5 +1,5 @@
-/// Robots that are not there: simple kinematics behind the devices of a real one, without ROS. They are for trying
-/// controllers and hosts, not for experiments: nothing has mass, nothing collides, readings have no noise.
+/// Simulates robots by simple kinematics behind the devices of a real one, without ROS. They serve to try controllers
+/// and hosts, not for experiments: no body has mass, no bodies collide, readings have no noise.
 #pragma once
 
 #include <memory>
@@ -23,7 +23,7 @@ class MockRobot {
     std::string device;
     void* command;
   };
-  /// In the robot's frame.
+  /// A velocity in the robot's frame.
   struct Twist {
     Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
     double yaw_rate = 0.0;                             ///< [rad/s]
@@ -69,7 +69,8 @@ class MockRobot {
   std::vector<Actuator> actuators_;
 };
 
-/// Reads the robot's world and its start from `values`: `start: [x, y, z]`, `start_yaw` [degrees], and readWorld's.
+/// Reads the robot's world and its start from `values`: `start: [x, y, z]`, `start_yaw` [degrees], and the values of
+/// readWorld.
 /// @param type footbot, eyebot, handbot @throws ConfigError
 std::unique_ptr<MockRobot> makeMockRobot(const std::string& type, const Configuration& values);
 
@@ -77,24 +78,24 @@ std::unique_ptr<MockRobot> makeMockFootbot(World world, Pose start);
 std::unique_ptr<MockRobot> makeMockEyebot(World world, Pose start);
 std::unique_ptr<MockRobot> makeMockHandbot(World world, Pose start);
 
-/// The beacon as a camera at the robot sees it.
+/// Returns the beacon as a camera at the robot reports it.
 ColorBlob blobOf(const Beacon& beacon, const Pose& pose);
 
-/// What a driver does when commands stay away: after `timeout` an actuator that had commands gets those of its safe
-/// stop, until a command comes again.
+/// Does what a driver does when commands are missing: after `timeout` an actuator that had commands gets those of its
+/// safe stop, until a command comes again.
 class CommandWatchdog {
  public:
   /// @param timeout [s]
   CommandWatchdog(const MockRobot& robot, double timeout);
 
   void commanded(std::size_t actuator) { silence_[actuator] = 0.0; }
-  /// To be called before the robot moves. @param dt [s]
+  /// Is called before the robot moves. @param dt [s]
   void advance(double dt);
-  /// Whether no command has come for longer than `timeout`: the actuator is being stopped.
+  /// Returns whether no command has come for longer than `timeout`, so that the actuator is being stopped.
   bool hasExpired(std::size_t actuator) const { return silence_[actuator] > timeout_; }
 
  private:
-  static constexpr double kNever = -1.0;  // had no command yet
+  static constexpr double kNever = -1.0;  // the actuator has had no command yet
 
   const MockRobot& mock_;
   Robot robot_;

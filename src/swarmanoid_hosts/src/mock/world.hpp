@@ -1,5 +1,5 @@
-/// What stands around a mock robot: walls, things of a colour, a ceiling. Just enough for its sensors to show that it
-/// moves.
+/// The surroundings of a mock robot: walls, coloured objects, a ceiling. They suffice for its sensors to show its
+/// motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,23 +11,23 @@
 
 namespace swarmanoid::mock {
 
-/// Where a robot is [m, rad]: x ahead of its start, y left of it, z up, yaw counter-clockwise.
+/// The pose of a robot [m, rad]: x ahead of its start, y left of it, z up, yaw counter-clockwise.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   double yaw = 0.0;
 
-  /// A point of the world in the robot's frame, and back.
+  /// Converts a point of the world to the robot's frame, and back.
   Eigen::Vector3d toRobot(const Eigen::Vector3d& point) const;
   Eigen::Vector3d toWorld(const Eigen::Vector3d& point) const;
 };
 
-/// Upright and as high as need be, from one point of the ground to another.
+/// An upright wall of sufficient height, from one point of the ground to another.
 struct Wall {
   Eigen::Vector2d from;
   Eigen::Vector2d to;
 };
 
-/// Something that a camera sees.
+/// An object that a camera sees.
 struct Beacon {
   std::string name;
   Eigen::Vector3d at;
@@ -38,13 +38,13 @@ struct Beacon {
 struct World {
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
-  double ceiling = 3.0;  ///< its height; it is ferromagnetic [m]
-  /// Whether a handbot's hand meets something when its arm is level.
+  double ceiling = 3.0;  ///< height of the ceiling, which is ferromagnetic [m]
+  /// Whether a handbot's hand touches an object when its arm is level.
   bool is_something_left = true;
   bool is_something_right = true;
 };
 
-/// As a parameter file has it:
+/// Reads the world from values such as these of a parameter file:
 ///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
 ///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
 ///     ceiling: 3
@@ -52,7 +52,8 @@ struct World {
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 
-/// From a point along a direction of the ground to the nearest wall. @return infinity if there is none [m]
+/// Returns the distance from a point along a direction of the ground to the nearest wall. @return infinity if there is
+/// none [m]
 double distanceToWall(const World& world, const Eigen::Vector2d& from, double direction);
 
 }  // namespace swarmanoid::mock

@@ -1,4 +1,4 @@
-/// Feeds a controller with recorded readings, and compares what it commands with what was recorded.
+/// Passes recorded readings to a controller, and compares its commands with the recorded ones.
 #pragma once
 
 #include <limits>
@@ -12,18 +12,19 @@
 
 namespace swarmanoid::replay {
 
-/// What a controller did in a tick, read from its command frame.
+/// The result of a controller's step in a tick, read from its command frame.
 struct Answer {
   StepStatus status = StepStatus::kNothing;
   std::string failure;
-  std::vector<Bytes> commands;  ///< of each actuator, in the order of the robot's description
+  std::vector<Bytes> commands;  ///< bytes of each actuator, in the order of the robot's description
   std::vector<std::pair<std::string, std::string>> debug;
 };
 
 /// @throws ByteError if the frame is not one of that robot
 Answer answerOf(const CommandFrame& frame, const RemoteRobot& robot);
 
-/// The readings of each sensor, in the order of the robot's description; none if the controller was not to step.
+/// Returns the readings of each sensor, in the order of the robot's description; none if the controller was not to
+/// step.
 /// @throws ByteError if the frame is not one of that robot
 std::vector<Bytes> readingsOf(const SensorFrame& frame, const RemoteRobot& robot);
 
@@ -34,7 +35,7 @@ struct TickRange {
   bool contains(std::uint64_t tick) const { return tick >= first && tick <= last; }
 };
 
-/// A tick in which the controller does otherwise.
+/// A tick in which the controller's result differs.
 struct Difference {
   SensorFrame sensors;
   Answer recorded;
@@ -48,12 +49,13 @@ struct Comparison {
   std::optional<Difference> first;
 };
 
-/// Whether both command the same, byte by byte, or failed for the same reason. Debug values are not compared.
+/// Returns whether both have the same commands, byte by byte, or failed for the same reason. Debug values are not
+/// compared.
 bool isSame(const Answer& recorded, const Answer& replayed, const RemoteRobot& robot);
 
-/// The controller steps through all recorded ticks up to the last of the range; those in the range are compared.
-/// @throws std::runtime_error if its devices have other fields here @throws ByteError for a bad frame
-/// @throws what a controller's init throws
+/// Steps the controller through all recorded ticks up to the last of the range; those in the range are compared.
+/// @throws std::runtime_error if its devices have other fields in this process @throws ByteError for a bad frame
+/// @throws the exception of a controller's init
 Comparison compare(const RecordedRun& run, ControllerHost::Factory make, Robot::LogSink log, TickRange range = {});
 
 }  // namespace swarmanoid::replay

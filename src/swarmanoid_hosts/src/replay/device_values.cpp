@@ -41,7 +41,7 @@ Field readNumber(const std::string& kind, ByteReader& in) {
   throw ByteError("found the field '" + kind + "', which is none that is known here");
 }
 
-/// The position after the bracket that closes the one at `open`.
+/// Returns the position after the bracket that closes the one at `open`.
 std::size_t afterBracket(const std::string& layout, std::size_t open) {
   int depth = 0;
   for (std::size_t i = open; i < layout.size(); ++i) {
@@ -68,7 +68,7 @@ std::vector<Field> readFields(const std::string& layout, ByteReader& in) {
         field.elements.push_back(readFields(inner, in));
       }
       fields.push_back(std::move(field));
-      i = end + 1;  // and the star
+      i = end + 1;  // skips the star as well
     } else {
       const std::size_t end = std::min(layout.find(' ', i), layout.size());
       fields.push_back(readNumber(layout.substr(i, end - i), in));
@@ -80,7 +80,7 @@ std::vector<Field> readFields(const std::string& layout, ByteReader& in) {
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// @param names of the fields; null: they are not known
+/// @param names of the fields; null if they are unknown
 void addNamed(const std::vector<Field>& fields, const std::vector<NumberName>* names, const std::string& prefix,
               Values& out) {
   for (std::size_t i = 0; i < fields.size(); ++i) {

@@ -1,4 +1,4 @@
-/// The bytes of a device as numbers for people, read by its layout ("f8 f8 (f4 u1)*") alone.
+/// Converts the bytes of a device to numbers for people, by its layout ("f8 f8 (f4 u1)*") alone.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace swarmanoid::replay {
 
 /// A field: a number, or a variable part with its elements.
 struct Field {
-  std::string number;  ///< short, and exact: it reads back to the same bits
+  std::string number;  ///< short and exact: reading it gives the same bits
   bool is_finite = true;
   bool is_variable = false;
   std::vector<std::vector<Field>> elements;
@@ -21,11 +21,12 @@ struct Field {
 /// @throws ByteError if the bytes are not of that layout
 std::vector<Field> decode(const std::string& layout, Span<const std::uint8_t> bytes);
 
-/// "0.15 -0.15 [(1 2) (3 4)]"
+/// Returns "0.15 -0.15 [(1 2) (3 4)]".
 std::string toText(const std::vector<Field>& fields);
 
-/// Each number with its name: "left", "value[3]", "blobs[0].bearing". By its position if no device of that type and
-/// layout is known in this process: "1" the second field; "2[0].1" of the third field the first element's second.
+/// Returns each number with its name: "left", "value[3]", "blobs[0].bearing". If no device of that type and layout is
+/// registered in this process, the name is the position: "1" for the second field; "2[0].1" for the second number of
+/// the first element of the third field.
 std::vector<std::pair<std::string, std::string>> named(const std::vector<Field>& fields, const DeviceLayout& device);
 
 bool isFinite(const std::vector<Field>& fields);

@@ -1,4 +1,4 @@
-/// What was recorded of controllers: for each robot its starts, and the frames of each tick after them.
+/// The recorded data of controllers: for each robot its starts, and the frames of each tick after them.
 #pragma once
 
 #include <map>
@@ -12,19 +12,19 @@ namespace swarmanoid::replay {
 
 struct RecordedTick {
   SensorFrame sensors;
-  std::optional<CommandFrame> commands;  ///< nothing: the recording lacks them
+  std::optional<CommandFrame> commands;  ///< nothing if the recording lacks them
 };
 
-/// One life of a controller.
+/// One run of a controller, from its start to its end.
 struct RecordedRun {
-  Registration start;               ///< of the one robot
-  Time start_time = kEpoch;         ///< by the controller's time
-  std::vector<RecordedTick> ticks;  ///< as they were recorded
+  Registration start;               ///< registration of the one robot
+  Time start_time = kEpoch;         ///< start in the controller's time
+  std::vector<RecordedTick> ticks;  ///< in the order of the recording
 
   const RemoteRobot& robot() const { return start.robots.front(); }
 };
 
-/// By robot.
+/// Maps a robot's name to its runs.
 using Recording = std::map<std::string, std::vector<RecordedRun>>;
 
 }  // namespace swarmanoid::replay

@@ -35,7 +35,7 @@ std::string find(const std::vector<std::pair<std::string, std::string>>& values,
   return found == values.end() ? "nothing" : found->second;
 }
 
-/// The keys of both, those of the first in their order and then what only the second has.
+/// Returns the keys of both: those of the first in their order and then those that only the second has.
 std::vector<std::string> keysOf(const std::vector<std::pair<std::string, std::string>>& first,
                                 const std::vector<std::pair<std::string, std::string>>& second) {
   std::vector<std::string> keys;

@@ -1,4 +1,4 @@
-/// What is said of a replay, in words.
+/// Formats the result of a replay as text.
 #pragma once
 
 #include <string>
@@ -8,19 +8,19 @@
 
 namespace swarmanoid::replay {
 
-/// "fb_1", and of a robot with several starts "fb_1, start 2 (run 1)".
+/// Returns "fb_1", or for a robot with several starts "fb_1, start 2 (run 1)".
 std::string titleOf(const std::vector<RecordedRun>& runs, std::size_t run);
 
-/// How many ticks are equal; of the first that is not: when, which device, both values of each field that differs, the
-/// readings, the debug values. Lines, each with its end.
+/// Returns the number of equal ticks and, for the first tick that differs: its time, the device, both values of each
+/// field that differs, the readings, the debug values. Each line has its line end.
 std::string report(const RecordedRun& run, const std::string& title, const Comparison& comparison);
 
-/// What the recording lacks, if it lacks anything: its beginning, ticks in between. Lines, each with its end.
+/// Returns what the recording lacks, if anything: its beginning, ticks in between. Each line has its line end.
 std::string warnings(const RecordedRun& run, const std::string& title);
 
-/// What was recorded, one device a line: robot, tick, time, kind, name and values, separated by tabs.
+/// Returns the recorded data, one device a line: robot, tick, time, kind, name and values, separated by tabs.
 std::string table(const RecordedRun& run, TickRange range);
-/// Its first line.
+/// Returns the first line of the table.
 std::string tableHeader();
 
 }  // namespace swarmanoid::replay

@@ -12,7 +12,7 @@
 namespace swarmanoid {
 namespace {
 
-/// A file of the other provider would be left unread.
+/// Refuses a parameter that only the other provider reads.
 void refuse(const ros::NodeHandle& own, const std::string& parameter, const std::string& instead) {
   if (own.hasParam(parameter)) {
     throw ConfigError({own.getNamespace() + "/" + parameter, 0}, "found values, allowed: " + instead);

@@ -7,7 +7,7 @@ namespace swarmanoid {
 namespace {
 
 std::deque<DeviceTopic>& topics() {
-  static std::deque<DeviceTopic> topics;  // addresses last
+  static std::deque<DeviceTopic> topics;  // addresses stay valid
   return topics;
 }
 

@@ -1,4 +1,4 @@
-// swarmanoid_hosts/ControllerNodelet, for controllers that have no nodelet of their own.
+// Exports swarmanoid_hosts/ControllerNodelet, for controllers that have no nodelet of their own.
 #include <pluginlib/class_list_macros.hpp>
 
 #include "swarmanoid_hosts/ros/controller_nodelet.hpp"

@@ -35,7 +35,7 @@ std::vector<DeviceLayout> fromMessages(const std::vector<swarmanoid_msgs::Device
   return devices;
 }
 
-/// "outer/inner": the text, for every element that has one or holds nothing else.
+/// Writes the text of "outer/inner" for every element that has a text or no children.
 void flatten(const Configuration& element, const std::string& path, swarmanoid_msgs::RemoteRobot& message) {
   for (const Configuration& child : element.children()) {
     const std::string child_path = path + child.name();
@@ -48,7 +48,7 @@ void flatten(const Configuration& element, const std::string& path, swarmanoid_m
   }
 }
 
-/// The inverse. An element comes before those in it, and those in it come before the next one.
+/// Does the inverse. An element comes before its children, and its children come before the next element.
 void unflatten(const std::string& path, const std::string& value, const SourceLocation& location,
                Configuration& element) {
   const auto slash = path.find('/');
@@ -85,7 +85,7 @@ void toMessage(const RemoteRobot& robot, swarmanoid_msgs::RemoteRobot& message) 
 }
 
 RemoteRobot fromMessage(const swarmanoid_msgs::RemoteRobot& message, const ParameterLocations& elsewhere) {
-  const SourceLocation location{message.location, 0};  // lines are in the text already
+  const SourceLocation location{message.location, 0};  // the text contains the lines already
   Configuration parameters("parameters", "", location);
   for (const auto& parameter : message.parameters) {
     const auto place = elsewhere.find(parameter.name);

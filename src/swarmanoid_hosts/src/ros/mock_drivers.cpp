@@ -1,8 +1,8 @@
-// mock_drivers: the drivers of one robot that is not there, with the topics of docs/reference/drivers.md.
+// mock_drivers: drivers of one simulated robot with simple kinematics, with the topics of docs/reference/drivers.md.
 //
 // Private parameters: `robot`, its name; `type`, footbot, eyebot or handbot; `rate` of the sensors [Hz], 1 to 1000;
-// `watchdog`, how long commands may stay away before an actuator is stopped safely [s], 0.01 to 3600; `without`,
-// devices that are left out, separated by spaces; `world`, what is around it (../mock/world.hpp).
+// `watchdog`, how long commands may be missing before an actuator is stopped safely [s], 0.01 to 3600; `without`,
+// devices that are left out, separated by spaces; `world`, its surroundings (../mock/world.hpp).
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -62,7 +62,7 @@ class Drivers {
     odometry_ = robot_handle_.advertise<nav_msgs::Odometry>("odom", kQueue);
   }
 
-  /// Until the node ends.
+  /// Runs until the node ends.
   void run() {
     const auto now = [] { return ros::SteadyTime::now().toNSec(); };
     const Duration period(std::llround(1e9 / rate_));
@@ -125,7 +125,7 @@ class Drivers {
     publishOdometry(header.stamp);
   }
 
-  /// At each change.
+  /// Publishes the LEDs at each change.
   void publishLeds(const std_msgs::Header& header) {
     for (const MockRobot::Actuator& actuator : robot_->actuators()) {
       swarmanoid_msgs::LedArray message;
@@ -168,7 +168,7 @@ class Drivers {
   std::unique_ptr<MockRobot> robot_;
   CommandWatchdog watchdog_;
   std::vector<Output> sensors_;
-  std::deque<VariableParts> parts_;  // addresses last
+  std::deque<VariableParts> parts_;  // addresses stay valid
   std::vector<ros::Subscriber> commands_;
   ros::Publisher leds_state_;
   std::vector<std_msgs::ColorRGBA> shown_;
@@ -180,7 +180,7 @@ class Drivers {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "mock_drivers");
-  const ros::NodeHandle own("~");  // outlives the drivers: with its last handle a node loses its log as well
+  const ros::NodeHandle own("~");  // outlives the drivers: without any handle a node loses its log as well
   try {
     swarmanoid::mock::Drivers(own).run();
   } catch (const std::exception& error) {

@@ -9,7 +9,7 @@ namespace {
 using Value = XmlRpc::XmlRpcValue;
 
 std::string textOf(const Value& value) {
-  Value copy = value;  // its readers are not const
+  Value copy = value;  // its read functions are not const
   switch (copy.getType()) {
     case Value::TypeBoolean:
       return static_cast<bool>(copy) ? "true" : "false";

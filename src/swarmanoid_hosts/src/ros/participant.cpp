@@ -36,7 +36,7 @@ void Participant::run() {
     host_ = std::make_unique<ControllerHost>(
         registration, [&entry] { return makePlugin<Controller>(entry); }, logRobot);
     const std::string topics = space_ + "/participants/" + name_;
-    constexpr bool kLatched = true;  // whichever side is connected first, nothing is lost
+    constexpr bool kLatched = true;  // a latched message arrives whichever side connects first
     commands_ = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
     sensors_ = own_.subscribe(topics + "/sensors", 1, &Participant::answer, this, ros::TransportHints().tcpNoDelay());
     ROS_INFO("commanding %zu robot(s) of %s with %s", registration.robots.size(), space_.c_str(), label_.c_str());
@@ -116,7 +116,7 @@ Registration Participant::adapt(Registration registration) {
 
 void Participant::answer(const swarmanoid_msgs::SensorFrameConstPtr& message) {
   if (message->session != session_) {
-    return;  // for a former self, still latched
+    return;  // a frame for an earlier registration, still latched
   }
   toMessage(host_->answer(fromMessage(*message)), commands_message_);
   commands_.publish(commands_message_);

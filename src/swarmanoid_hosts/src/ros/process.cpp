@@ -21,7 +21,7 @@ void takeSignal(int) {
   std::signal(SIGTERM, SIG_DFL);
 }
 
-/// As roscpp's own, but for the ending.
+/// Does the same as roscpp's handler, but does not end the process.
 void takeShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
   is_end_asked_for = true;
   constexpr int kSuccess = 1;
@@ -30,7 +30,7 @@ void takeShutdown(XmlRpc::XmlRpcValue&, XmlRpc::XmlRpcValue& result) {
   result[2] = 0;
 }
 
-/// After all that main did; statics are still alive.
+/// Runs after main has returned; static objects still exist.
 void leave() {
   std::fflush(nullptr);
   std::_Exit(toNumber(exit_code));

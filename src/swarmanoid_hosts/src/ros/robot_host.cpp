@@ -35,7 +35,7 @@ RobotHost::RobotHost(const ros::NodeHandle& own, const std::string& label, bool 
       name_(readRobotName(own)),
       is_standalone_(is_standalone),
       diagnostics_(ros::NodeHandle(), own, "/" + name_) {
-  const Registry::Entry& entry = findController(own, label);  // its library may bring devices
+  const Registry::Entry& entry = findController(own, label);  // the library of the controller may define devices
   configuration_ = readRobotConfiguration(own);
   loop_ = std::make_unique<RobotLoop>(
       name_, entry.description.label, configuration_, [&entry] { return makePlugin<Controller>(entry); }, logRobot,
@@ -108,7 +108,7 @@ void RobotHost::servePeriod(PeriodClock& clock) {
     ROS_WARN_THROTTLE(1.0, "%s: overrun: %lu period(s) of %.3f s left out, %lu so far", name_.c_str(), passed - 1,
                       toSeconds(configuration_.period), missed_);
   }
-  queue_.callAvailable();  // what came while the last step took too long
+  queue_.callAvailable();  // handles the messages that came while the last step took too long
   std::size_t i = 0;
   for (RobotLoop::Actuator& actuator : loop_->actuators()) {
     actuator.is_heard = outputs_[i++].publisher.getNumSubscribers() > 0;
@@ -156,7 +156,7 @@ void RobotHost::publishFrames() {
   }
 }
 
-/// In the log, when the state changes, and while it waits.
+/// Writes to the log when the state changes, and while the robot is waiting.
 void RobotHost::say() {
   const State state = loop_->state();
   const char* text = loop_->text().c_str();
@@ -212,7 +212,7 @@ void RobotHost::leave() {
   }
   const RobotLoop::End why = loop_->whyItEnds();
   inputs_.clear();
-  loop_.reset();  // the controller is destroyed when its robot stands
+  loop_.reset();  // the controller is destroyed after its robot has stopped
   if (is_standalone_) {
     process::endWith(why == RobotLoop::End::kFailed    ? ExitCode::kControllerFailed
                      : why == RobotLoop::End::kMissing ? ExitCode::kStopped

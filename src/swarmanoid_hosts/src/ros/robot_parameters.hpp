@@ -1,4 +1,4 @@
-/// What a robot's host reads from its private parameters (robot_host.hpp).
+/// Reads the private parameters of a robot's host (robot_host.hpp).
 #pragma once
 
 #include <ros/node_handle.h>
@@ -13,10 +13,10 @@ namespace swarmanoid {
 /// @throws ConfigError if there is none, or more than one
 std::string readRobotName(const ros::NodeHandle& own);
 
-/// With the devices that have topics in this process. @throws ConfigError
+/// Reads the configuration, with the devices that have topics in this process. @throws ConfigError
 RobotConfiguration readRobotConfiguration(const ros::NodeHandle& own);
 
-/// Loads its library if need be. @param given_label the nodelet's, or "" @throws std::runtime_error
+/// Loads the controller's library if necessary. @param given_label the nodelet's, or "" @throws std::runtime_error
 const Registry::Entry& findController(const ros::NodeHandle& own, const std::string& given_label);
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-// Recorded frames and a controller, without a bag: what is equal, what differs, and what is said of it.
+// Replays recorded frames with a controller, without a bag: tests what is equal, what differs, and the report.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -12,7 +12,7 @@
 namespace swarmanoid::replay {
 namespace {
 
-/// Drives at a speed that its parameter and a random number say; from `turn_at` on it turns.
+/// Drives at a speed that depends on its parameter and a random number; from `turn_at` on it turns.
 class Driver final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
@@ -87,7 +87,7 @@ RecordedRun startOf(const std::string& parameter = "", int value = 0) {
   return run;
 }
 
-/// What a space would have recorded of this controller.
+/// Returns the recording that a space would make of this controller.
 RecordedRun record(std::uint64_t ticks, const std::string& parameter = "", int value = 0) {
   RecordedRun run = startOf(parameter, value);
   ControllerHost host(run.start, makeDriver, nullptr);
@@ -97,7 +97,7 @@ RecordedRun record(std::uint64_t ticks, const std::string& parameter = "", int v
   return run;
 }
 
-/// The same recording, replayed by a controller with other parameters.
+/// Returns the same recording with other parameters for the replayed controller.
 RecordedRun with(RecordedRun run, const std::string& parameter, int value) {
   run.start.robots.front().parameters = startOf(parameter, value).robot().parameters;
   return run;
@@ -233,7 +233,7 @@ TEST(DeviceValuesTest, NumbersHaveTheNamesOfTheirFields) {
       {"blobs[0].color.red", "255"}, {"blobs[0].color.green", "128"}, {"blobs[0].color.blue", "0"},
       {"blobs[0].bearing", "-0.25"}, {"blobs[0].distance", "1.5"},    {"overflowed", "false"}};
   EXPECT_EQ(expected, named(decode(type.layout, bytes), {type.type, type.layout}));
-  // of another version of the device only the positions are known
+  // for another version of the device only the positions are known
   Bytes other;
   ByteWriter(other).number(2.5F);
   EXPECT_EQ((std::vector<std::pair<std::string, std::string>>{{"0", "2.5"}}),

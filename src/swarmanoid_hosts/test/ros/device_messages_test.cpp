@@ -1,4 +1,4 @@
-// Devices as messages and back.
+// Converts devices to messages and back.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -23,7 +23,7 @@
 namespace swarmanoid {
 namespace {
 
-/// There and back, onto a device with its initial value.
+/// Converts to a message and back, to a device with its initial value.
 template <class Message, class Device>
 Device thereAndBack(const Device& device) {
   Message message;

@@ -1,4 +1,4 @@
-// Two bags are compared field by field: what differs is named, and nothing else is.
+// Two bags are compared field by field: exactly the fields that differ are named.
 #include <gtest/gtest.h>
 #include <rosbag/bag.h>
 #include <std_msgs/String.h>
@@ -30,7 +30,7 @@ class DiffTest : public testing::Test {
     return message;
   }
 
-  /// A bag with one state a tick, from 0.
+  /// Writes a bag with one state a tick, from 0.
   std::string bag(const std::string& name, const std::vector<swarmanoid_msgs::NamedState>& states) const {
     rosbag::Bag bag(file(name), rosbag::bagmode::Write);
     for (const auto& message : states) {
@@ -39,7 +39,7 @@ class DiffTest : public testing::Test {
     return file(name);
   }
 
-  /// Of all ticks, as "field: first | second".
+  /// Returns the differences of all ticks, as "field: first | second".
   static Names differences(const std::string& first_file, const std::string& second_file) {
     BagReader first(first_file);
     BagReader second(second_file);

@@ -1,4 +1,4 @@
-// docs/reference/drivers.md says what the table of device topics says, and nothing else.
+// docs/reference/drivers.md has the same content as the table of device topics.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -11,7 +11,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Device, topic, type, and the frame of readings, for each row of a section's table.
+/// Returns device, topic, type, and the frame of readings, for each row of a section's table.
 std::set<std::string> rowsOf(const std::string& section, bool has_frame) {
   std::ifstream page(PAGE);
   EXPECT_TRUE(page) << PAGE;

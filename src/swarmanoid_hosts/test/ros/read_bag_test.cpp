@@ -1,4 +1,4 @@
-// Recorded controllers in bags: which frames belong together, and what is refused.
+// Recorded controllers in bags: tests which frames belong together, and what is refused.
 #include "../../src/ros/replay/read_bag.hpp"
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ class ReadBagTest : public testing::Test {
     bag_.write("/" + robot + "/controller/commands", ros::Time(time), message);
   }
 
-  /// @return what it says; "" if it is read
+  /// @return the text of the error; "" if the bag is read
   std::string refusal(const std::vector<std::string>& robots = {}) {
     bag_.close();
     try {

@@ -3,8 +3,9 @@
 /// swarmanoid_add_controller makes one for each controller, named `<package>/<label>`. The plain
 /// swarmanoid_hosts/ControllerNodelet hosts any controller, such as one whose library is only named by a path.
 ///
-/// With the private parameter `robots` it needs no space in its process. `provider` says where the robots' devices come
-/// from: `lockstep`, a space elsewhere (participant.hpp), or `topics`, a robot's drivers (robot_host.hpp).
+/// With the private parameter `robots` it needs no space in its process. The parameter `provider` selects where the
+/// robots' devices come from: `lockstep`, a space elsewhere (participant.hpp), or `topics`, a robot's drivers
+/// (robot_host.hpp).
 #pragma once
 
 #include <memory>
@@ -29,7 +30,7 @@ class ControllerNodelet : public PartNodelet {
   bool runAlone() override;
 
   std::string label_;
-  std::unique_ptr<UserCodeWatch> watch_;  ///< without a space in this process, which has one
+  std::unique_ptr<UserCodeWatch> watch_;  ///< for runs without a space in this process; a space has its own watch
   std::unique_ptr<Participant> participant_;
   std::unique_ptr<RobotHost> robot_host_;
 };

@@ -1,6 +1,6 @@
-/// What several devices' messages are made of. The devices themselves: topics/.
+/// Converts the fields that several devices' messages share. The devices themselves are in topics/.
 ///
-/// Functions that read a message throw std::runtime_error, which says what was found and what is allowed.
+/// Functions that read a message throw std::runtime_error, whose text gives what was found and what is allowed.
 #pragma once
 
 #include <sensor_msgs/JointState.h>
@@ -17,7 +17,7 @@ namespace swarmanoid {
 
 ros::Time toRosTime(Time time);
 
-/// Alpha is 1, or 0 for black ("off").
+/// The alpha value is 1, or 0 for black ("off").
 std_msgs::ColorRGBA toMessage(Color color);
 /// The inverse; a colour of alpha 0 is black.
 Color fromMessage(const std_msgs::ColorRGBA& color);
@@ -26,17 +26,16 @@ void toMessage(Span<const Color> ring, swarmanoid_msgs::LedArray& message);
 /// @throws std::runtime_error unless there are as many colours as the ring has LEDs
 void fromMessage(const swarmanoid_msgs::LedArray& message, Span<Color> ring);
 
-/// Of one joint [rad, rad/s, N m].
+/// The values of one joint [rad, rad/s, N m].
 struct JointValues {
   double position = 0.0;
   double velocity = 0.0;
   double effort = 0.0;
 };
-/// @throws std::runtime_error if the joint, or one of its three values, is not there
+/// @throws std::runtime_error if the joint, or one of its three values, is missing
 JointValues jointOf(const sensor_msgs::JointState& message, const std::string& name);
 
-/// For parts of a message that a robot cannot carry out.
-/// @throws std::runtime_error
+/// Refuses fields of a message that a robot cannot carry out.
 void refuseUnlessZero(const char* name, double value);
 
 }  // namespace swarmanoid

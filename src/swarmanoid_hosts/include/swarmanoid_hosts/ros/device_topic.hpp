@@ -1,21 +1,23 @@
-/// Devices as ROS topics: name, message and frame of each, for whoever publishes or receives it. One table for all: the
-/// simulator's views of devices, its robots that are commanded over topics, controllers on robots, and drivers.
+/// Describes devices as ROS topics: name, message and frame of each, for its publishers and subscribers. One table
+/// serves all: the simulator's views of devices, its robots that are commanded over topics, controllers on robots, and
+/// drivers.
 ///
-/// Readings go from a robot to whoever listens, commands the other way. Topics lie in the robot's namespace.
+/// Readings go from a robot to its subscribers, commands the other way. Topics lie in the robot's namespace.
 ///
-/// A device is made a message, and back, by two functions in the device's namespace, in a header of their own; below
-/// them the topic registers itself (topics/footbot_gripper.hpp is an example):
+/// Two functions in the device's namespace, in a header of their own, convert a device to a message and back; a macro
+/// below them registers the topic (topics/footbot_gripper.hpp is an example):
 ///
 ///     inline void toMessage(const MyDevice& device, my_msgs::MyDevice& message);
 ///     inline void fromMessage(const my_msgs::MyDevice& message, MyDevice& device);
 ///     REGISTER_DEVICE_TOPIC(MyDevice, my_msgs::MyDevice, kReading, "my_device", "base_link")
 ///
-/// What a message does not hold stays as it is; stamp and frame_id of the header are the caller's. `fromMessage` throws
-/// std::runtime_error, saying what was found and what is allowed, for a message that is no such device; the struct may
-/// then be partly written. If it has lists, it takes VariableParts as well, in which their elements are kept.
+/// Fields that a message does not contain stay unchanged; the caller sets stamp and frame_id of the header.
+/// `fromMessage` throws std::runtime_error, with what was found and what is allowed, for a message that is not valid
+/// for the device; the struct may then be partly written. For a device with lists it takes VariableParts as well, which
+/// store their elements.
 ///
-/// The suite's are the headers in topics/; one of your own is included by a source of a library that is linked with
-/// swarmanoid_hosts_ros. A device may have more than one topic; the first is the main one.
+/// The headers in topics/ define the suite's topics; a source of a library that is linked with swarmanoid_hosts_ros
+/// includes the header of a further topic. A device may have more than one topic; the first is the main one.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -34,32 +36,32 @@ namespace swarmanoid {
 
 struct DeviceTopic {
   enum class Kind { kReading, kCommand };
-  /// @param problem "", or why a message was refused; the device is then as it was
+  /// @param problem "", or the reason why a message was refused; the device is then unchanged
   using Receiver = std::function<void(const std::string& problem)>;
 
   std::string device;   ///< Device::kType
   std::string name;     ///< such as "gripper/state"
   std::string message;  ///< such as "swarmanoid_msgs/GripperState"
-  std::string frame;    ///< of readings: a link of the robot, "base_link"
+  std::string frame;    ///< for readings: a link of the robot, "base_link"
   Kind kind = Kind::kReading;
 
-  /// In the namespace of `robot`.
+  /// Advertises the topic in the namespace of `robot`.
   ros::Publisher (*advertise)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
-  /// @param header stamp, and for readings the frame; left out where the message has none
+  /// @param header stamp, and for readings the frame; it is left out if the message has no header
   void (*publish)(const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) = nullptr;
-  /// Each message that comes is written to `device`, whose variable parts are kept in `parts`; then `receive` is
-  /// called. On the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
+  /// Writes each message that comes to `device`, whose variable parts are stored in `parts`, and then calls `receive`,
+  /// on the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
   ros::Subscriber (*subscribe)(ros::NodeHandle& robot, const DeviceTopic& topic, void* device, VariableParts& parts,
                                Receiver receive) = nullptr;
 };
 
-/// In the order of registration; those of one device may be several. @return empty if it has none
+/// Returns the topics of a device in the order of registration. @return empty if it has none
 std::vector<const DeviceTopic*> topicsOf(const std::string& device);
 /// @return null if it has none
 const DeviceTopic* mainTopicOf(const std::string& device);
-/// Sorted by device, then in the order of registration.
+/// Returns all topics, sorted by device, then in the order of registration.
 std::vector<const DeviceTopic*> deviceTopics();
-/// While libraries load; the first of a device and name stays.
+/// Registers a topic while a library loads; the first one of a device and name stays.
 void registerDeviceTopic(DeviceTopic topic);
 
 namespace detail {

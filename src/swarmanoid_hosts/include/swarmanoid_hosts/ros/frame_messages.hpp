@@ -1,4 +1,4 @@
-/// What space and participants send each other, and what is recorded of it, as messages.
+/// Converts between frames and messages: those that space and participants exchange, and those that are recorded.
 #pragma once
 
 #include <swarmanoid_msgs/CommandFrame.h>
@@ -13,7 +13,7 @@
 
 namespace swarmanoid {
 
-/// By the name of a parameter (of nested ones a path: outer/inner) the place where it was given.
+/// Maps the name of a parameter (for nested ones a path: outer/inner) to the place where it was given.
 using ParameterLocations = std::map<std::string, SourceLocation>;
 
 void toMessage(const SensorFrame& frame, swarmanoid_msgs::SensorFrame& message);
@@ -22,14 +22,14 @@ SensorFrame fromMessage(const swarmanoid_msgs::SensorFrame& message);
 void toMessage(const CommandFrame& frame, swarmanoid_msgs::CommandFrame& message);
 CommandFrame fromMessage(const swarmanoid_msgs::CommandFrame& message);
 
-/// All but `success` and `message`.
+/// Converts all fields but `success` and `message`.
 void toMessage(const Registration& registration, swarmanoid_msgs::Register::Response& message);
 Registration fromMessage(const swarmanoid_msgs::Register::Response& message);
 
-/// One robot of it. The stamp of the header is the caller's.
+/// Converts one robot of the registration. The caller sets the stamp of the header.
 void toMessage(const Registration& registration, std::size_t robot, swarmanoid_msgs::ControllerStart& message);
-/// Of one robot, in session 0.
-/// @param elsewhere the parameters that do not come from where the message says
+/// Returns the registration of one robot, in session 0.
+/// @param elsewhere locations of the parameters that do not come from the location in the message
 Registration fromMessage(const swarmanoid_msgs::ControllerStart& message, const ParameterLocations& elsewhere = {});
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-/// Robots' logs in the ROS log.
+/// Writes the logs of robots to the ROS log.
 #pragma once
 
 #include <string>
@@ -7,7 +7,8 @@
 
 namespace swarmanoid {
 
-/// A Robot::LogSink: to rosout and the console, with the robot's name before the text. From any thread.
+/// A Robot::LogSink: writes to rosout and the console, with the robot's name before the text. It may be called from any
+/// thread.
 void logRobot(LogLevel level, const std::string& robot, const std::string& text);
 
 }  // namespace swarmanoid

@@ -1,14 +1,14 @@
-/// A process that runs the controllers of a space's robots elsewhere: registers with the space, answers each sensor
-/// frame with a command frame, and ends its process when the space is gone or refuses it.
+/// A process that runs the controllers of a space's robots elsewhere: it registers with the space, answers each sensor
+/// frame with a command frame, and ends its process when the space has ended or refuses it.
 ///
 /// Private parameters: `robots`, names separated by spaces; `space`, the space's node (/space); `timeout` [s] and
-/// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, what the controller reads instead of the
-/// `<parameters>` of the experiment file; `library` of a controller that is not in this process yet.
+/// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, which the controller reads instead of the
+/// `<parameters>` of the experiment file; `library` of a controller that is not loaded in this process yet.
 ///
-/// Alone in its process it ends that with 0 when the space is gone, with 4 when the space refuses it.
+/// If it is the only nodelet in its process, the exit code is 0 when the space has ended, 4 when the space refuses it.
 ///
-/// Time     wall time only; ROS time may stand still.
-/// Threads  one of its own, on which the controllers step.
+/// Time     it uses wall time only; ROS time may stand still.
+/// Threads  it has a thread of its own, on which the controllers step.
 #pragma once
 
 #include <ros/callback_queue.h>
@@ -26,8 +26,8 @@ namespace swarmanoid {
 
 class Participant {
  public:
-  /// @param own with the private parameters; @param name its own, without a leading slash
-  /// @param label of the controller; "": the one that the experiment file gives the first robot
+  /// @param own with the private parameters; @param name of the participant, without a leading slash
+  /// @param label of the controller; "": that of the first robot in the experiment file
   Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone);
   ~Participant();
   Participant(const Participant&) = delete;

@@ -1,6 +1,6 @@
-/// The process of a standalone nodelet, where its program does too little: it is `nodelet standalone`, which returns 0
-/// whatever became of its nodelet, and roscpp's own answer to signals shuts all publishers before anybody can say a
-/// last word to a robot.
+/// Controls the process of a standalone nodelet, because its program does too little: the program is `nodelet
+/// standalone`, which returns 0 whatever the result of its nodelet is, and roscpp's own handling of signals shuts all
+/// publishers down before a last command can be sent to a robot.
 #pragma once
 
 #include <string>
@@ -9,15 +9,15 @@
 
 namespace swarmanoid::process {
 
-/// Whether the process is that of this nodelet alone. @param nodelet its full name
+/// Returns whether this nodelet is the only one in the process. @param nodelet its full name
 bool isStandalone(const std::string& nodelet);
 
-/// From now on SIGINT, SIGTERM and `rosnode kill` only say that the end is asked for. A second signal ends the process
-/// at once. Once, on the main thread.
+/// From now on SIGINT, SIGTERM and `rosnode kill` only request the end. A second signal ends the process at once. It is
+/// called once, on the main thread.
 void takeOverSignals();
 bool isEndAskedFor();
 
-/// When the program is through with main, the process ends with this code. The first code stays.
+/// Sets the exit code with which the process ends after the program returns from main. The first code stays.
 void endWith(ExitCode code);
 
 }  // namespace swarmanoid::process

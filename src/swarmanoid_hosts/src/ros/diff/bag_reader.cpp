@@ -9,7 +9,7 @@
 namespace swarmanoid::diff {
 namespace {
 
-// Messages of one tick stand together in a bag, but those with one stamp in no order.
+// Messages of one tick stand together in a bag, but messages with the same stamp have no defined order.
 constexpr std::size_t kTicksInMemory = 4;
 
 template <class Message>
@@ -29,7 +29,7 @@ bool isOf(const rosbag::MessageInstance& instance) {
   return instance.getDataType() == ros::message_traits::datatype<Message>();
 }
 
-/// "/fb_1/controller/sensors" is fb_1's.
+/// "/fb_1/controller/sensors" belongs to fb_1.
 std::string robotOf(const std::string& topic) { return topic.substr(1, topic.find('/', 1) - 1); }
 
 }  // namespace

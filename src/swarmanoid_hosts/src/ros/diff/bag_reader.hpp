@@ -1,5 +1,5 @@
-/// Reads a bag tick by tick, in the order of runs and ticks. Only a few ticks are in memory.
-/// One thread at a time.
+/// Reads a bag tick by tick, in the order of runs and ticks. Only a few ticks are in memory. One thread may use it at a
+/// time.
 #pragma once
 
 #include <rosbag/bag.h>
@@ -15,7 +15,7 @@
 
 namespace swarmanoid::diff {
 
-/// Where the state is taken from.
+/// The topic from which the state is read.
 enum class StateSource {
   kNamedState,  ///< all fields
   kWorldState   ///< poses, twists, engines, grips, colours
@@ -27,12 +27,12 @@ class BagReader {
   explicit BagReader(const std::string& file);
 
   bool hasNamedState() const { return has_named_state_; }
-  /// Call before `next`.
+  /// Selects the source. It is called before `next`.
   void choose(StateSource source) { source_ = source; }
 
   /// @return nothing at the end @throws ConfigError for a message of another version
   std::optional<RecordedTick> next();
-  /// As far as it has been read.
+  /// Returns the descriptions that have been read so far.
   const RobotDescriptions& robots() const { return robots_; }
 
  private:
@@ -47,7 +47,7 @@ class BagReader {
   bool has_named_state_ = false;
   StateSource source_ = StateSource::kNamedState;
   RobotDescriptions robots_;
-  std::map<TickKey, RecordedTick> waiting_;  // until messages of later ticks have come
+  std::map<TickKey, RecordedTick> waiting_;  // ticks wait until messages of later ticks have come
   std::shared_ptr<const std::vector<std::string>> names_;
 };
 

@@ -26,7 +26,7 @@ std::string toText(double value) {
 
 bool isSame(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
-/// Lists that are alike in most: the values of each name that both have, then what only one has.
+/// Compares lists with mostly equal names: first the values of each name in both lists, then those in only one.
 void compareValues(const Values& first, const Values& second, std::vector<Difference>& out) {
   const std::map<std::string, std::string> others(second.begin(), second.end());
   std::set<std::string> seen;
@@ -65,7 +65,7 @@ void compareStates(const StateFields& first, const StateFields& second, std::vec
   compareValues(valuesOf(first), valuesOf(second), out);
 }
 
-/// Names of a robot's devices by type, and their values as far as the frame tells.
+/// Returns the names of a robot's devices by type, and their values as far as the frame contains them.
 Values devices(const std::string& begin, const std::vector<DeviceLayout>& types, const std::vector<Bytes>& blocks) {
   Values values;
   for (std::size_t i = 0; i < blocks.size(); ++i) {
@@ -113,7 +113,7 @@ bool isSame(const std::optional<Frame>& first, const std::optional<Frame>& secon
   return first.has_value() == second.has_value() && (!first || first->data == second->data);
 }
 
-/// @param read what takes a frame apart
+/// @param read function that decodes a frame
 template <class Frame, class Read>
 void compareFrames(const std::string& robot, const std::optional<Frame>& first, const std::optional<Frame>& second,
                    const Side& first_side, const Side& second_side, Read read, std::vector<Difference>& out) {

@@ -19,7 +19,7 @@ struct Options {
   std::size_t most_fields = 20;
 };
 
-/// A bag, or the only one in a folder.
+/// Returns the file itself if it is a bag, or the only bag in a folder.
 std::string bagOf(const std::string& run) {
   namespace fs = std::filesystem;
   if (!fs::is_directory(run)) {
@@ -52,11 +52,11 @@ void print(const TickKey& key, const std::vector<Difference>& differences, const
   }
 }
 
-/// What ticks were compared, for people.
+/// Counts the compared ticks, fields and bytes, for people.
 struct Count {
   std::size_t ticks = 0;
-  std::size_t fields = 0;  // of states
-  std::size_t bytes = 0;   // of readings and commands
+  std::size_t fields = 0;  // fields of states
+  std::size_t bytes = 0;   // bytes of readings and commands
 
   void add(const RecordedTick& tick) {
     ++ticks;

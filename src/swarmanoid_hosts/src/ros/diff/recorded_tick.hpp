@@ -1,4 +1,4 @@
-/// What a bag has of one tick: what controllers saw and did, and the state of the space at its end.
+/// The recorded data of one tick in a bag: input and output of controllers, and the state of the space at its end.
 #pragma once
 
 #include <cstdint>
@@ -19,13 +19,13 @@ struct StateFields {
   std::vector<std::string> texts;
 };
 
-/// Of one robot; nothing: it was not recorded in that tick.
+/// The frames of one robot; a missing one was not recorded in that tick.
 struct ControllerFrames {
   std::optional<SensorFrame> sensors;
   std::optional<CommandFrame> commands;
 };
 
-/// Which tick of which run. Ticks that are finished count, so 0 is the state before the first.
+/// Identifies a tick of a run. The number counts finished ticks, so 0 is the state before the first.
 struct TickKey {
   std::uint64_t run = 0;
   std::uint64_t finished_ticks = 0;
@@ -41,7 +41,7 @@ struct RecordedTick {
   std::optional<StateFields> state;
 };
 
-/// By robot, as its last start describes it.
+/// Maps a robot to the description in its last start.
 using RobotDescriptions = std::map<std::string, RemoteRobot>;
 
 }  // namespace swarmanoid::diff

@@ -1,4 +1,4 @@
-/// The world state that every bag has as fields, for bags without the named state.
+/// Converts the world state, which every bag has, to fields, for bags without the named state.
 #pragma once
 
 #include <swarmanoid_msgs/WorldState.h>
@@ -7,7 +7,7 @@
 
 namespace swarmanoid::diff {
 
-/// Named as in swarmanoid_msgs/NamedState.
+/// Fields have the names of swarmanoid_msgs/NamedState.
 StateFields worldFields(const swarmanoid_msgs::WorldState& state);
 
 }  // namespace swarmanoid::diff

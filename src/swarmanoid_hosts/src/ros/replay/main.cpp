@@ -1,4 +1,4 @@
-// `replay`: feeds controllers with the readings of a bag, and compares what they command with what was recorded.
+// `replay`: passes the readings of a bag to controllers, and compares their commands with the recorded ones.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
@@ -15,7 +15,7 @@
 namespace swarmanoid::replay {
 namespace {
 
-constexpr int kDiffers = 1;  // beside the other exit codes
+constexpr int kDiffers = 1;  // in addition to the other exit codes
 
 struct Options {
   std::string bag;
@@ -27,14 +27,14 @@ struct Options {
   bool log = false;
 };
 
-/// Loads the library of a controller if need be. @return its label
+/// Loads the library of a controller if necessary. @return its label
 std::string loadController(const std::string& asked, const std::string& recorded) {
   const Registry& registry = Registry::instance();
   std::string name = asked.empty() ? recorded : asked;
   std::error_code ignored;
   const auto slash = name.rfind('/');
   if (slash != std::string::npos && !std::filesystem::exists(name, ignored)) {
-    name = name.substr(slash + 1);  // package/label, as a nodelet is named
+    name = name.substr(slash + 1);  // package/label, as in the name of a nodelet
   }
   if (registry.find(PluginKind::kController, name) != nullptr) {
     return name;
@@ -127,7 +127,7 @@ int replay(const Options& options) {
 int main(int argc, char** argv) {
   using namespace swarmanoid::replay;
   using swarmanoid::ExitCode;
-  swarmanoid::fixMathLibrary(argv);  // that of the run, where it was fixed too
+  swarmanoid::fixMathLibrary(argv);  // the library of the run, if it was fixed there too
   Options options;
   CLI::App app{"Feeds controllers with the readings of a bag, and compares what they command with what was recorded.",
                "replay"};

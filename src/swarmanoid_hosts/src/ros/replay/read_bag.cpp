@@ -22,7 +22,7 @@ struct Received {
   typename Message::ConstPtr message;
 };
 
-/// All that the bag has of one robot; within each topic in the order in which it was received.
+/// All messages of one robot in the bag; within each topic in the order in which they were received.
 struct Raw {
   std::vector<Received<swarmanoid_msgs::ControllerStart>> starts;
   std::vector<Received<swarmanoid_msgs::SensorFrame>> sensors;
@@ -86,7 +86,7 @@ void replace(const ParameterValue& parameter, swarmanoid_msgs::RemoteRobot& robo
       return;
     }
     if (i->name.compare(0, family.size(), family) == 0) {
-      place = i + 1;  // nested ones stand together
+      place = i + 1;  // nested parameters are contiguous
     }
   }
   swarmanoid_msgs::TextParameter message;
@@ -95,8 +95,8 @@ void replace(const ParameterValue& parameter, swarmanoid_msgs::RemoteRobot& robo
   robot.parameters.insert(place, message);
 }
 
-/// Frames belong to the last start of their run that was received before them. A start that is latched may come a
-/// little after the first frames to whoever begins to record later; then these belong to the first.
+/// Returns the run of a frame: the last start of the same run number that was received before it. A recorder that
+/// starts later may receive a latched start a little after the first frames; then these belong to the first start.
 RecordedRun* runOf(const Received<swarmanoid_msgs::SensorFrame>& frame,
                    const std::vector<Received<swarmanoid_msgs::ControllerStart>>& starts,
                    std::vector<RecordedRun>& runs) {
@@ -111,8 +111,8 @@ RecordedRun* runOf(const Received<swarmanoid_msgs::SensorFrame>& frame,
 
 using TickKey = std::pair<std::uint64_t, std::uint64_t>;  // run and tick
 
-/// The commands of that tick that were received nearest to the readings: a robot that was started again counts its
-/// ticks anew.
+/// Returns the commands of that tick that were received nearest to the readings: a robot that was started again counts
+/// its ticks anew.
 std::optional<CommandFrame> commandsOf(
     const Received<swarmanoid_msgs::SensorFrame>& sensors,
     const std::multimap<TickKey, const Received<swarmanoid_msgs::CommandFrame>*>& all) {
@@ -130,7 +130,7 @@ std::vector<RecordedRun> assemble(const std::string& file, const std::string& na
                                   const std::vector<ParameterValue>& parameters) {
   ParameterLocations locations;
   for (const ParameterValue& parameter : parameters) {
-    locations[parameter.name] = parameter.location;  // of the last of a name, whose value it has
+    locations[parameter.name] = parameter.location;  // the last parameter of a name gives its value and location
   }
   std::vector<RecordedRun> runs;
   for (const auto& received : raw.starts) {
@@ -152,7 +152,7 @@ std::vector<RecordedRun> assemble(const std::string& file, const std::string& na
                                        std::to_string(frame.stamp.run) + "; record that topic too");
     }
     if (!run->ticks.empty() && run->ticks.back().sensors.stamp == frame.stamp) {
-      continue;  // a frame that was sent again
+      continue;  // a frame that was sent twice
     }
     run->ticks.push_back({std::move(frame), commandsOf(received, commands)});
   }

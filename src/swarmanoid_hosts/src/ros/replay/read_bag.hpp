@@ -1,5 +1,5 @@
-/// Recorded controllers from a bag: the topics /<robot>/controller/start, .../sensors and .../commands, whoever wrote
-/// them: the simulator's recorder, or rosbag record beside a robot's host.
+/// Reads recorded controllers from a bag: the topics /<robot>/controller/start, .../sensors and .../commands, written
+/// by the simulator's recorder, or by rosbag record beside a robot's host.
 #pragma once
 
 #include <string>
@@ -10,18 +10,18 @@
 namespace swarmanoid::replay {
 
 struct ParameterValue {
-  std::string name;  ///< of nested ones a path: outer/inner
+  std::string name;  ///< for nested ones a path: outer/inner
   std::string value;
   SourceLocation location;  ///< where it was given; messages about the value name it
 };
 
-/// @param robots to read; none: all that are there
-/// @param parameters replace those that the controllers had, or come beside them
-/// @throws ConfigError for a bag that cannot be read, has no recorded controller, or not those asked for
+/// @param robots to read; none: all robots in the bag
+/// @param parameters replace the controllers' recorded parameters of the same names, or are added to them
+/// @throws ConfigError for a bag that cannot be read, has no recorded controller, or lacks one of those asked for
 Recording readBag(const std::string& file, const std::vector<std::string>& robots = {},
                   const std::vector<ParameterValue>& parameters = {});
 
-/// "name=value", or a file with a line "name: value" for each; # begins a comment.
+/// Reads "name=value", or a file with a line "name: value" for each; # begins a comment.
 /// @throws ConfigError
 std::vector<ParameterValue> readParameters(const std::string& word);
 

@@ -1,4 +1,4 @@
-/// The topics of devices/color_blob_camera.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/color_blob_camera.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <swarmanoid_msgs/ColorBlobs.h>
@@ -19,7 +19,7 @@ inline void toMessage(const ColorBlobs& readings, swarmanoid_msgs::ColorBlobs& m
   message.overflowed = readings.overflowed;
 }
 
-/// The blobs are kept in `parts`.
+/// The blobs are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::ColorBlobs& message, ColorBlobs& readings, VariableParts& parts) {
   const std::size_t count = message.blobs.size();
   parts.clear();

@@ -1,4 +1,4 @@
-/// The topics of devices/eyebot_laser.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/eyebot_laser.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <swarmanoid_msgs/LaserCommand.h>

@@ -1,4 +1,4 @@
-/// The topics of devices/eyebot_velocity.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/eyebot_velocity.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <geometry_msgs/Twist.h>
@@ -16,7 +16,7 @@ inline void toMessage(const EyebotVelocity& command, geometry_msgs::Twist& messa
   message.angular.z = command.yaw_rate;
 }
 
-/// linear and angular.z; angular.x and y must be 0.
+/// Reads linear and angular.z; angular.x and y must be 0.
 inline void fromMessage(const geometry_msgs::Twist& message, EyebotVelocity& command) {
   refuseUnlessZero("angular.x", message.angular.x);
   refuseUnlessZero("angular.y", message.angular.y);

@@ -1,4 +1,4 @@
-/// The topics of devices/footbot_gripper.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/footbot_gripper.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <swarmanoid_msgs/GripperCommand.h>

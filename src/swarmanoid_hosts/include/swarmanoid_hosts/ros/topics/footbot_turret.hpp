@@ -1,4 +1,4 @@
-/// The topics of devices/footbot_turret.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/footbot_turret.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <sensor_msgs/JointState.h>
@@ -27,7 +27,7 @@ inline void fromMessage(const swarmanoid_msgs::TurretCommand& message, FootbotTu
   command = {static_cast<FootbotTurret::Mode>(message.mode), message.angle, message.speed};
 }
 
-/// One joint, `turret`.
+/// The message has one joint, `turret`.
 inline void toMessage(const FootbotTurretState& readings, sensor_msgs::JointState& message) {
   message.name.assign(1, "turret");
   message.position.assign(1, readings.angle);

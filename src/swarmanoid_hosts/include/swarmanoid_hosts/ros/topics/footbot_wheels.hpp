@@ -1,4 +1,4 @@
-/// The topics of devices/footbot_wheels.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/footbot_wheels.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <geometry_msgs/Twist.h>
@@ -19,13 +19,13 @@ inline void fromMessage(const swarmanoid_msgs::WheelsCommand& message, FootbotWh
   command.setAngularVelocity(message.left, message.right);
 }
 
-/// Speed ahead and turn rate.
+/// The message contains speed ahead and turn rate.
 inline void toMessage(const FootbotWheels& command, geometry_msgs::Twist& message) {
   message.linear.x = command.speed();
   message.angular.z = command.turnRate();
 }
 
-/// linear.x and angular.z; the others must be 0, a footbot cannot do them.
+/// Reads linear.x and angular.z; the others must be 0, for a footbot cannot carry them out.
 inline void fromMessage(const geometry_msgs::Twist& message, FootbotWheels& command) {
   refuseUnlessZero("linear.y", message.linear.y);
   refuseUnlessZero("linear.z", message.linear.z);

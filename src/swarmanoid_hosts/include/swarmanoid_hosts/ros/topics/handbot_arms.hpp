@@ -1,4 +1,4 @@
-/// The topics of devices/handbot_arms.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/handbot_arms.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <sensor_msgs/JointState.h>
@@ -18,7 +18,7 @@ namespace swarmanoid {
 
 namespace detail {
 
-/// In the order of HandbotArmsState::kNames.
+/// Returns the joints in the order of HandbotArmsState::kNames.
 template <class Arms>
 auto anglesOf(Arms& arms) {
   return std::array{&arms.left.shoulder,  &arms.left.elbow,  &arms.left.wrist,
@@ -27,7 +27,7 @@ auto anglesOf(Arms& arms) {
 
 }  // namespace detail
 
-/// Joints by name, with positions.
+/// The message contains joints by name, with positions.
 inline void toMessage(const HandbotArms& command, sensor_msgs::JointState& message) {
   message.name.assign(HandbotArmsState::kNames.begin(), HandbotArmsState::kNames.end());
   message.position.clear();
@@ -36,7 +36,7 @@ inline void toMessage(const HandbotArms& command, sensor_msgs::JointState& messa
   }
 }
 
-/// Joints that it does not name keep their command.
+/// Joints that the message does not name keep their command.
 inline void fromMessage(const sensor_msgs::JointState& message, HandbotArms& command) {
   const auto& names = HandbotArmsState::kNames;
   if (message.position.size() != message.name.size()) {
@@ -66,7 +66,7 @@ inline void toMessage(const HandbotArmsState& readings, sensor_msgs::JointState&
   }
 }
 
-/// In any order of joints; others than the arms' are left out, all of the arms' must be there.
+/// Accepts any order of joints; joints other than the arms' are ignored, and all of the arms' must be present.
 inline void fromMessage(const sensor_msgs::JointState& message, HandbotArmsState& readings) {
   for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
     const JointValues joint = jointOf(message, HandbotArmsState::kNames[i]);

@@ -1,4 +1,4 @@
-/// The topics of devices/handbot_rope.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/handbot_rope.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <swarmanoid_msgs/RopeCommand.h>

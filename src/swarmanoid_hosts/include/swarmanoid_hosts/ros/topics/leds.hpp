@@ -1,4 +1,4 @@
-/// The topics of devices/leds.hpp, and its devices as messages, both ways.
+/// Defines the topics of devices/leds.hpp, and converts its devices to messages and back.
 #pragma once
 
 #include <swarmanoid_msgs/LedArray.h>
