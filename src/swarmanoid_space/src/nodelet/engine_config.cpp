@@ -10,14 +10,14 @@ namespace {
 
 using dynamic_reconfigure::Config;
 
-constexpr const char* kGroup = "Default";  // as clients expect of those that have only one
+constexpr const char* kGroup = "Default";  // the name that clients expect if there is only one group
 constexpr const char* kLastError = "last_error";
 
 bool isDouble(const Parameter& parameter) {
   return parameter.type == Parameter::Type::kNumber || parameter.type == Parameter::Type::kAngle;
 }
 
-/// "{'enum': [...]}" of a choice, which clients offer as a list; "" otherwise.
+/// Returns "{'enum': [...]}" for a choice, which clients show as a list; "" otherwise.
 std::string editMethod(const Parameter& parameter) {
   if (parameter.type != Parameter::Type::kChoice) {
     return "";
@@ -67,7 +67,7 @@ void add(Config& config, const Parameter& parameter, const std::string& text) {
   }
 }
 
-/// One end of the ranges.
+/// Returns the least or the greatest values of the ranges.
 Config limits(const std::vector<Parameter>& parameters, bool is_least) {
   Config config;
   for (const Parameter& parameter : parameters) {

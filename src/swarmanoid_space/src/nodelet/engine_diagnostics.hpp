@@ -1,5 +1,5 @@
-/// The engines' part of /diagnostics, one status each: what they move, how long a step takes, what they had trouble
-/// with.
+/// Publishes the engines' part of /diagnostics, one status each: the entities that the engine moves, the duration of a
+/// step, and the failures.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -26,7 +26,7 @@ class EngineDiagnostics {
   const SpaceDisplay& display_;
   SimulationThread& thread_;
   std::vector<std::unique_ptr<diagnostic_updater::Updater>> updaters_;
-  ros::WallTimer timer_;  // wall time: a paused space is to be diagnosed too
+  ros::WallTimer timer_;  // wall time: a paused space is diagnosed too
 };
 
 }  // namespace swarmanoid

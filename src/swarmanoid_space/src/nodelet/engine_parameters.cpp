@@ -40,7 +40,7 @@ bool EngineParameters::set(dynamic_reconfigure::Reconfigure::Request& request,
   }
   publishChanges();
   if (!problem.empty()) {
-    throw std::runtime_error(problem);  // ROS logs it, and sends it to the caller
+    throw std::runtime_error(problem);  // ROS logs the error, and sends it to the caller
   }
   return true;
 }
@@ -56,7 +56,7 @@ void EngineParameters::publishChanges() {
   try {
     now = valuesNow();
   } catch (const std::exception&) {
-    // stopped: no value changes any more
+    // the run is stopped: no value changes any more
   }
   const std::lock_guard<std::mutex> lock(mutex_);
   const NamedValues& values = now ? *now : published_values_;

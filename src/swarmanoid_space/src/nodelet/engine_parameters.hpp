@@ -1,9 +1,9 @@
 /// The parameters of one engine that may change while the experiment runs, for clients of dynamic_reconfigure:
-/// ~parameter_descriptions, ~parameter_updates, ~set_parameters next to the engine's nodelet.
+/// ~parameter_descriptions, ~parameter_updates, ~set_parameters in the namespace of the engine's nodelet.
 ///
-/// What there is comes from the engine's own description at run time, so engines of other packages have it too. A
-/// request is one intervention: it takes effect at the next tick boundary, as a whole or not at all. Then the service
-/// fails with the reason, which is also the value of `last_error` until the next request.
+/// The parameters come from the engine's own description at run time, so engines of other packages have them too. A
+/// request is one intervention: it takes effect at the next tick boundary, as a whole or not at all. If it is refused
+/// the service fails with the reason, which is also the value of `last_error` until the next request.
 #pragma once
 
 #include <dynamic_reconfigure/Reconfigure.h>
@@ -28,7 +28,7 @@ class EngineParameters {
 
  private:
   bool set(dynamic_reconfigure::Reconfigure::Request& request, dynamic_reconfigure::Reconfigure::Response& response);
-  /// Reports changes to clients, also those that did not come through here, such as a reset.
+  /// Publishes changes to clients, including those that were not made through this service, such as by a reset.
   void publishChanges();
   NamedValues valuesNow() const;
 
@@ -39,13 +39,13 @@ class EngineParameters {
   ros::Publisher updates_;
   ros::ServiceServer server_;
   ros::WallTimer timer_;
-  std::mutex mutex_;  // guards what follows: what is published
+  std::mutex mutex_;  // guards the members below, which hold what is published
   std::string last_error_;
   NamedValues published_values_;
-  std::optional<std::string> published_error_;  // nothing: none has been published yet
+  std::optional<std::string> published_error_;  // empty: none has been published yet
 };
 
-/// Parameters of the experiment's engines that may change, by engine; those that have none are left out.
+/// Returns the live parameters of the experiment's engines, by engine; engines without any are left out.
 std::vector<std::pair<std::string, std::vector<Parameter>>> liveParameters(const Experiment& experiment);
 
 }  // namespace swarmanoid

@@ -20,7 +20,7 @@ namespace {
 
 std::atomic<ExitCode> exit_code{ExitCode::kFinished};
 
-/// All nodelets are gone by now; what is left out are destructors of static objects.
+/// Runs after all nodelets are destroyed; only the destructors of static objects are skipped.
 void endWithCode() {
   if (exit_code != ExitCode::kFinished) {
     std::fflush(nullptr);
@@ -29,7 +29,7 @@ void endWithCode() {
   endWithinSeconds(ExitCode::kFinished);
 }
 
-/// Whether nothing is lost if the file is replaced.
+/// Returns whether replacing the file loses no data.
 bool holdsExitCode(const std::filesystem::path& file) {
   std::error_code ignored;
   const auto status = std::filesystem::symlink_status(file, ignored);
@@ -45,15 +45,15 @@ bool holdsExitCode(const std::filesystem::path& file) {
          text.find_first_not_of("0123456789\n") == std::string::npos;
 }
 
-/// A file that was not there before, whatever else others put beside it.
-/// @param name ends with XXXXXX, which become what makes it new
-/// @return whether all of it is on the disk; else errno says why
+/// Writes a new file that did not exist before, independent of other files beside it.
+/// @param name ends with XXXXXX, which is replaced so that the name is new
+/// @return whether the whole text is on the disk; otherwise errno gives the reason
 bool writeNewFile(std::string& name, const std::string& text) {
   const int file = mkstemp(name.data());
   if (file < 0) {
     return false;
   }
-  constexpr mode_t kReadByAll = 0644;  // mkstemp: nobody else
+  constexpr mode_t kReadByAll = 0644;  // mkstemp makes it readable for the owner only
   const bool is_written = write(file, text.data(), text.size()) == static_cast<ssize_t>(text.size()) &&
                           fchmod(file, kReadByAll) == 0 && fsync(file) == 0;
   const int reason = errno;

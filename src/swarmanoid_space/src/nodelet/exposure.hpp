@@ -1,5 +1,5 @@
-/// Who can reach this node over the network. ROS 1 asks nobody for a name: whoever reaches the master or the node's own
-/// ports may do what its user may do (docs/explanation/security.md).
+/// Determines from where this node can be reached over the network. ROS 1 has no authentication: any user who reaches
+/// the master or the node's own ports has the rights of the user of this process (docs/explanation/security.md).
 #pragma once
 
 #include <optional>
@@ -8,16 +8,16 @@
 
 namespace swarmanoid {
 
-/// Addresses of this machine under which others may reach it: those of interfaces that are up, but of no loopback.
-/// Empty also where the system does not tell.
+/// Returns the addresses of this machine under which other machines may reach it: those of interfaces that are up,
+/// except loopback. The list is empty as well if the system does not report them.
 std::vector<std::string> addressesForOthers();
 
-/// Whether the name or address means this machine to itself only: localhost, 127.x.x.x, ::1.
+/// Returns whether the name or address means this machine to itself only: localhost, 127.x.x.x, ::1.
 bool isLoopback(const std::string& host);
 
-/// What users should know, or nothing if nobody else can reach the machine.
-/// @param own_host under which the node is known to others @param master_host where the master is
-/// @param addresses as of addressesForOthers
+/// Returns a warning for users, or nothing if the machine cannot be reached from others.
+/// @param own_host the host name under which the node is registered @param master_host the host of the master
+/// @param addresses the result of addressesForOthers
 std::optional<std::string> exposureWarning(const std::string& own_host, const std::string& master_host,
                                            const std::vector<std::string>& addresses);
 

@@ -80,7 +80,7 @@ std::shared_ptr<LockstepServer::Channel> LockstepServer::open(const std::string&
   }
   auto channel = std::make_shared<Channel>();
   const std::string topics = "participants/" + participant;
-  constexpr bool kLatched = true;  // whichever side is connected first, nothing is lost
+  constexpr bool kLatched = true;  // a latched message arrives whichever side connects first
   constexpr std::uint32_t kQueue = 10;
   channel->sensors = own_.advertise<swarmanoid_msgs::SensorFrame>(topics + "/sensors", 1, kLatched);
   channel->commands = own_.subscribe<swarmanoid_msgs::CommandFrame>(

@@ -1,7 +1,7 @@
-/// Carries frames between a simulation and its participants: the service ~register, the topics ~participants/<name>/
-/// sensors and commands, and a status in /diagnostics that names who is late.
+/// Transports frames between a simulation and its participants: the service ~register, the topics ~participants/<name>/
+/// sensors and commands, and a status in /diagnostics that names the late participants.
 ///
-/// Threads  a queue and a thread of its own, so that it answers while a tick waits.
+/// Threads  it has a queue and a thread of its own, so that it answers while a tick waits.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -20,7 +20,7 @@ namespace swarmanoid {
 
 class LockstepServer {
  public:
-  /// @param lockstep of a simulation that lives longer
+  /// @param lockstep of a simulation, outlives this object
   LockstepServer(const ros::NodeHandle& own, const std::string& experiment, Lockstep& lockstep);
   ~LockstepServer();
 
@@ -34,7 +34,7 @@ class LockstepServer {
   Lockstep& lockstep_;
   ros::CallbackQueue queue_;
   ros::NodeHandle own_;
-  std::map<std::string, std::shared_ptr<Channel>> channels_;  // by participant
+  std::map<std::string, std::shared_ptr<Channel>> channels_;  // maps a participant to its channel
   ros::ServiceServer server_;
   diagnostic_updater::Updater updater_;
   ros::WallTimer timer_;

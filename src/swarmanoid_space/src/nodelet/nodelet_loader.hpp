@@ -1,6 +1,6 @@
-/// Has the manager of this process load nodelets, by its own service.
+/// Loads nodelets into the manager of this process, by the manager's service.
 ///
-/// Threads  from a thread of its own: inside onInit the manager is busy, and the call would wait for ever.
+/// Threads  it is called from a separate thread: inside onInit the manager is busy, and the call would wait for ever.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -15,21 +15,21 @@ class NodeletLoader {
  public:
   NodeletLoader();
 
-  /// Whether this process is a manager; a nodelet may also run alone.
+  /// Returns whether this process is a manager; a nodelet may also run without one.
   bool isManager() const { return is_manager_; }
 
-  /// Loads a nodelet that is to bring part `id` to a space. One of that name that is there already is replaced.
-  /// @return false if the manager could not; its log says why
+  /// Loads a nodelet for part `id` of a space. It replaces a loaded one of that name.
+  /// @return false if the manager could not load it; the manager's log gives the reason
   bool load(const std::string& name, const std::string& type, const std::string& space, const std::string& id);
 
   /// @return false if the manager has no such nodelet
   bool unload(const std::string& name);
 
-  /// The nodelet made for a controller, <package>/<label>; swarmanoid_hosts/ControllerNodelet if there is none, or
-  /// more than one.
+  /// Returns the nodelet made for a controller, <package>/<label>; swarmanoid_hosts/ControllerNodelet if there is none,
+  /// or more than one.
   std::string controllerNodelet(const std::string& label);
 
-  /// Ends a call that is under way; later ones do nothing, for a manager that is ending would not answer.
+  /// Ends a call that is under way; later calls do nothing, because a manager that is ending would not answer.
   void shutdown();
 
  private:

@@ -1,4 +1,4 @@
-/// How often something may be done, in wall time.
+/// Limits how often an action is done, in wall time.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@ class Pace {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// @param rate at most so many times a second [Hz]; 0: always
+  /// @param rate maximum rate [Hz]; 0: no limit
   explicit Pace(double rate)
       : interval_(rate > 0.0 ? std::chrono::duration_cast<Clock::duration>(
                                    std::chrono::duration<double>(std::min(1.0 / rate, kLongest)))
                              : Clock::duration::zero()) {}
 
-  /// Whether it may be done now; counts as done then.
+  /// Returns whether the action is due now, and counts it as done if so.
   bool isDue(Clock::time_point now) {
     if (now < next_) {
       return false;
@@ -26,7 +26,7 @@ class Pace {
   }
 
  private:
-  static constexpr double kLongest = 1e9;  // s: more would not fit
+  static constexpr double kLongest = 1e9;  // s: a longer time would overflow
 
   Clock::duration interval_;
   Clock::time_point next_ = Clock::time_point::min();

@@ -14,7 +14,7 @@
 
 namespace swarmanoid {
 
-/// Takes parameters of any scalar type by their text, so that launch files may pass "" for "not given".
+/// Converts parameters of any scalar type to text first, so that launch files may pass "" for "not given".
 /// @throws ConfigError naming the parameter, what was found and what is allowed
 class ParameterReader {
  public:
@@ -80,7 +80,7 @@ class ParameterReader {
     return result;
   }
 
-  /// Parameters of parts, such as ~engines/ground/id, stand below the space's own.
+  /// Parameters of parts, such as ~engines/ground/id, are in the space's namespace and are not refused.
   void refuseUnread() const {
     std::vector<std::string> names;
     own_.getParamNames(names);

@@ -13,7 +13,7 @@ class PerformanceMeter {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// After each tick.
+  /// Adds a tick; it is called after each one.
   void add(const PhaseTimes& phases, std::size_t robots) {
     sum_ += phases;
     robot_ticks_ += static_cast<double>(robots);
@@ -22,10 +22,10 @@ class PerformanceMeter {
 
   double seconds(Clock::time_point now) const { return std::chrono::duration<double>(now - start_).count(); }
 
-  /// Starts anew, such as after a pause.
+  /// Restarts the measurement, such as after a pause.
   void restart(Clock::time_point now) { *this = PerformanceMeter(now); }
 
-  /// Means since the last start; the header is the caller's.
+  /// Returns the means since the last restart; the caller sets the header.
   swarmanoid_msgs::Performance means(const Space& space, Clock::time_point now) const {
     swarmanoid_msgs::Performance message;
     message.tick = space.tick;

@@ -1,5 +1,5 @@
-/// Files of a run under ROS: which may be written, and those that parameters of the space ask for, beside those of the
-/// experiment file. Written in process and attached before the first tick, so no tick is missing.
+/// Determines the files that a run may write under ROS, and adds those that parameters of the space request to those of
+/// the experiment file. They are written in process and attached before the first tick, so no tick is missing.
 #pragma once
 
 #include <memory>
@@ -12,13 +12,13 @@
 
 namespace swarmanoid {
 
-/// The folder that the options name, with the libraries loaded that the run needs to write.
+/// Opens the folder that the options name, and loads the libraries that are needed to write.
 /// @throws ConfigError
 std::shared_ptr<OutFolder> openOutFolder(const SpaceOptions& options, const Experiment& experiment);
 
-/// Records the bag and writes the state hashes that the options ask for, relative to the out folder of the run.
+/// Adds recorders for the bag and the state hashes that the options request, relative to the out folder of the run.
 /// @param space name of the space's node, for topics
-/// @return what is written where, for the log @throws ConfigError
+/// @return descriptions of the written files, for the log @throws ConfigError
 std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& context, const SpaceOptions& options,
                                       const std::string& space);
 

@@ -29,7 +29,7 @@ std::string filesIn(const RemoteRules& rules) { return rules.folder.empty() ? ""
                             (allowed.empty() ? "nothing" : allowed) + "; or allow_remote_files:=true at start");
 }
 
-/// @param folder in which the name begins; "": where the process works
+/// @param folder in which a relative name begins; "": the process's working directory
 void check(const std::string& parameter, const std::string& name, const std::string& folder, const RemoteRules& rules) {
   if (!name.empty() && (rules.folder.empty() || !isInside(std::filesystem::path(folder) / name, rules.folder))) {
     refuse(parameter, name, filesIn(rules));

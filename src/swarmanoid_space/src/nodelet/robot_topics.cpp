@@ -24,7 +24,7 @@ void RobotTopics::adopt(const std::vector<AttachmentPoint::Request>& parts) {
   for (const AttachmentPoint::Request& part : parts) {
     if (part.kind == PluginKind::kObserver) {
       topics_[part.id] = std::static_pointer_cast<Observer>(point_.part(part.kind, part.id));
-      served_[part.id] = kNoEntity;  // its number is known once the space is looked at
+      served_[part.id] = kNoEntity;  // its number is read from the space later
     }
   }
 }
@@ -130,7 +130,7 @@ void RobotTopics::load(const std::string& robot) {
     topics_[robot] = topics;
   }
   try {
-    // a space that is paused draws nothing, and who has spawned the robot waits for its topics
+    // a paused space makes no ticks, so the topics are published here for the client that has spawned the robot
     simulation_->look([&topics](const Simulation& simulation) { topics->draw(simulation.space()); });
   } catch (const std::exception&) {
     // the run was stopped meanwhile

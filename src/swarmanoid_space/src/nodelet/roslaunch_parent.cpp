@@ -10,7 +10,7 @@
 namespace swarmanoid {
 namespace {
 
-/// A script: the interpreter comes first, then the script itself.
+/// Recognises a script: the interpreter is the first argument, the script itself the second.
 bool isRoslaunch(pid_t process) {
   std::ifstream command("/proc/" + std::to_string(process) + "/cmdline", std::ios::binary);
   std::string word;

@@ -1,4 +1,4 @@
-/// What came of a run, as a message and as a line for the log.
+/// Converts the result of a run to a message and to a line for the log.
 #pragma once
 
 #include <std_msgs/Header.h>
@@ -12,7 +12,7 @@ namespace swarmanoid {
 
 swarmanoid_msgs::RunResult toMessage(const RunResult& result, const std_msgs::Header& header);
 
-/// "finished after 431 ticks; success; prey = yellow, ..."
+/// Returns "finished after 431 ticks; success; prey = yellow, ..."
 std::string describe(const RunResult& result);
 
 }  // namespace swarmanoid

@@ -43,7 +43,7 @@ void SpaceDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& statu
   try {
     thread_.look([&](const Simulation& simulation) { failed = simulation.failures().size(); });
   } catch (const std::exception&) {
-    return;  // stopped meanwhile
+    return;  // the run was stopped meanwhile
   }
   if (failed > 0) {
     status.mergeSummary(DiagnosticStatus::ERROR, "controllers failed: " + std::to_string(failed));

@@ -1,4 +1,4 @@
-/// The space's part of /diagnostics: its state, its speed, robots whose controllers failed.
+/// Publishes the space's part of /diagnostics: its state, its speed, robots whose controllers failed.
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
@@ -22,7 +22,7 @@ class SpaceDiagnostics {
   const SpaceDisplay& display_;
   SimulationThread& thread_;
   diagnostic_updater::Updater updater_;
-  ros::WallTimer timer_;  // wall time: a paused space is to be diagnosed too
+  ros::WallTimer timer_;  // wall time: a paused space is diagnosed too
 };
 
 }  // namespace swarmanoid

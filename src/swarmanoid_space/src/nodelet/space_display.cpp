@@ -8,7 +8,7 @@ namespace {
 
 constexpr bool kLatched = true;
 
-/// A space that makes no ticks: newcomers would wait in vain.
+/// Returns whether the space makes no ticks, so that new subscribers would get no message.
 bool isAtRest(SimulationThread::State state) {
   return state == SimulationThread::State::kPaused || state == SimulationThread::State::kFinished;
 }
@@ -25,7 +25,7 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
   id_ = "ros";
   clock_publisher_ = own_.advertise<rosgraph_msgs::Clock>("/clock", 1, kLatched);
   tf_publisher_ = advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const Space& space, const auto& newcomer) {
-    // should the tick's own batch have reached it too, this is no stamp twice
+    // one nanosecond later, for the tick's own batch may have reached the subscriber with the same stamp
     tf2_msgs::TFMessage moving = transforms_.moving(space);
     for (auto& transform : moving.transforms) {
       transform.header.stamp += ros::Duration(0, 1);
@@ -58,7 +58,7 @@ ros::Publisher SpaceDisplay::advertise(const std::string& topic, std::uint32_t q
     try {
       thread_->look([&](const Simulation& simulation) { serve(simulation.space(), newcomer); });
     } catch (const std::exception&) {
-      // the run was stopped meanwhile; nobody is left to be served
+      // the run was stopped meanwhile; there are no subscribers left to serve
     }
   };
   ros::AdvertiseOptions options = ros::AdvertiseOptions::create<Message>(topic, queue, connected, {}, {}, nullptr);
@@ -127,7 +127,7 @@ void SpaceDisplay::publishClock(const Space& space) {
 }
 
 void SpaceDisplay::publishTransforms(const Space& space) {
-  // the moment counts as published without subscribers too: who comes after it is served alone
+  // the moment counts as published without subscribers too: a later subscriber is served separately
   transforms_moment_ = {space.run, space.tick};
   if (tf_publisher_.getNumSubscribers() == 0) {
     return;

@@ -1,8 +1,8 @@
-/// What the space publishes. An observer like any other: it looks, and changes nothing.
+/// Publishes the state of the space. It is an observer like any other: it reads the space, and changes nothing.
 ///
-/// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, which wait
-/// for theirs. A subscriber that comes while the space is paused gets the present state at once, alone: a transform
-/// must not be sent twice with one stamp.
+/// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, whose
+/// subscribers may connect later. A subscriber that connects while the space is paused gets the present state at once,
+/// and no other subscriber does: a transform must not be sent twice with one stamp.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -24,25 +24,25 @@ class SpaceDisplay final : public Observer {
  public:
   using State = SimulationThread::State;
 
-  /// @param own where ~world_state and the like stand; /clock and /tf are global
+  /// @param own handle in the namespace of ~world_state and the other topics; /clock and /tf are global
   SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options);
 
-  /// @param thread once it exists: newcomers are served between its ticks
+  /// @param thread serves new subscribers between its ticks, once it exists
   void follow(const Simulation& simulation) { simulation_ = &simulation; }
   void serveNewcomers(SimulationThread* thread);
-  /// Publishes what is not up to date, whatever the rates.
+  /// Publishes all topics that are not up to date, independent of the rates.
   void publishAll();
-  /// At the end of a run.
+  /// Publishes the result at the end of a run.
   void publish(const swarmanoid_msgs::RunResult& result) { result_publisher_.publish(result); }
-  /// No more publishing.
+  /// Ends publishing.
   void shutdown();
 
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
   void draw(const Space& space) override;
 
-  /// Means over the last second or so.
+  /// Returns the means over about the last second.
   swarmanoid_msgs::Performance performance() const;
-  /// Wall time in which this run made its ticks [s].
+  /// Returns the wall time in which this run made its ticks [s].
   double wallTime() const { return wall_s_; }
 
  private:
@@ -59,7 +59,7 @@ class SpaceDisplay final : public Observer {
   void publishTransforms(const Space& space);
   void publishMarkers(const Space& space);
   void publishWorldState(const Space& space);
-  /// @return whether entities came, went or were put elsewhere
+  /// @return whether entities were added, removed or placed elsewhere
   bool publishFixed(const Space& space);
   void publishEvents(const Space& space);
   void measure(const Space& space, Pace::Clock::time_point now);

@@ -1,4 +1,5 @@
-// The space under ROS: reads the experiment, has the nodelets loaded that it names, ticks, and ends.
+// The space under ROS: it reads the experiment, loads the nodelets that the experiment needs, makes the ticks, and
+// ends.
 #include <nodelet/nodelet.h>
 #include <ros/init.h>
 #include <ros/master.h>
@@ -52,8 +53,8 @@ class SpaceNodelet final : public nodelet::Nodelet {
   void shutDownSoon(ExitCode code);
 
   SpaceOptions options_;
-  std::vector<std::string> exit_code_files_;  // that may be written to
-  std::unique_ptr<UserCodeWatch> watch_;      // to the end: controllers are destroyed with thread_
+  std::vector<std::string> exit_code_files_;  // files that may be written to
+  std::unique_ptr<UserCodeWatch> watch_;      // outlives thread_, with which controllers are destroyed
   std::unique_ptr<UserCodeWatch::Closing> closing_;
   const std::shared_ptr<CommandMailbox> commands_ = std::make_shared<CommandMailbox>();
   std::vector<AttachmentPoint::Request> parts_;
@@ -63,7 +64,7 @@ class SpaceNodelet final : public nodelet::Nodelet {
   std::atomic<Simulation*> simulation_{nullptr};
   std::shared_ptr<SpaceDisplay> display_;
   RobotTopics::Selection with_topics_;
-  std::shared_ptr<RobotTopics> robot_topics_;  // null: this process is no manager
+  std::shared_ptr<RobotTopics> robot_topics_;  // null if this process is no manager
   std::atomic<State> last_state_{State::kPaused};
   std::unique_ptr<SimulationThread> thread_;
   std::unique_ptr<SpaceServices> services_;
@@ -79,7 +80,7 @@ void SpaceNodelet::onInit() {
     shutDownOnSignals();
     exit_code_files_ = {exitCodeFileOfStarter()};
     const RemoteRules rules = lookAround();
-    // before all others: one of those may be what is wrong
+    // this parameter is read before the others, which may be wrong
     const std::string exit_code_file = readExitCodeFile(getPrivateNodeHandle());
     checkExitCodeFile(exit_code_file, rules);
     exit_code_files_.push_back(exit_code_file);
@@ -100,7 +101,7 @@ void SpaceNodelet::onInit() {
     with_topics_.is_all = options_.device_topics == std::vector<std::string>{"all"};
     with_topics_.names.insert(with_topics.begin(), with_topics.end());
     parts_ = partsOf(experiment, with_topics, commands_);
-    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // a mistake is reported at once
+    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // reports a mistake at once
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
@@ -112,7 +113,7 @@ void SpaceNodelet::onInit() {
   }
 }
 
-/// Reports others who reach this process, and holds libraries to what is allowed then.
+/// Reports if other computers can reach this process, and restricts libraries in that case.
 RemoteRules SpaceNodelet::lookAround() {
   const auto warning = exposureWarning(ros::network::getHost(), ros::master::getHost(), addressesForOthers());
   RemoteRules rules = remoteRules(warning.has_value());
@@ -133,7 +134,7 @@ void SpaceNodelet::watchUsersCode() {
   passOnSecondSignal();
 }
 
-/// The process is about to end in the middle of users' code, and the simulation's thread stands still.
+/// Saves the results when the process is about to end inside users' code, while the simulation's thread is blocked.
 void SpaceNodelet::keepWhatIsThere(const UserCodeEnd& end) {
   NODELET_FATAL("%s", end.reason.c_str());
   reportExitCode(end.exit_code);
@@ -171,7 +172,7 @@ void SpaceNodelet::startUp(Experiment experiment) {
     lockstep.setOptions(options_.lockstep);
     // before the first tick, which may wait for participants
     lockstep_ = std::make_unique<LockstepServer>(getMTPrivateNodeHandle(), simulation->experiment().name, lockstep);
-    simulation_ = simulation.get();  // there is no way back from here but that the thread cannot be started
+    simulation_ = simulation.get();  // from here on the only possible failure is that the thread cannot be started
     thread_ = std::make_unique<SimulationThread>(std::move(simulation), pace);
     point_->setLossHandler([this](PluginKind kind, const std::string& id) { onLoss(kind, id); });
     display_->serveNewcomers(thread_.get());
@@ -194,7 +195,7 @@ void SpaceNodelet::startUp(Experiment experiment) {
     if (!isRosEnding()) {
       NODELET_FATAL("%s", describeException().c_str());
       reportExitCode(ExitCode::kBadInput);
-      shutDownSoon(ExitCode::kBadInput);  // also if it is to stay at the end: there is nothing to look at
+      shutDownSoon(ExitCode::kBadInput);  // even if ~on_end is stay: there is nothing to show
     } else if (thread_ == nullptr) {
       std::fprintf(stderr, "swarmanoid: interrupted before the first tick\n");  // ROS logs no more
       reportExitCode(ExitCode::kInterrupted);
@@ -237,7 +238,7 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   const State last_state = last_state_;
   const bool is_news = state != last_state;
   if (last_state == State::kFinished && state == State::kStopped) {
-    return;  // what was finished stays so
+    return;  // a finished run stays finished
   }
   last_state_ = state;
   display_->publishAll();
@@ -256,7 +257,7 @@ void SpaceNodelet::onChange(State state, const std::string& stop_reason) {
   const ExitCode code = state == State::kFinished ? at_end : if_stopped;
   reportExitCode(code);
   if (isRosEnding()) {
-    return;  // it is ending already
+    return;  // the process is ending already
   }
   if (!options_.stays_at_end) {
     shutDownSoon(code);
@@ -279,7 +280,7 @@ void SpaceNodelet::report(const RunResult& result) {
   } else {
     NODELET_ERROR("%s", text.c_str());
   }
-  std::fflush(stdout);  // this process may end without it, or much later
+  std::fflush(stdout);  // the process may end without flushing, or much later
 }
 
 void SpaceNodelet::reportExitCode(ExitCode code) {
@@ -294,9 +295,9 @@ void SpaceNodelet::reportExitCode(ExitCode code) {
 
 void SpaceNodelet::shutDownSoon(ExitCode code) {
   setExitCode(code);
-  // not at once: what was published last is still on its way
+  // the last messages are still being sent
   constexpr double kDelay = 0.5;  // [s]
-  constexpr int kPatience = 20;   // delays that roslaunch has to interrupt this process
+  constexpr int kPatience = 20;   // in delays: the time that roslaunch has to interrupt this process
   end_ = getMTPrivateNodeHandle().createWallTimer(
       ros::WallDuration(kDelay), [code, waited = 0](const ros::WallTimerEvent&) mutable {
         const bool is_interrupted_soon = code == ExitCode::kFinished && (waited > 0 || interruptRoslaunch());
@@ -316,7 +317,7 @@ SpaceNodelet::~SpaceNodelet() {
   if (point_ != nullptr) {
     point_->setLossHandler(nullptr);
   }
-  // first nobody waits for the simulation any more, then nobody asks it, then it goes
+  // first calls into the simulation are ended, then its clients, then the simulation itself
   if (thread_ != nullptr) {
     thread_->stop(isRosEnding() ? "shut down" : "the space was unloaded");
   }
@@ -332,7 +333,7 @@ SpaceNodelet::~SpaceNodelet() {
     display_->shutdown();
   }
   thread_.reset();
-  closing_.reset();  // it would keep what is gone
+  closing_.reset();  // it refers to destroyed objects otherwise
 }
 
 }  // namespace swarmanoid

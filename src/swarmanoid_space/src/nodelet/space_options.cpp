@@ -23,7 +23,7 @@ std::string dateAndTime() {
   return text;
 }
 
-/// The folder itself for an empty name.
+/// Returns the folder itself for an empty name.
 std::string inFolder(const std::string& folder, const std::string& name) {
   return name.empty() ? folder : (std::filesystem::path(folder) / name).string();
 }
@@ -71,7 +71,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.write_anywhere = reader.boolean("write_anywhere", false);
   options.out = inFolder(options.folder, reader.text("out", ""));
   options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
-  reader.text("exit_code", "");  // it is known
+  reader.text("exit_code", "");  // marks the parameter as known; it is read elsewhere
   options.tf_level = parseTransformLevel(reader.choice("tf/level", {"auto", "none", "base", "full"}));
   options.tf_rate = reader.number("tf/rate", options.tf_rate, {0.0, 1e6});
   options.markers_rate = reader.number("markers/rate", options.markers_rate, {0.0, 1e6});
@@ -81,7 +81,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.stays_at_end = reader.choice("on_end", {"shutdown", "stay"}) == "stay";
   options.timeout = reader.number("timeout", options.timeout, {0.1, 3600.0});
   options.watchdog = reader.number("watchdog", options.watchdog, {0.0, 1e9});
-  constexpr double kShortestWatchdog = 0.1;  // [s]; it looks five times a second
+  constexpr double kShortestWatchdog = 0.1;  // [s]; the watch checks five times a second
   if (options.watchdog > 0.0 && options.watchdog < kShortestWatchdog) {
     throw ConfigError(reader.location(), "~watchdog: found " + numberText(options.watchdog) +
                                              ", allowed: 0, or a number from 0.1 to 1000000000");

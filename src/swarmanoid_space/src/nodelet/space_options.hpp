@@ -21,39 +21,40 @@ struct SpaceOptions {
   std::optional<std::uint64_t> seed;  ///< instead of the file's
   std::optional<std::uint64_t> max_ticks;
   std::optional<double> real_time_factor;       ///< instead of the file's; 0: as fast as possible
-  bool paused = false;                          ///< before the first tick
+  bool paused = false;                          ///< the run starts paused before the first tick
   std::string record;                           ///< the bag; "": none
   std::vector<std::string> record_controllers;  ///< robots whose controllers are in the bag; as device_topics
-  bool record_state = false;                    ///< all named state is in the bag
+  bool record_state = false;                    ///< the bag contains all named state
   std::string hashes;                           ///< file of the state hash of every tick; "": none
-  std::string folder;                           ///< where relative names begin; "": where the manager works
-  std::string out;                              ///< folder of the files that are written, made if it is not there
-  bool force = false;                           ///< files that are there already are replaced
-  bool write_anywhere = false;                  ///< what the experiment file names may be outside `out`
-  std::vector<Override> set;                    ///< instead of what the file says
-  std::optional<TransformLevel> tf_level;       ///< nothing: by the number of robots
-  double tf_rate = 100.0;                       ///< of /tf at most, wall time [Hz]; 0: every tick
-  double markers_rate = 30.0;                   ///< of ~markers likewise
-  double world_state_rate = 0.0;                ///< of ~world_state likewise
-  double clock_rate = 1000.0;                   ///< of /clock at most, wall time [Hz]
+  std::string folder;                           ///< start of relative names; "": the manager's working directory
+  std::string out;                              ///< folder of the written files, made if it does not exist
+  bool force = false;                           ///< existing files are replaced
+  bool write_anywhere = false;                  ///< files that the experiment file names may be outside `out`
+  std::vector<Override> set;                    ///< replace values of the file
+  std::optional<TransformLevel> tf_level;       ///< nothing: depends on the number of robots
+  double tf_rate = 100.0;                       ///< maximum rate of /tf, wall time [Hz]; 0: every tick
+  double markers_rate = 30.0;                   ///< maximum rate of ~markers, likewise
+  double world_state_rate = 0.0;                ///< maximum rate of ~world_state, likewise
+  double clock_rate = 1000.0;                   ///< maximum rate of /clock, wall time [Hz]
   std::vector<std::string> device_topics;       ///< robots whose devices have topics; "all" alone: all of them
-  bool stays_at_end = false;                    ///< false: the process is shut down when the run is over
+  bool stays_at_end = false;                    ///< false: the process is shut down when the run is finished
   double timeout = 20.0;                        ///< for all parts to attach [s]
-  double watchdog = 0.0;                        ///< for one call of users' code, wall time [s]; 0: any time
+  double watchdog = 0.0;                        ///< for one call of users' code, wall time [s]; 0: no limit
   Lockstep::Options lockstep;                   ///< how long participants may take
 };
 
-/// `exit_code`, the file that gets the exit code of the run when it is over; "": none. It is read by itself, for it is
-/// of use even if another parameter is bad.
+/// Reads `exit_code`, the file to which the exit code of the run is written at its end; "": none. It is read
+/// separately, because it is needed even if another parameter is wrong.
 std::string readExitCodeFile(const ros::NodeHandle& own);
 
 /// @throws ConfigError naming the parameter, what was found and what is allowed; unknown parameters too
 SpaceOptions readSpaceOptions(const ros::NodeHandle& own);
 
-/// The experiment with what the options change in it. @throws ConfigError
+/// Reads the experiment with the changes of the options. @throws ConfigError
 Experiment readExperiment(const SpaceOptions& options);
 
-/// The robots that `device_topics` means, and those commanded over topics. @throws ConfigError for one that is none
+/// Returns the robots that `device_topics` names, and those commanded over topics. @throws ConfigError for a name that
+/// is not a robot's
 std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment);
 
 }  // namespace swarmanoid

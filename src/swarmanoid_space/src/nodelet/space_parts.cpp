@@ -33,7 +33,7 @@ std::string nodeletName(const std::string& space, const AttachmentPoint::Request
     case PluginKind::kController:
       return space + "/controllers/" + part.id;
     default:
-      // the namespace of a robot is its name, next to the space's node
+      // the namespace of a robot is its name, in the parent namespace of the space's node
       return ros::names::parentNamespace(space) == "/"
                  ? "/" + part.id + "/devices"
                  : ros::names::parentNamespace(space) + "/" + part.id + "/devices";
@@ -63,7 +63,7 @@ void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint&
                const std::vector<AttachmentPoint::Request>& parts, double timeout_s) {
   for (const AttachmentPoint::Request& part : parts) {
     if (!loadPart(loader, space, part)) {
-      // a nodelet that failed by itself has given its reason already, and the first reason counts
+      // a nodelet that failed by itself has reported its reason already, and the first reason counts
       point.refuse(part.kind, part.id, "the manager cannot load " + nodeletType(loader, part) + "; its log says why");
       break;
     }

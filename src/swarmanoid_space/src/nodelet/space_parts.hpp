@@ -1,4 +1,4 @@
-/// The nodelets that an experiment needs beside the space's own: which, and what they bring.
+/// Determines the nodelets that an experiment needs in addition to the space's own, and loads them.
 #pragma once
 
 #include <memory>
@@ -11,27 +11,28 @@
 
 namespace swarmanoid {
 
-/// An engine for each engine, a controller for each controller configuration, an observer for each robot whose
+/// Returns an engine for each engine, a controller for each controller configuration, an observer for each robot whose
 /// devices have topics.
-/// @param commands where those put commands that come over topics
+/// @param commands mailbox for commands that come over the topics
 std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, const std::vector<std::string>& robots,
                                               const std::shared_ptr<CommandMailbox>& commands);
 
-/// The topics of one robot's devices. @param commands where those put commands that come over topics
+/// Returns the request for the topics of one robot's devices. @param commands mailbox for commands that come over the
+/// topics
 AttachmentPoint::Request deviceTopicsOf(const std::string& robot, const std::shared_ptr<CommandMailbox>& commands);
 
-/// <space>/engines/<id>, <space>/controllers/<id>, <robot>/devices
+/// Returns <space>/engines/<id>, <space>/controllers/<id>, <robot>/devices.
 std::string nodeletName(const std::string& space, const AttachmentPoint::Request& part);
 
-/// Has the nodelet of one part loaded. @return false if it does not load; the manager's log says why
+/// Loads the nodelet of one part. @return false if it does not load; the manager's log gives the reason
 bool loadPart(NodeletLoader& loader, const std::string& space, const AttachmentPoint::Request& part);
 
-/// Has a nodelet loaded for each part, and waits for all.
-/// @throws std::runtime_error naming who does not load, or is missing after the timeout
+/// Loads a nodelet for each part, and waits for all.
+/// @throws std::runtime_error naming the part that does not load, or is missing after the timeout
 void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint& point,
                const std::vector<AttachmentPoint::Request>& parts, double timeout_s);
 
-/// What has been attached, for the simulation to use. @pre all are there
+/// Returns the attached parts for the simulation. @pre all are attached
 SuppliedParts takeParts(const AttachmentPoint& point, const std::vector<AttachmentPoint::Request>& parts);
 
 }  // namespace swarmanoid

@@ -10,7 +10,7 @@
 namespace swarmanoid {
 namespace {
 
-/// Answers with what `action` returns, or with what it throws, whatever that is.
+/// Fills the response with the result of `action`, or with the message of any exception.
 template <class Response, class Action>
 bool answer(Response& response, Action action) {
   try {
@@ -23,7 +23,7 @@ bool answer(Response& response, Action action) {
   return true;
 }
 
-/// Of controllers that have failed in destroy() since there were `known` failures.
+/// Describes the failures of controllers in destroy() since there were `known` failures.
 std::string failuresSince(std::size_t known, const Simulation& simulation) {
   std::string text;
   const auto& failures = simulation.failures();
@@ -33,11 +33,11 @@ std::string failuresSince(std::size_t known, const Simulation& simulation) {
   return text;
 }
 
-/// Does `act` for one item after the other, all between the same two ticks. `act` owns what it uses.
+/// Calls `act` for each item in turn, all between the same two ticks. `act` owns what it uses.
 template <class Response, class Items, class Act>
 bool intervene(SimulationThread& thread, const Items& items, Response& response, Act act) {
   return answer(response, [&] {
-    // belongs to the action, which may go on when nobody waits for it any more
+    // the action owns it, and may go on after the caller has stopped waiting
     const auto done = std::make_shared<Response>();
     try {
       thread.callUsers([items, act, done](Simulation& simulation) {
@@ -60,7 +60,7 @@ bool intervene(SimulationThread& thread, const Items& items, Response& response,
   });
 }
 
-/// @return the seed to start anew with; nothing: the one it has
+/// @return the seed of the new run; nothing: the present seed
 std::optional<std::uint64_t> seedOf(const swarmanoid_msgs::Reset::Request& request) {
   if (request.zero_seed != 0 && request.seed != 0) {
     throw std::runtime_error("zero_seed: found true beside seed " + std::to_string(request.seed) +

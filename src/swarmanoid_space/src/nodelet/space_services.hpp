@@ -1,7 +1,7 @@
-/// The services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover,
+/// Provides the services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover,
 /// ~set_command_source.
 ///
-/// Each answers when what was asked for is done. Several may be under way at once, so that a pause ends a long step.
+/// Each service answers when its action is done. Several may be under way at once, so that a pause ends a long step.
 #pragma once
 
 #include <ros/node_handle.h>
