@@ -1,5 +1,5 @@
-// Judges the object retrieval experiment: it is over when a prey lies in the nest, and a success if that is the prey
-// which the eyebot chose, where one chooses.
+// Judges the object retrieval experiment: the run is over when a prey lies in the nest, and a success if the eyebot has
+// chosen that prey, or if there is no choice.
 #include <string>
 
 #include "swarmanoid_space/observer.hpp"
@@ -96,7 +96,7 @@ class RetrievalMonitor final : public Observer {
 
   std::string nest_;
   std::string chooser_;
-  std::string delivered_;  // the prey's id; empty until there is one
+  std::string delivered_;  // the prey's id; empty until one is delivered
   std::string delivered_color_;
   std::string chosen_;
   std::uint64_t tick_ = 0;

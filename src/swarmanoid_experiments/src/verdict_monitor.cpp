@@ -1,5 +1,5 @@
-// Judges experiments whose robots judge themselves, by a debug value: it is over when none is undecided, and a success
-// if all agree.
+// Judges experiments whose robots report verdicts, by a debug value: the run is over when no verdict is undecided, and
+// a success if all agree.
 #include <algorithm>
 #include <map>
 #include <set>
@@ -42,7 +42,7 @@ class VerdictMonitor final : public Observer {
         }
       }
     }
-    // what a controller says as it fails does not travel from other processes; why it failed does
+    // a debug value that a controller sets as it fails is not sent by other processes; the reason of the failure is
     for (const Event& event : space.events) {
       if (event.kind == Event::Kind::kControllerFailed && verdicts_.count(event.entity) > 0) {
         verdicts_[event.entity] = event.text;
@@ -73,8 +73,8 @@ class VerdictMonitor final : public Observer {
   std::string key_;
   std::string good_;
   std::string undecided_;
-  std::map<std::string, std::string> verdicts_;  // by robot
-  std::set<std::string> failed_;                 // whose verdict is why they failed
+  std::map<std::string, std::string> verdicts_;  // verdicts by robot
+  std::set<std::string> failed_;                 // robots whose verdict is the reason of their failure
 };
 
 }  // namespace swarmanoid

@@ -1,4 +1,5 @@
-/// The subcommands of the program `swarmanoid`. Each adds itself to the command line; what it returns is the exit code.
+/// The subcommands of the program `swarmanoid`. Each function adds one to the command line; the return value of the
+/// command is the exit code.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,17 +11,17 @@ namespace swarmanoid::program {
 
 using Command = std::function<ExitCode()>;
 
-/// `run FILE`: runs an experiment without ROS.
+/// `run FILE` runs an experiment without ROS.
 Command addRunCommand(CLI::App& app);
-/// `launch EXPERIMENT [ARGUMENT...]`: runs an experiment under ROS, and returns what `run` would.
+/// `launch EXPERIMENT [ARGUMENT...]` runs an experiment under ROS, with the same exit codes as `run`.
 Command addLaunchCommand(CLI::App& app);
-/// `diff RUN1 RUN2`: the first tick in which two recorded runs differ, and the fields that differ in it.
+/// `diff RUN1 RUN2` finds the first tick in which two recorded runs differ, and the fields that differ in it.
 Command addDiffCommand(CLI::App& app);
-/// `validate FILE`: reads an experiment file, builds it, and says what is wrong.
+/// `validate FILE` reads an experiment file, builds the experiment, and reports mistakes.
 Command addValidateCommand(CLI::App& app);
-/// `list [KIND]`: what can be named in an experiment file.
+/// `list [KIND]` lists the names that may be used in an experiment file.
 Command addListCommand(CLI::App& app);
-/// `schema`: the XSD of experiment files.
+/// `schema` prints the XSD of experiment files.
 Command addSchemaCommand(CLI::App& app);
 
 }  // namespace swarmanoid::program

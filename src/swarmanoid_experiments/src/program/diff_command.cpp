@@ -1,4 +1,5 @@
-// `swarmanoid diff`. Bags are read with ROS's library, which this program does without: another one does it.
+// `swarmanoid diff`. Bags are read with ROS's library, which this program does not use: it runs another program for
+// that.
 #include <unistd.h>
 
 #include <cerrno>
@@ -12,7 +13,7 @@
 namespace swarmanoid::program {
 namespace {
 
-/// Beside this program, in a devel space as in an install space.
+/// Returns the path of the other program, beside this one in a devel space as in an install space.
 std::filesystem::path diffProgram() {
   const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe");
   return own.parent_path().parent_path() / "lib/swarmanoid_hosts/diff";
@@ -22,7 +23,7 @@ ExitCode diff(const std::vector<std::string>& arguments) {
   const std::string program = diffProgram().string();
   std::vector<char*> words{const_cast<char*>(program.c_str())};
   for (const std::string& argument : arguments) {
-    words.push_back(const_cast<char*>(argument.c_str()));  // execv changes nothing, but C has no way to say so
+    words.push_back(const_cast<char*>(argument.c_str()));  // execv changes nothing, but its type lacks the const
   }
   words.push_back(nullptr);
   execv(words[0], words.data());

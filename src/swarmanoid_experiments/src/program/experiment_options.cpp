@@ -9,7 +9,7 @@
 namespace swarmanoid::program {
 namespace {
 
-/// The option parser would read -1 as the largest number there is, and a larger one as that too.
+/// Refuses -1 and numbers above the largest one, which the option parser would read as the largest one.
 std::string refuseWrappedNumber(const std::string& text) {
   std::uint64_t number = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -17,7 +17,7 @@ std::string refuseWrappedNumber(const std::string& text) {
   return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
 }
 
-/// The option parser would take "nan".
+/// Refuses "nan", which the option parser would accept.
 std::string refuseBadWatchdog(const std::string& text) {
   try {
     parseNumber(text, "--watchdog", {}, {0.1, 1e9});

@@ -1,4 +1,4 @@
-/// What commands that read an experiment have in common: the file, and options that replace what it says.
+/// The options that all commands share which read an experiment: the file, and values that replace those in it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -23,9 +23,9 @@ struct ExperimentOptions {
 
 void addExperimentOptions(CLI::App& command, ExperimentOptions& options);
 
-/// The experiment with what the options change in it. Warnings go to the error stream. @throws ConfigError
+/// Reads the experiment with the changes of the options. Warnings go to the error stream. @throws ConfigError
 Experiment readExperiment(const ExperimentOptions& options);
-/// The same, but no library that the file names is loaded. @throws ConfigError
+/// Does the same, but loads no library that the file names. @throws ConfigError
 UncheckedExperiment readWithoutLibraries(const ExperimentOptions& options);
 
 }  // namespace swarmanoid::program

@@ -1,5 +1,5 @@
-// `swarmanoid launch`: roslaunch with the launch file of experiments, and with the exit code of the run, which
-// roslaunch by itself does not have.
+// `swarmanoid launch`: runs roslaunch with the launch file of experiments, and returns the exit code of the run, which
+// roslaunch by itself does not return.
 #include <signal.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -22,11 +22,11 @@ namespace swarmanoid::program {
 namespace {
 
 volatile std::sig_atomic_t is_asked_to_end = 0;
-volatile std::sig_atomic_t had_result = 0;  // when the first signal came
+volatile std::sig_atomic_t had_result = 0;  // whether the result existed when the first signal came
 volatile std::sig_atomic_t roslaunch_pid = 0;
-std::string result_file;  // changes no more once signals are taken
+std::string result_file;  // does not change after the signal handlers are installed
 
-/// Ctrl-C in a terminal reaches roslaunch by itself; a signal that somebody sends to this process does not.
+/// Passes on a signal that another process sends to this one; Ctrl-C in a terminal reaches roslaunch by itself.
 void passOn(int signal, siginfo_t* sender, void*) {
   if (is_asked_to_end == 0) {
     had_result = access(result_file.c_str(), F_OK) == 0 ? 1 : 0;
@@ -41,7 +41,7 @@ void passOn(int signal, siginfo_t* sender, void*) {
 std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
   std::vector<char*> words;
   for (const std::string& argument : arguments) {
-    words.push_back(const_cast<char*>(argument.c_str()));  // execvp changes nothing, but C has no way to say so
+    words.push_back(const_cast<char*>(argument.c_str()));  // execvp changes nothing, but its type lacks the const
   }
   words.push_back(nullptr);
   struct sigaction action {};
@@ -70,12 +70,12 @@ std::optional<int> runRoslaunch(const std::vector<std::string>& arguments) {
   return WIFEXITED(status) ? std::optional<int>(WEXITSTATUS(status)) : std::nullopt;
 }
 
-/// What the run itself says, or else what can be told from roslaunch.
+/// Returns the code that the run has written, or else the one that follows from roslaunch.
 ExitCode exitCode(const std::filesystem::path& file, std::optional<int> of_roslaunch) {
   int number = 0;
   if (std::ifstream(file) >> number) {
     const auto code = static_cast<ExitCode>(number);
-    // roslaunch takes its nodes down one after the other: the space may have been unloaded before ROS shut down
+    // roslaunch ends its nodes one after the other: the space may have been unloaded before ROS shut down
     const bool is_interrupted = code == ExitCode::kStopped && is_asked_to_end != 0 && had_result == 0;
     return is_interrupted ? ExitCode::kInterrupted : code;
   }
@@ -83,13 +83,14 @@ ExitCode exitCode(const std::filesystem::path& file, std::optional<int> of_rosla
     return ExitCode::kInterrupted;
   }
   if (of_roslaunch.value_or(0) != 0) {
-    return ExitCode::kBadInput;  // it has refused to start anything, and has said why
+    return ExitCode::kBadInput;  // roslaunch has refused to start anything, and has reported the reason
   }
   std::cerr << "swarmanoid: the run has ended without a result\n";
   return ExitCode::kStopped;
 }
 
-/// roslaunch is its own master, which listens as the environment says, whatever a launch file says of nodes.
+/// Sets the host name in the environment: roslaunch is its own master, which uses the environment, independent of the
+/// settings for nodes in a launch file.
 void nameThisHost(const std::vector<std::string>& arguments) {
   const std::string option = "hostname:=";
   for (const std::string& argument : arguments) {
@@ -113,7 +114,7 @@ ExitCode launch(const std::string& experiment, const std::vector<std::string>& o
   }
   const TemporaryFolder folder("launch");
   const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
-  // no parameter: where others reach the master those name files that are theirs
+  // this is no parameter: users who can reach the master could name files of this user there
   setenv("SWARMANOID_EXIT_CODE", file.c_str(), 1);
   result_file = file;
   nameThisHost(others);

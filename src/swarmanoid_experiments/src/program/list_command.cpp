@@ -1,4 +1,4 @@
-// `swarmanoid list` and `swarmanoid schema`: what can stand in an experiment file.
+// `swarmanoid list` and `swarmanoid schema`: the names that may be used in an experiment file.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -20,7 +20,7 @@ namespace {
 constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,   PluginKind::kActuator,
                                  PluginKind::kEngine,     PluginKind::kObserver, PluginKind::kEntity};
 
-/// The libraries of plugins that the suite does not load by itself.
+/// Maps plugins to their libraries, if the suite does not load these by itself.
 using Origins = std::map<const Registry::Entry*, DeclaredLibrary>;
 
 std::vector<const Registry::Entry*> allEntries() {
@@ -32,7 +32,7 @@ std::vector<const Registry::Entry*> allEntries() {
   return entries;
 }
 
-/// Loads whatever is installed. A library that cannot be loaded is a warning: the others can be listed all the same.
+/// Loads all installed plugins. A library that cannot be loaded is a warning: the others are listed all the same.
 Origins loadPlugins() {
   loadBuiltInPlugins();
   Origins origins;
@@ -55,7 +55,7 @@ Origins loadPlugins() {
   return origins;
 }
 
-/// "two numbers, each from 0 to 1"
+/// Returns "two numbers, each from 0 to 1".
 std::string several(const std::string& numbers, const Range& range) {
   const std::string bounds = range.toString();
   return bounds == Range().toString() ? numbers : numbers + ", each " + bounds;
@@ -101,7 +101,7 @@ void write(const ExperimentTag& tag, std::ostream& out) {
   }
 }
 
-/// What controllers read from a sensor and write to an actuator.
+/// Writes the fields that controllers read from a sensor and write to an actuator.
 void writeFields(const std::string& device, std::ostream& out) {
   const DeviceType* type = findDeviceType(device);
   if (type == nullptr) {
@@ -134,7 +134,7 @@ void write(const PluginDescription& description, const DeclaredLibrary& origin, 
   }
 }
 
-/// Every tag stands under one of these, as every plugin does under its kind.
+/// Returns the headings. Every tag is listed under one of these, as every plugin is under its kind.
 std::vector<std::string> headings() {
   std::vector<std::string> names{"experiment"};
   for (const ExperimentTag& tag : experimentTags()) {

@@ -10,7 +10,7 @@ void endWithParent() {
   const pid_t parent = getppid();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) {
-    raise(SIGKILL);  // it has ended meanwhile
+    raise(SIGKILL);  // the parent has ended meanwhile
   }
 }
 

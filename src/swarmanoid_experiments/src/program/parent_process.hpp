@@ -3,7 +3,7 @@
 
 namespace swarmanoid::program {
 
-/// From here on this process ends when that does, however that ends.
+/// From here on this process ends when its parent ends, for any reason.
 void endWithParent();
 
 }  // namespace swarmanoid::program

@@ -1,5 +1,5 @@
-/// A progress bar on the standard error stream: redrawn in place on a terminal, a line each tenth elsewhere. Whatever
-/// else is said while it stands there is printed through it, so that the bar neither hides a line nor leaves a gap.
+/// A progress bar on the standard error stream: redrawn in place on a terminal, a line each tenth elsewhere. All other
+/// output during that time is printed through it, so that the bar neither hides a line nor leaves a gap.
 #pragma once
 
 #include <chrono>
@@ -14,27 +14,28 @@ class ProgressBar {
   /// @param total of ticks, and the simulated duration of each [s]; @param quiet draws nothing
   ProgressBar(std::string title, std::uint64_t total, double tick_s, bool quiet);
   void show(std::uint64_t done);
-  /// Prints a whole line in place of the bar, which is drawn again later; `quiet` or not. From any thread.
+  /// Prints a whole line in place of the bar, which is drawn again later, even if `quiet` is set. It may be called from
+  /// any thread.
   void print(const std::string& line);
-  /// Ends the line.
+  /// Ends the line of the bar.
   void finish(std::uint64_t done);
 
  private:
   void draw(std::uint64_t done, bool is_over);
 
-  std::mutex mutex_;  // of the stream: controllers in several threads print
+  std::mutex mutex_;  // guards the stream: controllers in several threads print
   std::string title_;
   std::uint64_t total_;
   double tick_s_;
   bool quiet_;
   bool is_terminal_;
-  bool stands_ = false;  // on a terminal, without the end of its line
+  bool stands_ = false;  // whether the bar stands on a terminal, without a line end
   std::uint64_t next_tenth_ = 1;
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point next_draw_ = start_;
 };
 
-/// A duration for people, rounded: "4 s", "2 min 5 s", "3 h 20 min", "5 d 3 h".
+/// Returns a rounded duration for people: "4 s", "2 min 5 s", "3 h 20 min", "5 d 3 h".
 std::string durationText(double seconds);
 
 }  // namespace swarmanoid::program

@@ -18,7 +18,7 @@ namespace swarmanoid::program {
 namespace {
 
 struct RunOptions : ExperimentOptions {
-  std::vector<std::string> overrides;  // the options above that were given, for the summary
+  std::vector<std::string> overrides;  // the given options among those above, for the summary
   std::string out;
   bool force = false;
   bool write_anywhere = false;
@@ -30,7 +30,7 @@ struct RunOptions : ExperimentOptions {
   bool profile = false;
 };
 
-/// Nobody carries frames here.
+/// Refuses robots with controllers in other processes: this program does not transport frames.
 void refuseRobotsOfOthers(const Experiment& experiment) {
   for (const EntityDescription& entity : experiment.arena.entities) {
     if (entity.source == CommandSource::kRemote || entity.source == CommandSource::kTopics) {
@@ -41,7 +41,7 @@ void refuseRobotsOfOthers(const Experiment& experiment) {
   }
 }
 
-/// An observer that an option of the command line asks for, not the file.
+/// Adds an observer that an option of the command line requests, not the file.
 void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& option,
                         const std::string& label, const std::string& file, const NamedValues& others = {}) {
   Configuration parameters(label, "", {});
@@ -52,7 +52,7 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
   addObserver(simulation, context, option, "command_line_" + label, parameters);
 }
 
-/// Where the wall time went, phase by phase.
+/// Prints the wall time of each phase.
 void printProfile(const PhaseTimes& total, const Space& space) {
   const std::pair<const char*, double> phases[] = {
       {"sense", total.sense},     {"control", total.control}, {"actuate", total.actuate}, {"move", total.move},
@@ -72,7 +72,7 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
-/// Files and summary of a run that ends in the middle of a plugin's call.
+/// Saves the files and the summary of a run that ends in the middle of a plugin's call.
 void keepWhatIsThere(Simulation& simulation, const RunEnd& run_end, const RunFacts& facts, const UserCodeEnd& end) {
   simulation.giveUp(end.part);
   try {
@@ -128,7 +128,7 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
     std::cerr << "swarmanoid: " << describeException() << '\n';
     code = ExitCode::kStopped;
   }
-  run_end.state_hash = simulation.stateHash();  // of the last tick, whatever controllers write when they go
+  run_end.state_hash = simulation.stateHash();  // of the last tick, without changes by destroy()
   simulation.destroyControllers();
   const RunResult result = resultOf(simulation, run_end);
   if (code == ExitCode::kFinished && !result.failures.empty()) {
@@ -163,7 +163,7 @@ ExitCode run(const RunOptions& options) {
         {{"controllers", options.record_controllers}, {"state", options.record_state ? "true" : "false"}});
   }
   context.out->keep();
-  // shared with the sink, which controllers may still use while the simulation is taken down
+  // the sink shares it, and controllers may still use the sink while the simulation is destroyed
   const FrameworkDescription& framework = simulation.experiment().framework;
   const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name, framework.max_clock,
                                                  toSeconds(framework.clocktick), options.quiet);
@@ -176,7 +176,7 @@ ExitCode run(const RunOptions& options) {
   return runToEnd(simulation, options, *bar, watch);
 }
 
-/// What has been given for the options that replace what the file says.
+/// Returns the given values of the options that replace values of the file.
 std::vector<std::string> overridesOf(const CLI::App& command) {
   std::vector<std::string> overrides;
   for (const char* name : {"--set", "--seed", "--ticks", "--threads"}) {

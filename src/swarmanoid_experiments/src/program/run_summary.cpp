@@ -11,7 +11,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-/// How many readings of each type of device were cut short, and how many robots had any.
+/// Returns how many readings of each type of device were truncated, and for how many robots.
 ordered_json overflowsOf(const RunResult& result) {
   ordered_json overflows = ordered_json::object();
   for (const Overflow& overflow : result.overflows) {
@@ -59,7 +59,7 @@ ordered_json summarise(const RunResult& result, const RunFacts& facts) {
 }
 
 std::string toText(const ordered_json& summary) {
-  // texts from controllers may be anything, the summary is UTF-8
+  // texts from controllers may contain any bytes, but the summary is UTF-8
   return summary.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 

@@ -1,4 +1,4 @@
-/// The one JSON object that a run ends with.
+/// Makes the one JSON object that a run prints at its end.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -9,15 +9,15 @@
 
 namespace swarmanoid::program {
 
-/// What the summary says of a run beside its result.
+/// The facts about a run that the summary contains in addition to its result.
 struct RunFacts {
-  std::vector<std::string> overrides;  ///< options that replaced what the file says, as given: "--seed 7"
+  std::vector<std::string> overrides;  ///< options that replaced values of the file, as given: "--seed 7"
   double robot_ticks = 0.0;            ///< robots times ticks, summed over the run
 };
 
 nlohmann::ordered_json summarise(const RunResult& result, const RunFacts& facts);
 
-/// In one line.
+/// Formats the summary as one line.
 std::string toText(const nlohmann::ordered_json& summary);
 
 }  // namespace swarmanoid::program

@@ -12,7 +12,7 @@
 namespace swarmanoid::program {
 namespace {
 
-int output = STDOUT_FILENO;  // changes no more once libraries of others are loaded
+int output = STDOUT_FILENO;  // does not change after libraries of users are loaded
 
 }  // namespace
 
@@ -31,7 +31,7 @@ bool fillStandardStreams() {
 }
 
 void print(const std::string& text) {
-  std::cout.flush();  // what users' code has printed comes before it
+  std::cout.flush();  // output of users' code comes before the text
   for (std::string_view rest = text; !rest.empty();) {
     const ssize_t written = write(output, rest.data(), rest.size());
     if (written < 0 && errno != EINTR) {

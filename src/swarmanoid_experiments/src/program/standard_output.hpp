@@ -1,16 +1,16 @@
-/// Standard output: what is asked for goes there whole, or the program says that it did not.
+/// Writes to standard output: the requested text is written completely, or the program reports that it was not.
 #pragma once
 
 #include <string>
 
 namespace swarmanoid::program {
 
-/// Opens /dev/null in the place of each standard stream that is closed; else the next file that is opened would have
-/// its number, and get what is meant for the stream. Before anything else opens a file.
+/// Opens /dev/null in the place of each standard stream that is closed; otherwise the next file that is opened would
+/// get its number, and the output for the stream. It is called before any other file is opened.
 /// @return whether standard output was open
 bool fillStandardStreams();
 
-/// Writes the text to what was standard output then, at once, even if users' code has closed that since.
+/// Writes the text at once to the standard output of that time, even if users' code has closed the stream since.
 /// @throws std::runtime_error if it cannot be written
 void print(const std::string& text);
 

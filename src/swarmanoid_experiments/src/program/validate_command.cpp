@@ -22,7 +22,7 @@ struct ValidateOptions : ExperimentOptions {
   bool end_with_parent = false;
 };
 
-/// Stands for a controller whose library is not loaded.
+/// Takes the place of a controller whose library is not loaded.
 class IdleController final : public Controller {
  public:
   void init(Robot&, const Configuration&) override {}
@@ -34,7 +34,7 @@ bool isKnown(PluginKind kind, const std::string& label, const std::string& imple
   return Registry::instance().find(kind, label, implementation) != nullptr;
 }
 
-/// Whether all but controllers is there that the experiment is built of.
+/// Returns whether all parts of the experiment except the controllers are available.
 bool canBeBuilt(const Experiment& experiment) {
   const auto areKnown = [](PluginKind kind, const std::vector<DeviceDescription>& devices) {
     return std::all_of(devices.begin(), devices.end(), [kind](const DeviceDescription& device) {
@@ -50,9 +50,9 @@ bool canBeBuilt(const Experiment& experiment) {
                      });
 }
 
-/// @return what is in it
+/// @return a description of the experiment
 std::string build(Experiment experiment, SuppliedParts supplied = {}) {
-  // outputs of visualisations must not be touched by a mere check
+  // a check must not touch the outputs of visualisations
   experiment.visualisations.clear();
   const Simulation simulation(std::move(experiment), {}, std::move(supplied));
   return std::to_string(simulation.space().entities.size()) + " entities, " + std::to_string(simulation.robotCount()) +
@@ -99,7 +99,7 @@ Command addValidateCommand(CLI::App& app) {
     if (options->end_with_parent) {
       endWithParent();
     }
-    // before users' code is called, which may change the folder
+    // the path is made before users' code is called, which may change the working directory
     const std::string full_name = std::filesystem::absolute(findExperiment(options->file)).string();
     const UserCodeWatch watch({nullptr, options->watchdog});
     const std::string found = options->no_libraries ? validateWithoutLibraries(*options) : validate(*options);
