@@ -1,4 +1,4 @@
-/// Picking blobs of one colour out of what a camera saw.
+/// Selects the blobs of one colour from a camera's readings.
 #pragma once
 
 #include <cmath>
@@ -23,7 +23,7 @@ inline Sighting sightingOf(const ColorBlob& blob) {
           blob.distance * std::sin(static_cast<double>(blob.bearing))};
 }
 
-/// The nearest blob of a colour.
+/// Returns the nearest blob of a colour.
 inline std::optional<Sighting> nearestBlob(const ColorBlobs& seen, Color color) {
   const ColorBlob* nearest = nullptr;
   for (const ColorBlob& blob : seen.blobs) {
@@ -34,7 +34,7 @@ inline std::optional<Sighting> nearestBlob(const ColorBlobs& seen, Color color) 
   return nearest == nullptr ? std::nullopt : std::optional<Sighting>(sightingOf(*nearest));
 }
 
-/// The middle of all blobs of a colour, such as of a ring of LEDs seen from above.
+/// Returns the mean position of all blobs of a colour, such as of a ring of LEDs seen from above.
 inline std::optional<Sighting> middleOfBlobs(const ColorBlobs& seen, Color color) {
   Sighting sum;
   int count = 0;

@@ -1,5 +1,5 @@
-// Two or more footbots carry something between them: grip it at their side by the turret, drive, back off a little from
-// what they came up to, and let go.
+// Two or more footbots carry an object between them: each grips it at its side by the turret, drives, backs off a
+// little from the obstacle that it has reached, and releases the object.
 #include <cmath>
 
 #include "differential_drive.hpp"
@@ -29,7 +29,7 @@ class Carrying final : public Controller {
 
   void step(Time time, Duration) override {
     constexpr double kBacking = 0.4;  // s
-    constexpr double kResting = 0.5;  // s, before it is let go
+    constexpr double kResting = 0.5;  // s, before the object is released
     const double now = toSeconds(time - kEpoch);
     turret_->holdAngle(side_);
     const bool is_turned = std::abs(wrapAngle(turret_state_->angle - side_)) < kClose;
@@ -61,7 +61,7 @@ class Carrying final : public Controller {
   FootbotTurret* turret_ = nullptr;
   FootbotLeds* leds_ = nullptr;
   const FootbotTurretState* turret_state_ = nullptr;
-  double side_ = 0.0;   // rad, where what is carried is, counter-clockwise from ahead
+  double side_ = 0.0;   // rad, direction of the carried object, counter-clockwise from ahead
   double speed_ = 0.0;  // m/s
   double start_ = 0.0;  // s after the run began, by when all have gripped
   double stop_ = 0.0;   // s

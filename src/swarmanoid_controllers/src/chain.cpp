@@ -1,4 +1,4 @@
-// A chain: hold the footbot ahead, and drive on together.
+// A chain: each footbot holds the footbot ahead, and they drive on together.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"

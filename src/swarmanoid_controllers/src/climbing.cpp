@@ -1,4 +1,4 @@
-// A handbot that climbs to a shelf by its rope, takes what stands there with its left hand and brings it down.
+// A handbot that climbs to a shelf by its rope, takes the object there with its left hand and brings it down.
 #include <algorithm>
 #include <cmath>
 
@@ -101,7 +101,7 @@ class Climbing final : public Controller {
   }
   void lowerArms(double turn) { arms_->left.shoulder = std::min(arms_->left.shoulder + turn, 0.3); }
 
-  /// @return whether the rope is as long as that
+  /// @return whether the rope has that length
   bool wind(double length, double speed) {
     constexpr double kClose = 1e-3;  // m
     const double missing = rope_state_->length - length;
@@ -119,7 +119,7 @@ class Climbing final : public Controller {
   State state_ = State::kWaiting;
   double dt_ = 0.1;           // s, of the tick
   double start_ = 0.0;        // s after the run began
-  double rope_length_ = 0.0;  // m, at which the hands are where the object is
+  double rope_length_ = 0.0;  // m, at which the hands are at the height of the object
 };
 
 }  // namespace swarmanoid

@@ -1,4 +1,4 @@
-/// Driving a footbot: towards something, and away from obstacles.
+/// Functions that drive a footbot towards a target and away from obstacles.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace swarmanoid {
 
-/// Turns on the spot while the target is to the side, drives a curve towards it otherwise.
+/// Turns on the spot while the target is to the side; otherwise drives a curve towards it.
 /// @param bearing of the target [rad]; @param speed when it is straight ahead [m/s]
 inline void steer(FootbotWheels& wheels, double bearing, double speed) {
   constexpr double kGain = 2.0;         // 1/s
@@ -19,7 +19,7 @@ inline void steer(FootbotWheels& wheels, double bearing, double speed) {
   wheels.drive(speed * ahead * ahead, std::clamp(kGain * bearing, -kFastestTurn, kFastestTurn));
 }
 
-/// Where obstacles are, as the sum of the proximity readings taken as vectors.
+/// The direction of obstacles, as the sum of the proximity readings taken as vectors.
 struct ObstacleVector {
   double x = 0.0;  ///< ahead
   double y = 0.0;  ///< left

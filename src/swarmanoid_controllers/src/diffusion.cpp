@@ -1,4 +1,4 @@
-// Diffusion: straight on until something is near ahead, then turn away from it, on and on until nothing is.
+// Diffusion: the robot drives straight on until an obstacle is near ahead, then turns away until none is.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
@@ -17,7 +17,7 @@ class Diffusion final : public Controller {
   void reset() override { turn_rate_ = 0.0; }
 
   void step(Time, Duration) override {
-    // what is beside and behind does not count: it must not outweigh what a robot drives into
+    // obstacles beside and behind do not count: they must not outweigh those ahead
     constexpr double kHalfField = 1.5;  // rad
     const ObstacleVector obstacle(*proximity_, kHalfField);
     if (obstacle.length() <= threshold_) {
@@ -25,7 +25,7 @@ class Diffusion final : public Controller {
       wheels_->drive(speed_, 0.0);
       return;
     }
-    if (turn_rate_ == 0.0) {             // once begun, it goes on to the same side: a corner would turn it to and fro
+    if (turn_rate_ == 0.0) {             // a turn keeps its side: a corner would turn it to and fro
       constexpr double kTurnRate = 1.5;  // rad/s
       turn_rate_ = obstacle.y > 0.0 ? -kTurnRate : kTurnRate;
     }

@@ -67,7 +67,7 @@ class EyebotRetrieval final : public Controller {
         goToNest();
         break;
     }
-    // where it is from where it started, as far as it can tell from its own commands
+    // the displacement from the start, estimated from the eyebot's own commands
     flown_.x += velocity_->linear.x() * dt_;
     flown_.y += velocity_->linear.y() * dt_;
   }
@@ -141,7 +141,7 @@ class EyebotRetrieval final : public Controller {
       return enter(State::kGoToNest);
     }
     if (isFollowed()) {
-      // a nest that was seen at the edge of the view is looked for there
+      // the eyebot looks for the nest at the place where it was seen, such as at the edge of the view
       if (nest_place_) {
         waypoint_ = *nest_place_;
         nest_place_.reset();
@@ -164,23 +164,23 @@ class EyebotRetrieval final : public Controller {
     }
   }
 
-  /// Whether a blue footbot is beside the prey.
+  /// Returns whether a blue footbot is beside the prey.
   bool isGripped(const Sighting& prey) const {
     constexpr double kHoldsPrey = 0.5;  // m from the prey to the footbot
     const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
     return footbot && footbot->distanceTo(prey) < kHoldsPrey;
   }
 
-  /// Whether nobody has been in blue for some time: a footbot that holds a prey is never farther away than its camera
-  /// sees the spot.
+  /// Returns whether no blue footbot has been in sight for some time: a footbot that holds a prey is never farther away
+  /// than its camera sees the spot.
   bool isLeftAlone() {
     constexpr double kGiveUp = 5.0;  // s
     time_alone_ = nearestBlob(*camera_, colors::kBlue) ? 0.0 : time_alone_ + dt_;
     return time_alone_ > kGiveUp;
   }
 
-  /// Whether the blue footbot is near enough to the spot, which lies straight below, to go on.
-  /// Without a footbot in sight the eyebot stays and waits for it (thesis 4.3).
+  /// Returns whether the blue footbot is near enough to the spot, which lies straight below, to go on. Without a
+  /// footbot in sight the eyebot stays and waits for it (thesis 4.3).
   bool isFollowed() const {
     constexpr double kLead = 0.5;  // m from the footbot to the spot
     const auto footbot = middleOfBlobs(*camera_, colors::kBlue);
@@ -203,7 +203,7 @@ class EyebotRetrieval final : public Controller {
     }
   }
 
-  /// From one random place to the next, around the start.
+  /// Flies from one random place to the next, around the start.
   void flyAround(double speed) {
     constexpr double kReached = 0.1;  // m
     Sighting way{waypoint_.x - flown_.x, waypoint_.y - flown_.y};
@@ -233,7 +233,7 @@ class EyebotRetrieval final : public Controller {
   double time_alone_ = 0.0;             // s since a blue footbot was in sight
   Sighting flown_;                      // from the start, in the frame of the start
   Sighting waypoint_;                   // likewise
-  std::optional<Sighting> nest_place_;  // likewise; where the nest was seen last
+  std::optional<Sighting> nest_place_;  // likewise; last seen position of the nest
 };
 
 }  // namespace swarmanoid

@@ -1,6 +1,7 @@
-// The footbots of the object retrieval experiment (thesis 4.3, figure 4.2): wander until a laser spot is seen, go to
-// it, grip the prey beside it, turn blue and follow the spot. Whoever sees blue keeps out of the way. A gripper says
-// only that it holds something: a footbot that sees no prey before it, or another one in blue beside it, lets go again.
+// The footbots of the object retrieval experiment (thesis 4.3, figure 4.2): they wander until they see a laser spot, go
+// to it, grip the prey beside it, turn blue and follow the spot. A footbot that sees blue keeps out of the way. A
+// gripper reports only that it holds an object: a footbot that sees no prey ahead, or another blue footbot beside the
+// prey, releases it.
 #include <string>
 
 #include "blob_search.hpp"
@@ -23,7 +24,7 @@ class FootbotRetrieval final : public Controller {
     camera_ = &robot.sensor<FootbotCamera>();
     gripper_state_ = &robot.sensor<FootbotGripperState>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
-    // from the robot's axis to that of a prey that it grips: 0.11 m to the tip, the prey's radius, and what is left
+    // from the robot's axis to that of a gripped prey: 0.11 m to the tip, the prey's radius, and a margin
     prey_reach_ = parameters.number("prey_reach", 0.24, {0.11, 1.0});
     parameters.refuseUnread({"speed", "prey_reach"});
     reset();
@@ -89,7 +90,7 @@ class FootbotRetrieval final : public Controller {
     robot_->debug("state", nameOf(state));
   }
 
-  /// Makes room after a grip that failed, so that not everybody stands around the prey in everybody's way.
+  /// Makes room after a grip that failed, so that the footbots around the prey do not block each other.
   void letGo() {
     enter(State::kSearchForLaser);
     memory_.retreat_time = robot_->random().uniform(2.0, 10.0);
@@ -111,7 +112,7 @@ class FootbotRetrieval final : public Controller {
   }
 
   void goToLaser() {
-    constexpr double kNearSpot = 0.45;  // m: near enough to look for the prey at the spot
+    constexpr double kNearSpot = 0.45;  // m: the distance at which the footbot looks for the prey at the spot
     constexpr double kGiveUp = 3.0;     // s without seeing the spot
     if (signaller_) {
       return enter(State::kAvoidGrippingFootbot);
@@ -137,7 +138,7 @@ class FootbotRetrieval final : public Controller {
     constexpr double kAligned = 0.12;  // rad
     if (gripper_state_->gripping) {
       enter(State::kGoToNest);
-      // two that grip one prey differ in it, so that one of them keeps the prey
+      // two footbots that grip one prey have different patience, so that one of them keeps the prey
       memory_.patience = robot_->random().uniform(1.0, 4.0);
       return;
     }
@@ -150,7 +151,7 @@ class FootbotRetrieval final : public Controller {
     }
     const double bearing = prey->bearing();
     if (std::abs(bearing) > kAligned) {
-      // close to the prey the gripper would hit it in turning: back off first
+      // close to the prey the gripper would hit it while turning, so the footbot backs off first
       wheels_->drive(prey->distance() < prey_reach_ ? -0.5 * speed_ : 0.0, 2.0 * bearing);
     } else {
       wheels_->drive(0.3 * speed_, 2.0 * bearing);
@@ -189,8 +190,8 @@ class FootbotRetrieval final : public Controller {
     }
   }
 
-  /// Whether for some time there has been no prey where the gripper is, so that it holds another footbot; or another
-  /// one in blue beside the prey, who holds it too.
+  /// Returns whether for some time there has been no prey at the gripper, so that it holds another footbot; or another
+  /// blue footbot has been beside the prey, which holds it too.
   bool holdsInVain() {
     const std::optional<Sighting> prey = preyInGripper();
     const bool is_mine = prey && !(signaller_ && signaller_->distanceTo(*prey) < prey_reach_);
@@ -199,7 +200,7 @@ class FootbotRetrieval final : public Controller {
   }
 
   void avoidGrippingFootbot() {
-    constexpr double kRoom = 1.0;  // m that the signaller needs
+    constexpr double kRoom = 1.0;  // m that the signalling footbot needs
     constexpr double kCalm = 2.0;  // s without blue
     if (!signaller_) {
       memory_.time_unseen += dt_;
@@ -221,7 +222,7 @@ class FootbotRetrieval final : public Controller {
 
   static bool isPrey(const ColorBlob& blob) { return blob.color != colors::kRed && blob.color != colors::kBlue; }
 
-  /// The prey that the laser points at, whatever its colour.
+  /// Returns the prey that the laser points at, whatever its colour.
   std::optional<Sighting> preyAtSpot() const {
     constexpr double kAtSpot = 0.15;  // m
     std::optional<Sighting> nearest;
@@ -237,7 +238,7 @@ class FootbotRetrieval final : public Controller {
     return nearest;
   }
 
-  /// What a gripper that holds something can hold: the nearest prey ahead that it reaches.
+  /// Returns the object that a closed gripper may hold: the nearest prey ahead within its reach.
   std::optional<Sighting> preyInGripper() const {
     constexpr double kAhead = 0.5;  // rad
     std::optional<Sighting> nearest;
@@ -262,7 +263,7 @@ class FootbotRetrieval final : public Controller {
     wheels_->drive(speed_, memory_.turn_rate);
   }
 
-  /// Turns away from what the proximity sensors feel ahead. @return whether there was something
+  /// Turns away from obstacles ahead in the proximity readings. @return whether there was an obstacle
   bool avoidObstacle() {
     constexpr double kThreshold = 0.05;
     constexpr double kTurnRate = 1.5;  // rad/s
@@ -281,14 +282,15 @@ class FootbotRetrieval final : public Controller {
     return true;
   }
 
-  /// Whatever way, for a moment: how a jam between robots is undone when nobody knows how it holds.
+  /// Drives in a random direction for a moment: this resolves a jam between robots whose cause is unknown.
   void wiggle() {
     memory_.wiggle_time = robot_->random().uniform(0.5, 1.5);
     memory_.wiggle_speed = robot_->random().uniform(-speed_, 0.5 * speed_);
     memory_.wiggle_turn_rate = robot_->random().uniform(-1.5, 1.5);
   }
 
-  /// While the spot waits and comes no nearer, the way is barred: by what it holds itself, if wiggling does not help.
+  /// Detects a jam: while the spot waits and its distance does not decrease, the way is blocked, by the held object if
+  /// wiggling does not help.
   void noticeJam(double spot_distance) {
     constexpr double kNearer = 0.02;  // m
     constexpr double kJammed = 8.0;   // s
@@ -317,18 +319,18 @@ class FootbotRetrieval final : public Controller {
   double speed_ = 0.0;       // m/s
   double prey_reach_ = 0.0;  // m
 
-  /// All that steps leave behind for later ones; a reset forgets it.
+  /// All state that steps keep for later steps; a reset clears it.
   struct Memory {
     State state = State::kSearchForLaser;
     double time_in_state = 0.0;     // s
-    double time_unseen = 0.0;       // s without what the state looks for
+    double time_unseen = 0.0;       // s in which the target of the state is not in sight
     double retreat_time = 0.0;      // s at the start of Search for Laser in which the spot does not matter
     double time_avoiding = 0.0;     // s of turning away without success
-    double time_barred = 0.0;       // s since the spot came nearer
-    double best_distance = 0.0;     // m to the spot, since it was last jammed
-    double time_in_vain = 0.0;      // s of holding what it cannot bring home
-    double patience = 0.0;          // s of that
-    int jams = 0;                   // since the spot came nearer
+    double time_barred = 0.0;       // s since the distance to the spot last decreased
+    double best_distance = 0.0;     // m to the spot, when this distance last changed
+    double time_in_vain = 0.0;      // s of holding an object that cannot be brought home
+    double patience = 0.0;          // s of holding in vain until the footbot gives up
+    int jams = 0;                   // count since the distance to the spot last decreased
     double wiggle_time = 0.0;       // s left
     double wiggle_speed = 0.0;      // m/s
     double wiggle_turn_rate = 0.0;  // rad/s

@@ -1,4 +1,4 @@
-// Group transport: up to the object ahead, grip it, wait for the others, then pull together.
+// Group transport: the robots drive up to the object ahead, grip it, wait for the others, then pull together.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"

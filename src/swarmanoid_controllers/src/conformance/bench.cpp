@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Real cameras do not report exactly the colour that was shown.
+/// Real cameras do not report exactly the colour of the object.
 bool isAbout(Color a, Color b) {
   constexpr int kAllowed = 64;  // of 255, each channel
   return std::abs(a.red - b.red) <= kAllowed && std::abs(a.green - b.green) <= kAllowed &&

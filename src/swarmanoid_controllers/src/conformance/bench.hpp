@@ -1,4 +1,4 @@
-/// What all checks share: the robot with its devices, what is known of the surroundings, and judging.
+/// The part that all checks share: the robot with its devices, the known data of the surroundings, and the judgement.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,22 +11,23 @@
 
 namespace swarmanoid::conformance {
 
-/// The place where the robot is tested, as it stands at the start. A distance of 0: there is none.
+/// The place where the robot is tested, as seen from its start pose. A distance of 0 means that there is no such
+/// object.
 struct Surroundings {
-  Color beacon_color;            ///< of what is straight ahead
+  Color beacon_color;            ///< of the object straight ahead
   double beacon_distance = 0.0;  ///< [m]
-  Color prey_color;              ///< of what is to the left: for footbots a prey that can be gripped
+  Color prey_color;              ///< of the object to the left: for footbots a prey that can be gripped
   double prey_distance = 0.0;    ///< [m]
   double prey_bearing = 0.0;     ///< [rad]
   double wall_distance = 0.0;    ///< from the robot's middle to a wall on its right, along the robot [m]
   double laser_height = 0.0;     ///< of an eyebot's laser pointer above the ground; 0: not known [m]
-  bool has_ceiling = false;      ///< a ferromagnetic one, above
+  bool has_ceiling = false;      ///< there is a ferromagnetic ceiling above
   bool has_board =
       false;  ///< upright, which the left hand meets when its arm is stretched ahead, and the right one does not
   bool is_free_upwards = false;   ///< the robot can move up and down
-  std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: nobody is observed
+  std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: no robot is observed
   double observed_radius = 0.0;   ///< of that ring [m]
-  double observer_bearing = 0.0;  ///< where the observed robot has the observer [rad]
+  double observer_bearing = 0.0;  ///< direction of the observer in the observed robot's frame [rad]
 };
 
 class Bench {
@@ -37,13 +38,13 @@ class Bench {
   Robot& robot() { return robot_; }
   const Surroundings& surroundings() const { return surroundings_; }
   bool isObserver() const { return is_observer_; }
-  /// Seconds after a motion until what it did can be seen.
+  /// Returns the time after a motion until its effect can be measured [s].
   double settlingTime() const { return settling_time_; }
-  /// How far a measured value may be from the expected one, as a part of it.
+  /// Returns the allowed relative difference between a measured value and the expected one.
   double tolerance() const { return tolerance_; }
 
   bool isListed(const std::string& device) const;
-  /// Null if the configuration does not list it.
+  /// Returns null if the configuration does not list the device.
   template <class Device>
   const Device* sensor() const {
     return robot_.hasSensor(Device::kType) ? &robot_.sensor<Device>() : nullptr;
@@ -53,15 +54,17 @@ class Bench {
     return robot_.hasActuator(Device::kType) ? &robot_.actuator<Device>() : nullptr;
   }
 
-  /// The middle of all that is about of that colour, as the robot's camera sees it, in its frame [m].
+  /// Returns the mean position of all blobs of about that colour in the readings of the robot's camera, in its frame
+  /// [m].
   std::optional<Eigen::Vector2d> see(Color color) const;
-  /// The same; nothing in sight is a failure, and the origin.
+  /// Does the same; without a blob in sight the check fails, and the origin is returned.
   Eigen::Vector2d find(Color color, const std::string& name);
 
-  /// Stops all that moves the robot.
+  /// Commands rest for all actuators that move the robot.
   void rest();
 
-  /// Judging. What is found goes into the log, with the name of the check; what is wrong makes it fail.
+  /// Begins the judgement of a check. The findings go into the log, with the name of the check; a wrong value makes it
+  /// fail.
   void startCheck(const std::string& name);
   void expectNear(const std::string& what, double found, double expected, double allowed, const char* unit);
   /// The allowed difference is the tolerance of `expected`, and at least `least`.
@@ -69,7 +72,7 @@ class Bench {
   void expectAngle(const std::string& what, double found, double expected, double allowed);
   void expectTrue(const std::string& what, bool is_true);
   void fail(const std::string& why);
-  /// "" if nothing is wrong with the check so far
+  /// Returns "" if nothing is wrong with the check so far.
   const std::string& failure() const { return failure_; }
 
  private:

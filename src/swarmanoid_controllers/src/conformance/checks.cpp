@@ -41,7 +41,7 @@ Check camera(Bench& bench, const std::string& device) {
   Check check{device, {device}, needsBeacon(bench), {}, {}};
   check.stages.push_back(settle(bench, [&bench] {
     const Surroundings& place = bench.surroundings();
-    constexpr double kDistance = 0.05;  // m, with which things are put up
+    constexpr double kDistance = 0.05;  // m, accuracy with which objects are placed
     constexpr double kBearing = 0.15;   // rad, likewise
     const Eigen::Vector2d beacon = bench.find(place.beacon_color, "the beacon ahead");
     bench.expectAbout("distance of the beacon", beacon.norm(), place.beacon_distance, kDistance, "m");

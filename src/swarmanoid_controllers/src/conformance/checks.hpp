@@ -1,4 +1,4 @@
-/// All checks there are.
+/// The list of all checks, and functions that several checks use.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +12,7 @@
 
 namespace swarmanoid::conformance {
 
-/// The checks for a robot of this type in this role, in the order in which they are done.
+/// Returns the checks for a robot of this type in this role, in the order in which they are done.
 std::vector<Check> checksFor(Bench& bench);
 
 std::vector<Check> footbotChecks(Bench& bench);
@@ -20,23 +20,24 @@ std::vector<Check> eyebotChecks(Bench& bench);
 std::vector<Check> handbotChecks(Bench& bench);
 std::vector<Check> observerChecks(Bench& bench);
 
-// Used by several.
+// Functions and constants that several checks use.
 
-constexpr double kLeastWay = 0.03;       ///< of a driven way, allowed to be wrong [m]
-constexpr double kLeastFlownWay = 0.05;  ///< of a flown way, likewise [m]
-constexpr double kLeastAngle = 0.1;      ///< of a turn, likewise [rad]
+constexpr double kLeastWay = 0.03;       ///< allowed error of a driven distance [m]
+constexpr double kLeastFlownWay = 0.05;  ///< allowed error of a flown distance [m]
+constexpr double kLeastAngle = 0.1;      ///< allowed error of a turn [rad]
 
-/// Where something was before a motion, in the robot's frame [m].
+/// The position of an object before a motion, in the robot's frame [m].
 using Place = std::shared_ptr<Eigen::Vector2d>;
 inline Place place() { return std::make_shared<Eigen::Vector2d>(Eigen::Vector2d::Zero()); }
 
-/// Beacon and prey are where the surroundings say.
+/// Checks that beacon and prey are where the surroundings parameters place them.
 Check camera(Bench& bench, const std::string& device);
-/// LED 0 red, a quarter of the ring (to the left) blue, half of it (behind) green; for an observer.
+/// Shows LED 0 in red, the LED at a quarter of the ring (to the left) in blue, that at half of it (behind) in green;
+/// for an observer.
 Check ledsShown(Bench& bench, const std::string& device, std::function<void()> light);
-/// Stands still until what was done can be seen, then judges.
+/// Stands still until the effect of a motion can be measured, then judges.
 Stage settle(Bench& bench, std::function<void()> judge);
-/// "" or why something that needs it cannot be done.
+/// Returns "" or the reason why a check that needs the beacon cannot be done.
 std::string needsBeacon(const Bench& bench);
 std::string needsPrey(const Bench& bench);
 

@@ -1,5 +1,6 @@
-// The conformance test: a controller that tries the devices of its robot one after the other, and judges by what the
-// robot's own sensors see whether units and signs are those of the interface. Where it fails it stops the robot.
+// The conformance test: a controller that tries the devices of its robot one after the other, and judges by the
+// readings of the robot's own sensors whether units and signs are those of the interface. After a failure it stops the
+// robot.
 #include <algorithm>
 #include <stdexcept>
 
@@ -120,7 +121,7 @@ class Conformance final : public Controller {
     return "";
   }
 
-  /// Devices that no check has covered: nothing passes in silence.
+  /// Returns the devices that no check has covered, so that none passes unreported.
   std::vector<std::string> uncovered() const {
     std::vector<std::string> left;
     for (const DeviceType* type : deviceTypes()) {
@@ -140,7 +141,7 @@ class Conformance final : public Controller {
   struct Summary {
     std::vector<std::string> passed;
     std::vector<std::string> failed;
-    std::string why;        ///< all that is wrong
+    std::string why;        ///< description of all that is wrong
     std::string unchecked;  ///< checks that were not done, each with the reason
     bool has_judged = false;
   };
@@ -192,10 +193,10 @@ class Conformance final : public Controller {
 
   std::unique_ptr<Bench> bench_;
   std::vector<Check> checks_;
-  std::vector<Result> results_;  // of the first so many checks
+  std::vector<Result> results_;  // results of the checks done so far
   std::size_t current_ = 0;
-  std::size_t stage_ = 0;  // of the current check
-  bool is_begun_ = false;  // that stage
+  std::size_t stage_ = 0;  // stage of the current check
+  bool is_begun_ = false;  // whether that stage has begun
   double stage_start_ = 0.0;
   bool is_over_ = false;
 };

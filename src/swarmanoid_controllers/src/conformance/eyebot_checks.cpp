@@ -1,4 +1,4 @@
-// What an eyebot is tried with: a beacon on the ground ahead, something on the ground to the left, a ceiling.
+// The checks of an eyebot, with a beacon on the ground ahead, an object on the ground to the left, a ceiling.
 #include <cmath>
 #include <memory>
 
@@ -31,7 +31,7 @@ Stage fly(Bench& bench, const Eigen::Vector3d& velocity, double yaw_rate, const 
           [took](double seconds) { *took = seconds; }};
 }
 
-/// Ahead, to the left, and back: what is on the ground moves the other way.
+/// Flies ahead, to the left, and back: objects on the ground move the other way in the robot's frame.
 Check velocity(Bench& bench) {
   Check check{"velocity_in_the_plane", {kVelocity, kEyebotCamera}, needsBeacon(bench), {kEyebotCamera}, {}};
   const Color beacon = bench.surroundings().beacon_color;
@@ -77,7 +77,7 @@ Stage point(Bench& bench, double pan, double tilt, std::function<void()> judge) 
 
 constexpr double kTilt = 0.3;  // rad
 
-/// The spot moves into the direction `pan`, farther with more tilt.
+/// Checks that the spot moves into the direction `pan`, farther with more tilt.
 Check laser(Bench& bench) {
   Check check{kLaser, {kLaser, kEyebotCamera}, "", {kEyebotCamera}, {}};
   const Place below = place();
@@ -112,7 +112,7 @@ Check laser(Bench& bench) {
   return check;
 }
 
-/// How high it is, the laser says: the way of the spot is the height times the tangent of the tilt.
+/// Measures the height with the laser: the displacement of the spot is the height times the tangent of the tilt.
 Check upwards(Bench& bench) {
   Check check{"velocity_up", {kVelocity, kLaser, kEyebotCamera}, "", {kEyebotCamera, kLaser}, {}};
   if (!bench.surroundings().is_free_upwards) {

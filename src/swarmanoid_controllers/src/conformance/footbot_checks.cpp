@@ -1,4 +1,4 @@
-// What a footbot is tried with: a beacon ahead, a prey to the left, a wall to the right.
+// The checks of a footbot, with a beacon ahead, a prey to the left, a wall to the right.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -20,7 +20,7 @@ constexpr double kSpeed = 0.1;      // m/s
 constexpr double kTurnRate = 0.5;   // rad/s
 constexpr double kFastest = 0.8;    // rad/s, to turn towards something
 constexpr double kDrive = 2.0;      // s, of a straight drive or a turn
-constexpr double kPatience = 20.0;  // s, for what takes as long as it takes
+constexpr double kPatience = 20.0;  // s, for actions of unknown duration
 
 std::function<void()> remember(Bench& bench, Color color, const Place& before) {
   return [&bench, color, before] { *before = bench.find(color, "what it looks at"); };
@@ -33,7 +33,7 @@ Stage drive(Bench& bench, double speed, double turn_rate, const std::shared_ptr<
           nullptr,          [took](double seconds) { *took = seconds; }};
 }
 
-/// Turns on the spot until a thing has that bearing.
+/// Turns on the spot until an object has that bearing.
 Stage turnTo(Bench& bench, Color color, std::function<double()> bearing) {
   const auto missing = [&bench, color, bearing = std::move(bearing)] {
     const auto seen = bench.see(color);
@@ -99,7 +99,7 @@ Check wheelsLeft(Bench& bench) {
   return check;
 }
 
-/// To the wall on the right, along it, and back to where it began.
+/// Drives to the wall on the right, along it, and back to the start.
 Check proximity(Bench& bench) {
   Check check{FootbotProximity::kType,
               {FootbotProximity::kType, kWheels, kFootbotCamera},
@@ -151,7 +151,7 @@ Check gripperCloses(Bench& bench) {
   check.stages.push_back(turnTo(bench, prey, [] { return 0.0; }));
   check.stages.push_back({"driving to the prey and gripping it", kPatience, nullptr,
                           [&bench, prey] {
-                            constexpr double kReach = 0.22;  // m, from where on it is slow and the gripper closed
+                            constexpr double kReach = 0.22;  // m, within which it is slow and the gripper closed
                             const Eigen::Vector2d seen = bench.see(prey).value_or(Eigen::Vector2d::Zero());
                             const bool is_near = seen.norm() < kReach;
                             bench.actuator<FootbotGripper>()->closed = is_near;
@@ -175,7 +175,7 @@ Check turret(Bench& bench) {
     check.stages.push_back({"turning the turret to " + withUnit(angle, "rad"), kPatience / 2.0, nullptr,
                             [&bench, angle] { bench.actuator<FootbotTurret>()->holdAngle(angle); },
                             [&bench, angle] {
-                              // with a prey in the gripper it may swing for a while
+                              // with a prey in the gripper the turret may swing for a while
                               const FootbotTurretState& state = *bench.sensor<FootbotTurretState>();
                               return std::abs(state.angle - angle) < kClose && std::abs(state.speed) < kClose;
                             },

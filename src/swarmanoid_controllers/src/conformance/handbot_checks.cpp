@@ -1,5 +1,5 @@
-// What a handbot is tried with: a board before its left hand, a ceiling. It sees nothing, so what its joints do is
-// known by their own encoders only.
+// The checks of a handbot, with a board in front of its left hand, and a ceiling. It has no camera, so the motion of
+// its joints is measured by their own encoders only.
 #include <array>
 #include <cmath>
 #include <memory>
@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kArmPatience = 10.0;  // s
 
-/// Each joint to an angle of its own, so that no two can be mistaken for each other.
+/// Moves each joint to an angle of its own, so that no two can be confused.
 Check arms(Bench& bench) {
   Check check{HandbotArms::kType, {HandbotArms::kType, HandbotArmsState::kType}, "", {}, {}};
   using Angles = std::array<double, HandbotArmsState::kJoints>;
@@ -38,7 +38,7 @@ Check arms(Bench& bench) {
   return check;
 }
 
-/// The left hand sucks, and meets something.
+/// Checks that the left hand touches an object when suction is on.
 Check hands(Bench& bench) {
   Check check{HandbotHands::kType,
               {HandbotHands::kType, HandbotHandsState::kType, HandbotArms::kType},

@@ -1,4 +1,4 @@
-// The observer's part: whether another robot's ring of LEDs is the right way round.
+// The checks of the observer: whether the LEDs of another robot's ring are in the right order and direction.
 #include <cmath>
 #include <limits>
 
