@@ -15,13 +15,13 @@ namespace {
 // A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
 constexpr double kOwnSurface = 1e-6;
 
-/// A blob, and its place in the order that ColorBlobs promises.
+/// A blob, and its rank in the order defined by ColorBlobs.
 struct Found {
   ColorBlob blob;
   std::size_t place = 0;
 };
 
-/// @return whether some were left out
+/// @return whether some blobs were left out
 bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
   if (found.size() <= capacity) {
     return false;
@@ -83,7 +83,7 @@ class Finder {
   }
 
  private:
-  /// Robots shine with their LEDs, other things have a colour of their own.
+  /// Returns the colour of a robot's LED, or the colour of another entity.
   Color colorOf(Row row, std::size_t led) const {
     const auto i = static_cast<std::size_t>(row);
     return space_.entities.model[i]->is_robot ? space_.ledsOf(row)[led] : space_.entities.color[i];
@@ -115,7 +115,7 @@ FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs,
   found.clear();
   found.reserve(capacity);
   Finder finder(space, view, found);
-  // entities are at any height within the arena, so the sphere must hold the whole cylinder of view
+  // entities may be at any height within the arena, so the sphere must contain the whole cylinder of view
   const double lowest = space.lowestGround();
   const double half_height = 0.5 * (space.size.z() - lowest);
   const Eigen::Vector3d centre(view.position.x(), view.position.y(), lowest + half_height);
@@ -134,7 +134,7 @@ FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs,
   }
   if (view.sees_floor) {
     for (const FloorPatch& patch : space.floor_patches) {
-      // where its middle is hidden or too far the nearest part stands for the patch
+      // if the middle of the patch is hidden or too far, its nearest part is used instead
       if (!finder.look(patch.position, patch.color, kNoRow)) {
         finder.look(patch.nearestPoint(view.position), patch.color, kNoRow);
       }

@@ -1,4 +1,4 @@
-/// Short ways to write the parameters that many devices have.
+/// Short functions for the parameters that many devices have.
 #pragma once
 
 #include <string>

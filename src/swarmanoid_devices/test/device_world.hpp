@@ -1,5 +1,5 @@
-/// Worlds small enough to compute by hand: a space without engines and controllers, and devices out of the registry.
-/// What is in no engine is seen by rays all the same.
+/// Worlds small enough to compute by hand: a space without engines and controllers, and devices from the registry. Rays
+/// hit entities that are in no engine too.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -16,7 +16,7 @@ namespace swarmanoid::test {
 
 using Parameters = std::map<std::string, std::string>;
 
-/// A device as an experiment file would ask for it; what is not given has its default.
+/// Makes a device as an experiment file would configure it; parameters that are not given have their defaults.
 template <class Base>
 std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const Parameters& parameters) {
   loadPluginLibrary("swarmanoid_devices", {}, {});
@@ -55,7 +55,7 @@ class DeviceWorld {
   Row addPrey(double x, double y, Color color = colors::kYellow, double radius = 0.06, double height = 0.1) {
     return add(cylindricPreyModel(radius, height), {x, y, 0.0}, 0.0, color);
   }
-  /// Stands on the floor. @param centre of its ground
+  /// Adds a wall that stands on the floor. @param centre of its base
   Row addWall(const Eigen::Vector3d& size, const Eigen::Vector2d& centre) {
     return add(blockModel(size), {centre.x(), centre.y(), 0.5 * size.z()});
   }
@@ -67,14 +67,14 @@ class DeviceWorld {
 
   Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
 
-  /// All instances of a sensor read the space as it is now.
+  /// Updates all instances of a sensor from the present state of the space.
   void sense(Sensor& sensor) {
     space.index.rebuild(space.entities);
     sensor.sense(space, 0, sensor.instanceCount());
     sensor.report(space);
   }
 
-  /// @return the rows whose commands were faulty
+  /// @return the rows whose commands were invalid
   std::vector<Row> actuate(Actuator& actuator) {
     std::vector<Row> faulty;
     actuator.actuate(space, faulty);
@@ -121,10 +121,10 @@ class ActuatorUnderTest {
         actuator(makeDevice<Actuator>(PluginKind::kActuator, Device::kType, parameters)),
         command(*static_cast<Device*>(actuator->add(world.space, row))) {}
 
-  /// A safe stop, which began `since` seconds ago. @return whether it is over
+  /// Applies a safe stop that began `since` seconds ago. @return whether it is over
   bool stop(double since = 0.0) { return actuator->stop(world_.space, row_, {since, {}, robot_}); }
 
-  /// What is left of the command after this tick's limits and noise.
+  /// Returns the command after this tick's limits and noise.
   const Device& actuate() {
     faulty = world_.actuate(*actuator);
     return *world_.space.actuation.find<Device>(row_);
@@ -133,12 +133,12 @@ class ActuatorUnderTest {
  private:
   DeviceWorld& world_;
   Row row_;
-  Robot robot_{"robot", "footbot", 1};  // of the safe stop; without sensors
+  Robot robot_{"robot", "footbot", 1};  // robot for the safe stop, without sensors
 
  public:
   std::shared_ptr<Actuator> actuator;
   Device& command;
-  std::vector<Row> faulty;  ///< by the last actuate
+  std::vector<Row> faulty;  ///< result of the last actuate
 };
 
 /// Mean and standard deviation.

@@ -101,7 +101,7 @@ class EyebotLaserTest : public testing::Test {
     return world.space.laser_spots;
   }
 
-  /// Where the spot should be on the floor.
+  /// Returns the expected position of the spot on the floor.
   static Vector3d onFloor(double pan, double tilt) {
     const double reach = 2.15 * std::tan(tilt);
     return {5.0 - reach * std::sin(pan), 5.05 + reach * std::cos(pan), 0.0};

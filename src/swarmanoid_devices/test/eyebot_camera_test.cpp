@@ -1,4 +1,4 @@
-// The eyebot's camera looks down: it sees a circle on the ground that grows with its height.
+// The eyebot's camera looks down: its field of view is a circle on the ground that grows with its height.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Wheels, gripper and LEDs: what is left of a command after limits, noise and checks.
+// Wheels, gripper and LEDs: tests their commands after limits, noise and checks.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -11,7 +11,7 @@ namespace {
 
 using Camera = SensorUnderTest<FootbotCamera>;
 
-/// A footbot at (1, 1), and what it sees.
+/// A footbot at (1, 1), and the readings of its camera.
 class FootbotCameraTest : public testing::Test {
  protected:
   std::vector<ColorBlob> seen(const Parameters& parameters = {}) {
@@ -46,7 +46,7 @@ TEST_F(FootbotCameraTest, BearingIsFromTheRobotsOwnHeading) {
 }
 
 TEST_F(FootbotCameraTest, StraightBehindIsPlusPi) {
-  // on both sides of where angles jump, and exactly there
+  // on both sides of the jump of the angle, and exactly at it
   const Row prey = world.addPrey(0.0, 1.0);
   for (const double y : {1.0, 1.0 + 1e-9}) {
     world.pose(prey).position.y() = y;
@@ -69,7 +69,7 @@ TEST_F(FootbotCameraTest, TheRangeIsIncludedAndNothingBeyondIt) {
 TEST_F(FootbotCameraTest, SeesLedsOfOthersEachWithItsColourButNotItsOwn) {
   world.space.ledsOf(robot)[0] = colors::kRed;
   const Row other = world.addFootbot(2.0, 1.0);
-  world.space.ledsOf(other)[0] = colors::kRed;     // ahead, on the far side, which its body hides
+  world.space.ledsOf(other)[0] = colors::kRed;     // ahead, on the far side, hidden by the robot's body
   world.space.ledsOf(other)[5] = colors::kOrange;  // behind, to the left
   world.space.ledsOf(other)[6] = colors::kGreen;   // behind, on the near side
   const auto blobs = seen();

@@ -42,7 +42,7 @@ TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
     const Row wall = world.addWall({0.1, 2.0, 0.5}, {2.0, 1.0});
     Ring ring(world, robot, {{"range", std::to_string(range)}});
     for (const double distance : {0.0, 0.01, 0.05, 0.0999, 0.1, 0.2, 0.299, 0.301, 0.5}) {
-      // to the robot's left, where nothing of its own sticks out
+      // to the robot's left, where no other part of the robot sticks out
       world.pose(robot).orientation = Eigen::AngleAxisd(-M_PI / 2.0, Eigen::Vector3d::UnitZ());
       world.pose(wall).position.x() = 1.0 + kRadius + distance + 0.05;
       EXPECT_NEAR(ring.sense().value[6], response(distance, range), 1e-6) << distance << " m";
@@ -79,7 +79,7 @@ TEST(FootbotProximityTest, SensorsAreEvery15DegreesCounterClockwise) {
 TEST(FootbotProximityTest, ItsOwnGripperAndWheelsAreNotSeen) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  world.addPrey(1.0 - kRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // so that rays are cast at all
+  world.addPrey(1.0 - kRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // makes the sensor cast rays at all
   const FootbotProximity& readings = Ring(world, robot).sense();
   EXPECT_NEAR(readings.value[12], 0.125, 1e-6);
   for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
@@ -116,7 +116,7 @@ TEST(FootbotProximityTest, ReadsNothingAgainWhenTheObstacleIsGone) {
   EXPECT_EQ(ring.sense().value, (std::array<float, FootbotProximity::kCount>{}));
 }
 
-/// The readings of one robot over some ticks.
+/// Returns the readings of one robot over some ticks.
 std::vector<std::array<float, FootbotProximity::kCount>> over(int ticks, const std::string& noise, std::uint64_t seed,
                                                               int bystanders = 0) {
   DeviceWorld world(seed);

@@ -1,4 +1,4 @@
-// The turret's commands after limits, noise and checks, and what its encoder reads.
+// The turret's commands after limits, noise and checks, and the readings of its encoder.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// Devices of handbots, and the eyebot's magnet: limits of commands, and what is read of the space.
+// Devices of handbots, and the eyebot's magnet: limits of commands, and readings from the space.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,4 +1,5 @@
-// Which LEDs of a ring a camera sees: those that their own body does not hide, by elementary geometry.
+// The LEDs of a ring in the readings of a camera: those that their own robot's body does not hide, by elementary
+// geometry.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,14 +20,14 @@ namespace {
 constexpr int kLeds = 12;
 constexpr double kRing = 0.085;         // m, from the axis, as far as the body
 constexpr double kLedHeight = 0.12;     // m
-constexpr double kBody = 0.08;          // m, the radius that hides: the body's without 5 mm
+constexpr double kBody = 0.08;          // m, the radius that hides LEDs: the body's minus 5 mm
 constexpr double kBottom = 0.015;       // m, likewise: from 0.01
 constexpr double kTop = 0.141;          // m, likewise: up to 0.146
 constexpr double kCameraHeight = 0.28;  // m
 
 using Led = std::pair<int, int>;  // robot, LED
 
-/// A colour for each LED of each robot, so that a blob says whose it is.
+/// Returns a different colour for each LED of each robot, so that a blob identifies its LED.
 Color colorOf(int robot, int led) {
   return {static_cast<std::uint8_t>(robot + 1), static_cast<std::uint8_t>(led + 1), 200};
 }
@@ -47,8 +48,9 @@ std::set<Led> ledsAmong(const ColorBlobs& seen) {
 
 double angleBetween(double a, double b) { return std::abs(std::remainder(a - b, 2.0 * M_PI)); }
 
-/// From afar, where no line of sight comes in over the top: the tangent from a LED to the circle that hides touches it
-/// acos(kBody / kRing) beyond the LED, and the one from the camera acos(kBody / distance) beyond its own direction.
+/// Holds for a distant camera, whose lines of sight do not pass over the top: the tangent from a LED to the circle that
+/// hides touches it acos(kBody / kRing) beyond the LED, and the one from the camera acos(kBody / distance) beyond its
+/// own direction.
 bool isOnNearSide(double led_direction, double camera_direction, double distance) {
   return angleBetween(led_direction, camera_direction) < std::acos(kBody / kRing) + std::acos(kBody / distance);
 }
@@ -85,7 +87,7 @@ TEST(LedVisibilityTest, OfEightLitRobotsAllAreSeenEachFromItsNearSide) {
 }
 
 TEST(LedVisibilityTest, FromAboveAllAreSeenUntilTheFarSideFallsBehindTheEdge) {
-  // the line from the LED on the far side rises from 0.12 to 2.15 m; where it is as high as the top it has gone 5 mm
+  // the line from the LED on the far side rises from 0.12 to 2.15 m; at the height of the top it is 5 mm further
   // inwards if the camera is this far from the robot's axis
   const double edge = 0.005 * (2.15 - kLedHeight) / (kTop - kLedHeight) - kRing;
   ASSERT_NEAR(edge, 0.398, 5e-4);
@@ -102,8 +104,8 @@ TEST(LedVisibilityTest, FromAboveAllAreSeenUntilTheFarSideFallsBehindTheEdge) {
   }
 }
 
-/// The least distance by which a line of sight stays out of the cylinder that hides (negative: it passes through), by
-/// going along it in small steps. In the robot's frame.
+/// Returns the least distance of a line of sight from the cylinder that hides LEDs (negative: it passes through), by
+/// sampling it in small steps. In the robot's frame.
 double clearanceOf(const Eigen::Vector3d& eye, const Eigen::Vector3d& led) {
   constexpr int kSteps = 20000;
   double least = 1.0;
@@ -142,7 +144,7 @@ TEST(LedVisibilityTest, AtAnyTiltAndFromAnySideTheBodyHidesWhatItStandsBefore) {
     for (int led = 0; led < kLeds; ++led) {
       const double direction = led * M_PI / 6.0;
       const Eigen::Vector3d place_of_led(kRing * std::cos(direction), kRing * std::sin(direction), kLedHeight);
-      // the wheels and the gripper lie low and can hide a LED from below only
+      // the wheels and the gripper are low and can hide an LED from below only
       const double clearance = clearanceOf(eye, place_of_led);
       if (eye.z() > 0.1 && std::abs(clearance) > 1e-4) {
         EXPECT_EQ(seen.count({0, led}), clearance > 0.0 ? 1U : 0U) << "trial " << trial << ", LED " << led;

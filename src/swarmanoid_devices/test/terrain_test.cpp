@@ -1,4 +1,4 @@
-// What devices make of rough ground.
+// Devices on rough ground.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// From (4, 4) to (6, 6), with a vertex each 0.1 m.
+/// Returns a terrain from (4, 4) to (6, 6), with a vertex each 0.1 m.
 std::shared_ptr<const Terrain> terrainOf(const std::function<double(double x)>& height) {
   std::vector<double> heights;
   for (int j = 0; j <= 20; ++j) {
@@ -76,7 +76,7 @@ TEST(TerrainTest, ALaserSpotLiesOnTheGroundHoweverHighItIs) {
     laser.actuator->afterMove(world.space);
     ASSERT_EQ(world.space.laser_spots.size(), 1U);
     EXPECT_LT((world.space.laser_spots[0].position - Vector3d(5.05, 5.0, height)).norm(), 1e-9);
-    // and it is seen there
+    // the camera sees the spot there too
     SensorUnderTest<FootbotCamera> camera(world, world.add(robotModel("footbot"), {4.5, 5.0, height}));
     EXPECT_EQ(camera.sense().blobs.size(), 1U) << height;
   }

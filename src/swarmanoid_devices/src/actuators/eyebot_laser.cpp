@@ -10,7 +10,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-constexpr double kMaxTilt = 0.8;  // rad, as the interface header promises
+constexpr double kMaxTilt = 0.8;  // rad, as documented in the interface header
 
 class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
  public:
@@ -57,14 +57,14 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     Segment beam;
     beam.from = pose.toWorld(space.entities.model[i]->mount("laser_pointer").position);
     const Eigen::Vector3d beam_direction = pose.orientation * direction;
-    // down to the floor, or as far as light goes
+    // the beam goes down to the floor, or as far as its range
     const auto downTo = [&](double height) -> Eigen::Vector3d {
       const double way = beam_direction.z() < 0.0 ? (height - beam.from.z()) / beam_direction.z() : kReach;
       return beam.from + std::clamp(way, 0.0, kReach) * beam_direction;
     };
     beam.to = downTo(0.0);
     if (space.terrain && space.terrain->contains(beam.to.x(), beam.to.y())) {
-      beam.to = downTo(space.lowestGround());  // there the floor has the terrain in its place
+      beam.to = downTo(space.lowestGround());  // the terrain replaces the floor there
     }
     const RayHit hit = space.castRay(beam, instance.row);
     return {instance.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};

@@ -1,4 +1,4 @@
-// Magnet: the engine that moves the robot does the holding; here the command only passes.
+// Magnet: the engine that moves the robot computes the holding; this device only passes the command on.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 
 #include "swarmanoid_space/actuator.hpp"

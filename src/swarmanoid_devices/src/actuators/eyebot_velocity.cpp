@@ -1,4 +1,4 @@
-// The eyebot's flight controller: velocities limited in length, disturbed by gusts if asked.
+// The eyebot's flight controller: velocities are limited in length, and disturbed by gusts if configured.
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     }
     const double speed = velocity.linear.norm();
     if (!std::isfinite(speed)) {
-      // finite, but too long for its square to be
+      // the velocity is finite, but its square may not be
       velocity.linear /= velocity.linear.cwiseAbs().maxCoeff();
       velocity.linear *= max_speed_ / velocity.linear.norm();
     } else if (speed > max_speed_) {

@@ -1,4 +1,4 @@
-// Gripper: the engine that moves the robot does the gripping; here the command only passes.
+// Gripper: the engine that moves the robot computes the gripping; this device only passes the command on.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
 #include "swarmanoid_space/actuator.hpp"

@@ -1,4 +1,4 @@
-// Turret: limited to what its motor can do. The engine that moves the robot turns it.
+// Turret: the command is limited by its motor. The engine that moves the robot turns the turret.
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 
 #include <algorithm>
@@ -37,7 +37,7 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
   void prepareInstance(const Space& space, TurretInstance& instance) override {
     const EntityModel& model = *space.entities.model[static_cast<std::size_t>(instance.row)];
     const int joint = model.findJoint("turret");
-    // without a turret no engine takes the robot
+    // engines refuse a footbot without a turret
     instance.max_speed = joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(joint)].max_speed;
   }
 

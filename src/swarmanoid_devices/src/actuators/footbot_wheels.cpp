@@ -1,4 +1,4 @@
-// Wheels: limited to what the motors can do; noise is a factor of the speed, so a standing robot stands.
+// Wheels: the command is limited by the motors; noise is a factor of the speed, so a standing robot stays at rest.
 #include <algorithm>
 
 #include "parameters.hpp"

@@ -1,4 +1,4 @@
-// Arms: angles limited to where the joints stop. The engine that moves the robot moves them.
+// Arms: angles are limited to the stops of the joints. The engine that moves the robot moves the joints.
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 
 #include <algorithm>

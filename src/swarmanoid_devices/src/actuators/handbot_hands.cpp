@@ -1,4 +1,4 @@
-// Hands: the engine that moves the robot does the holding; here the command only passes.
+// Hands: the engine that moves the robot computes the holding; this device only passes the command on.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
 #include "swarmanoid_space/actuator.hpp"

@@ -1,4 +1,5 @@
-// Rope: winding limited to what the motor can do. The engine that moves the robot shoots, winds and holds.
+// Rope: the winding speed is limited by the motor. The engine that moves the robot computes shooting, winding and
+// holding.
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
 #include <algorithm>

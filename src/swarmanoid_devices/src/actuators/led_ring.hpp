@@ -1,4 +1,4 @@
-/// A ring of LEDs: its colours go to the space, where cameras see them.
+/// A ring of LEDs: it writes its colours to the space, from which cameras read them.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// The devices of one simulated robot as topics.
+// Provides the devices of one simulated robot as topics.
 #include <pluginlib/class_list_macros.hpp>
 
 #include "device_topics.hpp"

@@ -64,7 +64,7 @@ void DeviceTopics::addLeds(const Space& space, Row row) {
     return;
   }
   constexpr bool kLatched = true;
-  // latched, so it is sent at every change, whoever listens
+  // a latched topic is published at every change, even without subscribers
   topics_.push_back({handle_.advertise<swarmanoid_msgs::LedArray>("leds/state", 1, kLatched),
                      [this, count, shown = std::vector<Color>()](const ros::Publisher& publisher, const Space& seen,
                                                                  Row owner) mutable {
@@ -99,7 +99,7 @@ void DeviceTopics::draw(const Space& space) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const Row row = space.entities.find(id_);
   if (is_closed_ || row == kNoRow) {
-    return;  // the robot may be deleted, and come back
+    return;  // the robot may be deleted, and added again
   }
   if (!is_open_) {
     addAll(space, row);

@@ -1,6 +1,6 @@
-/// The devices of one robot as topics in its namespace, under the names and types that a real robot would use:
+/// Provides the devices of one robot as topics in its namespace, with the names and types of a real robot's topics:
 /// proximity, camera/blobs, gripper/state, leds/state; wheels/command, cmd_vel, leds/command. Commands move the robot
-/// if its command source is `topics`; else they are refused, and the log says so once.
+/// if its command source is `topics`; otherwise they are refused, and the log reports it once.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -19,13 +19,14 @@ namespace swarmanoid {
 
 class DeviceTopics final : public Observer {
  public:
-  /// @param robot_handle whose namespace is the robot's; @param commands where commands go; null: nowhere
+  /// @param robot_handle handle in the robot's namespace; @param commands mailbox for commands; null: there is
+  /// none
   DeviceTopics(const std::string& robot, const ros::NodeHandle& robot_handle, std::shared_ptr<CommandMailbox> commands);
 
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
   void draw(const Space& space) override;
 
-  /// Publishes no more; the space may keep looking at it until the run is over.
+  /// Ends publishing; the space may keep calling this observer until the run is over.
   void close();
 
  private:
@@ -34,12 +35,12 @@ class DeviceTopics final : public Observer {
     std::function<void(const ros::Publisher&, const Space&, Row)> publish;
   };
 
-  /// What came last on the topic of an actuator.
+  /// The last command on the topic of an actuator.
   struct Commanded {
     std::shared_ptr<void> device;
     VariableParts parts;
     bool is_refusal_reported = false;
-    ros::Subscriber subscriber;  // last, so that it goes first
+    ros::Subscriber subscriber;  // last member, so that it is destroyed first
   };
 
   void addReadings(const Space& space, Row row, const DeviceTopic& device);

@@ -1,4 +1,4 @@
-/// A simulated colour-blob camera; FootbotCamera and EyebotCamera differ in where it sits and what it has in view.
+/// A simulated colour-blob camera; FootbotCamera and EyebotCamera differ in their mounting and their field of view.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@ template <class Camera>
 struct CameraInstance : BasicSensorInstance<Camera> {
   std::vector<ColorBlob> buffer;
   Mount mount;
-  bool has_overflowed = false;          // as of the last tick, so that an overflow is one event, not one a tick
-  std::optional<std::size_t> overflow;  // its place in Space::overflows
+  bool has_overflowed = false;          // state of the last tick, so that an overflow is one event, not one per tick
+  std::optional<std::size_t> overflow;  // index in Space::overflows
 };
 
 template <class Camera>

@@ -1,4 +1,4 @@
-// The eyebot's camera: looks down into a cone, so what it sees of the ground grows with its height.
+// The eyebot's camera: its field of view is a cone below it, so its area on the ground grows with the height.
 #include "color_blob_camera.hpp"
 
 namespace swarmanoid::devices {

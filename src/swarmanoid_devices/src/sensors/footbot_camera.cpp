@@ -1,4 +1,4 @@
-// The footbot's omnidirectional camera: looks all around, as far as the mirror shows.
+// The footbot's omnidirectional camera: its field of view covers all directions, up to the range of the mirror.
 #include "color_blob_camera.hpp"
 
 namespace swarmanoid::devices {

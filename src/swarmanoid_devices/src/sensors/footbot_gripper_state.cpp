@@ -1,4 +1,4 @@
-// The gripper's contact switch: whether the robot grips something, as the structural tree says.
+// The gripper's contact switch: it reports whether the robot grips an object, according to the structural tree.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_space/sensor.hpp"
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kCount = FootbotProximity::kCount;
 
-/// Where the sensors sit on a model, in its body frame.
+/// The positions of the sensors on a model, in its body frame.
 struct RingGeometry {
   Eigen::Matrix<double, 3, kCount> from;
   Eigen::Matrix<double, 3, kCount> direction;
@@ -35,7 +35,7 @@ RingGeometry ringOf(const EntityModel& model) {
 
 struct ProximityInstance : BasicSensorInstance<FootbotProximity> {
   std::shared_ptr<const RingGeometry> ring;
-  bool is_clear = true;  // all readings are 0
+  bool is_clear = true;  // whether all readings are 0
 };
 
 class FootbotProximitySensor final : public SensorOf<FootbotProximity, ProximityInstance> {

@@ -1,4 +1,4 @@
-// The turret's encoder and the torque of its motor, as the engine that moves the robot left them.
+// The turret's encoder and the torque of its motor, as written by the engine that moves the robot.
 #include "parameters.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
@@ -8,7 +8,7 @@ namespace swarmanoid::devices {
 namespace {
 
 struct TurretStateInstance : BasicSensorInstance<FootbotTurretState> {
-  int joint = -1;  // of the robot's model
+  int joint = -1;  // index of the joint in the robot's model
 };
 
 class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, TurretStateInstance> {
