@@ -1,5 +1,5 @@
 # swarmanoid_add_controller(LABEL SOURCES...): builds lib<LABEL>.so from sources that end in
-# REGISTER_CONTROLLER(Class, "LABEL"), and installs it. That library knows nothing of ROS; beside it a small
+# REGISTER_CONTROLLER(Class, "LABEL"), and installs it. That library does not use ROS; beside it a small
 # lib<LABEL>_nodelet.so makes the controller a nodelet, <package>/<LABEL>.
 #
 # The nodelets of a package are described in controller_nodelets.xml, which is written into the package's source folder
@@ -23,7 +23,7 @@ function(swarmanoid_add_controller label)
   set_property(DIRECTORY APPEND PROPERTY SWARMANOID_CONTROLLERS ${label})
 endfunction()
 
-# Called once, at the end of a package's CMakeLists.txt.
+# This function is called once, at the end of a package's CMakeLists.txt.
 function(swarmanoid_write_controller_nodelets)
   get_property(_labels DIRECTORY PROPERTY SWARMANOID_CONTROLLERS)
   list(SORT _labels)

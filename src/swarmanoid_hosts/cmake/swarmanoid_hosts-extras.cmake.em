@@ -1,4 +1,4 @@
-# What every controller package needs from CMake, and whoever makes nodelets.
+# The CMake functions for packages with controllers or nodelets.
 
 # The ROS side of the hosts. It is not in swarmanoid_hosts_LIBRARIES, so that controllers, engines and devices do not
 # link ROS.

@@ -1,6 +1,7 @@
 #!/usr/bin/python3
-"""A robot's host over topics: it starts when all devices are there and only then, reports overruns, leaves alone what its
-configuration does not list, shows what its controller saw and did, and says what is wrong with a configuration."""
+"""A robot's host over topics: it starts when all devices are there and only then, reports overruns, does not touch
+devices that its configuration does not list, publishes its controller's input and output, and reports mistakes in a
+configuration."""
 
 import sys
 import unittest
@@ -42,7 +43,7 @@ class RobotHostTest(unittest.TestCase):
     def test_drivers_refuse_bad_parameters(self):
         for name, value, text in (("rate", "0", "found 0, allowed: from 1 to 1000"),
                                   ("watchdog", "-1", "found -1, allowed: from 0.01 to 3600")):
-            robot = "bad_" + name  # the master keeps the parameters of the one before
+            robot = "bad_" + name  # the master keeps the parameters of the previous one
             self.processes.append(Drivers(robot, "footbot", **{name: value}))
             self.assertEqual(2, self.processes[-1].wait())
             self.assertIn(f"/{robot}_drivers/{name}: {text}", self.processes[-1].output())

@@ -1,4 +1,4 @@
-"""A robot in two processes, mock drivers and its controller's host, started and ended as a test likes."""
+"""A robot in two processes, mock drivers and its controller's host, started and ended by a test."""
 
 import os
 import signal
@@ -63,7 +63,7 @@ class Drivers(Process):
 
 
 class Host(Process):
-    """What launch/robot.launch starts with provider:=topics."""
+    """The nodes that launch/robot.launch starts with provider:=topics."""
 
     def __init__(self, robot, configuration, **parameters):
         self.name = robot + "_controller"
@@ -79,7 +79,7 @@ def configuration(kind, **changes):
 
 
 class Arrivals:
-    """All messages of a topic, each with when it came."""
+    """All messages of a topic, each with its time of arrival."""
 
     def __init__(self, topic, kind):
         self._lock = threading.Lock()
@@ -98,7 +98,7 @@ class Arrivals:
         return [message for _, message in self.all()]
 
     def wait_for(self, is_it, timeout=TIMEOUT):
-        """When the first message came that is so, and that message; None if none did."""
+        """Returns the first message that fulfils the condition, after its time of arrival; None if there is none."""
         found = []
 
         def look():

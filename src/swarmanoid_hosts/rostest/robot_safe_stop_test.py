@@ -1,6 +1,6 @@
 #!/usr/bin/python3
 """A robot over topics stops safely, each type of robot: when its controller throws, when its sensors are lost, and when
-its process is to end."""
+its process is asked to end."""
 
 import signal
 import sys
@@ -23,7 +23,7 @@ NOISE = 1.5  # [s] that this machine may be late
 
 
 class Kind:
-    """One type of robot: where it is told to move, and how fast after how many seconds (misbehaving_controller.cpp)."""
+    """One type of robot: its commanded direction, its speed over time (misbehaving_controller.cpp)."""
 
     def __init__(self, topic, message, speed_of, speed_at):
         self.topic = topic
@@ -38,7 +38,7 @@ class Kind:
 KINDS = {"footbot": Kind("wheels/command", WheelsCommand, lambda m: m.left, lambda t: 1.0 + t),
          "eyebot": Kind("cmd_vel", Twist, lambda m: m.linear.x, lambda t: 0.1 + 0.01 * t),
          "handbot": Kind("rope/command", RopeCommand, lambda m: m.winding_speed, lambda t: 0.1 + 0.01 * t)}
-# what else must hold in the end: topic, message, condition
+# further conditions at the end: topic, message, condition
 HELD = {"footbot": (("gripper/command", GripperCommand, lambda m: m.closed),
                     ("turret/command", TurretCommand, lambda m: m.mode == TurretCommand.SPEED and m.speed == 0.0),
                     ("wheels/command", WheelsCommand, lambda m: m.left == m.right == 0.0)),
@@ -137,7 +137,7 @@ class RobotSafeStopTest(unittest.TestCase):
                 self.assert_held()
 
     def test_drivers_stop_when_the_host_is_gone(self):
-        """What cannot be caught is up to the drivers."""
+        """After a signal that cannot be caught the drivers stop the robot."""
         _, host, _ = self.start("footbot", "killed")
         self.assertIsNotNone(self.odometry.wait_for(lambda m: m.twist.twist.linear.x > 0.0))
         host.send(signal.SIGKILL)

@@ -1,9 +1,9 @@
-# swarmanoid_compile_options(TARGET): warnings, and the floating-point rules that "the same bits" needs.
+# swarmanoid_compile_options(TARGET): warnings, and the floating-point rules that bitwise equal results need.
 #
 # -ffp-contract=off: a fused multiply-add rounds once where two operations round twice, so the compiler's choice to fuse
-# would change results between builds. -fno-trapping-math, -fno-math-errno: nobody here looks at floating-point flags or
-# errno, which change no result, but keep the compiler from working on several numbers at once.
-# -fno-semantic-interposition: nobody replaces functions inside our libraries, so calls within a library can be inlined.
+# would change results between builds. -fno-trapping-math, -fno-math-errno: the suite does not read floating-point
+# flags or errno, which change no result, but keep the compiler from vectorising. -fno-semantic-interposition: no
+# program replaces functions inside our libraries, so calls within a library can be inlined.
 option(SWARMANOID_WARNINGS_AS_ERRORS "treat warnings as errors" OFF)
 option(SWARMANOID_EXPECTATIONS "check what functions expect of their callers (expects.hpp), in release builds too" OFF)
 set(SWARMANOID_SANITIZE "" CACHE STRING "sanitizers to build with, such as address,undefined")

@@ -1,4 +1,4 @@
-# swarmanoid_declare_plugins(LIBRARY): says that lib<LIBRARY>.so holds plugins, so that `swarmanoid list` names them.
+# swarmanoid_declare_plugins(LIBRARY): declares that lib<LIBRARY>.so has plugins, so that `swarmanoid list` names them.
 # swarmanoid_add_plugins and swarmanoid_add_controller do this themselves.
 #
 # The declaration is share/swarmanoid/plugins/<LIBRARY> in the devel and the install space; it holds the package's name.

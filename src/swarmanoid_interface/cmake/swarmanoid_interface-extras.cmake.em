@@ -1,4 +1,4 @@
-# What every package of the suite, and every package of plugins outside it, needs from CMake.
+# The CMake functions for every package of the suite, and for every package of plugins outside it.
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)

@@ -14,16 +14,15 @@ namespace swarmanoid::conformance {
 /// The place where the robot is tested, as seen from its start pose. A distance of 0 means that there is no such
 /// object.
 struct Surroundings {
-  Color beacon_color;            ///< of the object straight ahead
-  double beacon_distance = 0.0;  ///< [m]
-  Color prey_color;              ///< of the object to the left: for footbots a prey that can be gripped
-  double prey_distance = 0.0;    ///< [m]
-  double prey_bearing = 0.0;     ///< [rad]
-  double wall_distance = 0.0;    ///< from the robot's middle to a wall on its right, along the robot [m]
-  double laser_height = 0.0;     ///< of an eyebot's laser pointer above the ground; 0: not known [m]
-  bool has_ceiling = false;      ///< there is a ferromagnetic ceiling above
-  bool has_board =
-      false;  ///< upright, which the left hand meets when its arm is stretched ahead, and the right one does not
+  Color beacon_color;             ///< of the object straight ahead
+  double beacon_distance = 0.0;   ///< [m]
+  Color prey_color;               ///< of the object to the left: for footbots a prey that can be gripped
+  double prey_distance = 0.0;     ///< [m]
+  double prey_bearing = 0.0;      ///< [rad]
+  double wall_distance = 0.0;     ///< from the robot's middle to a wall on its right, along the robot [m]
+  double laser_height = 0.0;      ///< of an eyebot's laser pointer above the ground; 0: not known [m]
+  bool has_ceiling = false;       ///< there is a ferromagnetic ceiling above
+  bool has_board = false;         ///< upright, which only the left hand touches when its arm is stretched ahead
   bool is_free_upwards = false;   ///< the robot can move up and down
   std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: no robot is observed
   double observed_radius = 0.0;   ///< of that ring [m]

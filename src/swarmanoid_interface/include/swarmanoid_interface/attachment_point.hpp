@@ -40,7 +40,7 @@ class AttachmentPoint {
 
   explicit AttachmentPoint(std::vector<Request> requests);
 
-  // For nodelets.
+  // Functions for nodelets.
 
   /// @throws std::runtime_error that names the needed parts, if this part is not needed
   Request request(PluginKind kind, const std::string& id) const;
@@ -51,7 +51,7 @@ class AttachmentPoint {
   /// Returns once the space has stopped using the part. Nothing happens if it is not attached.
   void detach(PluginKind kind, const std::string& id);
 
-  // For the space.
+  // Functions for the space.
 
   /// Adds a part that is needed while the experiment runs; no call waits for it. Nothing happens if it is needed
   /// already.
