@@ -34,7 +34,7 @@ class ListTest(ProgramTest):
                          "experiment\n  climbing\n  conformance\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
                          "  rough_terrain\n  shelf_retrieval\n")
         sensors = self.list("sensor")
-        self.assertIn("  footbot_proximity (polynomial): ", sensors)
+        self.assertIn("  footbot_proximity (polynomial, default): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)
         self.assert_refused("list: found 'sensors', allowed: " + ", ".join(HEADINGS) + "; did you mean 'sensor'?",
                             "list", "sensors")

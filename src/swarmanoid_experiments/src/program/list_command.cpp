@@ -115,7 +115,8 @@ void writeFields(const std::string& device, std::ostream& out) {
 void write(const PluginDescription& description, const DeclaredLibrary& origin, std::ostream& out) {
   out << "  " << description.label;
   if (!description.implementation.empty()) {
-    out << " (" << description.implementation << (description.is_default ? ", default)" : ")");
+    const bool says_so = description.is_default && description.implementation != "default";
+    out << " (" << description.implementation << (says_so ? ", default)" : ")");
   }
   out << (description.summary.empty() ? "" : ": " + description.summary) << '\n';
   if (!origin.library.empty()) {
