@@ -54,7 +54,7 @@ class Carousel final : public swarmanoid::Engine {
   }
 
   void add(Space& space, Row row, swarmanoid::Role role) override {
-    // a mirror is met by rays in the engine that moves it, and matters to nobody here
+    // rays hit a mirror in the engine that moves it; here it changes nothing
     if (role == swarmanoid::Role::kMove) {
       const auto i = static_cast<std::size_t>(row);
       riders_.push_back({row, space.entities.model[i], space.entities.pose[i]});

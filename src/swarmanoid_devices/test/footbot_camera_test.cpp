@@ -138,7 +138,7 @@ TEST_F(FootbotCameraTest, EntitiesComeByNumberThenLaserSpotsThenFloorPatches) {
   EXPECT_EQ(seen().size(), 3U) << "by default it does not see the floor";
 }
 
-TEST_F(FootbotCameraTest, AnOverflowIsMarkedToldOnceAndCounted) {
+TEST_F(FootbotCameraTest, AnOverflowIsMarkedReportedOnceAndCounted) {
   for (int i = 0; i < 5; ++i) {
     world.addPrey(1.0, 1.3 + 0.3 * i);
   }

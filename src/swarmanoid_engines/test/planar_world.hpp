@@ -91,7 +91,7 @@ class PlanarWorld {
     }
     return row;
   }
-  /// A robot that is told wheel speeds, what to do with its gripper, and that much more.
+  /// A robot with commands for its wheels and its gripper, and with these devices besides.
   template <class... Devices>
   Row addRobot(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = addToSpace(model, pose);

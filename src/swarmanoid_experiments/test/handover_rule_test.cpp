@@ -111,7 +111,7 @@ TEST(HandoverRuleTest, AControllerSaysWhen) {
   EXPECT_EQ(story(world, 50), "");
 }
 
-TEST(HandoverRuleTest, ARefusalIsToldOnceAndTriedAgainWhileTheConditionHolds) {
+TEST(HandoverRuleTest, ARefusalIsReportedOnceAndTriedAgainWhileTheConditionHolds) {
   // until the post goes away the twin has no room
   World world = lineWorld(rule("fb", "twin", box("inside", "1.095,4,0", "1.605,6,1")));
   world.entities += prey("post", 1.15, 5.1);
@@ -123,7 +123,7 @@ TEST(HandoverRuleTest, ARefusalIsToldOnceAndTriedAgainWhileTheConditionHolds) {
   EXPECT_EQ(story(*simulation, 1), "16 fb from ground to twin; ");
 }
 
-TEST(HandoverRuleTest, WhatIsRefusedStaysAndIsToldAgainForEachTimeItEnters) {
+TEST(HandoverRuleTest, WhatIsRefusedStaysAndIsReportedAgainForEachTimeItEnters) {
   auto simulation = lineWorld(rule("fb", "sky", box("inside", "1.095,4,0", "1.205,6,1"))).make();
   auto without = lineWorld("").make();
   simulation->start();

@@ -182,4 +182,9 @@ std::string joinNames(const std::vector<std::string>& names) {
   return names.size() <= kMost ? result : result + " and " + std::to_string(names.size() - kMost) + " more";
 }
 
+std::string unknownName(const std::string& what, const std::string& name, const std::vector<std::string>& allowed) {
+  return "found " + what + " '" + name + "', allowed: " + (allowed.empty() ? "none" : joinNames(allowed)) +
+         didYouMean(name, allowed);
+}
+
 }  // namespace swarmanoid

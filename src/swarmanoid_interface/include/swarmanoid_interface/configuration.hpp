@@ -116,6 +116,9 @@ std::optional<std::string> nearestName(std::string_view word, const std::vector<
 /// Returns "; did you mean 'x'?" or "".
 std::string didYouMean(std::string_view word, const std::vector<std::string>& candidates);
 
+/// "found the engine 'grund', allowed: ground, air; did you mean 'ground'?" @param what such as "the engine"
+std::string unknownName(const std::string& what, const std::string& name, const std::vector<std::string>& allowed);
+
 /// Returns "a, b, c" for messages that list what is allowed.
 std::string joinNames(const std::vector<std::string>& names);
 

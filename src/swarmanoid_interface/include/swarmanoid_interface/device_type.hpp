@@ -20,6 +20,8 @@
 ///
 /// As bytes a device is its fields one after the other, each in its own precision and little-endian, without padding; a
 /// span is its length (4 bytes) and its elements. A controller in another process therefore reads the same bits.
+///
+/// Threads  devices register while a library loads (one thread); afterwards they are only read, from any thread.
 #pragma once
 
 #include <memory>
@@ -30,7 +32,6 @@
 
 #include "swarmanoid_interface/byte_stream.hpp"
 #include "swarmanoid_interface/device_field.hpp"
-#include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid {
 

@@ -53,8 +53,8 @@ class Hosted:
         return self._step(time, dt), position
 
     def _start(self, seed):
-        its = self._description
-        self._robot = Robot(its.name, its.type, {p.name: p.value for p in its.parameters}, seed,
+        robot = self._description
+        self._robot = Robot(robot.name, robot.type, {p.name: p.value for p in robot.parameters}, seed,
                             {name: layout.initial() for name, layout in self._sensors},
                             {name: layout.initial() for name, layout in self._actuators})
 

@@ -1,4 +1,7 @@
-/// All that a simulation is assembled of beside its space: threads, engines, robots, observers, and who belongs where.
+/// All that a simulation is assembled of beside its space: threads, engines, robots, observers, and which
+/// engines hold which entities.
+///
+/// Threads  as Simulation.
 #pragma once
 
 #include <memory>

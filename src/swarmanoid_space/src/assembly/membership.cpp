@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "../experiment_file/xml_element.hpp"
-
 namespace swarmanoid {
 
 std::vector<Membership> membershipsOf(const std::string& entity, const std::vector<Claim>& claims,
@@ -20,7 +18,7 @@ std::vector<Membership> membershipsOf(const std::string& entity, const std::vect
       for (const auto& engine : engines) {
         known.push_back(engine->id());
       }
-      throw ConfigError(claim.location, experiment::unknownName("the engine", claim.engine, known));
+      throw ConfigError(claim.location, unknownName("the engine", claim.engine, known));
     }
     if (std::any_of(memberships.begin(), memberships.end(),
                     [&](const Membership& membership) { return membership.engine == found->get(); })) {

@@ -17,7 +17,7 @@ struct Membership {
   bool is_listed = true;  ///< by the experiment file or the spawn request; else it is there for as long as it is moved
 };
 
-/// The wish that an engine hold an entity.
+/// A request that an engine hold an entity.
 struct Claim {
   std::string engine;
   std::optional<Role> role;  ///< none: the first moves it, if no other claim says that it does

@@ -95,8 +95,8 @@ void checkController(const EntityDescription& entity, const EntityType& type, co
     for (const ControllerDescription& candidate : controllers) {
       known.push_back(candidate.id);
     }
-    throw ConfigError(location, "controller of a " + entity.type + ": " +
-                                    experiment::unknownName("the id", entity.controller, known));
+    throw ConfigError(location,
+                      "controller of a " + entity.type + ": " + unknownName("the id", entity.controller, known));
   }
   checkDevices(location, entity, PluginKind::kActuator, found->actuators);
   checkDevices(location, entity, PluginKind::kSensor, found->sensors);

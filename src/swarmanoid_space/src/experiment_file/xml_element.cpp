@@ -18,11 +18,6 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 
 }  // namespace
 
-std::string unknownName(const std::string& what, const std::string& name, const std::vector<std::string>& allowed) {
-  return "found " + what + " '" + name + "', allowed: " + (allowed.empty() ? "none" : joinNames(allowed)) +
-         didYouMean(name, allowed);
-}
-
 SourceLocation XmlElement::location() const {
   for (const tinyxml2::XMLNode* node = element_; node != nullptr; node = node->Parent()) {
     const auto* marks = static_cast<const OverrideMarks*>(node->GetUserData());

@@ -59,7 +59,4 @@ class XmlElement {
 /// outside the root element, references other than XML's own, `<` in attributes, and markup such as <!DOCTYPE>
 void checkWellFormed(const std::string& text, const std::string& file);
 
-/// "<name> ..., allowed: ...; did you mean ...?"
-std::string unknownName(const std::string& what, const std::string& name, const std::vector<std::string>& allowed);
-
 }  // namespace swarmanoid::experiment

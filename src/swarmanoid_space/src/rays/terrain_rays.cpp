@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/range.hpp"
 #include "swarmanoid_space/rays/line_part.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 

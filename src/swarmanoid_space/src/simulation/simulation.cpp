@@ -8,7 +8,6 @@
 #include "../assembly/assembly.hpp"
 #include "../assembly/stopwatch.hpp"
 #include "../phases/phases.hpp"
-#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"

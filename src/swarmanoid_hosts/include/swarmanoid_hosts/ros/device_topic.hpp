@@ -31,6 +31,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid {
 

@@ -1,4 +1,4 @@
-/// What came of a run, for all who tell of it: the program's summary, the message and the line of the log under ROS.
+/// The result of a run, from which the program's summary, and the message and the line of the log under ROS, follow.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace swarmanoid {
 
-/// What a simulation does not know of its end.
+/// The part of a result that is not in the simulation, but with the caller that ends it.
 struct RunEnd {
   bool finished = false;                    ///< it came to its end; false: it was stopped
   std::string message;                      ///< why it was stopped; "" if there is nothing to say
@@ -27,7 +27,7 @@ struct RunResult {
   double simulated_s = 0.0;  ///< [s]
   bool finished = false;
   std::string message;
-  std::optional<bool> success;  ///< nothing: nobody judges
+  std::optional<bool> success;  ///< nothing: no observer judges
   Metrics metrics;
   std::vector<ControllerFailure> failures;
   std::vector<Overflow> overflows;
