@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Checks that packages, and rooms inside of packages, include each other only along the arrows of
-docs/explanation/architecture.md, that logic stays free of ROS, and that no file grows beyond its bound."""
+docs/explanation/architecture.md, that logic stays free of ROS, that what serves all robots names none, and that no file grows beyond
+its bound."""
 
 import os
 import pathlib
@@ -9,6 +10,8 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 MOST_LINES = 500
+NAMELESS = ("swarmanoid_interface", "swarmanoid_hosts", "swarmanoid_space", "swarmanoid_engines")  # outside folders `devices`
+COMMENT = re.compile(r"//.*|/\*.*?\*/|\w+_sample_controller|sample_\w+_controller")  # they stand in experiment files of the thesis
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]')
 
 
@@ -65,7 +68,20 @@ def ros_allowed(path):
     return "ros" in path.parts or "rostest" in path.parts or "nodelet" in path.name
 
 
+def robot_names():
+    """A pattern of the robots of the suite."""
+    names = sorted(path.stem for path in ROOT.glob("src/swarmanoid_description/urdf/*.urdf"))
+    return re.compile("|".join(names), re.I)
+
+
+def may_name_robots(path):
+    """Devices belong to robots, and so do their topics, and tests try both."""
+    return (path.parts[1] not in NAMELESS or path.parts[2] not in ("src", "include")
+            or {"devices", "topics", "testing"} & set(path.parts))
+
+
 def main():
+    robots = robot_names()
     allowed = arrows()
     rooms = room_arrows()
     problems = []
@@ -83,6 +99,9 @@ def main():
         if len(lines) > MOST_LINES:
             problems.append(f"{relative}: {len(lines)} lines, allowed: {MOST_LINES}")
         for number, line in enumerate(lines, 1):
+            named = None if may_name_robots(relative) else robots.search(COMMENT.sub("", line))
+            if named:
+                problems.append(f"{relative}:{number}: {package} must not name {named.group(0)}")
             found = INCLUDE.match(line)
             if not found:
                 continue

@@ -17,9 +17,11 @@ import unittest
 
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced, succeed
 
-PACKAGES = ("example_controller", "example_engine", "example_python_controller", "example_sensor",
+PACKAGES = ("example_controller", "example_engine", "example_python_controller", "example_robot", "example_sensor",
             "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
+ROBOTS = os.path.join(REPOSITORY, "examples/example_robot/e_pucks.xml")
+CONFORMANCE = os.path.join(REPOSITORY, "examples/example_robot/conformance.xml")
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
 LAUNCH = ["roslaunch", "swarmanoid_experiments", "run.launch", "rviz:=false", "real_time_factor:=0"]
 BUILD_FOLDER = ""
@@ -98,6 +100,42 @@ class OutsideTest(unittest.TestCase):
         self.assertAlmostEqual(90.0, last["scout"][5], places=2)
         return result
 
+    def check_robot(self, environment, out):
+        """A robot by its description: it is listed, and diffuses in each engine without touching walls or leaving its pen."""
+        listed = succeed(["swarmanoid", "list", "entity"], environment)
+        self.assertIn("\n  e_puck: A small wheeled robot with infrared sensors all around.\n", listed)
+        text = open(ROBOTS).read().replace("<e_puck", "<e_pick").replace("</e_puck", "</e_pick")
+        changed = out + ".xml"
+        with open(changed, "w") as file:
+            file.write(text)
+        code, _, errors = run(["swarmanoid", "validate", changed], environment)
+        self.assertEqual(2, code)
+        self.assertIn("did you mean 'e_puck'?", errors)
+        result = json.loads(succeed(["swarmanoid", "run", ROBOTS, "--out", out, "--quiet"], environment))
+        self.assertEqual(600, result["ticks"])
+        ways = {}
+        pens = {"a": (0.0, 1.0), "b": (1.05, 2.05), "c": (2.1, 3.1)}
+        with open(os.path.join(out, "e_pucks.txt")) as file:
+            rows = [line.split("\t") for line in file if "Epuck" in line]
+        for row in rows:
+            name, x, y = row[2], float(row[3]), float(row[4])
+            low, high = pens[name[0]]
+            self.assertTrue(low + 0.034 < x < high - 0.034 and 0.034 < y < 0.966, row)
+            ways.setdefault(name, []).append((x, y))
+        self.assertEqual(15, len(ways))
+        for name, places in ways.items():
+            way = sum(math.dist(a, b) for a, b in zip(places, places[1:]))
+            self.assertGreater(way, 1.0, f"{name}: 60 s at 0.08 m/s, less the time of turns")
+            self.assertLess(way, 4.9, name)
+        with open(CONFORMANCE) as file:
+            text = file.read()
+        for engine in ("kinematics2d", "dynamics2d", "dynamics3d"):
+            with open(changed, "w") as file:
+                file.write(text.replace("dynamics3d", engine))
+            verdict = json.loads(succeed(["swarmanoid", "run", changed, "--quiet"], environment))
+            self.assertEqual({"e": "passed"}, verdict["metrics"], engine)
+        return result["state_hash"]
+
     def check_run_under_ros(self, environment, headless_out, out):
         """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
         launch = subprocess.Popen([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"],
@@ -151,8 +189,9 @@ class OutsideTest(unittest.TestCase):
         headless_out = os.path.join(folder, "headless")
         ros_out = os.path.join(folder, "ros")
         result = self.check_run_headless(environment, headless_out)
+        robots_hash = self.check_robot(environment, os.path.join(folder, "robots"))
         self.check_run_under_ros(environment, headless_out, ros_out)
-        return result["state_hash"]
+        return result["state_hash"], robots_hash
 
     def test_examples_build_and_run_against_devel_and_install_space(self):
         hashes = set()

@@ -18,7 +18,7 @@ import xml.etree.ElementTree
 from surroundings import REPOSITORY, bare, compiler_cache, sourced, succeed
 
 PACKAGES = ("swarmanoid_controllers", "swarmanoid_hosts", "swarmanoid_interface", "swarmanoid_msgs")
-# what a simulator has: engines, readers of robot models, threads, viewers, its own packages (tinyxml2 is pluginlib's)
+# what a simulator has: engines, readers of robot models, threads, viewers, its own packages
 SIMULATOR = re.compile(r"\bode\b|libode|box2d|urdf|tbb|xxhash|rviz|gazebo|swarmanoid_(?!hosts|interface|controllers|msgs)", re.I)
 CONTROLLERS = {"footbot": "footbot_retrieval", "eyebot": "eyebot_retrieval", "handbot": "climbing"}
 TIMEOUT = 60.0  # [s]

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 #include "swarmanoid_space/space.hpp"
@@ -40,10 +38,13 @@ class Carousel final : public swarmanoid::Engine {
     rate_ = parameters.angle("rate", 0.0);
   }
 
-  std::string unsupportedReason(const EntityModel&, const std::vector<std::string>& devices) const override {
-    for (const std::string& device : devices) {
-      if (device == swarmanoid::FootbotWheels::kType || device == swarmanoid::EyebotVelocity::kType) {
-        return "device '" + device + "' cannot be simulated: who stands on a carousel does not drive";
+  std::string unsupportedReason(const EntityModel&, const std::vector<swarmanoid::DeviceUse>& devices) const override {
+    using Kind = swarmanoid::Mechanism::Kind;
+    for (const swarmanoid::DeviceUse& device : devices) {
+      for (const swarmanoid::Mechanism& mechanism : device.mechanisms) {
+        if (mechanism.kind == Kind::kWheels || mechanism.kind == Kind::kFlight) {
+          return "device '" + device.type + "' cannot be simulated: who stands on a carousel does not drive";
+        }
       }
     }
     return "";
@@ -56,8 +57,7 @@ class Carousel final : public swarmanoid::Engine {
   void add(Space& space, Row row, swarmanoid::Role role) override {
     // rays hit a mirror in the engine that moves it; here it changes nothing
     if (role == swarmanoid::Role::kMove) {
-      const auto i = static_cast<std::size_t>(row);
-      riders_.push_back({row, space.entities.model[i], space.entities.pose[i]});
+      riders_.push_back({row, space.entities.model[row], space.entities.pose[row]});
     }
   }
   void remove(Space&, Row row) override {
@@ -66,7 +66,7 @@ class Carousel final : public swarmanoid::Engine {
   }
   void place(Space& space, Row row) override {
     for (Rider& rider : riders_) {
-      rider.pose = rider.row == row ? space.entities.pose[static_cast<std::size_t>(row)] : rider.pose;
+      rider.pose = rider.row == row ? space.entities.pose[row] : rider.pose;
     }
   }
   void clear() override { riders_.clear(); }
@@ -78,9 +78,8 @@ class Carousel final : public swarmanoid::Engine {
       if (rider.model->is_movable) {
         rider.pose.position = axis_ + turn * (rider.pose.position - axis_);
         rider.pose.orientation = (turn * rider.pose.orientation).normalized();
-        const auto i = static_cast<std::size_t>(rider.row);
-        space.entities.pose[i] = rider.pose;
-        space.entities.twist[i] = {spin.cross(rider.pose.position - axis_), spin};
+        space.entities.pose[rider.row] = rider.pose;
+        space.entities.twist[rider.row] = {spin.cross(rider.pose.position - axis_), spin};
       }
     }
   }

@@ -29,7 +29,7 @@ class CompassSensor final : public swarmanoid::SensorOf<Compass> {
   void sense(const swarmanoid::Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
       auto& instance = instances_[k];
-      const auto& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
+      const auto& pose = space.entities.pose[instance.row];
       const Eigen::Vector3d north = pose.orientation.conjugate() * Eigen::Vector3d::UnitY();
       instance.random.startTick(space.tick);
       const double error = noise_ > 0.0 ? instance.random.gaussian(0.0, noise_) : 0.0;

@@ -43,7 +43,7 @@ class Odometer final : public swarmanoid::Observer {
     if (row == swarmanoid::kNoRow) {
       return;  // deleted, or not there yet
     }
-    const Eigen::Vector3d& position = space.entities.pose[static_cast<std::size_t>(row)].position;
+    const Eigen::Vector3d& position = space.entities.pose[row].position;
     travelled_ += is_under_way_ ? (position - last_position_).norm() : 0.0;
     last_position_ = position;
     is_under_way_ = true;

@@ -1,12 +1,15 @@
-/// Functions that drive a footbot towards a target and away from obstacles.
+/// Functions that drive a robot on two wheels towards a target and away from obstacles.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/proximity.hpp"
+#include "swarmanoid_interface/robot.hpp"
 
 namespace swarmanoid {
 
@@ -27,15 +30,64 @@ struct ObstacleVector {
   /// @param half_field sensors farther to the side than this do not count [rad]
   explicit ObstacleVector(const FootbotProximity& proximity, double half_field = M_PI) {
     for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
-      const double angle = FootbotProximity::angle(i);
-      if (proximity.value[i] > 0.0F && std::abs(angle) <= half_field) {
-        x += proximity.value[i] * std::cos(angle);
-        y += proximity.value[i] * std::sin(angle);
-      }
+      add(proximity.value[i], FootbotProximity::angle(i), half_field);
+    }
+  }
+  explicit ObstacleVector(const Proximity& proximity, double half_field = M_PI) {
+    for (const ProximityReading& reading : proximity.sensors) {
+      add(reading.value, reading.angle, half_field);
     }
   }
   double length() const { return std::hypot(x, y); }
   double bearing() const { return std::atan2(y, x); }
+
+ private:
+  void add(float value, double angle, double half_field) {
+    if (value > 0.0F && std::abs(angle) <= half_field) {
+      x += value * std::cos(angle);
+      y += value * std::sin(angle);
+    }
+  }
+};
+
+/// Drives by the devices that the controller's configuration lists: those of any robot, or else those of a footbot.
+class MobileBase {
+ public:
+  MobileBase() = default;
+  /// @throws DeviceError if it lists neither
+  explicit MobileBase(Robot& robot) {
+    if (robot.hasActuator(DifferentialDrive::kType)) {
+      drive_ = &robot.actuator<DifferentialDrive>();
+    } else {
+      footbot_wheels_ = &robot.actuator<FootbotWheels>();
+    }
+    if (robot.hasSensor(Proximity::kType)) {
+      proximity_ = &robot.sensor<Proximity>();
+    } else {
+      footbot_proximity_ = &robot.sensor<FootbotProximity>();
+    }
+  }
+
+  /// @param speed ahead [m/s]; @param turn_rate [rad/s], counter-clockwise
+  void drive(double speed, double turn_rate) {
+    if (drive_ != nullptr) {
+      drive_->drive(speed, turn_rate);
+    } else {
+      footbot_wheels_->drive(speed, turn_rate);
+    }
+  }
+
+  /// @param half_field see ObstacleVector
+  ObstacleVector obstacles(double half_field) const {
+    return proximity_ != nullptr ? ObstacleVector(*proximity_, half_field)
+                                 : ObstacleVector(*footbot_proximity_, half_field);
+  }
+
+ private:
+  DifferentialDrive* drive_ = nullptr;
+  FootbotWheels* footbot_wheels_ = nullptr;
+  const Proximity* proximity_ = nullptr;
+  const FootbotProximity* footbot_proximity_ = nullptr;
 };
 
 }  // namespace swarmanoid

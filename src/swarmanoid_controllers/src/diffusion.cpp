@@ -1,4 +1,5 @@
-// Diffusion: the robot drives straight on until an obstacle is near ahead, then turns away until none is.
+// Diffusion: the robot drives straight on until an obstacle is near ahead, then turns away until none is. For footbots,
+// and for any robot with a differential drive and proximity sensors.
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
@@ -7,8 +8,7 @@ namespace swarmanoid {
 class Diffusion final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
-    wheels_ = &robot.actuator<FootbotWheels>();
-    proximity_ = &robot.sensor<FootbotProximity>();
+    base_ = MobileBase(robot);
     speed_ = parameters.number("speed", 0.1, {0.0, 0.3});
     threshold_ = parameters.number("threshold", 0.05, {0.0, 10.0});
     parameters.refuseUnread({"speed", "threshold"});
@@ -19,22 +19,21 @@ class Diffusion final : public Controller {
   void step(Time, Duration) override {
     // obstacles beside and behind do not count: they must not outweigh those ahead
     constexpr double kHalfField = 1.5;  // rad
-    const ObstacleVector obstacle(*proximity_, kHalfField);
+    const ObstacleVector obstacle = base_.obstacles(kHalfField);
     if (obstacle.length() <= threshold_) {
       turn_rate_ = 0.0;
-      wheels_->drive(speed_, 0.0);
+      base_.drive(speed_, 0.0);
       return;
     }
     if (turn_rate_ == 0.0) {             // a turn keeps its side: a corner would turn it to and fro
       constexpr double kTurnRate = 1.5;  // rad/s
       turn_rate_ = obstacle.y > 0.0 ? -kTurnRate : kTurnRate;
     }
-    wheels_->drive(0.0, turn_rate_);
+    base_.drive(0.0, turn_rate_);
   }
 
  private:
-  FootbotWheels* wheels_ = nullptr;
-  const FootbotProximity* proximity_ = nullptr;
+  MobileBase base_;
   double speed_ = 0.0;      // m/s
   double threshold_ = 0.0;  // length of the obstacle vector
   double turn_rate_ = 0.0;  // rad/s, while it turns away

@@ -69,7 +69,7 @@ def body_visuals():
 
 
 def make():
-    robot = Robot("eyebot", "An eyebot.", MATERIALS)
+    robot = Robot("eyebot", "A flying robot with a camera and a laser.", MATERIALS)
     robot.link("body", visuals=body_visuals(), collisions=[disc(RADIUS, 0, HEIGHT)], mass=MASS,
                inertia=disc(0.18, 0.2, 0.36))
     for i, xyz, rpy in ring(LED_COUNT, 0.1, LED_HEIGHT):
@@ -77,4 +77,8 @@ def make():
     robot.link("camera", xyz=(0, 0, 0.15), rpy=DOWN)
     robot.link("laser_pointer", xyz=(0.05, 0, 0.15), rpy=DOWN)
     robot.link("magnet", xyz=(0, 0, HEIGHT), rpy=UP)
+    robot.can("magnet", name="magnet", link="magnet")
+    robot.can("leds", links="led")
+    robot.carries("eyebot_velocity", "eyebot_laser", "eyebot_magnet", "eyebot_leds", "eyebot_camera",
+                  "eyebot_magnet_state")
     return robot

@@ -78,7 +78,7 @@ def add_turret(robot):
 
 
 def make():
-    robot = Robot("footbot", "A footbot.", MATERIALS)
+    robot = Robot("footbot", "A wheeled robot with a gripper.", MATERIALS)
     robot.link("body", visuals=body_visuals(), collisions=body_collisions(), mass=MASS - 2 * WHEEL_MASS,
                inertia=disc(0.075, 0.02, 0.12))
     wheel = cylinder(WHEEL_RADIUS, 0.02, material="dark_grey", rpy=ROLLED)
@@ -94,4 +94,10 @@ def make():
     robot.link("camera", xyz=(0, 0, CAMERA_HEIGHT))
     add_turret(robot)
     robot.link("gripping_strip", xyz=(0, 0, GRIPPER_HEIGHT), collisions=[cylinder(RADIUS, 0.012)])
+    robot.can("wheels", left="left_wheel", right="right_wheel")
+    robot.can("gripper", name="gripper", link="gripper_tip")
+    robot.can("gripping_strip", link="gripping_strip")
+    robot.can("leds", links="led")
+    robot.carries("footbot_wheels", "footbot_gripper", "footbot_turret", "footbot_leds", "footbot_proximity",
+                  "footbot_camera", "footbot_gripper_state", "footbot_turret_state")
     return robot

@@ -8,6 +8,7 @@ BODY_LENGTH = 0.3  # without them, from the tail on
 BODY_MASS = 2.1
 UPPER_ARM_MASS, FOREARM_MASS, HAND_MASS = 0.15, 0.1, 0.15  # together with the body 2.9 kg
 STRIP_RADIUS = WIDTH / 2  # footbots that come from the sides meet the strip and the body at once
+ROPE_LENGTH = 3  # on the winch [m]
 STRIP_HEIGHT = 0.05  # of the footbots' grippers
 
 FORWARD = (0, math.pi / 2, 0)  # turns a cylinder's axis from z to x
@@ -68,7 +69,7 @@ def arm(robot, name, side):
 
 
 def make():
-    robot = Robot("handbot", "A handbot.", MATERIALS)
+    robot = Robot("handbot", "A climbing robot with two arms.", MATERIALS)
     robot.link("body", visuals=body_visuals(), mass=BODY_MASS, inertia=box((0.25, 0.18, 0.16), (-0.02, 0, 0.12)),
                collisions=[box((BODY_LENGTH, WIDTH, HEIGHT), ((BODY_LENGTH - LENGTH) / 2, 0, HEIGHT / 2))])
     arm(robot, "left", 1)
@@ -76,4 +77,10 @@ def make():
     robot.link("camera", xyz=(0.105, 0, 0.16))
     robot.link("rope_launcher", xyz=(-0.02, 0, HEIGHT), rpy=UP)
     robot.link("gripping_strip", xyz=(0, 0, STRIP_HEIGHT), collisions=[cylinder(STRIP_RADIUS, 0.012)])
+    robot.can("suction", name="left hand", link="left_suction")
+    robot.can("suction", name="right hand", link="right_suction")
+    robot.can("rope", name="rope", link="rope_launcher", length=ROPE_LENGTH)
+    robot.can("gripping_strip", link="gripping_strip")
+    robot.carries("handbot_arms", "handbot_hands", "handbot_rope", "handbot_arms_state", "handbot_hands_state",
+                  "handbot_rope_state")
     return robot

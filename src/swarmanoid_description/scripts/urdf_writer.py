@@ -67,9 +67,12 @@ def sphere(radius, xyz=ORIGIN, material=""):
 class Robot:
     """A robot whose root is an empty link `base_link`: kinematic libraries want no inertia in a root."""
 
-    def __init__(self, name, description, materials):
+    def __init__(self, name, summary, materials):
         self.name = name
-        self.lines = [f"<!-- {description} Made by scripts/make_urdf.py: change it there. -->", f'<robot name="{name}">']
+        self.title = name.capitalize()
+        self.summary = summary
+        self.abilities = []  # elements of <swarmanoid>
+        self.lines = []
         for material, rgba in materials.items():
             self.lines.append(f'  <material name="{material}"><color rgba="{numbers(rgba)}"/></material>')
         self.lines.append('  <link name="base_link"/>')
@@ -91,5 +94,17 @@ class Robot:
         else:
             self.lines.append(f'  <link name="{name}"/>')
 
+    def can(self, element, **attributes):
+        """Adds to what the robot says to the suite: a mechanism, its LEDs, a device."""
+        values = "".join(f' {name}="{value}"' for name, value in attributes.items())
+        self.abilities.append(f"    <{element}{values}/>")
+
+    def carries(self, *devices):
+        for device in devices:
+            self.can("device", type=device)
+
     def text(self):
-        return "\n".join(['<?xml version="1.0"?>', *self.lines, "</robot>", ""])
+        return "\n".join([
+            '<?xml version="1.0"?>', "<!-- Made by scripts/make_urdf.py: change it there. -->",
+            f'<robot name="{self.name}">', f'  <swarmanoid title="{self.title}" summary="{self.summary}">',
+            *self.abilities, "  </swarmanoid>", *self.lines, "</robot>", ""])

@@ -35,17 +35,14 @@ bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
   return true;
 }
 
-static_assert(EntityModel::kMaxLeds <= LedSet{}.size(), "each LED of an entity has its bit");
-
 class Finder {
  public:
   Finder(const Space& space, const BlobView& view, std::vector<Found>& found)
       : space_(space), view_(view), found_(found) {}
 
   void lookAtEntity(Row row) {
-    const auto i = static_cast<std::size_t>(row);
-    const EntityModel& model = *space_.entities.model[i];
-    const Pose& pose = space_.entities.pose[i];
+    const EntityModel& model = *space_.entities.model[row];
+    const Pose& pose = space_.entities.pose[row];
     std::array<Eigen::Vector3d, LedSet{}.size()> points;
     LedSet lit;
     const std::size_t count = std::min(model.led_positions.size(), lit.size());
@@ -59,7 +56,7 @@ class Finder {
       return;
     }
     const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.position - pose.position);
-    const LedSet seen = lit & ~hiddenLeds(model, space_.jointsOf(row), eye, lit);
+    const LedSet seen = lit & ~hiddenLeds(model, space_.joints[row], eye, lit);
     for (std::size_t k = 0; k < count; ++k) {
       if (seen[k]) {
         look(points[k], colorOf(row, k), row);
@@ -85,8 +82,7 @@ class Finder {
  private:
   /// Returns the colour of a robot's LED, or the colour of another entity.
   Color colorOf(Row row, std::size_t led) const {
-    const auto i = static_cast<std::size_t>(row);
-    return space_.entities.model[i]->is_robot ? space_.ledsOf(row)[led] : space_.entities.color[i];
+    return space_.entities.model[row]->is_robot ? space_.leds[row][led] : space_.entities.color[row];
   }
 
   const Space& space_;
@@ -121,9 +117,7 @@ FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs,
   const Eigen::Vector3d centre(view.position.x(), view.position.y(), lowest + half_height);
   space.index.collect(centre, std::hypot(view.range, half_height), near);
   const Entities& entities = space.entities;
-  std::sort(near.begin(), near.end(), [&](Row a, Row b) {
-    return entities.number[static_cast<std::size_t>(a)] < entities.number[static_cast<std::size_t>(b)];
-  });
+  std::sort(near.begin(), near.end(), [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
   for (const Row row : near) {
     if (row != view.self) {
       finder.lookAtEntity(row);

@@ -15,10 +15,12 @@
 namespace swarmanoid::test {
 
 using Parameters = std::map<std::string, std::string>;
+using Errors = std::vector<ErrorModelDescription>;
 
 /// Makes a device as an experiment file would configure it; parameters that are not given have their defaults.
 template <class Base>
-std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const Parameters& parameters) {
+std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const Parameters& parameters,
+                                 const Errors& errors = {}) {
   loadPluginLibrary("swarmanoid_devices", {}, {});
   const Registry::Entry& entry = *Registry::instance().find(kind, type);
   Configuration configuration(type, "", {});
@@ -28,6 +30,7 @@ std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const
   }
   auto device = makePlugin<Base>(entry);
   device->configure(configuration);
+  device->takeErrors(errors);
   return device;
 }
 
@@ -44,7 +47,6 @@ class DeviceWorld {
           Color color = colors::kBlack) {
     const Pose pose{position, Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))};
     const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, color);
-    space.fitRows();
     space.entities_without_engine.push_back(row);
     return row;
   }
@@ -65,12 +67,12 @@ class DeviceWorld {
     space.entities.remove(row);
   }
 
-  Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
+  Pose& pose(Row row) { return space.entities.pose[row]; }
 
   /// Updates all instances of a sensor from the present state of the space.
   void sense(Sensor& sensor) {
     space.index.rebuild(space.entities);
-    sensor.sense(space, 0, sensor.instanceCount());
+    sensor.update(space, 0, sensor.instanceCount());
     sensor.report(space);
   }
 
@@ -91,9 +93,9 @@ class DeviceWorld {
 template <class Device>
 class SensorUnderTest {
  public:
-  SensorUnderTest(DeviceWorld& world, Row row, const Parameters& parameters = {})
+  SensorUnderTest(DeviceWorld& world, Row row, const Parameters& parameters = {}, const Errors& errors = {})
       : world_(world),
-        sensor(makeDevice<Sensor>(PluginKind::kSensor, Device::kType, parameters)),
+        sensor(makeDevice<Sensor>(PluginKind::kSensor, Device::kType, parameters, errors)),
         readings_(static_cast<const Device*>(sensor->add(world.space, row))) {}
 
   const Device& sense() {
@@ -115,10 +117,10 @@ class SensorUnderTest {
 template <class Device>
 class ActuatorUnderTest {
  public:
-  ActuatorUnderTest(DeviceWorld& world, Row row, const Parameters& parameters = {})
+  ActuatorUnderTest(DeviceWorld& world, Row row, const Parameters& parameters = {}, const Errors& errors = {})
       : world_(world),
         row_(row),
-        actuator(makeDevice<Actuator>(PluginKind::kActuator, Device::kType, parameters)),
+        actuator(makeDevice<Actuator>(PluginKind::kActuator, Device::kType, parameters, errors)),
         command(*static_cast<Device*>(actuator->add(world.space, row))) {}
 
   /// Applies a safe stop that began `since` seconds ago. @return whether it is over

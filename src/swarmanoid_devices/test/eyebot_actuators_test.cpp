@@ -117,7 +117,7 @@ TEST_F(EyebotLaserTest, MakesASpotOnlyWhileItIsOn) {
   laser.command.on = true;
   ASSERT_EQ(spots(laser).size(), 1U);
   const LaserSpot& spot = world.space.laser_spots[0];
-  EXPECT_EQ(spot.owner, 1U);
+  EXPECT_EQ(spot.owner, EntityNumber{1});
   EXPECT_EQ(spot.color, colors::kRed);
   EXPECT_LT((spot.source - Vector3d(5.0, 5.05, 2.15)).norm(), 1e-12);
   EXPECT_LT((spot.position - Vector3d(5.0, 5.05, 0.0)).norm(), 1e-9) << "straight down, through its own body";

@@ -72,9 +72,9 @@ TEST_F(EyebotCameraTest, ATableHidesThePreyUnderIt) {
 }
 
 TEST_F(EyebotCameraTest, ItsOwnLedsAreNotSeenButThoseOfFootbotsAre) {
-  world.space.ledsOf(robot)[3] = colors::kRed;
+  world.space.leds[robot][3] = colors::kRed;
   const Row footbot = world.addFootbot(5.2, 5.0);
-  world.space.ledsOf(footbot)[3] = colors::kBlue;  // to the left
+  world.space.leds[footbot][3] = colors::kBlue;  // to the left
   const auto blobs = seen();
   ASSERT_EQ(blobs.size(), 1U);
   EXPECT_EQ(blobs[0].color, colors::kBlue);

@@ -117,16 +117,18 @@ TEST(FootbotLedsTest, EachLedShowsItsColourAndOthersAreLeftAlone) {
   DeviceWorld world;
   const Row other = world.addFootbot(2.0, 1.0);
   const Row robot = world.addFootbot(1.0, 1.0);
-  std::fill_n(world.space.ledsOf(other), EntityModel::kMaxLeds, colors::kWhite);
+  const Span<Color> others = world.space.leds[other];
+  std::fill(others.begin(), others.end(), colors::kWhite);
   Leds leds(world, robot);
   for (std::size_t i = 0; i < FootbotLeds::kCount; ++i) {
     leds.command.ring[i] = {static_cast<std::uint8_t>(i), 1, 2};
   }
   leds.actuate();
-  for (std::size_t i = 0; i < EntityModel::kMaxLeds; ++i) {
-    const Color expected = i < FootbotLeds::kCount ? Color{static_cast<std::uint8_t>(i), 1, 2} : colors::kBlack;
-    EXPECT_EQ(world.space.ledsOf(robot)[i], expected) << "LED " << i;
-    EXPECT_EQ(world.space.ledsOf(other)[i], colors::kWhite);
+  const Span<const Color> shown = world.space.leds[robot];
+  ASSERT_EQ(shown.size(), FootbotLeds::kCount);
+  for (std::size_t i = 0; i < FootbotLeds::kCount; ++i) {
+    EXPECT_EQ(shown[i], (Color{static_cast<std::uint8_t>(i), 1, 2})) << "LED " << i;
+    EXPECT_EQ(others[i], colors::kWhite);
   }
 }
 
@@ -138,7 +140,7 @@ TEST(FootbotLedsTest, AStoppedRobotKeepsItsLights) {
   leds.actuate();
   EXPECT_TRUE(leds.stop());
   for (std::size_t i = 0; i < FootbotLeds::kCount; ++i) {
-    EXPECT_EQ(world.space.ledsOf(robot)[i], colors::kRed);
+    EXPECT_EQ(world.space.leds[robot][i], colors::kRed);
   }
 }
 
@@ -148,7 +150,9 @@ TEST(EyebotLedsTest, ItsRingHasSixteen) {
   ActuatorUnderTest<EyebotLeds> leds(world, robot);
   leds.command.setAll(colors::kCyan);
   leds.actuate();
-  EXPECT_EQ(std::count(world.space.ledsOf(robot), world.space.ledsOf(robot) + 16, colors::kCyan), 16);
+  const Span<const Color> shown = world.space.leds[robot];
+  EXPECT_EQ(shown.size(), 16U);
+  EXPECT_EQ(std::count(shown.begin(), shown.end(), colors::kCyan), 16);
 }
 
 }  // namespace

@@ -67,11 +67,11 @@ TEST_F(FootbotCameraTest, TheRangeIsIncludedAndNothingBeyondIt) {
 }
 
 TEST_F(FootbotCameraTest, SeesLedsOfOthersEachWithItsColourButNotItsOwn) {
-  world.space.ledsOf(robot)[0] = colors::kRed;
+  world.space.leds[robot][0] = colors::kRed;
   const Row other = world.addFootbot(2.0, 1.0);
-  world.space.ledsOf(other)[0] = colors::kRed;     // ahead, on the far side, hidden by the robot's body
-  world.space.ledsOf(other)[5] = colors::kOrange;  // behind, to the left
-  world.space.ledsOf(other)[6] = colors::kGreen;   // behind, on the near side
+  world.space.leds[other][0] = colors::kRed;     // ahead, on the far side, hidden by the robot's body
+  world.space.leds[other][5] = colors::kOrange;  // behind, to the left
+  world.space.leds[other][6] = colors::kGreen;   // behind, on the near side
   const auto blobs = seen();
   ASSERT_EQ(blobs.size(), 2U);
   EXPECT_EQ(blobs[0].color, colors::kOrange);
@@ -122,7 +122,7 @@ TEST_F(FootbotCameraTest, APreyHidesAnotherButNotItself) {
 }
 
 TEST_F(FootbotCameraTest, EntitiesComeByNumberThenLaserSpotsThenFloorPatches) {
-  world.space.laser_spots.push_back({2, Eigen::Vector3d::Zero(), {1.5, 1.5, 0.0}, colors::kRed});
+  world.space.laser_spots.push_back({EntityNumber{2}, Eigen::Vector3d::Zero(), {1.5, 1.5, 0.0}, colors::kRed});
   FloorPatch nest;
   nest.position = {2.0, 2.0, 0.0};
   nest.radius = 0.1;
@@ -152,7 +152,7 @@ TEST_F(FootbotCameraTest, AnOverflowIsMarkedReportedOnceAndCounted) {
   EXPECT_EQ(world.space.events[0].kind, Event::Kind::kOverflow);
   EXPECT_EQ(world.space.events[0].text, "footbot_camera: more than 2 blobs");
   ASSERT_EQ(world.space.overflows.size(), 1U);
-  EXPECT_EQ(world.space.overflows[0].robot, world.space.entities.name[static_cast<std::size_t>(robot)]);
+  EXPECT_EQ(world.space.overflows[0].robot, world.space.entities.name[robot]);
   EXPECT_EQ(world.space.overflows[0].device, "footbot_camera");
   EXPECT_EQ(world.space.overflows[0].readings, 3U);
 }

@@ -1,8 +1,10 @@
 // The infrared ring: 24 rays from 0.085 m around the axis, 0.06 m above the ground; response (1 - distance / range)^3.
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/proximity.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "device_world.hpp"
@@ -47,6 +49,20 @@ TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
       world.pose(wall).position.x() = 1.0 + kRadius + distance + 0.05;
       EXPECT_NEAR(ring.sense().value[6], response(distance, range), 1e-6) << distance << " m";
     }
+  }
+}
+
+/// Mock robots have the same law: a test of theirs holds them against the same polynomial at the same distances.
+TEST(FootbotProximityTest, DistancesAreReadByTheLawOfTheDevice) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  world.pose(robot).orientation = Eigen::AngleAxisd(-M_PI / 2.0, Eigen::Vector3d::UnitZ());
+  const Row wall = world.addWall({0.1, 2.0, 0.5}, {2.0, 1.0});
+  Ring ring(world, robot);
+  for (const double distance : {0.0, 0.0137, 0.0271, 0.0613, 0.0891, 0.0999, 0.1003, 0.7}) {
+    world.pose(wall).position.x() = 1.0 + kRadius + distance + 0.05;
+    const float expected = Proximity::response(std::min(distance / kRange, 1.0));
+    EXPECT_NEAR(expected, ring.sense().value[6], 1e-6) << distance << " m";
   }
 }
 

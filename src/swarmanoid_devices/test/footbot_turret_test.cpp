@@ -85,8 +85,8 @@ TEST(FootbotTurretStateTest, ReadsTheJoint) {
   const Row robot = world.addFootbot(1.0, 1.0);
   State state(world, robot);
   EXPECT_EQ(state.sense().angle, 0.0);
-  world.space.jointsOf(other)[0] = {9.0, 9.0, 9.0};
-  world.space.jointsOf(robot)[0] = {-0.3, 0.2, 1.5};
+  world.space.joints[other][0] = {9.0, 9.0, 9.0};
+  world.space.joints[robot][0] = {-0.3, 0.2, 1.5};
   EXPECT_EQ(state.sense().angle, -0.3);
   EXPECT_EQ(state.sense().speed, 0.2);
   EXPECT_EQ(state.sense().torque, 1.5);
@@ -96,7 +96,7 @@ TEST(FootbotTurretStateTest, NoiseHasTheStatedDeviation) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
   State state(world, robot, {{"noise", "3"}, {"noise_torque", "0.2"}});
-  world.space.jointsOf(robot)[0] = {M_PI, 0.2, 1.5};
+  world.space.joints[robot][0] = {M_PI, 0.2, 1.5};
   std::vector<double> angles;
   std::vector<double> torques;
   for (int i = 0; i < 5000; ++i, ++world.space.tick) {

@@ -13,7 +13,10 @@
 namespace swarmanoid::test {
 namespace {
 
-using Kind = Attachment::Kind;
+// Holders of the handbot's model, by their indices there.
+constexpr std::size_t kRightHand = 1;
+constexpr std::size_t kRope = 2;
+constexpr std::size_t kMagnet = 0;  // of the eyebot
 
 Row addHandbot(DeviceWorld& world) { return world.add(robotModel("handbot"), {1.0, 1.0, 0.0}); }
 
@@ -45,7 +48,7 @@ TEST(HandbotArmsTest, TheStateIsThatOfTheJoints) {
   const Row robot = addHandbot(world);
   SensorUnderTest<HandbotArmsState> state(world, robot);
   const int elbow = robotModel("handbot")->findJoint("right_elbow");
-  world.space.jointsOf(robot)[elbow] = {0.3, -0.2, 1.5};
+  world.space.joints[robot][elbow] = {0.3, -0.2, 1.5};
   const HandbotArmsState& readings = state.sense();
   EXPECT_STREQ(HandbotArmsState::kNames[4], "right_elbow");
   EXPECT_EQ(readings.joints[4].angle, 0.3);
@@ -66,7 +69,7 @@ TEST(HandbotRopeTest, WindingIsLimitedAndTheStateIsRead) {
   EXPECT_EQ(rope.actuate().winding_speed, -0.3);
   SensorUnderTest<HandbotRopeState> state(world, robot);
   EXPECT_FALSE(state.sense().attached);
-  world.space.attachments.attach(robot, Kind::kRope, {ceiling, {0.0, 0.0, 0.0}, 1.25, 28.0});
+  world.space.attachments.attach(robot, kRope, {ceiling, {0.0, 0.0, 0.0}, 1.25, 28.0});
   EXPECT_TRUE(state.sense().attached);
   EXPECT_EQ(state.sense().length, 1.25);
   EXPECT_EQ(state.sense().tension, 28.0);
@@ -98,7 +101,7 @@ TEST(HandbotHandsTest, EachHandIsItsOwn) {
   EXPECT_FALSE(hands.actuate().left);
   EXPECT_TRUE(hands.actuate().right);
   SensorUnderTest<HandbotHandsState> state(world, robot);
-  world.space.attachments.attach(robot, Kind::kRightHand, {prey, {0.0, 0.0, 0.0}, 0.0, 2.5});
+  world.space.attachments.attach(robot, kRightHand, {prey, {0.0, 0.0, 0.0}, 0.0, 2.5});
   EXPECT_FALSE(state.sense().left.holding);
   EXPECT_TRUE(state.sense().right.holding);
   EXPECT_EQ(state.sense().right.force, 2.5);
@@ -113,7 +116,7 @@ TEST(EyebotMagnetTest, TheSwitchSaysWhetherItHolds) {
   EXPECT_TRUE(magnet.actuate().on);
   SensorUnderTest<EyebotMagnetState> state(world, robot);
   EXPECT_FALSE(state.sense().attached);
-  world.space.attachments.attach(robot, Kind::kMagnet, {ceiling, {0.0, 0.0, 0.0}, 0.0, 19.6});
+  world.space.attachments.attach(robot, kMagnet, {ceiling, {0.0, 0.0, 0.0}, 0.0, 19.6});
   EXPECT_TRUE(state.sense().attached);
 }
 

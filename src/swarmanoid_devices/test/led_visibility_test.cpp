@@ -34,7 +34,7 @@ Color colorOf(int robot, int led) {
 
 void light(DeviceWorld& world, Row row, int robot) {
   for (int led = 0; led < kLeds; ++led) {
-    world.space.ledsOf(row)[led] = colorOf(robot, led);
+    world.space.leds[row][led] = colorOf(robot, led);
   }
 }
 
@@ -161,7 +161,7 @@ TEST(LedVisibilityTest, AnEyebotsLedsShineThroughTheCageOfItsRotors) {
   const Row watcher = world.addFootbot(5.0, 5.0);
   const Row eyebot = world.addEyebot(5.9, 5.4, 0.0, 0.4);
   for (int led = 0; led < 16; ++led) {
-    world.space.ledsOf(eyebot)[led] = colorOf(0, led);
+    world.space.leds[eyebot][led] = colorOf(0, led);
   }
   SensorUnderTest<FootbotCamera> camera(world, watcher);
   EXPECT_EQ(ledsAmong(camera.sense()).size(), 16U) << "they lie 15 cm deep in it";
@@ -234,7 +234,7 @@ TEST_F(CameraOverflowTest, TheNearestAreKeptInTheOrderOfTheirNumbers) {
 }
 
 TEST_F(CameraOverflowTest, ANearSpotTakesTheFarthestOnesPlaceAndComesAfterEntities) {
-  world.space.laser_spots.push_back({2, Eigen::Vector3d::Zero(), {5.1, 5.25, 0.0}, colorOf(20, 0)});
+  world.space.laser_spots.push_back({EntityNumber{2}, Eigen::Vector3d::Zero(), {5.1, 5.25, 0.0}, colorOf(20, 0)});
   EXPECT_EQ(seen({{"max_blobs", "4"}}), (std::vector<int>{6, 7, 8, 20}));
 }
 

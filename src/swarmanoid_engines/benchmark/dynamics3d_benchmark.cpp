@@ -96,10 +96,9 @@ class RawWorld {
   /// Puts all bodies where the originals are: with contacts found in another way they do not stay together for ever.
   void follow(const Space& source) {
     for (const auto& body : bodies_) {
-      const auto i = static_cast<std::size_t>(body->row);
-      body->setPose(source.entities.pose[i]);
+      body->setPose(source.entities.pose[body->row]);
       if (body->rigid != nullptr) {
-        body->setTwist(source.entities.twist[i]);
+        body->setTwist(source.entities.twist[body->row]);
       }
     }
   }

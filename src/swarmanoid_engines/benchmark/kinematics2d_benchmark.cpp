@@ -40,14 +40,16 @@ void benchmarkMove(benchmark::State& state, double area_each) {
   const auto world = makeCrowd(count, area_each, static_cast<int>(state.range(1)));
   std::vector<int> ticks_back(static_cast<std::size_t>(count), 0);
   for (auto _ : state) {
+    test::carryOut(world->space);
     world->engine.move(world->space, std::chrono::milliseconds(100));
     // who hardly moves backs off along an arc: otherwise all are stuck in the end
     constexpr double kHardly = 0.02;  // m/s
-    for (Row row = 0; row < count; ++row) {
-      int& back = ticks_back[static_cast<std::size_t>(row)];
+    for (int i = 0; i < count; ++i) {
+      const Row row{i};
+      int& back = ticks_back[static_cast<std::size_t>(i)];
       if (back > 0) {
         if (--back == 0) {
-          world->drive(row, 0.1, 0.002 * (row % 300 - 150));
+          world->drive(row, 0.1, 0.002 * (i % 300 - 150));
         }
       } else if (world->twist(row).linear.norm() < kHardly) {
         world->drive(row, -0.1, 1.0);
@@ -72,7 +74,8 @@ void benchmarkRays(benchmark::State& state, double area_each) {
   }
   world->step();
   for (auto _ : state) {
-    for (Row row = 0; row < count; ++row) {
+    for (int i = 0; i < count; ++i) {
+      const Row row{i};
       const Pose& pose = world->pose(row);
       const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
       const Eigen::Vector3d sensor = pose.position + Eigen::Vector3d(0.0, 0.0, 0.06);

@@ -78,6 +78,7 @@ TEST(CollisionTest, TheOlderRobotTakesTheGapFirst) {
     const Row second = world.addToSpace(discModel(0.1, 0.15), flatPose(1.29, 2.0, M_PI));
     for (const Row row : {reversed ? second : first, reversed ? first : second}) {
       world.space.actuation.bank<FootbotWheels>().add(row);
+      test::carryOut(world.space);
       world.engine.add(world.space, row, Role::kMove);
     }
     world.drive(first, 0.5);  // 5 cm a tick; the gap is 9 cm

@@ -16,13 +16,14 @@ constexpr double kWall = 1.95;      // m, where the wall begins
 
 /// No body of the world overlaps another.
 void expectNoOverlap(const World& world, Row row, const char* when) {
-  const auto& model = *world.space.entities.model[static_cast<std::size_t>(row)];
+  const auto& model = *world.space.entities.model[row];
   EXPECT_EQ(world.engine.overlap(model, world.pose(row), row), kNoRow) << when;
 }
 
 void tick(World& world, double seconds, int ticks = 1) {
   for (int i = 0; i < ticks; ++i) {
     world.engine.readMirrors(world.space);
+    test::carryOut(world.space);
     world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * seconds)));
     world.engine.connect(world.space);
   }

@@ -209,6 +209,7 @@ TEST(GrippingTest, GripsComeAlongIntoAnotherEngine) {
     world.engine.remove(world.space, row);
   }
   for (const Row row : {pair.prey, pair.footbot}) {
+    test::carryOut(world.space);
     world.engine.add(world.space, row, Role::kMove);
   }
   world.drive(pair.footbot, 0.1);

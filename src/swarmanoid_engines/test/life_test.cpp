@@ -21,14 +21,15 @@ TEST(LifeTest, RefusesADeviceThatTheRobotHasNoPartsFor) {
   World world;
   EntityModel bare = *discModel(0.1, 0.1);
   bare.wheels.reset();
-  EXPECT_EQ(world.engine.unsupportedReason(*footbotModel(), {"footbot_wheels", "footbot_gripper", "footbot_proximity"}),
+  EXPECT_EQ(world.engine.unsupportedReason(*footbotModel(),
+                                           test::uses({"footbot_wheels", "footbot_gripper", "footbot_proximity"})),
             "");
-  EXPECT_EQ(world.engine.unsupportedReason(bare, {"footbot_proximity", "eyebot_velocity"}), "");
-  EXPECT_EQ(world.engine.unsupportedReason(bare, {"footbot_wheels"}),
+  EXPECT_EQ(world.engine.unsupportedReason(bare, test::uses({"footbot_proximity", "eyebot_velocity"})), "");
+  EXPECT_EQ(world.engine.unsupportedReason(bare, test::uses({"footbot_wheels"})),
             "device 'footbot_wheels' cannot be simulated: a robot of this type has no wheels");
-  EXPECT_EQ(world.engine.unsupportedReason(bare, {"footbot_gripper"}),
+  EXPECT_EQ(world.engine.unsupportedReason(bare, test::uses({"footbot_gripper"})),
             "device 'footbot_gripper' cannot be simulated: a robot of this type has no gripper");
-  EXPECT_EQ(world.engine.unsupportedReason(*footbotModel(), {"footbot_wheels", "eyebot_velocity"}),
+  EXPECT_EQ(world.engine.unsupportedReason(*footbotModel(), test::uses({"footbot_wheels", "eyebot_velocity"})),
             "device 'eyebot_velocity' cannot be simulated: another device drives the robot already");
   EXPECT_NE(world.engine.unsupportedReason(*lightModel(), {}), "");
 }
@@ -77,7 +78,7 @@ TEST(LifeTest, ComingAndGoingAThousandTimesLeavesNoTrace) {
     for (const Row row : {robot, prey, block}) {
       used.remove(row);
     }
-    EXPECT_LT(robot, 4);
+    EXPECT_LT(toIndex(robot), 4U);
   }
   EXPECT_EQ(used.engine.overlap(*discModel(0.3, 0.1), flatPose(1.5, 2.2), kNoRow), kNoRow);
   EXPECT_EQ(used.castRay({1.0, 2.0, 0.05}, {1.9, 2.0, 0.05}).row, kNoRow);

@@ -73,6 +73,7 @@ TEST(EyebotMotionTest, FliesItsVelocityInItsOwnFrameAndStaysInThePlane) {
   World world({10.0, 10.0, 4.0}, 4, "z", 2.0);
   const Row row = world.addToSpace(discModel(0.25, 0.2), flatPose(5.0, 5.0, M_PI / 2.0, 2.0));
   EyebotVelocity& velocity = world.space.actuation.bank<EyebotVelocity>().add(row);
+  test::carryOut(world.space);
   world.engine.add(world.space, row, Role::kMove);
   velocity.linear = {0.3, 0.1, 0.5};
   world.step(10);
@@ -130,11 +131,11 @@ TEST(MotionTest, WhatHasNoDriveStandsStill) {
   const Row robot = world.add(footbotModel(), flatPose(1.0, 1.0));
   const Row prey = world.addPrey(0.1, 0.1, 2.0, 2.0);
   const Row block = world.addBlock({0.2, 0.2, 0.2}, {3.0, 3.0, 0.1}, 0.4);
-  const std::vector<Pose> before = world.space.entities.pose;
+  const ByRow<Pose> before = world.space.entities.pose;
   world.step(10);
   for (const Row row : {robot, prey, block}) {
-    EXPECT_EQ(world.pose(row).position, before[static_cast<std::size_t>(row)].position);
-    EXPECT_EQ(world.pose(row).orientation.coeffs(), before[static_cast<std::size_t>(row)].orientation.coeffs());
+    EXPECT_EQ(world.pose(row).position, before[row].position);
+    EXPECT_EQ(world.pose(row).orientation.coeffs(), before[row].orientation.coeffs());
     EXPECT_EQ(world.twist(row).linear, Vector3d::Zero());
   }
 }

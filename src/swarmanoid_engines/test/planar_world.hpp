@@ -8,10 +8,7 @@
 #include <string>
 #include <utility>
 
-#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
-#include "swarmanoid_interface/devices/footbot_gripper.hpp"
-#include "swarmanoid_interface/devices/footbot_turret.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "carry_out.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -33,8 +30,9 @@ inline std::shared_ptr<const EntityModel> footbotModel() {
     footbot->shapes.push_back(
         {CollisionShape::Kind::kBox, {0.02, 0.02, 0.015}, {0.09, 0.0, 0.05}, Eigen::Quaterniond::Identity()});
     footbot->gripping_radius = 0.085;
-    footbot->wheels = EntityModel::Wheels{0.029, 0.14, 10.344827586206895};
+    footbot->wheels = EntityModel::Wheels{0.029, 0.14, 10.344827586206895, "left_wheel", "right_wheel"};
     footbot->gripper = EntityModel::Gripper{0.11, 0.05};
+    footbot->holders.push_back({"gripper", EntityModel::Holder::Kind::kGripper, "gripper_tip", 0.0});
     footbot->measureShapes();
     footbot->addMass({1.8, {0.0, 0.0, 0.065}, Eigen::Vector3d(0.004, 0.004, 0.0055).asDiagonal().toDenseMatrix()});
     return footbot;
@@ -79,15 +77,14 @@ class PlanarWorld {
   /// An entity in the space only.
   Row addToSpace(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, colors::kBlack);
-    space.fitRows();
-    space.mover[static_cast<std::size_t>(row)] = nullptr;
+    space.mover[row] = nullptr;
     return row;
   }
   Row add(const std::shared_ptr<const EntityModel>& model, const Pose& pose, Role role = Role::kMove) {
     const Row row = addToSpace(model, pose);
     engine.add(space, row, role);
     if (role == Role::kMove) {
-      space.mover[static_cast<std::size_t>(row)] = &engine;
+      space.mover[row] = &engine;
     }
     return row;
   }
@@ -98,8 +95,9 @@ class PlanarWorld {
     (space.actuation.bank<Devices>().add(row), ...);
     space.actuation.bank<FootbotWheels>().add(row);
     space.actuation.bank<FootbotGripper>().add(row);
+    test::carryOut(space, row);
     engine.add(space, row, Role::kMove);
-    space.mover[static_cast<std::size_t>(row)] = &engine;
+    space.mover[row] = &engine;
     return row;
   }
   Row addFootbot(const Pose& pose) { return addRobot(footbotModel(), pose); }
@@ -108,7 +106,7 @@ class PlanarWorld {
     return addRobot<FootbotTurret>(model, pose);
   }
   FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }
-  const JointState& turretState(Row row) const { return space.jointsOf(row)[0]; }
+  const JointState& turretState(Row row) const { return space.joints[row][0]; }
   Row addBlock(const Eigen::Vector3d& size, const Eigen::Vector3d& centre, double heading = 0.0) {
     return add(blockModel(size), flatPose(centre.x(), centre.y(), heading, centre.z()));
   }
@@ -121,7 +119,7 @@ class PlanarWorld {
     space.actuation.bank<FootbotGripper>().remove(row);
     space.actuation.bank<FootbotTurret>().remove(row);
     engine.remove(space, row);
-    space.mover[static_cast<std::size_t>(row)] = nullptr;
+    space.mover[row] = nullptr;
     space.entities.remove(row);
   }
 
@@ -138,15 +136,16 @@ class PlanarWorld {
   void step(int ticks = 1) {
     for (int i = 0; i < ticks; ++i) {
       space.events.clear();
+      test::carryOut(space);
       engine.readMirrors(space);
       engine.move(space, std::chrono::milliseconds(100));
       engine.connect(space);
     }
   }
 
-  const Pose& pose(Row row) const { return space.entities.pose[static_cast<std::size_t>(row)]; }
-  Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
-  const Twist& twist(Row row) const { return space.entities.twist[static_cast<std::size_t>(row)]; }
+  const Pose& pose(Row row) const { return space.entities.pose[row]; }
+  Pose& pose(Row row) { return space.entities.pose[row]; }
+  const Twist& twist(Row row) const { return space.entities.twist[row]; }
 
   RayHit castRay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Row ignored = kNoRow) const {
     return space.castRay({from, to}, ignored);

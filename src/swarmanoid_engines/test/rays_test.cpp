@@ -89,6 +89,7 @@ TEST(RaysTest, OfSurfacesInTheSamePlaceTheOlderIsHit) {
     const Row first = world.addToSpace(blockModel({1.0, 1.0, 1.0}), flatPose(5.0, 5.5, 0.0, 0.5));
     const Row second = world.addToSpace(blockModel({1.0, 1.0, 1.0}), flatPose(5.0, 4.5, 0.0, 0.5));
     for (const Row row : {reversed ? second : first, reversed ? first : second}) {
+      test::carryOut(world.space);
       world.engine.add(world.space, row, Role::kMove);
     }
     EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {7.0, 5.0, 0.5}).row, first);
@@ -99,11 +100,12 @@ TEST(RaysTest, AMirrorIsHitByTheEngineThatMovesIt) {
   World world;
   Kinematics2d other;
   const Row mirror = world.addToSpace(discModel(0.5, 1.0), flatPose(5.0, 5.0));
-  world.space.mover[static_cast<std::size_t>(mirror)] = &other;
+  world.space.mover[mirror] = &other;
+  test::carryOut(world.space);
   world.engine.add(world.space, mirror, Role::kMirror);
   EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {7.0, 5.0, 0.5}).row, kNoRow);
   // nobody moves it: then this engine answers
-  world.space.mover[static_cast<std::size_t>(mirror)] = nullptr;
+  world.space.mover[mirror] = nullptr;
   world.step();
   EXPECT_EQ(world.castRay({3.0, 5.0, 0.5}, {7.0, 5.0, 0.5}).row, mirror);
 }
@@ -161,7 +163,7 @@ TEST_P(RandomRaysTest, TenThousandRaysHitWhatTheSolidsSay) {
   for (int i = 0; i < 10000; ++i) {
     const Vector3d from(place(random_), place(random_), place(random_));
     const Vector3d to(place(random_), place(random_), place(random_));
-    const Row ignored = i % 61 - 1;
+    const Row ignored{i % 61 - 1};
     const RayHit hit = world.castRay(from, to, ignored);
     const RayHit expected = reference.castRay(from, to, ignored);
     ASSERT_NEAR(hit.fraction, expected.fraction, 1e-9) << i;

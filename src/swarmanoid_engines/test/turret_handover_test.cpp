@@ -4,10 +4,10 @@
 #include <array>
 #include <memory>
 
+#include "carry_out.hpp"
 #include "dynamics2d/dynamics2d.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "kinematics2d/kinematics2d.hpp"
-#include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -35,6 +35,7 @@ class Journey {
   }
 
   void tick() {
+    test::carryOut(space);
     engine().move(space, space.clocktick);
     engine().connect(space);
   }
@@ -47,9 +48,9 @@ class Journey {
     enter();
   }
   FootbotTurret& turret() { return *space.actuation.bank<FootbotTurret>().find(footbot); }
-  Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
-  Twist& twist(Row row) { return space.entities.twist[static_cast<std::size_t>(row)]; }
-  JointState& joint() { return space.jointsOf(footbot)[0]; }
+  Pose& pose(Row row) { return space.entities.pose[row]; }
+  Twist& twist(Row row) { return space.entities.twist[row]; }
+  JointState& joint() { return space.joints[footbot][0]; }
   /// Of the prey, against where the turret points.
   Vector3d place() {
     const Pose& robot = pose(footbot);
@@ -65,16 +66,15 @@ class Journey {
   Engine& engine() { return *engines_[now_]; }
   Row add(const std::shared_ptr<const EntityModel>& model, const Vector3d& position) {
     const Row row = space.entities.add(model->type, model, {position, Eigen::Quaterniond::Identity()}, colors::kBlack);
-    space.fitRows();
     return row;
   }
   void enter() {
+    test::carryOut(space);
     for (const Row row : {prey, footbot}) {
-      const auto i = static_cast<std::size_t>(row);
-      const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
-      ASSERT_EQ(engine().invalidPoseReason(*posed, space.entities.pose[i]), "");
-      ASSERT_EQ(engine().overlap(*posed, space.entities.pose[i], Span<const Row>()), kNoRow);
-      space.mover[i] = &engine();
+      const auto posed = posedModel(space.entities.model[row], space.joints[row]);
+      ASSERT_EQ(engine().invalidPoseReason(*posed, space.entities.pose[row]), "");
+      ASSERT_EQ(engine().overlap(*posed, space.entities.pose[row], Span<const Row>()), kNoRow);
+      space.mover[row] = &engine();
       engine().add(space, row, Role::kMove);
     }
   }
@@ -123,13 +123,12 @@ TEST(TurretHandoverTest, RobotsWithoutTurretAreRefusedByName) {
   auto bare = std::make_shared<EntityModel>(*robotModel("footbot"));
   bare->joints.clear();
   for (const char* device : {FootbotTurret::kType, FootbotTurretState::kType}) {
-    const std::string expected = "device '" + std::string(device) +
-                                 "' cannot be simulated: a robot of this type has no turret: no joint 'turret' that "
-                                 "turns without end about its z axis";
-    EXPECT_EQ(kinematics2d::Kinematics2d().unsupportedReason(*bare, {device}), expected);
-    EXPECT_EQ(dynamics2d::Dynamics2d().unsupportedReason(*bare, {device}), expected);
-    EXPECT_EQ(dynamics3d::Dynamics3d().unsupportedReason(*bare, {device}), expected);
-    EXPECT_EQ(dynamics3d::Dynamics3d().unsupportedReason(*robotModel("footbot"), {device}), "");
+    const std::string expected =
+        "device '" + std::string(device) + "' cannot be simulated: a robot of this type has no joint 'turret'";
+    EXPECT_EQ(kinematics2d::Kinematics2d().unsupportedReason(*bare, test::uses({device})), expected);
+    EXPECT_EQ(dynamics2d::Dynamics2d().unsupportedReason(*bare, test::uses({device})), expected);
+    EXPECT_EQ(dynamics3d::Dynamics3d().unsupportedReason(*bare, test::uses({device})), expected);
+    EXPECT_EQ(dynamics3d::Dynamics3d().unsupportedReason(*robotModel("footbot"), test::uses({device})), "");
   }
 }
 

@@ -21,7 +21,6 @@ class UnsupportedStateTest : public ::testing::Test {
   }
   Row add(const std::string& name, const std::shared_ptr<const EntityModel>& model, const Eigen::Vector3d& position) {
     const Row row = space.entities.add(name, model, {position, Eigen::Quaterniond::Identity()}, colors::kBlack);
-    space.fitRows();
     return row;
   }
 
@@ -35,7 +34,8 @@ class UnsupportedStateTest : public ::testing::Test {
 };
 
 TEST_F(UnsupportedStateTest, OfWhoHoldsOnToSomething) {
-  space.attachments.attach(handbot, Attachment::Kind::kRope, {ceiling, Eigen::Vector3d::Zero(), 1.0, 0.0});
+  constexpr std::size_t kRope = 2;  // index of its holder
+  space.attachments.attach(handbot, kRope, {ceiling, Eigen::Vector3d::Zero(), 1.0, 0.0});
   const std::string in_a_plane = "holds on to something by its rope, which this engine cannot hold";
   EXPECT_EQ(kinematics.unsupportedStateReason(space, handbot), in_a_plane);
   EXPECT_EQ(forces.unsupportedStateReason(space, handbot), in_a_plane);
@@ -47,7 +47,7 @@ TEST_F(UnsupportedStateTest, OfWhoHoldsOnToSomething) {
 }
 
 TEST_F(UnsupportedStateTest, OfWhoseArmsAreRaised) {
-  JointState& shoulder = space.jointsOf(handbot)[robotModel("handbot")->findJoint("left_shoulder")];
+  JointState& shoulder = space.joints[handbot][robotModel("handbot")->findJoint("left_shoulder")];
   for (const double angle : {0.01, 0.1}) {
     shoulder.angle = angle;
     const std::string expected = angle < 0.02 ? "" : "its joint 'left_shoulder' is not at zero";
@@ -58,7 +58,7 @@ TEST_F(UnsupportedStateTest, OfWhoseArmsAreRaised) {
 }
 
 TEST_F(UnsupportedStateTest, TurretsMayStandAnyhow) {
-  space.jointsOf(footbot)[0].angle = 2.0;
+  space.joints[footbot][0].angle = 2.0;
   EXPECT_EQ(kinematics.unsupportedStateReason(space, footbot), "");
   EXPECT_EQ(forces.unsupportedStateReason(space, footbot), "");
   EXPECT_EQ(spatial.unsupportedStateReason(space, footbot), "");

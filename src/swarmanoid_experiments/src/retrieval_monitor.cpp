@@ -71,11 +71,11 @@ class RetrievalMonitor final : public Observer {
   void lookForPrey(const Space& space) {
     for (const FloorPatch& patch : space.floor_patches) {
       for (std::size_t k = 0; patch.id == nest_ && k < space.entities.order.size(); ++k) {
-        const auto i = static_cast<std::size_t>(space.entities.order[k]);
-        const EntityModel& model = *space.entities.model[i];
-        if (!model.is_robot && model.gripping_radius && patch.contains(space.entities.pose[i].position)) {
-          delivered_ = space.entities.name[i];
-          delivered_color_ = toString(space.entities.color[i]);
+        const Row row = space.entities.order[k];
+        const EntityModel& model = *space.entities.model[row];
+        if (!model.is_robot && model.gripping_radius && patch.contains(space.entities.pose[row].position)) {
+          delivered_ = space.entities.name[row];
+          delivered_color_ = toString(space.entities.color[row]);
           return;
         }
       }
@@ -84,10 +84,10 @@ class RetrievalMonitor final : public Observer {
 
   void lookForChoice(const Space& space) {
     const Row row = space.entities.find(chooser_);
-    if (row == kNoRow || !space.robots[static_cast<std::size_t>(row)]) {
+    if (row == kNoRow || !space.robots[row]) {
       return;
     }
-    for (const auto& [key, value] : space.robots[static_cast<std::size_t>(row)]->debugValues()) {
+    for (const auto& [key, value] : space.robots[row]->debugValues()) {
       if (key == "prey") {
         chosen_ = value;
       }

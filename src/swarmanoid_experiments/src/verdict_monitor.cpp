@@ -32,13 +32,12 @@ class VerdictMonitor final : public Observer {
 
   void draw(const Space& space) override {
     for (const Row row : space.entities.order) {
-      const auto i = static_cast<std::size_t>(row);
-      if (space.robots[i] == nullptr || failed_.count(space.entities.name[i]) > 0) {
+      if (space.robots[row] == nullptr || failed_.count(space.entities.name[row]) > 0) {
         continue;
       }
-      for (const auto& [key, value] : space.robots[i]->debugValues()) {
+      for (const auto& [key, value] : space.robots[row]->debugValues()) {
         if (key == key_) {
-          verdicts_[space.entities.name[i]] = value;
+          verdicts_[space.entities.name[row]] = value;
         }
       }
     }

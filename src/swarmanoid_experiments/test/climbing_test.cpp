@@ -7,7 +7,9 @@
 namespace swarmanoid::test {
 namespace {
 
-using Kind = Attachment::Kind;
+// Holders of the handbot's model, by their indices there.
+constexpr std::size_t kLeftHand = 0;
+constexpr std::size_t kRope = 2;
 
 Experiment climbing() {
   loadBuiltInPlugins();
@@ -39,7 +41,7 @@ std::unique_ptr<Simulation> start(Experiment experiment) {
 Row rowOf(const Simulation& simulation, const std::string& name) { return simulation.space().entities.find(name); }
 
 std::string stateOf(const Simulation& simulation) {
-  const auto& values = simulation.space().robots[static_cast<std::size_t>(rowOf(simulation, "hb"))]->debugValues();
+  const auto& values = simulation.space().robots[rowOf(simulation, "hb")]->debugValues();
   return values.empty() ? "" : values[0].second;
 }
 
@@ -55,8 +57,8 @@ void expectTheBoxIsDown(Simulation& simulation) {
   tick(simulation, 5);
   const Attachments& attachments = simulation.space().attachments;
   const Row robot = rowOf(simulation, "hb");
-  EXPECT_EQ(attachments.of(robot, Kind::kLeftHand).held, rowOf(simulation, "box"));
-  EXPECT_FALSE(attachments.isAttached(robot, Kind::kRope));
+  EXPECT_EQ(attachments.of(robot, kLeftHand).held, rowOf(simulation, "box"));
+  EXPECT_FALSE(attachments.isAttached(robot, kRope));
   EXPECT_NEAR(poseOf(simulation, "hb").position.z(), 0.0, 2e-3);
   EXPECT_LT(poseOf(simulation, "box").position.z(), 0.5);  // it stood at 0.76 m
 }
@@ -73,7 +75,7 @@ TEST(ClimbingTest, WhoeverHangsAndIsNotCommandedAnyMoreKeepsHanging) {
   tick(*simulation, 20);
   const double height = poseOf(*simulation, "hb").position.z();
   EXPECT_GT(height, 0.2);
-  EXPECT_TRUE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), Kind::kRope));
+  EXPECT_TRUE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), kRope));
   tick(*simulation, 50);
   EXPECT_NEAR(poseOf(*simulation, "hb").position.z(), height, 0.01);
 }
@@ -93,7 +95,7 @@ TEST(ClimbingTest, TheSameBitsAgainAndAfterAReset) {
   const auto expected = hashesOf(*start(climbing()), 150);
   auto again = start(climbing());
   EXPECT_EQ(hashesOf(*again, 150), expected);
-  ASSERT_TRUE(again->space().attachments.isAttached(rowOf(*again, "hb"), Kind::kRope)) << "it hangs when it is reset";
+  ASSERT_TRUE(again->space().attachments.isAttached(rowOf(*again, "hb"), kRope)) << "it hangs when it is reset";
   again->reset();
   EXPECT_EQ(hashesOf(*again, 150), expected);
 }
@@ -103,14 +105,14 @@ struct Kept {
   explicit Kept(const Simulation& simulation) {
     const Space& space = simulation.space();
     for (const char* name : {"hb", "box"}) {
-      const auto i = static_cast<std::size_t>(space.entities.find(name));
-      poses.push_back(space.entities.pose[i]);
-      twists.push_back(space.entities.twist[i]);
+      const Row row = space.entities.find(name);
+      poses.push_back(space.entities.pose[row]);
+      twists.push_back(space.entities.twist[row]);
     }
     const Row robot = space.entities.find("hb");
-    joints.assign(space.jointsOf(robot), space.jointsOf(robot) + 6);
-    rope = space.attachments.of(robot, Kind::kRope);
-    hand = space.attachments.of(robot, Kind::kLeftHand);
+    joints.assign(space.joints[robot].begin(), space.joints[robot].end());
+    rope = space.attachments.of(robot, kRope);
+    hand = space.attachments.of(robot, kLeftHand);
   }
   void expectIn(const Simulation& simulation) const {
     const Kept now(simulation);
@@ -151,11 +153,11 @@ TEST(ClimbingTest, RopeArmsAndHandsGoFromEngineToEngine) {
       before.expectIn(*simulation);
       tick(*simulation);
       ASSERT_EQ(stateOf(*simulation), state);
-      ASSERT_TRUE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), Kind::kRope));
+      ASSERT_TRUE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), kRope));
     }
   };
   goAndReturn(15, "climbing");
-  const double length = simulation->space().attachments.of(rowOf(*simulation, "hb"), Kind::kRope).length;
+  const double length = simulation->space().attachments.of(rowOf(*simulation, "hb"), kRope).length;
   EXPECT_LT(length, 2.0);  // it was wound all the while
   runUntil(*simulation, "descending");
   goAndReturn(10, "descending");
@@ -178,7 +180,7 @@ TEST(ClimbingTest, WithoutItsCeilingItFalls) {
   auto simulation = start(climbing());
   runUntil(*simulation, "reaching");
   simulation->remove("ceiling");
-  EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), Kind::kRope));
+  EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), kRope));
   tick(*simulation, 20);
   EXPECT_LT(poseOf(*simulation, "hb").position.z(), 0.2);
 }

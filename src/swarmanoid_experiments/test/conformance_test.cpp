@@ -62,7 +62,7 @@ Verdicts verdictsOf(Simulation& simulation) {
 
 std::string debugOf(const Simulation& simulation, const std::string& robot, const std::string& key) {
   const Row row = simulation.space().entities.find(robot);
-  for (const auto& [known, value] : simulation.space().robots[static_cast<std::size_t>(row)]->debugValues()) {
+  for (const auto& [known, value] : simulation.space().robots[row]->debugValues()) {
     if (known == key) {
       return value;
     }

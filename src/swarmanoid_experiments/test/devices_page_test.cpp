@@ -20,6 +20,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
+constexpr const char* kAnyRobot = "any robot";
+
 std::string read(const std::string& name) {
   std::ifstream file(std::string(REPOSITORY) + name);
   EXPECT_TRUE(file) << name;
@@ -129,7 +131,11 @@ TEST(DevicesPageTest, HasASectionForEachDeviceAndNoOther) {
     const PluginDescription& device = entry->description;
     ASSERT_EQ(page.count(device.label), 1U) << device.label;
     const Section& section = page[device.label];
-    EXPECT_EQ(device.robots, Texts{section.robot}) << device.label;
+    EXPECT_EQ(device.robots, section.robot == kAnyRobot ? Texts{} : Texts{section.robot}) << device.label;
+    if (section.robot != kAnyRobot) {
+      const Texts& listed = robotModel(section.robot)->devices;
+      EXPECT_EQ(std::count(listed.begin(), listed.end(), device.label), 1) << device.label << " in the robot's URDF";
+    }
     const bool is_sensor = entry->kind == PluginKind::kSensor;
     EXPECT_NE(section.text.find(is_sensor ? "\nSensor. " : "\nActuator. "), std::string::npos) << device.label;
     EXPECT_NE(section.line("Header").find("Implementation: `" + device.implementation + "`."), std::string::npos)
@@ -180,10 +186,11 @@ TEST(DevicesPageTest, EnginesAreThoseThatTakeTheDevice) {
   std::map<std::string, Section> page = sections();
   for (const Registry::Entry* entry : devices()) {
     const std::string& type = entry->description.label;
+    const std::string robot = page[type].robot == kAnyRobot ? "footbot" : page[type].robot;
     std::string expected;
     for (const char* label : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
       const auto engine = makePlugin<Engine>(Registry::instance().require(PluginKind::kEngine, label));
-      if (engine->unsupportedReason(*robotModel(page[type].robot), {type}).empty()) {
+      if (engine->unsupportedReason(*robotModel(robot), {{type, entry->description.mechanisms}}).empty()) {
         expected += std::string(expected.empty() ? "`" : ", `") + label + "`";
       }
     }

@@ -216,7 +216,7 @@ TEST(LimitsTest, AGridWithoutWidthIsALine) {
   const Entities& entities = simulation.space().entities;
   for (int k = 1; k <= 4; ++k) {
     const Row row = entities.find("row_" + std::to_string(k));
-    EXPECT_EQ(entities.pose[static_cast<std::size_t>(row)].position, Eigen::Vector3d(0.5 + k, 3.0, 0.0));
+    EXPECT_EQ(entities.pose[row].position, Eigen::Vector3d(0.5 + k, 3.0, 0.0));
   }
 }
 

@@ -74,22 +74,21 @@ TEST(ExampleTest, FootbotsWanderOverHillsAndFallIntoAHole) {
   while (!simulation.isFinished()) {
     simulation.tick();
     for (const Row row : space.entities.order) {
-      const auto i = static_cast<std::size_t>(row);
-      const Eigen::Vector3d& position = space.entities.pose[i].position;
-      if (!space.entities.model[i]->is_movable) {
+      const Eigen::Vector3d& position = space.entities.pose[row].position;
+      if (!space.entities.model[row]->is_movable) {
         continue;
       }
       const bool is_on_terrain = space.terrain->contains(position.x(), position.y());
       const double ground = is_on_terrain ? space.terrain->heightAt(position.x(), position.y()) : 0.0;
-      ASSERT_GT(position.z(), ground - 0.03) << space.entities.name[i] << ", tick " << space.tick;
-      ASSERT_EQ(space.outside[i], 0) << space.entities.name[i] << ", tick " << space.tick;
-      highest = space.entities.model[i]->is_robot ? std::max(highest, position.z()) : highest;
+      ASSERT_GT(position.z(), ground - 0.03) << space.entities.name[row] << ", tick " << space.tick;
+      ASSERT_EQ(space.outside[row], 0) << space.entities.name[row] << ", tick " << space.tick;
+      highest = space.entities.model[row]->is_robot ? std::max(highest, position.z()) : highest;
     }
   }
   EXPECT_GT(highest, 0.1);
   int in_hole = 0;
   for (const Row row : space.entities.order) {
-    in_hole += space.entities.pose[static_cast<std::size_t>(row)].position.z() < -0.05 ? 1 : 0;
+    in_hole += space.entities.pose[row].position.z() < -0.05 ? 1 : 0;
   }
   EXPECT_GE(in_hole, 1);
 }

@@ -2,11 +2,13 @@
 // name is missing on the page.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/error_models/error_model.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
@@ -62,6 +64,21 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
         expect_name(is_numbered ? parameter.name.substr(0, parameter.name.size() - 1) + "0" : parameter.name);
       }
     }
+  }
+}
+
+TEST(ExperimentPageTest, NamesAllErrorsOfDevices) {
+  for (const ErrorKind* kind : errorKinds()) {
+    const std::string start = "\n| `" + kind->description.name + "` |";
+    const std::size_t row = page().find(start);
+    ASSERT_NE(row, std::string::npos) << kind->description.name;
+    const std::size_t column = row + start.size();
+    const std::string attributes = page().substr(column, page().find('|', column) - column);
+    for (const Parameter& parameter : kind->description.parameters) {
+      EXPECT_NE(attributes.find("`" + parameter.name + "`"), std::string::npos) << start << parameter.name;
+    }
+    const auto quotes = static_cast<std::size_t>(std::count(attributes.begin(), attributes.end(), '`'));
+    EXPECT_EQ(quotes, 2 * kind->description.parameters.size()) << start;
   }
 }
 

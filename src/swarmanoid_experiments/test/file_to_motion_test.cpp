@@ -62,7 +62,7 @@ TEST(MotionTest, TwistIsTheVelocityInTheWorld) {
   simulation->start();
   simulation->tick();
   const Entities& entities = simulation->space().entities;
-  const Twist& twist = entities.twist[static_cast<std::size_t>(entities.find("fb"))];
+  const Twist& twist = entities.twist[entities.find("fb")];
   EXPECT_NEAR((twist.linear - 3.0 * kWheelRadius * Eigen::Vector3d(std::sqrt(0.75), 0.5, 0)).norm(), 0.0, 1e-9);
   EXPECT_EQ(twist.angular.norm(), 0.0);
 }

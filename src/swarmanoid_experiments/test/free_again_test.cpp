@@ -45,10 +45,10 @@ std::unique_ptr<Simulation> diffusion(double speed, int subclock, std::uint64_t 
 }
 
 /// A robot and all that are near it, with their headings: what is needed to put the case into a small world.
-std::string surroundings(const Entities& entities, std::size_t row) {
+std::string surroundings(const Entities& entities, Row row) {
   constexpr double kNear = 0.4;  // m
   std::ostringstream text;
-  for (std::size_t other = 0; other < entities.pose.size(); ++other) {
+  for (const Row other : entities.order) {
     const Pose& pose = entities.pose[other];
     if (entities.model[other]->is_robot && (pose.position - entities.pose[row].position).norm() < kNear) {
       text << "\n  " << entities.name[other] << " at " << pose.position.transpose() << ", heading "
@@ -72,13 +72,15 @@ TEST_P(FreeAgainTest, Diffusion) {
         diffusion(std::get<0>(GetParam()), std::get<1>(GetParam()), static_cast<std::uint64_t>(seed));
     const auto& entities = simulation->space().entities;
     std::vector<Watched> robots;
-    for (std::size_t row = 0; row < entities.pose.size(); ++row) {
+    for (std::size_t i = 0; i < entities.rowCount(); ++i) {
+      const Row row = rowAt(i);
       robots.push_back({entities.pose[row], entities.model[row]->is_robot ? 0 : -1});
     }
     for (int tick = 0; tick < ticks; ++tick) {
       simulation->tick();
-      for (std::size_t row = 0; row < robots.size(); ++row) {
-        Watched& robot = robots[row];
+      for (std::size_t i = 0; i < robots.size(); ++i) {
+        const Row row = rowAt(i);
+        Watched& robot = robots[i];
         const Pose& pose = entities.pose[row];
         if (robot.since < 0) {
           continue;

@@ -6,7 +6,6 @@
 #include <string>
 #include <vector>
 
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::test {
@@ -23,8 +22,10 @@ class GlideEngine : public Engine {
     id_ = id;
     takes_wheels_ = parameters.boolean("takes_wheels", false);
   }
-  std::string unsupportedReason(const EntityModel&, const std::vector<std::string>& devices) const override {
-    const bool has_wheels = std::find(devices.begin(), devices.end(), FootbotWheels::kType) != devices.end();
+  std::string unsupportedReason(const EntityModel&, const std::vector<DeviceUse>& devices) const override {
+    const bool has_wheels = std::any_of(devices.begin(), devices.end(), [](const DeviceUse& device) {
+      return device.mechanisms == std::vector<Mechanism>{{Mechanism::Kind::kWheels}};
+    });
     return has_wheels && !takes_wheels_ ? "device 'footbot_wheels' cannot be simulated" : "";
   }
   std::string invalidPoseReason(const EntityModel&, const Pose&) const override { return ""; }
@@ -47,9 +48,8 @@ class GlideEngine : public Engine {
       if (held.role == Role::kMirror) {
         continue;
       }
-      const auto i = static_cast<std::size_t>(held.row);
-      Pose& pose = space.entities.pose[i];
-      const Twist& twist = space.entities.twist[i];
+      Pose& pose = space.entities.pose[held.row];
+      const Twist& twist = space.entities.twist[held.row];
       pose.position += twist.linear * toSeconds(dt);
       const double turn = twist.angular.norm() * toSeconds(dt);
       if (turn > 0.0) {

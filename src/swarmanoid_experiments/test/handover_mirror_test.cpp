@@ -23,7 +23,7 @@ World mirroredWorld(const std::string& mirrored) {
 
 Row overlapIn(const Simulation& simulation, const std::string& engine_id, const std::string& name) {
   const Space& space = simulation.space();
-  const auto row = static_cast<std::size_t>(space.entities.find(name));
+  const Row row = space.entities.find(name);
   for (const Engine* engine : space.engines) {
     if (engine->id() == engine_id) {
       return engine->overlap(*space.entities.model[row], space.entities.pose[row], kNoRow);

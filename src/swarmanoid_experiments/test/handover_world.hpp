@@ -30,7 +30,7 @@ inline World carrierWorld() {
 
 inline std::string moverOf(const Simulation& simulation, const std::string& name) {
   const Space& space = simulation.space();
-  const Engine* mover = space.mover[static_cast<std::size_t>(space.entities.find(name))];
+  const Engine* mover = space.mover[space.entities.find(name)];
   return mover == nullptr ? "" : mover->id();
 }
 
@@ -56,7 +56,7 @@ inline std::unique_ptr<Simulation> started(const World& world) {
 
 inline const Twist& twistOf(const Simulation& simulation, const std::string& name) {
   const Entities& entities = simulation.space().entities;
-  return entities.twist[static_cast<std::size_t>(entities.find(name))];
+  return entities.twist[entities.find(name)];
 }
 
 }  // namespace swarmanoid::test

@@ -45,8 +45,7 @@ class OcclusionTest : public testing::Test {
   std::pair<std::string, double> closestHit(const Vector3d& from, const Vector3d& to, Row ignored = kNoRow,
                                             Row also_ignored = kNoRow) const {
     const RayHit hit = space.castRay({from, to}, ignored, also_ignored);
-    return {hit.row == kNoRow ? "" : space.entities.name[static_cast<std::size_t>(hit.row)],
-            hit.fraction * (to - from).norm()};
+    return {hit.row == kNoRow ? "" : space.entities.name[hit.row], hit.fraction * (to - from).norm()};
   }
 
   void expectHit(const std::string& name, double distance, const Vector3d& from, const Vector3d& to) const {

@@ -11,8 +11,8 @@ from program_world import FINISHED, ProgramTest
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs/reference/experiment_file.md"
-HEADINGS = ["experiment", "framework", "controller", "sensor", "actuator", "arena", "entity", "engine", "arena_physics",
-            "visualisation"]
+HEADINGS = ["experiment", "framework", "controller", "sensor", "actuator", "error", "arena", "entity", "engine",
+            "arena_physics", "visualisation"]
 XSD = "{http://www.w3.org/2001/XMLSchema}"
 
 

@@ -113,7 +113,8 @@ class RefusalTest(ProgramTest):
         self.assertRegex(done.stderr, "^swarmanoid: difusion: found neither such a file nor an installed experiment of "
                                       "that name; installed: .*; did you mean 'diffusion'\\?\n$")
         file = self.world(text="<ahss-config>\n</ahss>")
-        self.assert_refused(file + ":1: found a closing tag that does not match the open element", "run", file)
+        self.assert_refused(file + ":2: found no well-formed XML: Opening and ending tag mismatch: ahss-config line 1 and ahss",
+                            "run", file)
 
     def test_mistakes_in_the_file_leave_no_out_folder(self):
         file = self.world(maxclock=0)

@@ -72,8 +72,7 @@ std::map<std::string, std::string> gripsIn(const Simulation& simulation) {
   const Space& space = simulation.space();
   for (const Row row : space.entities.order) {
     if (const Row gripped = space.structure.grippedBy(row); gripped != kNoRow) {
-      grips[space.entities.name[static_cast<std::size_t>(row)]] =
-          space.entities.name[static_cast<std::size_t>(gripped)];
+      grips[space.entities.name[row]] = space.entities.name[gripped];
     }
   }
   return grips;

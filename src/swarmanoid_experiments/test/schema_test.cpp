@@ -112,6 +112,21 @@ TEST(SchemaTest, AcceptsRulesForHandover) {
   EXPECT_EQ(experiment.handovers[2].value, "lost");
 }
 
+TEST(SchemaTest, AcceptsErrorsOfDevices) {
+  std::string text = test::readTestData("good.xml");
+  text.insert(text.find("<range>0.1</range>"), "<error kind=\"gaussian\" deviation=\"0.1\"/>");
+  text.insert(text.find("</footbot_proximity>"),
+              "<error kind=\"stuck\" field=\"value[3]\" from_tick=\"5\" id=\"blind\"/>");
+  EXPECT_TRUE(schemaAccepts(writeFile("errors.xml", text)));
+  const Experiment experiment = parseExperiment(text, "errors.xml");
+  const std::vector<ErrorModelDescription>& errors = experiment.controllers[0].sensors[0].errors;
+  ASSERT_EQ(errors.size(), 2U);
+  EXPECT_EQ(errors[0].kind, "gaussian");
+  EXPECT_EQ(errors[0].parameters.number("deviation"), 0.1);
+  EXPECT_EQ(errors[1].field, "value[3]");
+  EXPECT_EQ(errors[1].from_tick, 5U);
+}
+
 TEST(SchemaTest, LetsThroughPluginsThatItDoesNotKnow) {
   std::string text = test::readTestData("good.xml");
   text.insert(text.find("  </visualisations>"),

@@ -109,7 +109,7 @@ std::string member(const std::string& id) { return "<entity id=\"" + id + "\"/>"
 
 const Pose& poseOf(const Simulation& simulation, std::string_view name) {
   const Entities& entities = simulation.space().entities;
-  return entities.pose[static_cast<std::size_t>(entities.find(std::string(name)))];
+  return entities.pose[entities.find(std::string(name))];
 }
 
 double headingOf(const Simulation& simulation, const std::string& name) {

@@ -57,7 +57,7 @@ std::unique_ptr<Simulation> world() {
 /// Where the turret stands, as the controller reads it [rad].
 double readingOf(const Simulation& simulation) {
   const Space& space = simulation.space();
-  for (const auto& [key, value] : space.robots[static_cast<std::size_t>(space.entities.find("fb"))]->debugValues()) {
+  for (const auto& [key, value] : space.robots[space.entities.find("fb")]->debugValues()) {
     if (key == "turret") {
       return std::stod(value);
     }
@@ -74,10 +74,10 @@ std::vector<std::uint64_t> run(Simulation& simulation, const std::vector<std::st
   EXPECT_NEAR(readingOf(simulation), M_PI / 2.0, 1e-6);
   EXPECT_EQ(space.structure.grippedBy(footbot), space.entities.find("prey"));
   for (const std::string& engine : engines) {
-    const JointState before = space.jointsOf(footbot)[0];
+    const JointState before = space.joints[footbot][0];
     simulation.handover("fb", engine);
-    EXPECT_EQ(space.jointsOf(footbot)[0].angle, before.angle);
-    EXPECT_EQ(space.jointsOf(footbot)[0].speed, before.speed);
+    EXPECT_EQ(space.joints[footbot][0].angle, before.angle);
+    EXPECT_EQ(space.joints[footbot][0].speed, before.speed);
     const auto next = hashesOf(simulation, 2);
     hashes.insert(hashes.end(), next.begin(), next.end());
   }

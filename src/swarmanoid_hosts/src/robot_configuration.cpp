@@ -7,11 +7,6 @@
 namespace swarmanoid {
 namespace {
 
-const std::vector<std::string>& robotTypes() {
-  static const std::vector<std::string> types{"footbot", "eyebot", "handbot"};
-  return types;
-}
-
 const std::vector<std::string>& keys() {
   static const std::vector<std::string> keys{"robot_type",    "rate",     "seed",       "sensors",
                                              "actuators",     "topics",   "parameters", "sensor_timeout",
@@ -36,10 +31,33 @@ std::vector<std::string> split(const std::string& text) {
   return names;
 }
 
-bool belongsTo(const std::string& robot_type, const std::string& device) {
-  return std::none_of(robotTypes().begin(), robotTypes().end(), [&](const std::string& other) {
-    return other != robot_type && device.rfind(other + "_", 0) == 0;
+/// Returns the robot types that devices name, in the order of the devices.
+std::vector<std::string> robotTypesOf(const std::vector<KnownDevice>& known) {
+  std::vector<std::string> types;
+  for (const KnownDevice& device : known) {
+    if (!device.robot.empty() && std::find(types.begin(), types.end(), device.robot) == types.end()) {
+      types.push_back(device.robot);
+    }
+  }
+  return types;
+}
+
+/// Refuses a robot type that no device names, unless all devices that are listed are for any robot.
+void checkRobotType(const Configuration& values, const std::string& robot_type, const std::vector<KnownDevice>& known) {
+  const std::vector<std::string> types = robotTypesOf(known);
+  if (std::find(types.begin(), types.end(), robot_type) != types.end()) {
+    return;
+  }
+  std::vector<std::string> listed = split(values.text("sensors"));
+  const std::vector<std::string> actuators = split(values.text("actuators"));
+  listed.insert(listed.end(), actuators.begin(), actuators.end());
+  const bool has_devices_of_others = std::any_of(known.begin(), known.end(), [&](const KnownDevice& device) {
+    return !device.robot.empty() && std::find(listed.begin(), listed.end(), device.type) != listed.end();
   });
+  if (has_devices_of_others) {
+    throw ConfigError(values.find("robot_type")->location(), "robot_type: found '" + robot_type + "', allowed: " +
+                                                                 joinNames(types) + didYouMean(robot_type, types));
+  }
 }
 
 std::vector<RobotConfiguration::Device> readDevices(const Configuration& values, const std::string& key,
@@ -47,7 +65,7 @@ std::vector<RobotConfiguration::Device> readDevices(const Configuration& values,
                                                     const std::vector<KnownDevice>& known) {
   std::vector<std::string> allowed;
   for (const KnownDevice& device : known) {
-    if (device.is_sensor == (key == "sensors") && belongsTo(robot_type, device.type)) {
+    if (device.is_sensor == (key == "sensors") && (device.robot.empty() || device.robot == robot_type)) {
       allowed.push_back(device.type);
     }
   }
@@ -116,12 +134,7 @@ SafeStopSettings readSafeStop(const Configuration& values) {
 RobotConfiguration readRobotConfiguration(const Configuration& values, const std::vector<KnownDevice>& known) {
   RobotConfiguration result;
   result.robot_type = values.text("robot_type");
-  const std::vector<std::string>& types = robotTypes();
-  if (std::find(types.begin(), types.end(), result.robot_type) == types.end()) {
-    throw ConfigError(values.find("robot_type")->location(), "robot_type: found '" + result.robot_type +
-                                                                 "', allowed: " + joinNames(types) +
-                                                                 didYouMean(result.robot_type, types));
-  }
+  checkRobotType(values, result.robot_type, known);
   constexpr double kRate = 10.0;  // [Hz]
   constexpr Range kTimeout{0.01, 3600.0};
   result.period = secondsToDuration(1.0 / values.number("rate", kRate, {0.1, 1000.0}));

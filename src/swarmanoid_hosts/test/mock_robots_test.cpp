@@ -1,9 +1,12 @@
 // Mock robots move as commanded, and their sensors show the motion.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
-#include "../src/mock/mock_robot.hpp"
+#include "mock_bench.hpp"
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -13,41 +16,10 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
 namespace {
-
-constexpr double kStep = 0.02;  // [s]
-
-struct Bench {
-  explicit Bench(std::unique_ptr<MockRobot> mock) : robot(std::move(mock)) {}
-
-  template <class Device>
-  Device& command() {
-    for (const MockRobot::Actuator& actuator : robot->actuators()) {
-      if (actuator.device == Device::kType) {
-        return *static_cast<Device*>(actuator.command);
-      }
-    }
-    throw std::logic_error("no such actuator");
-  }
-  template <class Device>
-  const Device& reading() const {
-    for (const MockRobot::Sensor& sensor : robot->sensors()) {
-      if (sensor.device == Device::kType) {
-        return *static_cast<const Device*>(sensor.reading);
-      }
-    }
-    throw std::logic_error("no such sensor");
-  }
-  void advance(double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep)); ++i) {
-      robot->advance(kStep);
-    }
-  }
-
-  std::unique_ptr<MockRobot> robot;
-};
 
 World worldWith(Beacon beacon) {
   World world;
@@ -56,40 +28,69 @@ World worldWith(Beacon beacon) {
 }
 
 TEST(MockFootbot, DrivesStraightAndTurnsLeft) {
-  Bench bench(makeMockFootbot({}, {}));
+  Bench bench("footbot");
   bench.command<FootbotWheels>().drive(0.1, 0.0);
   bench.advance(2.0);
-  EXPECT_NEAR(0.2, bench.robot->pose().position.x(), 1e-9);
+  EXPECT_NEAR(0.2, bench.robot->state().pose.position.x(), 1e-9);
   bench.command<FootbotWheels>().drive(0.0, 0.5);
   bench.advance(1.0);
-  EXPECT_NEAR(0.5, bench.robot->pose().yaw, 1e-9);
+  EXPECT_NEAR(0.5, bench.robot->state().pose.yaw, 1e-9);
 }
 
 TEST(MockFootbot, DrivesACircleBackToItsStart) {
-  Bench bench(makeMockFootbot({}, {}));
+  Bench bench("footbot");
   bench.command<FootbotWheels>().drive(0.1, 2.0 * M_PI / 10.0);
   bench.advance(2.5);
   const double radius = 0.1 / (2.0 * M_PI / 10.0);
-  EXPECT_NEAR(radius, bench.robot->pose().position.x(), 1e-9);
-  EXPECT_NEAR(radius, bench.robot->pose().position.y(), 1e-9);
+  EXPECT_NEAR(radius, bench.robot->state().pose.position.x(), 1e-9);
+  EXPECT_NEAR(radius, bench.robot->state().pose.position.y(), 1e-9);
   bench.advance(7.5);
-  EXPECT_NEAR(0.0, bench.robot->pose().position.norm(), 1e-9);
+  EXPECT_NEAR(0.0, bench.robot->state().pose.position.norm(), 1e-9);
 }
 
 TEST(MockFootbot, FeelsAWallWhereItIs) {
   World world;
   world.walls.push_back({{-1.0, 0.135}, {1.0, 0.135}});  // on its left
-  Bench bench(makeMockFootbot(world, {}));
+  Bench bench("footbot", world);
   const FootbotProximity& proximity = bench.reading<FootbotProximity>();
-  EXPECT_NEAR(0.5F, proximity.value[6], 1e-6F) << "0.05 m from its side, half the range";
+  EXPECT_NEAR(0.125F, proximity.value[6], 1e-6F) << "0.05 m from its side, half the range";
   EXPECT_EQ(0.0F, proximity.value[0]);
   EXPECT_EQ(0.0F, proximity.value[18]);
   EXPECT_EQ(proximity.value[5], proximity.value[7]);
   EXPECT_LT(proximity.value[5], proximity.value[6]);
 }
 
+/// The simulator's sensor has the same law: a test of its own holds it against the same polynomial.
+TEST(MockFootbot, ReadsDistancesByTheLawOfTheDevice) {
+  for (const double distance : {0.0, 0.0137, 0.0271, 0.0613, 0.0891, 0.0999, 0.1003, 0.7}) {
+    World world;
+    world.walls.push_back(
+        {{-1.0, FootbotProximity::kRingRadius + distance}, {1.0, FootbotProximity::kRingRadius + distance}});
+    Bench bench("footbot", world);
+    const double fraction = std::min(distance / 0.1, 1.0);
+    EXPECT_NEAR(std::pow(1.0 - fraction, 3.0), bench.reading<FootbotProximity>().value[6], 1e-6) << distance;
+    EXPECT_FLOAT_EQ(Proximity::response(fraction), bench.reading<FootbotProximity>().value[6]) << distance;
+  }
+}
+
+TEST(MockFootbot, DrivesNoFasterThanItsWheels) {
+  Bench bench("footbot");
+  bench.command<FootbotWheels>().setAngularVelocity(1000.0, 1000.0);
+  bench.advance(1.0);
+  EXPECT_NEAR(0.3, bench.robot->state().pose.position.x(), 1e-9);
+  EXPECT_NEAR(0.3, bench.robot->state().twist.linear.x(), 1e-12);
+}
+
+TEST(MockFootbot, SeesNothingBeyondTheRangeOfItsCamera) {
+  Bench bench("footbot", worldWith({"nest", {2.05, 0.0, 0.0}, colors::kGreen, false}));
+  EXPECT_TRUE(bench.reading<FootbotCamera>().blobs.empty());
+  bench.command<FootbotWheels>().drive(0.1, 0.0);
+  bench.advance(1.0);
+  EXPECT_EQ(1U, bench.reading<FootbotCamera>().blobs.size());
+}
+
 TEST(MockFootbot, SeesABeaconMoveAsItDrives) {
-  Bench bench(makeMockFootbot(worldWith({"prey", {1.0, 1.0, 0.0}, colors::kYellow, false}), {}));
+  Bench bench("footbot", worldWith({"prey", {1.0, 1.0, 0.0}, colors::kYellow, false}));
   const auto& camera = bench.reading<FootbotCamera>();
   ASSERT_EQ(1U, camera.blobs.size());
   EXPECT_EQ(colors::kYellow, camera.blobs[0].color);
@@ -102,22 +103,22 @@ TEST(MockFootbot, SeesABeaconMoveAsItDrives) {
 }
 
 TEST(MockFootbot, GripsWhatIsNearAndTakesItAlong) {
-  Bench bench(makeMockFootbot(worldWith({"prey", {0.3, 0.0, 0.05}, colors::kYellow, true}), {}));
+  Bench bench("footbot", worldWith({"prey", {0.3, 0.0, 0.05}, colors::kYellow, true}));
   bench.command<FootbotGripper>().close();
   bench.advance(0.1);
   EXPECT_FALSE(bench.reading<FootbotGripperState>().gripping) << "out of reach";
   bench.command<FootbotWheels>().drive(0.1, 0.0);
   bench.advance(2.0);
   EXPECT_TRUE(bench.reading<FootbotGripperState>().gripping);
-  EXPECT_NEAR(0.31, bench.robot->world().beacons[0].at.x(), 1e-9) << "at its tip";
+  EXPECT_NEAR(0.31, bench.robot->state().world.beacons[0].at.x(), 1e-9) << "at its tip";
   bench.command<FootbotGripper>().open();
   bench.advance(0.5);
   EXPECT_FALSE(bench.reading<FootbotGripperState>().gripping);
-  EXPECT_NEAR(0.31, bench.robot->world().beacons[0].at.x(), 1e-9);
+  EXPECT_NEAR(0.31, bench.robot->state().world.beacons[0].at.x(), 1e-9);
 }
 
 TEST(MockFootbot, TurretFollows) {
-  Bench bench(makeMockFootbot({}, {}));
+  Bench bench("footbot");
   bench.command<FootbotTurret>().holdAngle(1.0);
   bench.advance(0.1);
   EXPECT_NEAR(0.3, bench.reading<FootbotTurretState>().angle, 1e-9) << "at 3 rad/s";
@@ -133,21 +134,49 @@ TEST(MockEyebot, FliesInItsOwnFrame) {
   Pose start;
   start.position.z() = 1.0;
   start.yaw = M_PI / 2.0;
-  Bench bench(makeMockEyebot({}, start));
+  Bench bench("eyebot", {}, start);
   bench.command<EyebotVelocity>().linear = {0.2, 0.1, 0.3};
   bench.advance(1.0);
-  EXPECT_NEAR(-0.1, bench.robot->pose().position.x(), 1e-9);
-  EXPECT_NEAR(0.2, bench.robot->pose().position.y(), 1e-9);
-  EXPECT_NEAR(1.3, bench.robot->pose().position.z(), 1e-9);
+  EXPECT_NEAR(-0.1, bench.robot->state().pose.position.x(), 1e-9);
+  EXPECT_NEAR(0.2, bench.robot->state().pose.position.y(), 1e-9);
+  EXPECT_NEAR(1.3, bench.robot->state().pose.position.z(), 1e-9);
   bench.command<EyebotVelocity>().linear = {0.0, 0.0, -0.5};
   bench.advance(5.0);
-  EXPECT_EQ(0.0, bench.robot->pose().position.z()) << "the ground";
+  EXPECT_EQ(0.0, bench.robot->state().pose.position.z()) << "the ground";
+}
+
+TEST(MockEyebot, FliesNoFasterThanItCan) {
+  Bench bench("eyebot");
+  EXPECT_EQ(1.5, bench.robot->state().pose.position.z()) << "its usual altitude";
+  bench.command<EyebotVelocity>().linear = {3.0, 4.0, 0.0};
+  bench.command<EyebotVelocity>().yaw_rate = -50.0;
+  bench.advance(kStep);
+  EXPECT_NEAR(1.0, bench.robot->state().twist.linear.norm(), 1e-12);
+  EXPECT_EQ(-2.0, bench.robot->state().twist.yaw_rate);
+}
+
+TEST(MockEyebot, SeesTheSpotOfItsLaser) {
+  Bench bench("eyebot");
+  EXPECT_TRUE(bench.reading<EyebotCamera>().blobs.empty());
+  bench.command<EyebotLaser>() = {true, M_PI / 2.0, 0.5};
+  bench.advance(kStep);
+  ASSERT_EQ(1U, bench.reading<EyebotCamera>().blobs.size());
+  const double left = 1.65 * std::tan(0.5);  // from 0.05 m ahead, 0.15 m above where it stands
+  EXPECT_NEAR(std::hypot(0.05, left), bench.reading<EyebotCamera>().blobs[0].distance, 1e-6);
+  EXPECT_NEAR(std::atan2(left, 0.05), bench.reading<EyebotCamera>().blobs[0].bearing, 1e-6);
+  bench.command<EyebotLaser>().tilt = 5.0;
+  bench.advance(kStep);
+  EXPECT_NEAR(1.65 * std::tan(0.8), bench.robot->state().spots.begin()->second.at.y(), 1e-9) << "its limit";
+  EXPECT_TRUE(bench.reading<EyebotCamera>().blobs.empty()) << "outside the cone of 45 degrees";
+  bench.command<EyebotLaser>().on = false;
+  bench.advance(kStep);
+  EXPECT_TRUE(bench.robot->state().spots.empty());
 }
 
 TEST(MockEyebot, SeesWhatIsInTheConeBelow) {
   Pose start;
   start.position.z() = 1.0;
-  Bench bench(makeMockEyebot(worldWith({"prey", {1.2, 0.0, 0.0}, colors::kYellow, false}), start));
+  Bench bench("eyebot", worldWith({"prey", {1.2, 0.0, 0.0}, colors::kYellow, false}), start);
   EXPECT_TRUE(bench.reading<EyebotCamera>().blobs.empty());
   bench.command<EyebotVelocity>().linear.x() = 0.5;
   bench.advance(1.0);
@@ -158,24 +187,24 @@ TEST(MockEyebot, SeesWhatIsInTheConeBelow) {
 TEST(MockEyebot, HangsByItsMagnet) {
   Pose start;
   start.position.z() = 2.0;
-  Bench bench(makeMockEyebot({}, start));
+  Bench bench("eyebot", {}, start);
   bench.command<EyebotMagnet>().on = true;
   bench.command<EyebotVelocity>().linear.z() = 0.5;
   bench.advance(0.5);
   EXPECT_FALSE(bench.reading<EyebotMagnetState>().attached);
   bench.advance(1.0);
   EXPECT_TRUE(bench.reading<EyebotMagnetState>().attached);
-  EXPECT_NEAR(3.0 - 0.54, bench.robot->pose().position.z(), 1e-9);
+  EXPECT_NEAR(3.0 - 0.54, bench.robot->state().pose.position.z(), 1e-9);
   bench.command<EyebotVelocity>().linear.z() = -0.5;
   bench.advance(1.0);
-  EXPECT_NEAR(3.0 - 0.54, bench.robot->pose().position.z(), 1e-9);
+  EXPECT_NEAR(3.0 - 0.54, bench.robot->state().pose.position.z(), 1e-9);
   bench.command<EyebotMagnet>().on = false;
   bench.advance(1.0);
-  EXPECT_NEAR(3.0 - 0.54 - 0.5, bench.robot->pose().position.z(), 1e-9);
+  EXPECT_NEAR(3.0 - 0.54 - 0.5, bench.robot->state().pose.position.z(), 1e-9);
 }
 
 TEST(MockHandbot, ArmsFollowAtLimitedSpeedWithinTheirBounds) {
-  Bench bench(makeMockHandbot({}, {}));
+  Bench bench("handbot");
   bench.command<HandbotArms>().left.shoulder = -1.5;
   bench.command<HandbotArms>().right.elbow = 9.0;
   bench.advance(0.5);
@@ -188,7 +217,7 @@ TEST(MockHandbot, ArmsFollowAtLimitedSpeedWithinTheirBounds) {
 }
 
 TEST(MockHandbot, HoldsWhatItsHandReaches) {
-  Bench bench(makeMockHandbot({}, {}));
+  Bench bench("handbot");
   bench.command<HandbotArms>().left.shoulder = -1.0;
   bench.advance(1.0);
   bench.command<HandbotHands>().left = true;
@@ -204,7 +233,7 @@ TEST(MockHandbot, HoldsWhatItsHandReaches) {
 }
 
 TEST(MockHandbot, ClimbsItsRope) {
-  Bench bench(makeMockHandbot({}, {}));
+  Bench bench("handbot");
   bench.command<HandbotRope>() = {true, 0.0};
   bench.advance(0.2);
   EXPECT_FALSE(bench.reading<HandbotRopeState>().attached) << "it flies up";
@@ -216,49 +245,12 @@ TEST(MockHandbot, ClimbsItsRope) {
   bench.command<HandbotRope>().winding_speed = 0.1;
   bench.advance(5.0);
   EXPECT_NEAR(3.0 - 0.29 - 0.5, rope.length, 1e-9);
-  EXPECT_NEAR(0.5, bench.robot->pose().position.z(), 1e-9);
+  EXPECT_NEAR(0.5, bench.robot->state().pose.position.z(), 1e-9);
   EXPECT_GT(rope.tension, 0.0);
   bench.command<HandbotRope>() = {false, 0.0};
   bench.advance(1.0);
   EXPECT_FALSE(rope.attached);
-  EXPECT_EQ(0.0, bench.robot->pose().position.z());
-}
-
-TEST(MockDriversWatchdog, StopsWhatHasHadNoCommandForTooLong) {
-  Bench bench(makeMockFootbot({}, {}));
-  CommandWatchdog watchdog(*bench.robot, 0.5);
-  const auto advance = [&](double seconds) {
-    for (int i = 0; i < static_cast<int>(std::lround(seconds / kStep)); ++i) {
-      watchdog.advance(kStep);
-      bench.robot->advance(kStep);
-    }
-  };
-  bench.command<FootbotWheels>().drive(0.1, 0.0);
-  bench.command<FootbotGripper>().close();
-  watchdog.commanded(0);
-  advance(0.4);
-  watchdog.commanded(0);
-  advance(0.4);
-  EXPECT_NEAR(0.08, bench.robot->pose().position.x(), 1e-9);
-  advance(1.0);
-  EXPECT_TRUE(watchdog.hasExpired(0));
-  EXPECT_FALSE(watchdog.hasExpired(1)) << "it never had a command";
-  EXPECT_EQ(0.0, bench.command<FootbotWheels>().left);
-  EXPECT_TRUE(bench.command<FootbotGripper>().closed);
-  EXPECT_NEAR(0.09, bench.robot->pose().position.x(), 0.0021);
-}
-
-TEST(MockWorld, IsReadFromParametersAndRefusesOthers) {
-  Configuration values("world", "", {"/w", 0});
-  Configuration& walls = values.add(Configuration("walls", "", {"/w", 0}));
-  walls.set("front", "1, -1, 1, 1");
-  EXPECT_NEAR(1.0, distanceToWall(readWorld(values), {0.0, 0.0}, 0.0), 1e-12);
-  EXPECT_NEAR(std::sqrt(1.25), distanceToWall(readWorld(values), {0.0, 0.0}, std::atan(0.5)), 1e-12);
-  EXPECT_TRUE(std::isinf(distanceToWall(readWorld(values), {0.0, 0.0}, M_PI)));
-  EXPECT_TRUE(std::isinf(distanceToWall(readWorld(values), {0.0, 2.0}, 0.0)));
-  EXPECT_THROW(makeMockRobot("footboot", values), ConfigError);
-  values.set("ceilin", "2");
-  EXPECT_THROW(makeMockRobot("footbot", values), ConfigError);
+  EXPECT_EQ(0.0, bench.robot->state().pose.position.z());
 }
 
 }  // namespace

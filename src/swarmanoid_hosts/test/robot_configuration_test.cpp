@@ -5,12 +5,14 @@
 namespace swarmanoid {
 namespace {
 
-const std::vector<KnownDevice> kKnown{{"footbot_wheels", false, {"wheels/command", "cmd_vel"}},
-                                      {"footbot_leds", false, {"leds/command"}},
-                                      {"eyebot_velocity", false, {"cmd_vel"}},
-                                      {"footbot_proximity", true, {"proximity"}},
-                                      {"eyebot_camera", true, {"camera/blobs"}},
-                                      {"my_sensor", true, {"mine"}}};
+const std::vector<KnownDevice> kKnown{{"footbot_wheels", false, "footbot", {"wheels/command", "cmd_vel"}},
+                                      {"footbot_leds", false, "footbot", {"leds/command"}},
+                                      {"eyebot_velocity", false, "eyebot", {"cmd_vel"}},
+                                      {"footbot_proximity", true, "footbot", {"proximity"}},
+                                      {"eyebot_camera", true, "eyebot", {"camera/blobs"}},
+                                      {"handbot_rope", false, "handbot", {"rope/command"}},
+                                      {"my_sensor", true, "", {"mine"}},
+                                      {"my_wheels", false, "", {"wheels"}}};
 
 Configuration smallest() {
   Configuration values("configuration", "", {"/fb_1_controller/configuration", 0});
@@ -86,6 +88,19 @@ TEST(RobotConfiguration, ReadsEverything) {
 TEST(RobotConfiguration, MayHaveNoSensors) {
   EXPECT_EQ("", refusalOf("sensors", ""));
   EXPECT_EQ("", refusalOf("sensors", "my_sensor")) << "devices of one's own fit every robot";
+}
+
+/// Robots that exist as a description only have devices for any robot; no device names their type.
+TEST(RobotConfiguration, TakesRobotsThatNoDeviceNames) {
+  Configuration values("configuration", "", {"/c", 0});
+  values.set("robot_type", "epuck");
+  values.set("sensors", "my_sensor");
+  values.set("actuators", "my_wheels");
+  const RobotConfiguration read = readRobotConfiguration(values, kKnown);
+  EXPECT_EQ("epuck", read.robot_type);
+  EXPECT_EQ("wheels", read.actuators[0].topic);
+  EXPECT_EQ("/c: robot_type: found 'epuck', allowed: footbot, eyebot, handbot", refusalOf("robot_type", "epuck"))
+      << "it has devices of a footbot";
 }
 
 TEST(RobotConfiguration, SaysWhatIsWrongWithValues) {

@@ -1,6 +1,7 @@
 #include "swarmanoid_interface/device_type.hpp"
 
 #include <map>
+#include <set>
 
 namespace swarmanoid {
 namespace {
@@ -28,6 +29,16 @@ std::vector<const DeviceType*> deviceTypes() {
     result.push_back(&type);
   }
   return result;
+}
+
+std::vector<std::string> robotTypesOfDevices() {
+  std::set<std::string> robots;
+  for (const auto& [name, type] : types()) {
+    if (!type.robot.empty()) {
+      robots.insert(type.robot);
+    }
+  }
+  return {robots.begin(), robots.end()};
 }
 
 const char* toString(DeviceKind kind) { return kind == DeviceKind::kSensor ? "sensor" : "actuator"; }

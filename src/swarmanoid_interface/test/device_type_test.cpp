@@ -3,12 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
 #include <limits>
+#include <regex>
 
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+#include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -45,12 +52,49 @@ TEST(DeviceTypeTest, EveryDeviceOfTheSuiteIsThere) {
       names.push_back(type->type);
     }
   }
-  const std::vector<std::string> expected{
-      "eyebot_camera",      "eyebot_laser",   "eyebot_leds",          "eyebot_magnet",         "eyebot_magnet_state",
-      "eyebot_velocity",    "footbot_camera", "footbot_gripper",      "footbot_gripper_state", "footbot_leds",
-      "footbot_proximity",  "footbot_turret", "footbot_turret_state", "footbot_wheels",        "handbot_arms",
-      "handbot_arms_state", "handbot_hands",  "handbot_hands_state",  "handbot_rope",          "handbot_rope_state"};
+  std::vector<std::string> expected;
+  const std::regex type("kType = \"(\\w+)\"");
+  for (const auto& header : std::filesystem::directory_iterator(DEVICES)) {
+    std::ifstream file(header.path());
+    const std::string text{std::istreambuf_iterator<char>(file), {}};
+    for (std::sregex_iterator found(text.begin(), text.end(), type); found != std::sregex_iterator(); ++found) {
+      expected.push_back((*found)[1]);
+    }
+  }
+  std::sort(expected.begin(), expected.end());
+  EXPECT_GE(expected.size(), 20U);
   EXPECT_EQ(expected, names);
+}
+
+TEST(DeviceTypeTest, SaysWhichRobotHasTheDevice) {
+  EXPECT_EQ("footbot", findDeviceType("footbot_wheels")->robot);
+  EXPECT_EQ("eyebot", findDeviceType("eyebot_leds")->robot);
+  EXPECT_EQ("", findDeviceType("winch_of_a_test")->robot) << "any robot may have it";
+  EXPECT_EQ((std::vector<std::string>{"eyebot", "footbot", "handbot"}), robotTypesOfDevices());
+}
+
+TEST(DeviceTypeTest, NumbersAreBroughtIntoTheRangesOfTheirFields) {
+  HandbotArms arms;
+  arms.left = {-9.0, 0.5, 9.0};
+  limitToRanges(arms);
+  EXPECT_EQ(-1.57, arms.left.shoulder);
+  EXPECT_EQ(0.5, arms.left.elbow) << "is in its range";
+  EXPECT_EQ(3.14, arms.left.wrist);
+  FootbotProximity ring;
+  ring.value[7] = 1.5F;
+  limitToRanges(ring);
+  EXPECT_EQ(1.0F, ring.value[7]);
+  FootbotWheels wheels;
+  wheels.left = 1e6;
+  limitToRanges(wheels);
+  EXPECT_EQ(1e6, wheels.left) << "has no range";
+}
+
+/// One closeness is worked out by hand: at 0.0613 of 0.1 m it is 0.387.
+TEST(DeviceTypeTest, ProximityFallsWithTheCubeOfTheDistance) {
+  EXPECT_EQ(1.0F, Proximity::response(0.0));
+  EXPECT_EQ(0.0F, Proximity::response(1.0));
+  EXPECT_FLOAT_EQ(0.057960603F, Proximity::response(0.613));
 }
 
 /// The size of the fixed fields that a layout names [bytes].
@@ -97,9 +141,9 @@ TEST(DeviceTypeTest, LayoutsNameTheFields) {
 
 std::vector<std::string> namesOf(const std::string& type) {
   std::vector<std::string> names;
-  for (const NumberName& name : findDeviceType(type)->names) {
+  for (const DeviceNumber& name : findDeviceType(type)->numbers) {
     names.push_back(name.name);
-    for (const NumberName& element : name.elements) {
+    for (const DeviceNumber& element : name.elements) {
       names.push_back(name.name + "[]." + element.name);
     }
   }
@@ -117,6 +161,37 @@ TEST(DeviceTypeTest, NumbersHaveNamesInTheOrderOfTheBytes) {
   EXPECT_EQ((std::vector<std::string>{"blobs", "blobs[].color.red", "blobs[].color.green", "blobs[].color.blue",
                                       "blobs[].bearing", "blobs[].distance", "overflowed"}),
             namesOf("eyebot_camera"));
+}
+
+TEST(DeviceTypeTest, NumbersHaveTheirPlaces) {
+  using Kind = DeviceNumber::Kind;
+  const std::vector<DeviceNumber>& wheels = findDeviceType("footbot_wheels")->numbers;
+  EXPECT_EQ(offsetof(FootbotWheels, right), wheels[1].offset);
+  const DeviceType& turret = *findDeviceType("footbot_turret");
+  EXPECT_EQ(Kind::kEnumeration, turret.numbers[0].kind);
+  EXPECT_EQ("u1", turret.numbers[0].type);
+  EXPECT_EQ(offsetof(FootbotTurret, speed), turret.numbers[2].offset);
+  EXPECT_EQ("speed", turret.fields[turret.numbers[2].field].name);
+  const DeviceType& camera = *findDeviceType("footbot_camera");
+  ASSERT_EQ(Kind::kSpan, camera.numbers[0].kind);
+  EXPECT_EQ(Kind::kTruthValue, camera.numbers[1].kind);
+  const DeviceNumber& distance = camera.numbers[0].elements.back();
+  EXPECT_EQ(offsetof(ColorBlob, distance), distance.offset);
+  EXPECT_EQ("blobs[].distance", camera.fields[distance.field].name);
+  EXPECT_TRUE(camera.fields[camera.numbers[0].elements[3].field].wraps);
+  EXPECT_FALSE(camera.fields[distance.field].wraps);
+}
+
+TEST(DeviceTypeTest, SpansAreReadAndSetAsBytes) {
+  const std::vector<ColorBlob> blobs{{colors::kYellow, 0.5F, 2.0F}, {colors::kRed, -3.0F, 0.25F}};
+  FootbotCamera camera;
+  camera.blobs = blobs;
+  const DeviceNumber& span = findDeviceType("footbot_camera")->numbers[0];
+  auto* place = reinterpret_cast<std::byte*>(&camera) + span.offset;
+  EXPECT_EQ(2 * sizeof(ColorBlob), span.span.bytes(place).size());
+  span.span.set(place, &blobs[1], 1);
+  ASSERT_EQ(1U, camera.blobs.size());
+  EXPECT_EQ(&blobs[1], camera.blobs.data());
 }
 
 TEST(DeviceTypeTest, FieldsAreDescribed) {

@@ -6,9 +6,10 @@ namespace swarmanoid {
 
 std::string Engine::unsupportedStateReason(const Space& space, Row row) const {
   std::string reason;
-  space.attachments.visit(row, [&](Attachment::Kind kind, const Attachment&) {
+  space.attachments.visit(row, [&](std::size_t holder, const Attachment&) {
     if (reason.empty()) {
-      reason = std::string("holds on to something by its ") + toString(kind) + ", which this engine cannot hold";
+      reason = "holds on to something by its " + space.entities.model[row]->holders[holder].name +
+               ", which this engine cannot hold";
     }
   });
   return reason;

@@ -8,10 +8,9 @@ namespace swarmanoid {
 namespace {
 
 bool isInReach(const Space& space, const RayBundle& rays, Row row) {
-  const auto i = static_cast<std::size_t>(row);
-  const double reach = rays.radius + space.entities.model[i]->bounding_radius;
+  const double reach = rays.radius + space.entities.model[row]->bounding_radius;
   return row != rays.ignored && row != rays.also_ignored &&
-         (space.entities.pose[i].position - rays.centre).squaredNorm() <= reach * reach;
+         (space.entities.pose[row].position - rays.centre).squaredNorm() <= reach * reach;
 }
 
 }  // namespace
@@ -37,9 +36,8 @@ void Space::raycast(const RayBundle& rays, Span<RayHit> hits) const {
     if (!isInReach(*this, rays, row)) {
       continue;
     }
-    const auto i = static_cast<std::size_t>(row);
     for (std::size_t k = 0; k < rays.segments.size(); ++k) {
-      const double fraction = closestHit(rays.segments[k], *entities.model[i], entities.pose[i]);
+      const double fraction = closestHit(rays.segments[k], *entities.model[row], entities.pose[row]);
       if (fraction < hits[k].fraction) {
         hits[k] = {fraction, row};
       }
@@ -60,17 +58,5 @@ RayHit Space::castRay(const Segment& segment, Row ignored, Row also_ignored) con
 }
 
 bool Space::isOccluded(const Segment& segment, Row from, Row to) const { return castRay(segment, from, to).isHit(); }
-
-void Space::fitRows() {
-  const std::size_t rows = entities.rowCount();
-  structure.resize(rows);
-  attachments.resize(rows);
-  joints.resize(rows * EntityModel::kMaxJoints);
-  leds.resize(rows * EntityModel::kMaxLeds);
-  mover.resize(rows, nullptr);
-  robots.resize(rows);
-  controllers.resize(rows);
-  outside.resize(rows, 0);
-}
 
 }  // namespace swarmanoid

@@ -2,10 +2,11 @@
 
 #include <array>
 #include <memory>
-#include <string>
+#include <string_view>
 
+#include "swarmanoid_interface/byte_stream.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/space.hpp"
-#include "visit_state.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -27,13 +28,13 @@ class Hasher {
     const std::array<double, 4> values{q.w() + 0.0, q.x() + 0.0, q.y() + 0.0, q.z() + 0.0};
     XXH3_64bits_update(state_.get(), values.data(), sizeof(values));
   }
-  void add(const std::string& text) {
+  void add(std::string_view text) {
     add(static_cast<std::uint64_t>(text.size()));
     XXH3_64bits_update(state_.get(), text.data(), text.size());
   }
-  void add(const Color* colors, std::size_t count) {
+  void add(Span<const Color> colors) {
     static_assert(sizeof(Color) == 3, "colours have no padding");
-    XXH3_64bits_update(state_.get(), colors, count * sizeof(Color));
+    XXH3_64bits_update(state_.get(), colors.data(), colors.size() * sizeof(Color));
   }
   std::uint64_t digest() const { return XXH3_64bits_digest(state_.get()); }
 
@@ -44,24 +45,23 @@ class Hasher {
   std::unique_ptr<XXH3_state_t, Free> state_;
 };
 
-/// Adds what a visit of the state comes by. Names are not hashed.
-class HashVisitor {
+/// Adds what a visit of the state passes. Names are not hashed.
+class HashVisitor final : public StateVisitor {
  public:
   explicit HashVisitor(const Space& space) : space_(space) { hasher_.add(space.tick); }
 
-  void beginEntity(Row row) { hasher_.add(space_.entities.number[static_cast<std::size_t>(row)]); }
-  void beginWorld() {}
-  template <class Value>
-  void number(const FieldName&, Value value) {
-    hasher_.add(static_cast<double>(value));
+  void beginEntity(Row row) override { hasher_.add(static_cast<std::uint64_t>(space_.entities.number[row])); }
+  void beginWorld() override {}
+  void number(const FieldName&, double value) override { hasher_.add(value); }
+  void vector(const FieldName&, const Eigen::Vector3d& value) override { hasher_.add(value); }
+  void quaternion(const FieldName&, const Eigen::Quaterniond& value) override { hasher_.add(value); }
+  void colors(const FieldName&, Span<const Color> values) override { hasher_.add(values); }
+  void entity(const FieldName&, Row value) override {
+    hasher_.add(static_cast<std::uint64_t>(value == kNoRow ? kNoEntity : space_.entities.number[value]));
   }
-  void vector(const FieldName&, const Eigen::Vector3d& value) { hasher_.add(value); }
-  void quaternion(const FieldName&, const Eigen::Quaterniond& value) { hasher_.add(value); }
-  void colors(const FieldName&, const Color* first, std::size_t) { hasher_.add(first, EntityModel::kMaxLeds); }
-  void entity(const FieldName&, EntityNumber number) { hasher_.add(number); }
-  void ordinal(std::uint64_t number) { hasher_.add(number); }
-  void text(const FieldName&, const std::string& value) { hasher_.add(value); }
-  HashVisitor* detail() { return nullptr; }
+  void text(const FieldName&, std::string_view value) override { hasher_.add(value); }
+  void ordinal(std::size_t index) override { hasher_.add(static_cast<std::uint64_t>(index)); }
+  bool wantsDetail() const override { return false; }
 
   std::uint64_t digest() const { return hasher_.digest(); }
 
@@ -74,8 +74,25 @@ class HashVisitor {
 
 std::uint64_t stateHash(const Space& space) {
   HashVisitor visitor(space);
-  StateVisit(space, visitor).run();
+  visitState(space, visitor);
   return visitor.digest();
+}
+
+std::uint64_t deepHash(const Space& space) {
+  Hasher hasher;
+  hasher.add(stateHash(space));
+  Bytes bytes;
+  for (const Row row : space.entities.order) {
+    for (const Banks* banks : {&space.readings, &space.commands}) {
+      banks->visit(row, [&](const std::string& type, const void* device) {
+        bytes.clear();
+        ByteWriter out(bytes);
+        findDeviceType(type)->write(device, out);
+        hasher.add(std::string_view(reinterpret_cast<const char*>(bytes.data()), bytes.size()));
+      });
+    }
+  }
+  return hasher.digest();
 }
 
 }  // namespace swarmanoid

@@ -28,13 +28,13 @@ TEST(EntitiesTest, NumbersBeginAtOneAndAreNeverUsedAgain) {
   std::mt19937 random(3);
   for (int i = 0; i < 5000; ++i) {
     const Row row = add(entities, "e" + std::to_string(i));
-    EXPECT_TRUE(numbers.insert(entities.number[static_cast<std::size_t>(row)]).second);
+    EXPECT_TRUE(numbers.insert(entities.number[row]).second);
     if (random() % 4 != 0) {
       entities.remove(entities.order[random() % entities.size()]);
     }
   }
-  EXPECT_EQ(*numbers.begin(), 1U);
-  EXPECT_EQ(*numbers.rbegin(), 5000U);
+  EXPECT_EQ(*numbers.begin(), EntityNumber{1});
+  EXPECT_EQ(*numbers.rbegin(), EntityNumber{5000});
   EXPECT_LT(entities.rowCount(), 2000U) << "rows are used again";
 }
 
@@ -42,7 +42,7 @@ TEST(EntitiesTest, ANumberOfTheDeadFindsNobodyEvenWhenItsRowLivesAgain) {
   Entities entities;
   add(entities, "a");
   const Row b = add(entities, "b");
-  const EntityNumber number_of_b = entities.number[static_cast<std::size_t>(b)];
+  const EntityNumber number_of_b = entities.number[b];
   add(entities, "c");
   entities.remove(b);
   EXPECT_EQ(entities.find("b"), kNoRow);
@@ -52,7 +52,7 @@ TEST(EntitiesTest, ANumberOfTheDeadFindsNobodyEvenWhenItsRowLivesAgain) {
   EXPECT_EQ(again, b);
   EXPECT_EQ(entities.find(number_of_b), kNoRow);
   EXPECT_EQ(entities.find("b"), again);
-  EXPECT_EQ(entities.find(entities.number[static_cast<std::size_t>(again)]), again);
+  EXPECT_EQ(entities.find(entities.number[again]), again);
   EXPECT_EQ(entities.find(kNoEntity), kNoRow);
   EXPECT_EQ(entities.find(EntityNumber{1000}), kNoRow);
 }
@@ -66,10 +66,10 @@ TEST(EntitiesTest, OrderIsByNumberWhateverHappened) {
     if (random() % 2 == 0) {
       entities.remove(entities.order[random() % entities.size()]);
     }
-    EntityNumber previous = 0;
+    EntityNumber previous = kNoEntity;
     std::set<Row> rows;
     for (const Row each : entities.order) {
-      const EntityNumber number = entities.number[static_cast<std::size_t>(each)];
+      const EntityNumber number = entities.number[each];
       ASSERT_GT(number, previous);
       ASSERT_TRUE(rows.insert(each).second);
       previous = number;
@@ -80,16 +80,15 @@ TEST(EntitiesTest, OrderIsByNumberWhateverHappened) {
 TEST(EntitiesTest, ARowThatLivesAgainRemembersNothing) {
   Entities entities;
   const Row row = add(entities, "old");
-  const auto i = static_cast<std::size_t>(row);
-  entities.twist[i].linear.x() = 1.0;
+  entities.twist[row].linear.x() = 1.0;
   entities.remove(row);
-  EXPECT_EQ(entities.model[i], nullptr) << "a model that nobody uses is let go";
+  EXPECT_EQ(entities.model[row], nullptr) << "a model that nobody uses is let go";
   const Pose pose{{1.0, 2.0, 3.0}, Eigen::Quaterniond::Identity()};
   ASSERT_EQ(entities.add("new", cylindricPreyModel(0.1, 0.2), pose, colors::kBlue), row);
-  EXPECT_EQ(entities.twist[i].linear, Eigen::Vector3d::Zero());
-  EXPECT_EQ(entities.pose[i].position, pose.position);
-  EXPECT_EQ(entities.color[i], colors::kBlue);
-  EXPECT_EQ(entities.model[i]->type, "cylindric_prey");
+  EXPECT_EQ(entities.twist[row].linear, Eigen::Vector3d::Zero());
+  EXPECT_EQ(entities.pose[row].position, pose.position);
+  EXPECT_EQ(entities.color[row], colors::kBlue);
+  EXPECT_EQ(entities.model[row]->type, "cylindric_prey");
 }
 
 TEST(EntitiesTest, ClearingForgetsNumbersToo) {
@@ -98,7 +97,7 @@ TEST(EntitiesTest, ClearingForgetsNumbersToo) {
   entities.clear();
   EXPECT_EQ(entities.size(), 0U);
   EXPECT_EQ(entities.rowCount(), 0U);
-  EXPECT_EQ(entities.number[static_cast<std::size_t>(add(entities, "a"))], 1U);
+  EXPECT_EQ(entities.number[add(entities, "a")], EntityNumber{1});
 }
 
 TEST(EntitiesTest, AnglesAreTurnsAboutXThenYThenZ) {
@@ -131,32 +130,32 @@ TEST(EntitiesTest, UprightBeyondTheVerticalGivesAnglesOfTheSameOrientation) {
 TEST(BankTest, AddressesStayWhileOthersComeAndGo) {
   Bank<FootbotWheels> bank;
   std::vector<FootbotWheels*> slots;
-  for (Row row = 0; row < 3000; ++row) {
-    slots.push_back(&bank.add(row));
-    slots.back()->left = row;
+  for (int i = 0; i < 3000; ++i) {
+    slots.push_back(&bank.add(Row{i}));
+    slots.back()->left = i;
   }
   EXPECT_EQ(std::set<FootbotWheels*>(slots.begin(), slots.end()).size(), slots.size());
-  for (Row row = 0; row < 3000; row += 2) {
-    bank.remove(row);
+  for (int i = 0; i < 3000; i += 2) {
+    bank.remove(Row{i});
   }
-  for (Row row = 3000; row < 5000; ++row) {
-    EXPECT_EQ(bank.add(row).left, 0.0) << "a slot that is used again has the initial value";
+  for (int i = 3000; i < 5000; ++i) {
+    EXPECT_EQ(bank.add(Row{i}).left, 0.0) << "a slot that is used again has the initial value";
   }
-  for (Row row = 1; row < 3000; row += 2) {
-    ASSERT_EQ(bank.find(row), slots[static_cast<std::size_t>(row)]);
-    ASSERT_EQ(bank.find(row)->left, row);
+  for (int i = 1; i < 3000; i += 2) {
+    ASSERT_EQ(bank.find(Row{i}), slots[static_cast<std::size_t>(i)]);
+    ASSERT_EQ(bank.find(Row{i})->left, i);
   }
-  EXPECT_EQ(bank.find(0), nullptr);
-  EXPECT_EQ(bank.find(1000000), nullptr);
+  EXPECT_EQ(bank.find(Row{0}), nullptr);
+  EXPECT_EQ(bank.find(Row{1000000}), nullptr);
 }
 
 TEST(BankTest, BanksAreFoundByTheNameOfTheDevice) {
   Banks banks;
-  EXPECT_EQ(banks.find<FootbotWheels>(0), nullptr);
-  FootbotWheels& wheels = banks.bank<FootbotWheels>().add(0);
-  EXPECT_EQ(banks.find<FootbotWheels>(0), &wheels);
-  EXPECT_EQ(banks.find("footbot_wheels", 0), &wheels);
-  EXPECT_EQ(banks.find("footbot_leds", 0), nullptr);
+  EXPECT_EQ(banks.find<FootbotWheels>(Row{0}), nullptr);
+  FootbotWheels& wheels = banks.bank<FootbotWheels>().add(Row{0});
+  EXPECT_EQ(banks.find<FootbotWheels>(Row{0}), &wheels);
+  EXPECT_EQ(banks.find("footbot_wheels", Row{0}), &wheels);
+  EXPECT_EQ(banks.find("footbot_leds", Row{0}), nullptr);
 }
 
 }  // namespace

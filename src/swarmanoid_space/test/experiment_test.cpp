@@ -81,6 +81,7 @@ class ExperimentTest : public testing::Test {
     add(PluginKind::kSensor, "eye", "blobs", {parameter("range", Type::kNumber, "1", {0.0, 9.0})}, {"pie"},
         {"old_eye"});
     add(PluginKind::kSensor, "eye", "pixels", {parameter("width", Type::kInteger, std::nullopt, {1.0, 4096.0})});
+    add(PluginKind::kSensor, "sonar", "default", {parameter("error", Type::kNumber, "0")});
     add(PluginKind::kEngine, "plane", "", {parameter("height", Type::kNumber, "0")}, {"old_plane"});
     add(PluginKind::kObserver, "table", "", {parameter("file", Type::kText, "")});
   }
@@ -133,7 +134,18 @@ TEST_F(ExperimentTest, ReadsControllersWithTheirDevices) {
 TEST_F(ExperimentTest, EachImplementationHasItsOwnParameters) {
   std::string text = kFile;
   text.replace(text.find(" old_eye "), 9, "pixels");
-  EXPECT_EQ(refusal({}, text), "some.xml:10: found tag 'range', allowed: width, implementation (in <eye>)");
+  EXPECT_EQ(refusal({}, text), "some.xml:10: found tag 'range', allowed: width, implementation, error (in <eye>)");
+}
+
+TEST_F(ExperimentTest, TheTagErrorIsNoParameter) {
+  std::string text = kFile;
+  const std::string eye = "<eye><implementation> old_eye </implementation><range>2</range></eye>";
+  text.replace(text.find(eye), eye.size(), "<sonar/>");
+  EXPECT_EQ(refusal({}, text),
+            "some.xml:10: found the parameter 'error' of the implementation 'default', allowed: another name, since "
+            "<error> in a device is an error model");
+  text.replace(text.find("<sonar/>"), 8, "<eye><implementation>blobs</implementation><error kind='dead'/></eye>");
+  EXPECT_EQ(refusal({}, text), "some.xml:10: found an error of 'eye', allowed: of a device with REGISTER_DEVICE");
 }
 
 TEST_F(ExperimentTest, AnImplementationIsNamedWhereNoneIsTheDefault) {
@@ -203,9 +215,62 @@ TEST_F(ExperimentTest, ReadsFiles) {
 
 TEST_F(ExperimentTest, RefusesWhatIsNoExperiment) {
   EXPECT_EQ(refusal({}, ""), "some.xml: found an empty file, allowed: an <ahss-config> element");
-  EXPECT_EQ(refusal({}, "<!-- nothing -->"), "some.xml: found no element, allowed: an <ahss-config> element");
+  EXPECT_EQ(refusal({}, "<!-- nothing -->"), "some.xml:1: found no well-formed XML: Start tag expected, '<' not found");
   EXPECT_EQ(refusal({}, std::string("<ahss-config>\n\0</ahss-config>", 29)),
             "some.xml:2: found a zero byte, allowed: text");
+  EXPECT_EQ(refusal({}, "<?xml version='1.0' encoding='ISO-8859-1'?>\n<ahss-config>\xE9</ahss-config>"),
+            "some.xml:2: found bytes that are no text in UTF-8, allowed: UTF-8");
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string result;
+  for (int i = 0; i < count; ++i) {
+    result += text;
+  }
+  return result;
+}
+
+TEST_F(ExperimentTest, RefusesWhatWouldTakeTimeOrMemoryWithoutBounds) {
+  EXPECT_EQ(refusal({}, "<ahss-config>\n" + repeated("<a>", 20000)),
+            "some.xml:2: found elements nested more than 200 deep, allowed: fewer");
+  EXPECT_EQ(refusal({}, "<ahss-config>\n<" + std::string(60000, 'a') + "/></ahss-config>"),
+            "some.xml:2: found no well-formed XML: Name too long: NCName");
+  EXPECT_EQ(refusal({}, "<ahss-config>\n&#" + std::string(30000, '7') + ";</ahss-config>"),
+            "some.xml:2: found no well-formed XML: xmlParseCharRef: character reference out of bounds");
+  // entities of entities of entities: the document type that would hold them is refused
+  EXPECT_EQ(refusal({}, "<!DOCTYPE a [<!ENTITY b 'c'><!ENTITY d '&b;&b;'>]><ahss-config>&d;</ahss-config>"),
+            "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
+  EXPECT_EQ(refusal({}, "<!DOCTYPE a SYSTEM '/etc/passwd'><ahss-config/>"),
+            "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
+}
+
+TEST_F(ExperimentTest, CountsLinesHoweverManyTheyAreAndWhereverATagEnds) {
+  const std::string text =
+      "<ahss-config>" + repeated("\n", 70000) + "<framework\n  speed='1'\n/>\n<arena/></ahss-config>";
+  EXPECT_EQ(refusal({}, text), "some.xml:70001: found attribute 'speed', allowed: none (in <framework>)");
+  EXPECT_EQ(refusal({}, "<ahss-config>" + repeated("\n", 70000) + "text &amp; text\n\n<arena/></ahss-config>"),
+            "some.xml:70001: found the text 'text & text' in <ahss-config>, allowed: only elements");
+}
+
+TEST_F(ExperimentTest, ReadsReferencesAndSectionsOfCharacters) {
+  std::string text = kFile;
+  const auto read = [&](const std::string& maxclock) {
+    std::string changed = text;
+    changed.replace(changed.find("500"), 3, maxclock);
+    return parseExperiment(changed, "some.xml").framework.max_clock;
+  };
+  EXPECT_EQ(read("2&#" + std::string(30000, '0') + "48;"), 20U);
+  EXPECT_EQ(read("&#x33;<![CDATA[4]]>5"), 345U);
+}
+
+TEST_F(ExperimentTest, ValuesOfOverridesStandForThemselves) {
+  for (const char* value : {"a&amp;b", "<b>", "&#48;", "\xC3\xA9"}) {
+    EXPECT_EQ(parse({{"visualisations.t.file", value}}).visualisations[0].parameters.text("file"), value);
+    EXPECT_EQ(refusal({{"arena.bounded", value}}),
+              "--set arena.bounded: bounded: found '" + std::string(value) + "', allowed: true, false");
+  }
+  EXPECT_EQ(refusal({{"visualisations.t.file", "\xE9"}}),
+            "--set visualisations.t.file: found bytes that are no text in UTF-8, allowed: UTF-8");
 }
 
 TEST_F(ExperimentTest, OverridesReplaceValues) {

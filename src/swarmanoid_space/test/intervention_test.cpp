@@ -33,8 +33,8 @@ class HomelessActuator final : public ActuatorOf<TestDevice> {
 
  protected:
   void prepareInstance(const Space& space, BasicActuatorInstance<TestDevice>& instance) override {
-    if (space.entities.name[static_cast<std::size_t>(instance.row)] == "homeless") {
-      space.entities.model[static_cast<std::size_t>(instance.row)]->mount("nowhere");
+    if (space.entities.name[instance.row] == "homeless") {
+      space.entities.model[instance.row]->mount("nowhere");
     }
   }
 };
@@ -91,7 +91,7 @@ class InterventionTest : public testing::Test {
     }
     EXPECT_EQ(simulation->stateHash(), hash);
     EXPECT_EQ(simulation->robotCount(), robots);
-    EXPECT_EQ(simulation->space().entities.find("fb"), 0);
+    EXPECT_EQ(simulation->space().entities.find("fb"), Row{0});
     simulation->tick();
     return message;
   }
@@ -134,13 +134,13 @@ TEST_F(InterventionTest, ADeviceThatFindsNoPlaceLeavesNothingBehind) {
 TEST_F(InterventionTest, AControllerThatDoesNotStartLeavesNothingBehind) {
   EXPECT_EQ(refusal(description("footbot", "unwilling", "tc")),
             "world.xml:5: controller 'tc' of 'unwilling' does not start: does not want to");
-  EXPECT_EQ(simulation->space().commands.find<TestDevice>(2), nullptr);
+  EXPECT_EQ(simulation->space().commands.find<TestDevice>(Row{2}), nullptr);
 }
 
 TEST_F(InterventionTest, EventsTellWhatHappenedInTheNextTick) {
   simulation->spawn(description("footbot", "x", "tc"), {});
   simulation->move("x", {{4.0, 4.0, 0.0}, Eigen::Quaterniond(2.0, 0.0, 0.0, 0.0)});
-  EXPECT_EQ(simulation->space().entities.pose[2].orientation.norm(), 1.0);
+  EXPECT_EQ(simulation->space().entities.pose[rowAt(2)].orientation.norm(), 1.0);
   simulation->remove("x");
   simulation->tick();
   std::string told;

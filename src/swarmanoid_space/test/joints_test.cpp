@@ -10,7 +10,6 @@ namespace swarmanoid {
 namespace {
 
 using Eigen::Vector3d;
-using Kind = Attachment::Kind;
 
 TEST(JointsTest, AHandbotHasTwoArmsOfThreeJoints) {
   const auto handbot = robotModel("handbot");
@@ -52,7 +51,7 @@ TEST(JointsTest, WheelsAreNoJoints) { EXPECT_EQ(robotModel("footbot")->findJoint
 
 TEST(JointsTest, LinksAreWhereTheirJointsTurnThem) {
   const auto handbot = robotModel("handbot");
-  JointState states[EntityModel::kMaxJoints];
+  std::vector<JointState> states(handbot->joints.size());
   const Vector3d shoulder = handbot->mount("left_upper_arm").position;
   const Vector3d hand = handbot->mount("left_hand").position;
   EXPECT_TRUE(placeOf(*handbot, states, "left_hand").position.isApprox(hand));
@@ -93,7 +92,7 @@ TEST(JointsTest, AFootbotHasATurretThatCarriesTheGripper) {
 
 TEST(JointsTest, AModelIsPosedAsItsJointsAre) {
   const auto footbot = robotModel("footbot");
-  JointState states[EntityModel::kMaxJoints];
+  std::vector<JointState> states(footbot->joints.size());
   EXPECT_EQ(posedModel(footbot, states), footbot);
   states[0].angle = M_PI / 2.0;
   const auto posed = posedModel(footbot, states);
@@ -109,37 +108,42 @@ class AttachmentsTest : public ::testing::Test {
   AttachmentsTest() {
     for (const char* name : {"climber", "shelf", "book", "helper"}) {
       const bool is_fixed = name == std::string("shelf");
-      entities.add(name, blockModel(Vector3d::Ones(), is_fixed ? 0.0 : 1.0), Pose{}, Color{});
+      auto model = std::make_shared<EntityModel>(*blockModel(Vector3d::Ones(), is_fixed ? 0.0 : 1.0));
+      for (const char* holder : {"rope", "left hand", "right hand"}) {
+        model->holders.push_back({holder, EntityModel::Holder::Kind::kSuction, "", 0.0});
+      }
+      entities.add(name, model, Pose{}, Color{});
     }
-    structure.resize(entities.rowCount());
-    attachments.resize(entities.rowCount());
   }
 
-  static constexpr Row kClimber = 0;
-  static constexpr Row kShelf = 1;
-  static constexpr Row kBook = 2;
-  static constexpr Row kHelper = 3;
+  static constexpr std::size_t kRope = 0;
+  static constexpr std::size_t kLeftHand = 1;
+  static constexpr std::size_t kRightHand = 2;
+  static constexpr Row kClimber{0};
+  static constexpr Row kShelf{1};
+  static constexpr Row kBook{2};
+  static constexpr Row kHelper{3};
   Entities entities;
-  StructuralTree structure;
-  Attachments attachments;
+  StructuralTree structure{entities.columns};
+  Attachments attachments{entities};
 };
 
-TEST_F(AttachmentsTest, EachKindHoldsOneThing) {
-  attachments.attach(kClimber, Kind::kRope, {kShelf, Vector3d::Zero(), 0.0, 0.0});
-  attachments.attach(kClimber, Kind::kLeftHand, {kBook, Vector3d::Zero(), 0.0, 0.0});
-  EXPECT_TRUE(attachments.isAttached(kClimber, Kind::kRope));
-  EXPECT_FALSE(attachments.isAttached(kClimber, Kind::kRightHand));
+TEST_F(AttachmentsTest, EachHolderHoldsOneThing) {
+  attachments.attach(kClimber, kRope, {kShelf, Vector3d::Zero(), 0.0, 0.0});
+  attachments.attach(kClimber, kLeftHand, {kBook, Vector3d::Zero(), 0.0, 0.0});
+  EXPECT_TRUE(attachments.isAttached(kClimber, kRope));
+  EXPECT_FALSE(attachments.isAttached(kClimber, kRightHand));
   EXPECT_TRUE(attachments.isHeld(kBook));
   EXPECT_FALSE(attachments.isAttached(kBook));
-  attachments.detach(kClimber, Kind::kRope);
+  attachments.detach(kClimber, kRope);
   EXPECT_TRUE(attachments.isAttached(kClimber));
   attachments.isolate(kBook);
   EXPECT_FALSE(attachments.isAttached(kClimber));
 }
 
 TEST_F(AttachmentsTest, WhatHangsTogetherAndMovesIsConnected) {
-  attachments.attach(kClimber, Kind::kRope, {kShelf, Vector3d::Zero(), 0.0, 0.0});
-  attachments.attach(kClimber, Kind::kLeftHand, {kBook, Vector3d::Zero(), 0.0, 0.0});
+  attachments.attach(kClimber, kRope, {kShelf, Vector3d::Zero(), 0.0, 0.0});
+  attachments.attach(kClimber, kLeftHand, {kBook, Vector3d::Zero(), 0.0, 0.0});
   structure.connect(kHelper, kClimber);
   const std::vector<Row> all{kClimber, kHelper, kBook};
   EXPECT_EQ(connectedTo(entities, structure, attachments, kClimber), all);

@@ -45,17 +45,14 @@ class PositionalIndexTest : public testing::TestWithParam<Optimization> {
   std::vector<Row> byLookingAtEach(const Vector3d& centre, double radius, Row but = kNoRow) const {
     std::vector<Row> found;
     for (const Row row : entities.order) {
-      if (row != but &&
-          (entities.pose[static_cast<std::size_t>(row)].position - centre).squaredNorm() <= radius * radius) {
+      if (row != but && (entities.pose[row].position - centre).squaredNorm() <= radius * radius) {
         found.push_back(row);
       }
     }
     return found;
   }
 
-  double distance(Row row, const Vector3d& centre) const {
-    return (entities.pose[static_cast<std::size_t>(row)].position - centre).norm();
-  }
+  double distance(Row row, const Vector3d& centre) const { return (entities.pose[row].position - centre).norm(); }
 
   std::vector<Row> collected(const Vector3d& centre, double radius) const {
     std::vector<Row> found;
@@ -91,8 +88,7 @@ TEST_P(PositionalIndexTest, FindsAroundAnEntityAllButItself) {
   std::uniform_real_distribution<double> reach(0.0, 4.0);
   for (const Row row : entities.order) {
     const double radius = reach(random);
-    ASSERT_EQ(index.within(entities, row, radius),
-              byLookingAtEach(entities.pose[static_cast<std::size_t>(row)].position, radius, row));
+    ASSERT_EQ(index.within(entities, row, radius), byLookingAtEach(entities.pose[row].position, radius, row));
   }
 }
 
@@ -124,10 +120,10 @@ TEST_P(PositionalIndexTest, RoundingAtACellBorderLosesNothing) {
 
 TEST_P(PositionalIndexTest, NoRadiusFindsWhatIsExactlyThereAndAHugeOneFindsAll) {
   fill(300);
-  const Row twin = add(lightModel(), entities.pose[7].position);
+  const Row twin = add(lightModel(), entities.pose[rowAt(7)].position);
   index.rebuild(entities);
-  EXPECT_EQ(index.within(entities, entities.pose[7].position, 0.0), (std::vector<Row>{7, twin}));
-  EXPECT_EQ(index.within(entities, 7, 0.0), std::vector<Row>{twin});
+  EXPECT_EQ(index.within(entities, entities.pose[rowAt(7)].position, 0.0), (std::vector<Row>{rowAt(7), twin}));
+  EXPECT_EQ(index.within(entities, rowAt(7), 0.0), std::vector<Row>{twin});
   for (const double radius : {kEverything, 1e200, std::numeric_limits<double>::infinity()}) {
     EXPECT_EQ(index.within(entities, {5.0, 3.0, 0.0}, radius), entities.order);
     EXPECT_EQ(collected({5.0, 3.0, 0.0}, radius).size(), entities.size());
@@ -143,7 +139,7 @@ TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff)
     const std::vector<Row> found = collected(centre, radius);
     ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "found twice";
     for (const Row row : entities.order) {
-      const EntityModel& model = *entities.model[static_cast<std::size_t>(row)];
+      const EntityModel& model = *entities.model[row];
       const bool is_found = std::binary_search(found.begin(), found.end(), row);
       // a body around its origin meets the sphere if its origin does; nothing does that is clear of a cylinder around
       // it
@@ -163,7 +159,7 @@ TEST_P(PositionalIndexTest, FollowsWhatMovesComesAndGoes) {
           entities.remove(row);
           break;
         case 1:
-          entities.pose[static_cast<std::size_t>(row)].position = anywhere();
+          entities.pose[row].position = anywhere();
           break;
         default:
           add(cylindricPreyModel(0.05, 0.1), anywhere());

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fstream>
 #include <string>
+#include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
@@ -21,9 +22,14 @@ class RobotUrdfTest : public testing::Test {
     return loadRobotModel("robot", file_);
   }
 
+  static std::string description(const std::string& abilities = "") {
+    return "<swarmanoid title='Rover' summary='It roves.'>" + abilities + "</swarmanoid>";
+  }
+
   /// A robot with a body, and these elements.
-  static std::string robot(const std::string& elements) {
-    return "<robot name='r'><link name='base_link'><collision><geometry><cylinder radius='0.1' length='0.2'/>"
+  static std::string robot(const std::string& elements, const std::string& abilities = "") {
+    return "<robot name='r'>" + description(abilities) +
+           "<link name='base_link'><collision><geometry><cylinder radius='0.1' length='0.2'/>"
            "</geometry></collision></link>" +
            elements + "</robot>";
   }
@@ -52,6 +58,7 @@ class RobotUrdfTest : public testing::Test {
     }
   }
 
+  static constexpr const char* kWheels = "<wheels left='port' right='starboard'/>";
   const TemporaryFolder owner_{"robot_urdf_test"};
   const std::string file_ = owner_.path() / "robot.urdf";
 };
@@ -70,11 +77,11 @@ TEST_F(RobotUrdfTest, PlacesShapesThroughAllFrames) {
   EXPECT_LT((box.orientation * Vector3d::UnitZ() - Vector3d::UnitY()).norm(), 1e-12);
   EXPECT_NEAR(model->lowest, -1.0, 1e-12);
   EXPECT_EQ(model->mass, 2.5);
-  EXPECT_EQ(model->title, "Robot");
+  EXPECT_EQ(model->title, "Rover");
 }
 
 TEST_F(RobotUrdfTest, MeasuresWheels) {
-  const auto model = load(robot(wheel("left_wheel", "0.08") + wheel("right_wheel", "-0.08")));
+  const auto model = load(robot(wheel("port", "0.08") + wheel("starboard", "-0.08"), kWheels));
   ASSERT_TRUE(model->wheels.has_value());
   EXPECT_EQ(model->wheels->radius, 0.03);
   EXPECT_EQ(model->wheels->separation, 0.16);
@@ -84,7 +91,7 @@ TEST_F(RobotUrdfTest, MeasuresWheels) {
 TEST_F(RobotUrdfTest, RefusesWhatIsNoUrdf) {
   expectRefused("", "the file cannot be read, or is empty");
   expectRefused("<robot name='r'>\n<link>\n</robot>",
-                "found no well-formed XML (XML_ERROR_MISMATCHED_ELEMENT), expected a URDF", 2);
+                "found no well-formed XML: Opening and ending tag mismatch: link line 2 and robot", 3);
   expectRefused("<house/>", "is not a valid URDF: Could not find the 'robot' element in the xml file");
 }
 
@@ -98,11 +105,12 @@ TEST_F(RobotUrdfTest, RefusesWhatUrdfdomOnlyPrints) {
 }
 
 TEST_F(RobotUrdfTest, RefusesAnotherRoot) {
-  expectRefused("<robot name='r'><link name='trunk'/></robot>", "found 'trunk' as the root link, expected 'base_link'");
+  expectRefused("<robot name='r'>" + description() + "<link name='trunk'/></robot>",
+                "found 'trunk' as the root link, expected 'base_link'");
 }
 
 TEST_F(RobotUrdfTest, RefusesShapesItCannotUse) {
-  expectRefused("<robot name='r'><link name='base_link'/></robot>",
+  expectRefused("<robot name='r'>" + description() + "<link name='base_link'/></robot>",
                 "found no collision element, expected at least one: without it the robot has no extent");
   expectRefused(
       robot(link("hand", "xyz='0 0 0'", "<collision><geometry><mesh filename='hand.stl'/></geometry></collision>")),
@@ -112,53 +120,104 @@ TEST_F(RobotUrdfTest, RefusesShapesItCannotUse) {
 }
 
 TEST_F(RobotUrdfTest, RefusesBadWheels) {
-  const std::string left = wheel("left_wheel", "0.08");
-  expectRefused(robot(left), "found a joint 'left_wheel' alone, expected 'left_wheel' and 'right_wheel' or neither");
-  expectRefused(robot(left + wheel("right_wheel", "-0.08", "0 -1 0")),
-                "joint 'right_wheel': found the axis 0 -1 0 in the body frame, expected 0 1 0 (a positive turn drives "
+  const std::string left = wheel("port", "0.08");
+  expectRefused(robot(left + wheel("starboard", "-0.08", "0 -1 0"), kWheels),
+                "joint 'starboard': found the axis 0 -1 0 in the body frame, expected 0 1 0 (a positive turn drives "
                 "ahead)");
-  expectRefused(robot(left + wheel("right_wheel", "-0.08", "0 1 0", "")),
-                "joint 'right_wheel': found no limit of its velocity, expected one above 0 rad/s");
+  expectRefused(robot(left + wheel("starboard", "-0.08", "0 1 0", ""), kWheels),
+                "joint 'starboard': found no limit of its velocity, expected one above 0 rad/s");
   expectRefused(
-      robot(left + wheel("right_wheel", "-0.08", "0 1 0", "<limit effort='1' velocity='10'/>", "<box size='1 1 1'/>")),
-      "link 'right_wheel_link': found no cylinder, expected one as wide as the wheel");
+      robot(left + wheel("starboard", "-0.08", "0 1 0", "<limit effort='1' velocity='10'/>", "<box size='1 1 1'/>"),
+            kWheels),
+      "link 'starboard_link': found no cylinder, expected one as wide as the wheel");
   expectRefused(
-      robot(left + wheel("right_wheel", "-0.08", "0 1 0", "<limit effort='1' velocity='10' lower='0' upper='1'/>",
-                         "<cylinder radius='0.03' length='0.02'/>", "revolute")),
-      "joint 'right_wheel': expected the type 'continuous'");
+      robot(left + wheel("starboard", "-0.08", "0 1 0", "<limit effort='1' velocity='10' lower='0' upper='1'/>",
+                         "<cylinder radius='0.03' length='0.02'/>", "revolute"),
+            kWheels),
+      "joint 'starboard': expected the type 'continuous'");
   expectRefused(
-      robot(left + wheel("right_wheel", "-0.07")),
+      robot(left + wheel("starboard", "-0.07"), kWheels),
       "found the wheels at 0 0.08 0.03 and 0 -0.07 0.03, expected them left and right of the body's centre at "
       "equal distances");
-  expectRefused(robot(left + wheel("right_wheel", "-0.08", "0 1 0", "<limit effort='1' velocity='9'/>")),
+  expectRefused(robot(left + wheel("starboard", "-0.08", "0 1 0", "<limit effort='1' velocity='9'/>"), kWheels),
                 "found wheels that differ in radius or in limit of velocity, expected equal ones");
 }
 
 TEST_F(RobotUrdfTest, RefusesAGripperThatIsNotAhead) {
-  expectRefused(robot(link("gripper_tip", "xyz='0.1 0.02 0.05'")),
-                "link 'gripper_tip': found it at 0.1 0.02 0.05, expected it straight ahead of the body's centre");
+  expectRefused(robot(link("jaw", "xyz='0.1 0.02 0.05'"), "<gripper name='gripper' link='jaw'/>"),
+                "link 'jaw': found it at 0.1 0.02 0.05, expected it straight ahead of the body's centre");
 }
 
 TEST_F(RobotUrdfTest, RefusesBadStrips) {
+  const std::string strip = "<gripping_strip link='belt'/>";
   const std::string expected =
-      "link 'gripping_strip': expected one collision element, an upright cylinder around the body's z axis";
+      "link 'belt': expected one collision element, an upright cylinder around the body's z axis";
   const std::string cylinder = "<collision><geometry><cylinder radius='0.1' length='0.01'/></geometry></collision>";
-  expectRefused(robot(link("gripping_strip", "xyz='0.1 0 0'", cylinder)), expected);
-  expectRefused(robot(link("gripping_strip", "rpy='1 0 0'", cylinder)), expected);
-  expectRefused(robot(link("gripping_strip", "xyz='0 0 0'", cylinder + cylinder)), expected);
-  expectRefused(robot(link("gripping_strip", "xyz='0 0 0'")),
-                "link 'gripping_strip': found no collision element, expected a cylinder");
+  expectRefused(robot(link("belt", "xyz='0.1 0 0'", cylinder), strip), expected);
+  expectRefused(robot(link("belt", "rpy='1 0 0'", cylinder), strip), expected);
+  expectRefused(robot(link("belt", "xyz='0 0 0'", cylinder + cylinder), strip), expected);
+  expectRefused(robot(link("belt", "xyz='0 0 0'"), strip),
+                "link 'belt': found no collision element, expected a cylinder");
+  EXPECT_EQ(load(robot(link("belt", "xyz='0 0 0'", cylinder)))->shapes.size(), 2U) << "an ordinary link of that name";
 }
 
 TEST_F(RobotUrdfTest, RefusesLedsWithGaps) {
-  const std::string zero = link("led_0", "xyz='0 0 0'");
-  expectRefused(robot(zero + link("led_2", "xyz='0 0 0'")),
-                "found 2 links 'led_...' but no 'led_1', expected them to be numbered from 0 without gaps");
+  const std::string leds = "<leds links='lamp'/>";
+  const std::string zero = link("lamp_0", "xyz='0 0 0'");
+  expectRefused(robot(zero + link("lamp_2", "xyz='0 0 0'"), leds),
+                "found 2 links 'lamp_...' but no 'lamp_1', expected them to be numbered from 0 without gaps");
+  expectRefused(robot("", leds), "found 0 links 'lamp_...', allowed are 1 to 64");
   std::string many;
-  for (int i = 0; i < 17; ++i) {
-    many += link("led_" + std::to_string(i), "xyz='0 0 0'");
+  for (int i = 0; i < 65; ++i) {
+    many += link("lamp_" + std::to_string(i), "xyz='0 0 0'");
   }
-  expectRefused(robot(many), "found 17 LEDs, allowed are at most 16");
+  expectRefused(robot(many, leds), "found 65 links 'lamp_...', allowed are 1 to 64");
+}
+
+TEST_F(RobotUrdfTest, TakesAbilitiesFromTheDescription) {
+  const auto model = load(robot(link("reel", "xyz='0 0 0.2'") + link("pad", "xyz='0.1 0 0.1'"),
+                                "<rope name='line' link='reel' length='1.5'/><suction name='pad' link='pad'/>"
+                                "<device type='compass'/><device type='leds'/>"));
+  ASSERT_EQ(model->holders.size(), 2U);
+  EXPECT_EQ(model->holders[0].name, "line");
+  EXPECT_EQ(model->holders[0].kind, EntityModel::Holder::Kind::kRope);
+  EXPECT_EQ(model->holders[0].mount, "reel");
+  EXPECT_EQ(model->holders[0].rope_length, 1.5);
+  EXPECT_EQ(model->holders[1].kind, EntityModel::Holder::Kind::kSuction);
+  EXPECT_EQ(model->devices, (std::vector<std::string>{"compass", "leds"}));
+  EXPECT_FALSE(model->gripper.has_value());
+  EXPECT_FALSE(model->wheels.has_value());
+  EXPECT_TRUE(model->led_positions.empty());
+}
+
+TEST_F(RobotUrdfTest, RefusesBadDescriptions) {
+  const std::string body =
+      "<link name='base_link'><collision><geometry><sphere radius='0.1'/></geometry></collision></link>";
+  const auto refused = [&](const std::string& element, const std::string& message) {
+    expectRefused("<robot name='r'>" + body + "\n<swarmanoid title='Rover' summary='It roves.'>\n" + element +
+                      "</swarmanoid></robot>",
+                  message, 3);
+  };
+  expectRefused("<robot name='r'>" + body + "</robot>",
+                "found no <swarmanoid> in <robot>, allowed: one, which says what the robot can do");
+  expectRefused("<robot name='r'>" + body + description() + "\n" + description() + "</robot>",
+                "found a second <swarmanoid>, allowed: one", 2);
+  expectRefused("<robot name='r'>" + body + "\n<swarmanoid title='Rover'/></robot>",
+                "<swarmanoid> needs the attribute summary=\"...\"", 2);
+  expectRefused("<robot name='r'>" + body + "\n<swarmanoid title='My rover' summary='It roves.'/></robot>",
+                "title: found 'My rover', allowed: one word", 2);
+  refused("<griper name='g' link='base_link'/>",
+          "found tag 'griper', allowed: wheels, gripper, suction, magnet, rope, gripping_strip, leds, device; did you "
+          "mean 'gripper'? (in <swarmanoid>)");
+  refused("<magnet name='m' link='base_lnk'/>",
+          "found the link 'base_lnk', allowed: base_link; did you mean 'base_link'? (in <magnet>)");
+  refused("<magnet name='m' link='base_link' length='1'/>",
+          "found attribute 'length', allowed: name, link (in <magnet>)");
+  refused("<magnet name='m' link='base_link'/><suction name='m' link='base_link'/>",
+          "found a second holder of the name 'm', allowed: one");
+  refused("<rope name='m' link='base_link' length='-1'/>",
+          "length: found '-1', allowed: a number from 0.0001 to 10000");
+  refused("<device type='compass'/><device type='compass'/>", "found a second device 'compass', allowed: one");
 }
 
 TEST_F(RobotUrdfTest, NamesAFileThatIsNotThere) {

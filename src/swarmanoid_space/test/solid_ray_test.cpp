@@ -34,7 +34,7 @@ class OwnLedTest : public testing::Test {
   }
 
   EntityModel model;
-  JointState joints[EntityModel::kMaxJoints];
+  std::vector<JointState> joints{JointState{}};
 };
 
 TEST_F(OwnLedTest, ALedOnAFaceIsSeenFromItsSide) {

@@ -10,16 +10,20 @@ namespace {
 
 using Rows = std::vector<Row>;
 
+constexpr Row operator""_r(unsigned long long index) { return rowAt(index); }
+
 class StructuralTreeTest : public testing::Test {
  protected:
-  StructuralTreeTest() { tree.resize(kCount); }
+  StructuralTreeTest() { columns.resize(kCount); }
 
-  static constexpr Row kCount = 8;
-  StructuralTree tree;
+  static constexpr std::size_t kCount = 8;
+  Columns columns;
+  StructuralTree tree{columns};
 };
 
 TEST_F(StructuralTreeTest, AtFirstEverybodyIsAStructureOfItsOwn) {
-  for (Row row = 0; row < kCount; ++row) {
+  for (std::size_t i = 0; i < kCount; ++i) {
+    const Row row = rowAt(i);
     EXPECT_EQ(tree.grippedBy(row), kNoRow);
     EXPECT_EQ(tree.root(row), row);
     EXPECT_EQ(tree.members(row), Rows{row});
@@ -27,93 +31,91 @@ TEST_F(StructuralTreeTest, AtFirstEverybodyIsAStructureOfItsOwn) {
 }
 
 TEST_F(StructuralTreeTest, TheRootIsTheGrippedObject) {
-  // footbots 1 and 2 grip prey 0, footbot 3 grips footbot 1 (thesis 3.4)
-  EXPECT_TRUE(tree.connect(1, 0));
-  EXPECT_TRUE(tree.connect(2, 0));
-  EXPECT_TRUE(tree.connect(3, 1));
-  for (const Row row : {0, 1, 2, 3}) {
-    EXPECT_EQ(tree.root(row), 0);
-    EXPECT_EQ(tree.members(row), (Rows{0, 1, 2, 3}));  // parents before children
+  // footbots 1 and 2 grip prey 0_r, footbot 3 grips footbot 1 (thesis 3.4)
+  EXPECT_TRUE(tree.connect(1_r, 0_r));
+  EXPECT_TRUE(tree.connect(2_r, 0_r));
+  EXPECT_TRUE(tree.connect(3_r, 1_r));
+  for (const Row row : {0_r, 1_r, 2_r, 3_r}) {
+    EXPECT_EQ(tree.root(row), 0_r);
+    EXPECT_EQ(tree.members(row), (Rows{0_r, 1_r, 2_r, 3_r}));  // parents before children
   }
-  EXPECT_EQ(tree.grippedBy(3), 1);
-  EXPECT_EQ(tree.grippersOf(0), (Rows{1, 2}));
+  EXPECT_EQ(tree.grippedBy(3_r), 1_r);
+  EXPECT_EQ(tree.grippersOf(0_r), (Rows{1_r, 2_r}));
 }
 
 TEST_F(StructuralTreeTest, AGripperHoldsOneThingAtATime) {
-  ASSERT_TRUE(tree.connect(1, 0));
-  EXPECT_FALSE(tree.connect(1, 2));
-  EXPECT_FALSE(tree.connect(1, 0));
-  EXPECT_EQ(tree.grippedBy(1), 0);
-  EXPECT_EQ(tree.grippersOf(0), Rows{1});
-  EXPECT_TRUE(tree.grippersOf(2).empty());
+  ASSERT_TRUE(tree.connect(1_r, 0_r));
+  EXPECT_FALSE(tree.connect(1_r, 2_r));
+  EXPECT_FALSE(tree.connect(1_r, 0_r));
+  EXPECT_EQ(tree.grippedBy(1_r), 0_r);
+  EXPECT_EQ(tree.grippersOf(0_r), Rows{1_r});
+  EXPECT_TRUE(tree.grippersOf(2_r).empty());
 }
 
 TEST_F(StructuralTreeTest, ALoopIsRefusedAndNothingChanges) {
-  ASSERT_TRUE(tree.connect(1, 0));
-  ASSERT_TRUE(tree.connect(2, 1));
-  ASSERT_TRUE(tree.connect(3, 2));
-  for (const Row row : {0, 1, 2, 3}) {
-    EXPECT_FALSE(tree.connect(0, row)) << "gripping " << row;
+  ASSERT_TRUE(tree.connect(1_r, 0_r));
+  ASSERT_TRUE(tree.connect(2_r, 1_r));
+  ASSERT_TRUE(tree.connect(3_r, 2_r));
+  for (const Row row : {0_r, 1_r, 2_r, 3_r}) {
+    EXPECT_FALSE(tree.connect(0_r, row)) << "gripping " << toIndex(row);
   }
-  EXPECT_FALSE(tree.connect(5, 5)) << "gripping itself";
-  EXPECT_EQ(tree.grippedBy(0), kNoRow);
-  EXPECT_EQ(tree.members(3), (Rows{0, 1, 2, 3}));
+  EXPECT_FALSE(tree.connect(5_r, 5_r)) << "gripping itself";
+  EXPECT_EQ(tree.grippedBy(0_r), kNoRow);
+  EXPECT_EQ(tree.members(3_r), (Rows{0_r, 1_r, 2_r, 3_r}));
 }
 
 TEST_F(StructuralTreeTest, TreesMergeWhenARootGripsAndSplitWhenItLetsGo) {
-  ASSERT_TRUE(tree.connect(1, 0));
-  ASSERT_TRUE(tree.connect(3, 2));
-  ASSERT_TRUE(tree.connect(4, 2));
-  EXPECT_TRUE(tree.connect(2, 1));
-  EXPECT_EQ(tree.members(4), (Rows{0, 1, 2, 3, 4}));
-  EXPECT_EQ(tree.release(2), 1);
-  EXPECT_EQ(tree.members(0), (Rows{0, 1}));
-  EXPECT_EQ(tree.members(3), (Rows{2, 3, 4}));
-  EXPECT_EQ(tree.release(2), kNoRow) << "nothing was gripped any more";
+  ASSERT_TRUE(tree.connect(1_r, 0_r));
+  ASSERT_TRUE(tree.connect(3_r, 2_r));
+  ASSERT_TRUE(tree.connect(4_r, 2_r));
+  EXPECT_TRUE(tree.connect(2_r, 1_r));
+  EXPECT_EQ(tree.members(4_r), (Rows{0_r, 1_r, 2_r, 3_r, 4_r}));
+  EXPECT_EQ(tree.release(2_r), 1_r);
+  EXPECT_EQ(tree.members(0_r), (Rows{0_r, 1_r}));
+  EXPECT_EQ(tree.members(3_r), (Rows{2_r, 3_r, 4_r}));
+  EXPECT_EQ(tree.release(2_r), kNoRow) << "nothing was gripped any more";
 }
 
 TEST_F(StructuralTreeTest, WhatIsIsolatedIsAloneAndTheRestStaysTogether) {
-  ASSERT_TRUE(tree.connect(1, 0));
-  ASSERT_TRUE(tree.connect(2, 1));
-  ASSERT_TRUE(tree.connect(3, 1));
-  ASSERT_TRUE(tree.connect(4, 3));
-  tree.isolate(1);
-  EXPECT_EQ(tree.members(0), Rows{0});
-  EXPECT_EQ(tree.members(1), Rows{1});
-  EXPECT_EQ(tree.members(2), Rows{2});
-  EXPECT_EQ(tree.members(4), (Rows{3, 4}));
+  ASSERT_TRUE(tree.connect(1_r, 0_r));
+  ASSERT_TRUE(tree.connect(2_r, 1_r));
+  ASSERT_TRUE(tree.connect(3_r, 1_r));
+  ASSERT_TRUE(tree.connect(4_r, 3_r));
+  tree.isolate(1_r);
+  EXPECT_EQ(tree.members(0_r), Rows{0_r});
+  EXPECT_EQ(tree.members(1_r), Rows{1_r});
+  EXPECT_EQ(tree.members(2_r), Rows{2_r});
+  EXPECT_EQ(tree.members(4_r), (Rows{3_r, 4_r}));
 }
 
 TEST_F(StructuralTreeTest, GrowsWithoutForgettingAndForgetsWhenCleared) {
-  ASSERT_TRUE(tree.connect(1, 0));
-  tree.resize(100);
-  EXPECT_EQ(tree.root(1), 0);
-  EXPECT_EQ(tree.root(99), 99);
-  tree.resize(2);
-  EXPECT_TRUE(tree.connect(99, 1)) << "never shrinks";
-  tree.clear();
-  tree.resize(2);
-  EXPECT_EQ(tree.grippedBy(1), kNoRow);
-  EXPECT_TRUE(tree.grippersOf(0).empty());
+  ASSERT_TRUE(tree.connect(1_r, 0_r));
+  columns.resize(100);
+  EXPECT_EQ(tree.root(1_r), 0_r);
+  EXPECT_EQ(tree.root(99_r), 99_r);
+  columns.resize(0);
+  columns.resize(2);
+  EXPECT_EQ(tree.grippedBy(1_r), kNoRow);
+  EXPECT_TRUE(tree.grippersOf(0_r).empty());
 }
 
 TEST_F(StructuralTreeTest, StaysAForestThroughAnyGripsAndReleases) {
   std::mt19937 random(7);
-  constexpr Row kMany = 40;
-  tree.resize(kMany);
+  constexpr std::size_t kMany = 40;
+  columns.resize(kMany);
   Rows parent(kMany, kNoRow);  // what the test itself remembers
   const auto rootOf = [&](Row row) {
-    int steps = 0;
-    while (parent[static_cast<std::size_t>(row)] != kNoRow && steps++ < kMany) {
-      row = parent[static_cast<std::size_t>(row)];
+    std::size_t steps = 0;
+    while (parent[toIndex(row)] != kNoRow && steps++ < kMany) {
+      row = parent[toIndex(row)];
     }
     return row;
   };
   int refused = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Row a = static_cast<Row>(random() % kMany);
-    const Row b = static_cast<Row>(random() % kMany);
-    Row& parent_of_a = parent[static_cast<std::size_t>(a)];
+    const Row a = rowAt(random() % kMany);
+    const Row b = rowAt(random() % kMany);
+    Row& parent_of_a = parent[toIndex(a)];
     if (random() % 3 == 0) {
       ASSERT_EQ(tree.release(a), parent_of_a);
       parent_of_a = kNoRow;
@@ -124,12 +126,13 @@ TEST_F(StructuralTreeTest, StaysAForestThroughAnyGripsAndReleases) {
       parent_of_a = is_possible ? b : parent_of_a;
     }
     std::size_t members = 0;
-    for (Row row = 0; row < kMany; ++row) {
-      ASSERT_EQ(tree.grippedBy(row), parent[static_cast<std::size_t>(row)]);
+    for (std::size_t k = 0; k < kMany; ++k) {
+      const Row row = rowAt(k);
+      ASSERT_EQ(tree.grippedBy(row), parent[toIndex(row)]);
       ASSERT_EQ(tree.root(row), rootOf(row));
       members += tree.root(row) == row ? tree.members(row).size() : 0;
     }
-    ASSERT_EQ(members, static_cast<std::size_t>(kMany)) << "everybody is in exactly one structure";
+    ASSERT_EQ(members, kMany) << "everybody is in exactly one structure";
   }
   EXPECT_GT(refused, 1000);
 }

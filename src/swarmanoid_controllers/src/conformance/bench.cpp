@@ -4,10 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "device_checks.hpp"
 #include "swarmanoid_interface/angle.hpp"
-#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
-#include "swarmanoid_interface/devices/handbot_rope.hpp"
 
 namespace swarmanoid::conformance {
 namespace {
@@ -37,10 +35,17 @@ std::string withUnit(double value, const char* unit) {
 }
 
 Bench::Bench(Robot& robot, const Configuration& parameters) : robot_(robot) {
-  if (const auto* footbot_camera = sensor<FootbotCamera>()) {
-    camera_ = footbot_camera;
-  } else {
-    camera_ = sensor<EyebotCamera>();
+  for (const DeviceChecks& device : deviceChecks()) {
+    if (!isListed(device.device)) {
+      continue;
+    }
+    if (device.look != nullptr && camera_ == nullptr) {
+      camera_ = device.look(*this);
+      camera_device_ = device.device;
+    }
+    if (device.prepare != nullptr) {
+      device.prepare(surroundings_);
+    }
   }
   readSurroundings(parameters);
 }
@@ -53,22 +58,22 @@ void Bench::readSurroundings(const Configuration& parameters) {
                       "role: found '" + role + "', allowed: test, observer" + didYouMean(role, roles));
   }
   is_observer_ = role == "observer";
-  const bool is_footbot = robot_.type() == "footbot";
   const Range distance{0.0, 100.0};
-  surroundings_.beacon_color = parameters.color("beacon_color", colors::kYellow);
-  surroundings_.beacon_distance = parameters.number("beacon_distance", is_footbot ? 1.0 : 0.6, distance);
-  surroundings_.prey_color = parameters.color("prey_color", colors::kMagenta);
-  surroundings_.prey_distance = parameters.number("prey_distance", is_footbot ? 0.5 : 0.6, distance);
-  surroundings_.prey_bearing = parameters.angle("prey_bearing", 90.0 * kDegree, {-180.0, 180.0});
-  surroundings_.wall_distance = parameters.number("wall_distance", is_footbot ? 0.4 : 0.0, distance);
-  surroundings_.laser_height = parameters.number("laser_height", 0.0, distance);
-  surroundings_.has_ceiling = parameters.boolean("ceiling", false);
-  surroundings_.has_board = parameters.boolean("board", false);
-  surroundings_.is_free_upwards = parameters.boolean("upwards", !is_footbot);
-  surroundings_.observed_leds = static_cast<std::size_t>(parameters.integer("observed_leds", 12, {0.0, 360.0}));
-  surroundings_.observed_radius = parameters.number("observed_radius", 0.085, {0.001, 1.0});
-  surroundings_.observer_bearing = parameters.angle("observer_bearing", 90.0 * kDegree, {-180.0, 180.0});
-  settling_time_ = parameters.number("settling_time", robot_.type() == "eyebot" ? 2.0 : 0.5, {0.0, 10.0});
+  Surroundings& place = surroundings_;  // with what is usual for the devices
+  place.beacon_color = parameters.color("beacon_color", colors::kYellow);
+  place.beacon_distance = parameters.number("beacon_distance", place.beacon_distance, distance);
+  place.prey_color = parameters.color("prey_color", colors::kMagenta);
+  place.prey_distance = parameters.number("prey_distance", place.prey_distance, distance);
+  place.prey_bearing = parameters.angle("prey_bearing", 90.0 * kDegree, {-180.0, 180.0});
+  place.wall_distance = parameters.number("wall_distance", place.wall_distance, distance);
+  place.laser_height = parameters.number("laser_height", place.laser_height, distance);
+  place.has_ceiling = parameters.boolean("ceiling", false);
+  place.has_board = parameters.boolean("board", false);
+  place.is_free_upwards = parameters.boolean("upwards", true);
+  place.observed_leds = static_cast<std::size_t>(parameters.integer("observed_leds", 12, {0.0, 360.0}));
+  place.observed_radius = parameters.number("observed_radius", 0.085, {0.001, 1.0});
+  place.observer_bearing = parameters.angle("observer_bearing", 90.0 * kDegree, {-180.0, 180.0});
+  place.settling_time = parameters.number("settling_time", place.settling_time, {0.0, 10.0});
   tolerance_ = parameters.number("tolerance", 0.15, {0.001, 0.5});
   parameters.refuseUnread({"role", "beacon_color", "beacon_distance", "prey_color", "prey_distance", "prey_bearing",
                            "wall_distance", "laser_height", "ceiling", "board", "upwards", "observed_leds",
@@ -105,14 +110,10 @@ Eigen::Vector2d Bench::find(Color color, const std::string& name) {
 }
 
 void Bench::rest() {
-  if (auto* wheels = actuator<FootbotWheels>()) {
-    wheels->drive(0.0, 0.0);
-  }
-  if (auto* velocity = actuator<EyebotVelocity>()) {
-    *velocity = EyebotVelocity{};
-  }
-  if (auto* rope = actuator<HandbotRope>()) {
-    rope->winding_speed = 0.0;
+  for (const DeviceChecks& device : deviceChecks()) {
+    if (device.rest != nullptr && isListed(device.device)) {
+      device.rest(*this);
+    }
   }
 }
 

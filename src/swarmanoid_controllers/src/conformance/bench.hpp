@@ -15,15 +15,16 @@ namespace swarmanoid::conformance {
 /// object.
 struct Surroundings {
   Color beacon_color;             ///< of the object straight ahead
-  double beacon_distance = 0.0;   ///< [m]
-  Color prey_color;               ///< of the object to the left: for footbots a prey that can be gripped
-  double prey_distance = 0.0;     ///< [m]
+  double beacon_distance = 0.6;   ///< [m]
+  Color prey_color;               ///< of the object to the left: for a gripper a prey that can be gripped
+  double prey_distance = 0.6;     ///< [m]
   double prey_bearing = 0.0;      ///< [rad]
   double wall_distance = 0.0;     ///< from the robot's middle to a wall on its right, along the robot [m]
-  double laser_height = 0.0;      ///< of an eyebot's laser pointer above the ground; 0: not known [m]
+  double laser_height = 0.0;      ///< of a laser pointer above the ground; 0: not known [m]
   bool has_ceiling = false;       ///< there is a ferromagnetic ceiling above
   bool has_board = false;         ///< upright, which only the left hand touches when its arm is stretched ahead
-  bool is_free_upwards = false;   ///< the robot can move up and down
+  bool is_free_upwards = true;    ///< the robot can move up and down
+  double settling_time = 0.5;     ///< time after a motion until its effect can be measured [s]
   std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: no robot is observed
   double observed_radius = 0.0;   ///< of that ring [m]
   double observer_bearing = 0.0;  ///< direction of the observer in the observed robot's frame [rad]
@@ -38,10 +39,13 @@ class Bench {
   const Surroundings& surroundings() const { return surroundings_; }
   bool isObserver() const { return is_observer_; }
   /// Returns the time after a motion until its effect can be measured [s].
-  double settlingTime() const { return settling_time_; }
+  double settlingTime() const { return surroundings_.settling_time; }
   /// Returns the allowed relative difference between a measured value and the expected one.
   double tolerance() const { return tolerance_; }
 
+  const std::string& robotType() const { return robot_.type(); }
+  /// Returns the type of the camera through which the robot sees; "" if its configuration lists none.
+  const std::string& cameraDevice() const { return camera_device_; }
   bool isListed(const std::string& device) const;
   /// Returns null if the configuration does not list the device.
   template <class Device>
@@ -81,8 +85,8 @@ class Bench {
   Robot& robot_;
   Surroundings surroundings_;
   const ColorBlobs* camera_ = nullptr;
+  std::string camera_device_;
   bool is_observer_ = false;
-  double settling_time_ = 0.5;
   double tolerance_ = 0.15;
   std::string check_;
   std::string failure_;

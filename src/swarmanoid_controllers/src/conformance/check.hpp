@@ -1,7 +1,7 @@
 /// One check of the conformance test: its requirements, and its stages in order.
 ///
-/// To add a check for a further device, write a function that makes it, like those beside this file, and add it to the
-/// list in checks.cpp. A check measures with the robot's own sensors, in its own frame: x ahead, y left.
+/// The checks of a device are a file in devices/ beside this one, which the build finds by itself (device_checks.hpp).
+/// A check measures with the robot's own sensors, in its own frame: x ahead, y left.
 #pragma once
 
 #include <functional>
@@ -27,6 +27,7 @@ struct Check {
   std::string obstacle;              ///< the reason why it cannot be done in these surroundings; "": it can
   std::vector<std::string> after;    ///< checks that must succeed before; otherwise this one has no meaning
   std::vector<Stage> stages;
+  std::vector<std::string> follows = {};    ///< checks that come before, if they are done, whatever their outcome
   std::function<void()> tidy_up = nullptr;  ///< called once after a failure: ends what must not last
   bool is_only_shown = false;               ///< the check covers nothing: an observer judges it
 };

@@ -1,19 +1,75 @@
 #include "checks.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
+#include "swarmanoid_interface/device_type.hpp"
+
 namespace swarmanoid::conformance {
+
+namespace {
+
+std::vector<DeviceChecks>& registered() {
+  static std::vector<DeviceChecks> checks;
+  return checks;
+}
+
+/// Checks of a robot's own devices are named as unchecked if its configuration does not list the device.
+bool concerns(const Bench& bench, const std::string& device) {
+  const DeviceType* type = findDeviceType(device);
+  return bench.isListed(device) || (type != nullptr && type->robot == bench.robotType());
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+}  // namespace
+
+ChecksRegistration::ChecksRegistration(DeviceChecks checks) {
+  std::vector<DeviceChecks>& all = registered();
+  const auto place =
+      std::find_if(all.begin(), all.end(), [&](const DeviceChecks& other) { return other.device > checks.device; });
+  all.insert(place, std::move(checks));
+}
+
+const std::vector<DeviceChecks>& deviceChecks() { return registered(); }
 
 std::vector<Check> checksFor(Bench& bench) {
   if (bench.isObserver()) {
     return observerChecks(bench);
   }
-  const std::string& type = bench.robot().type();
-  if (type == "footbot") {
-    return footbotChecks(bench);
+  std::vector<Check> checks;
+  for (const DeviceChecks& device : deviceChecks()) {
+    if (concerns(bench, device.device)) {
+      for (Check& check : device.make(bench)) {
+        checks.push_back(std::move(check));
+      }
+    }
   }
-  if (type == "eyebot") {
-    return eyebotChecks(bench);
+  return inOrder(std::move(checks));
+}
+
+std::vector<Check> inOrder(std::vector<Check> checks) {
+  std::stable_partition(checks.begin(), checks.end(), [](const Check& check) { return check.is_only_shown; });
+  std::vector<Check> ordered;
+  while (!checks.empty()) {
+    const auto next = std::find_if(checks.begin(), checks.end(), [&](const Check& check) {
+      return std::none_of(checks.begin(), checks.end(), [&](const Check& other) {
+        return contains(check.after, other.name) || contains(check.follows, other.name);
+      });
+    });
+    if (next == checks.end()) {
+      throw std::logic_error("check " + checks.front().name + " waits for one that waits for it");
+    }
+    ordered.push_back(std::move(*next));
+    checks.erase(next);
   }
-  return type == "handbot" ? handbotChecks(bench) : std::vector<Check>{};
+  return ordered;
+}
+
+std::function<void()> rememberPlace(Bench& bench, Color color, const std::string& name, const Place& before) {
+  return [&bench, color, name, before] { *before = bench.find(color, name); };
 }
 
 std::string needsBeacon(const Bench& bench) {
@@ -55,7 +111,7 @@ Check camera(Bench& bench, const std::string& device) {
   return check;
 }
 
-Check ledsShown(Bench& bench, const std::string& device, std::function<void()> light) {
+Check shown(Bench& bench, const std::string& device, std::function<void()> light) {
   constexpr double kShown = 3.0;  // s
   Check check{device, {device}, "", {}, {}};
   check.is_only_shown = true;

@@ -1,4 +1,4 @@
-/// The list of all checks, and functions that several checks use.
+/// The checks of a robot, and functions that several checks use.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,16 +9,20 @@
 
 #include "bench.hpp"
 #include "check.hpp"
+#include "device_checks.hpp"
 
 namespace swarmanoid::conformance {
 
-/// Returns the checks for a robot of this type in this role, in the order in which they are done.
+/// Returns the checks of the robot in its role, in the order in which they are done: those of the devices that only
+/// robots of its type have, and of all other devices that its configuration lists.
 std::vector<Check> checksFor(Bench& bench);
 
-std::vector<Check> footbotChecks(Bench& bench);
-std::vector<Check> eyebotChecks(Bench& bench);
-std::vector<Check> handbotChecks(Bench& bench);
 std::vector<Check> observerChecks(Bench& bench);
+
+/// Brings checks into an order: first what is only shown, since its observer looks from the start, then each check
+/// after those that it needs or follows; otherwise as they are.
+/// @throws std::logic_error if checks wait for each other
+std::vector<Check> inOrder(std::vector<Check> checks);
 
 // Functions and constants that several checks use.
 
@@ -30,11 +34,25 @@ constexpr double kLeastAngle = 0.1;      ///< allowed error of a turn [rad]
 using Place = std::shared_ptr<Eigen::Vector2d>;
 inline Place place() { return std::make_shared<Eigen::Vector2d>(Eigen::Vector2d::Zero()); }
 
+/// Returns a function that writes the place where something of that colour is seen. @param name for the message when it
+/// is not in sight
+std::function<void()> rememberPlace(Bench& bench, Color color, const std::string& name, const Place& before);
+
 /// Checks that beacon and prey are where the surroundings parameters place them.
 Check camera(Bench& bench, const std::string& device);
-/// Shows LED 0 in red, the LED at a quarter of the ring (to the left) in blue, that at half of it (behind) in green;
-/// for an observer.
-Check ledsShown(Bench& bench, const std::string& device, std::function<void()> light);
+/// Shows something for a few seconds, for an observer.
+Check shown(Bench& bench, const std::string& device, std::function<void()> light);
+/// Shows LED 0 in red, the LED at a quarter of the ring (to the left) in blue, that at half of it (behind) in green.
+template <class Leds>
+Check ledsShown(Bench& bench) {
+  return shown(bench, Leds::kType, [&bench] {
+    Leds& leds = *bench.actuator<Leds>();
+    leds.setAll(colors::kBlack);
+    leds.ring[0] = colors::kRed;
+    leds.ring[Leds::kCount / 4] = colors::kBlue;
+    leds.ring[Leds::kCount / 2] = colors::kGreen;
+  });
+}
 /// Stands still until the effect of a motion can be measured, then judges.
 Stage settle(Bench& bench, std::function<void()> judge);
 /// Returns "" or the reason why a check that needs the beacon cannot be done.

@@ -30,9 +30,11 @@ void judge(Bench& bench) {
 
 std::vector<Check> observerChecks(Bench& bench) {
   constexpr double kSightPatience = 10.0;  // s
-  const bool is_footbot = bench.robot().type() == "footbot";
-  Check check{"leds_of_the_other", {is_footbot ? FootbotCamera::kType : EyebotCamera::kType}, "", {}, {}};
-  if (bench.surroundings().observed_leds == 0) {
+  Check check{"leds_of_the_other", {bench.cameraDevice()}, "", {}, {}};
+  if (bench.cameraDevice().empty()) {
+    check.devices.clear();
+    check.obstacle = "no camera is listed";
+  } else if (bench.surroundings().observed_leds == 0) {
     check.obstacle = "nobody is observed (observed_leds is 0)";
   }
   check.stages.push_back(

@@ -10,8 +10,6 @@
 namespace swarmanoid::devices {
 namespace {
 
-constexpr double kMaxTilt = 0.8;  // rad, as documented in the interface header
-
 class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
  public:
   static PluginDescription describe() {
@@ -25,7 +23,9 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     return description;
   }
 
-  void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
+  void configure(const Configuration& parameters) override {
+    addErrorAlias("gaussian", "tilt", "deviation", parameters.angle("noise", 0.0));
+  }
 
   void afterMove(Space& space) override {
     space.laser_spots.reserve(space.laser_spots.size() + instances_.size());
@@ -37,25 +37,20 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
   }
 
  protected:
-  void limit(const Space& space, BasicActuatorInstance<EyebotLaser>& instance) override {
+  void limit(const Space& /*space*/, BasicActuatorInstance<EyebotLaser>& instance) override {
     EyebotLaser& laser = *instance.actuation;
-    if (noise_ > 0.0) {
-      instance.random.startTick(space.tick);
-      laser.tilt += instance.random.gaussian(0.0, noise_);
-    }
-    laser.tilt = std::clamp(laser.tilt, -kMaxTilt, kMaxTilt);
+    laser.tilt = std::clamp(laser.tilt, -EyebotLaser::kMaxTilt, EyebotLaser::kMaxTilt);
   }
 
  private:
   static LaserSpot spotOf(const Space& space, const BasicActuatorInstance<EyebotLaser>& instance) {
     constexpr double kReach = 20.0;  // m
-    const auto i = static_cast<std::size_t>(instance.row);
-    const Pose& pose = space.entities.pose[i];
+    const Pose& pose = space.entities.pose[instance.row];
     const double sine = std::sin(instance.actuation->tilt);
     const Eigen::Vector3d direction(sine * std::cos(instance.actuation->pan), sine * std::sin(instance.actuation->pan),
                                     -std::cos(instance.actuation->tilt));
     Segment beam;
-    beam.from = pose.toWorld(space.entities.model[i]->mount("laser_pointer").position);
+    beam.from = pose.toWorld(space.entities.model[instance.row]->mount("laser_pointer").position);
     const Eigen::Vector3d beam_direction = pose.orientation * direction;
     // the beam goes down to the floor, or as far as its range
     const auto downTo = [&](double height) -> Eigen::Vector3d {
@@ -69,8 +64,6 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     const RayHit hit = space.castRay(beam, instance.row);
     return {instance.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
   }
-
-  double noise_ = 0.0;  // rad
 };
 
 }  // namespace

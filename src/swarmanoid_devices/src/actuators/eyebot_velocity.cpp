@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
@@ -17,30 +18,27 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     description.label = EyebotVelocity::kType;
     description.implementation = "default";
     description.is_default = true;
+    description.mechanisms = {flight()};
     description.summary = "A desired velocity in the robot's own frame, and a yaw rate.";
     description.robots = {"eyebot"};
     description.parameters = {
-        number("max_speed", "m/s", "1", {0.0, 5.0}, "The longest velocity that is flown."),
-        number("max_yaw_rate", "rad/s", "2", {0.0, 10.0}, "The fastest turn."),
+        number("max_speed", "m/s", numberText(EyebotVelocity::kUsualFastest), {0.0, 5.0},
+               "The longest velocity that is flown."),
+        number("max_yaw_rate", "rad/s", numberText(EyebotVelocity::kUsualFastestTurn), {0.0, 10.0},
+               "The fastest turn."),
         number("noise", "m/s", "0", {0.0, 1.0}, "Standard deviation added to each component of the velocity.")};
     return description;
   }
 
   void configure(const Configuration& parameters) override {
-    max_speed_ = parameters.number("max_speed", 1.0);
-    max_yaw_rate_ = parameters.number("max_yaw_rate", 2.0);
-    noise_ = parameters.number("noise", 0.0);
+    max_speed_ = parameters.number("max_speed", EyebotVelocity::kUsualFastest);
+    max_yaw_rate_ = parameters.number("max_yaw_rate", EyebotVelocity::kUsualFastestTurn);
+    addErrorAlias("gaussian", "linear", "deviation", parameters.number("noise", 0.0));
   }
 
  protected:
-  void limit(const Space& space, BasicActuatorInstance<EyebotVelocity>& instance) override {
+  void limit(const Space& /*space*/, BasicActuatorInstance<EyebotVelocity>& instance) override {
     EyebotVelocity& velocity = *instance.actuation;
-    if (noise_ > 0.0) {
-      instance.random.startTick(space.tick);
-      for (int axis = 0; axis < 3; ++axis) {
-        velocity.linear[axis] += instance.random.gaussian(0.0, noise_);
-      }
-    }
     const double speed = velocity.linear.norm();
     if (!std::isfinite(speed)) {
       // the velocity is finite, but its square may not be
@@ -52,10 +50,13 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     velocity.yaw_rate = std::clamp(velocity.yaw_rate, -max_yaw_rate_, max_yaw_rate_);
   }
 
+  void apply(Space& space, BasicActuatorInstance<EyebotVelocity>& instance) override {
+    space.flight[instance.row] = {true, instance.actuation->linear, instance.actuation->yaw_rate};
+  }
+
  private:
-  double max_speed_ = 1.0;
-  double max_yaw_rate_ = 2.0;
-  double noise_ = 0.0;
+  double max_speed_ = EyebotVelocity::kUsualFastest;
+  double max_yaw_rate_ = EyebotVelocity::kUsualFastestTurn;
 };
 
 }  // namespace

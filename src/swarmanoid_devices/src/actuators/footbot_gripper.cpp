@@ -1,6 +1,7 @@
 // Gripper: the engine that moves the robot computes the gripping; this device only passes the command on.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
+#include "mechanisms.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
 namespace swarmanoid::devices {
@@ -13,6 +14,7 @@ class FootbotGripperActuator final : public ActuatorOf<FootbotGripper> {
     description.label = FootbotGripper::kType;
     description.implementation = "default";
     description.is_default = true;
+    description.mechanisms = {holder("gripper")};
     description.implementation_aliases = {"dummy_footbot_gripper"};
     description.summary = "Closes the gripper on what it reaches, or opens it.";
     description.robots = {"footbot"};
@@ -20,6 +22,11 @@ class FootbotGripperActuator final : public ActuatorOf<FootbotGripper> {
   }
 
   void configure(const Configuration&) override {}
+
+ protected:
+  void apply(Space& space, BasicActuatorInstance<FootbotGripper>& instance) override {
+    command(space, instance.row, "gripper", instance.actuation->closed);
+  }
 };
 
 }  // namespace

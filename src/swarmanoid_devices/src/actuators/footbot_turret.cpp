@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
@@ -10,6 +11,7 @@ namespace swarmanoid::devices {
 namespace {
 
 struct TurretInstance : BasicActuatorInstance<FootbotTurret> {
+  int joint = -1;          // index of the joint in the model
   double max_speed = 0.0;  // rad/s
 };
 
@@ -20,6 +22,7 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
     description.label = FootbotTurret::kType;
     description.implementation = "default";
     description.is_default = true;
+    description.mechanisms = {joint("turret")};
     description.summary = "Turns the gripper against the chassis: to an angle, at a speed, or as it is pulled.";
     description.robots = {"footbot"};
     description.parameters = {
@@ -35,10 +38,10 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
 
  protected:
   void prepareInstance(const Space& space, TurretInstance& instance) override {
-    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(instance.row)];
-    const int joint = model.findJoint("turret");
+    const EntityModel& model = *space.entities.model[instance.row];
+    instance.joint = model.findJoint("turret");
     // engines refuse a footbot without a turret
-    instance.max_speed = joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(joint)].max_speed;
+    instance.max_speed = instance.joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(instance.joint)].max_speed;
   }
 
   void limit(const Space& space, TurretInstance& instance) override {
@@ -53,6 +56,17 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
         turret.speed *= instance.random.gaussian(1.0, noise_);
       }
       turret.speed = std::clamp(turret.speed, -instance.max_speed, instance.max_speed);
+    }
+  }
+
+  void apply(Space& space, TurretInstance& instance) override {
+    using Mode = JointCommand::Mode;
+    if (instance.joint >= 0) {
+      const FootbotTurret& turret = *instance.actuation;
+      space.joint_commands[instance.row][static_cast<std::size_t>(instance.joint)] =
+          turret.mode == FootbotTurret::Mode::kAngle   ? JointCommand{Mode::kAngle, turret.angle}
+          : turret.mode == FootbotTurret::Mode::kSpeed ? JointCommand{Mode::kSpeed, turret.speed}
+                                                       : JointCommand{Mode::kPassive, 0.0};
     }
   }
 

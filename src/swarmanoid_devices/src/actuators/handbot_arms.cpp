@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
@@ -11,7 +12,14 @@ namespace {
 
 struct ArmsInstance : BasicActuatorInstance<HandbotArms> {
   std::shared_ptr<const EntityModel> model;
+  std::array<int, HandbotArmsState::kJoints> joints{};  // indices in the model
 };
+
+/// In the order of HandbotArmsState::kNames.
+std::array<double*, HandbotArmsState::kJoints> anglesOf(HandbotArms& arms) {
+  return {&arms.left.shoulder,  &arms.left.elbow,  &arms.left.wrist,
+          &arms.right.shoulder, &arms.right.elbow, &arms.right.wrist};
+}
 
 class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsInstance> {
  public:
@@ -20,6 +28,7 @@ class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsInstance> {
     description.label = HandbotArms::kType;
     description.implementation = "default";
     description.is_default = true;
+    description.mechanisms = joints(HandbotArmsState::kNames);
     description.summary = "Angles of the joints of both arms, limited to where they stop.";
     description.robots = {"handbot"};
     description.parameters = {
@@ -27,32 +36,35 @@ class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsInstance> {
     return description;
   }
 
-  void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
+  void configure(const Configuration& parameters) override {
+    addErrorAlias("gaussian", "", "deviation", parameters.angle("noise", 0.0));
+  }
 
  protected:
   void prepareInstance(const Space& space, ArmsInstance& instance) override {
-    instance.model = space.entities.model[static_cast<std::size_t>(instance.row)];
+    instance.model = space.entities.model[instance.row];
+    instance.joints = indicesOf(HandbotArmsState::kNames, *instance.model);
   }
 
-  void limit(const Space& space, ArmsInstance& instance) override {
-    instance.random.startTick(space.tick);
-    const std::array<double*, HandbotArmsState::kJoints> angles{
-        &instance.actuation->left.shoulder,  &instance.actuation->left.elbow,  &instance.actuation->left.wrist,
-        &instance.actuation->right.shoulder, &instance.actuation->right.elbow, &instance.actuation->right.wrist};
+  void limit(const Space& /*space*/, ArmsInstance& instance) override {
+    const auto angles = anglesOf(*instance.actuation);
     for (std::size_t i = 0; i < angles.size(); ++i) {
-      if (noise_ > 0.0) {
-        *angles[i] += instance.random.gaussian(0.0, noise_);
-      }
-      const int index = instance.model->findJoint(HandbotArmsState::kNames[i]);
-      if (index >= 0) {
-        const EntityModel::Joint& joint = instance.model->joints[static_cast<std::size_t>(index)];
+      if (instance.joints[i] >= 0) {
+        const EntityModel::Joint& joint = instance.model->joints[static_cast<std::size_t>(instance.joints[i])];
         *angles[i] = std::clamp(*angles[i], joint.lower, joint.upper);
       }
     }
   }
 
- private:
-  double noise_ = 0.0;  // rad
+  void apply(Space& space, ArmsInstance& instance) override {
+    const auto angles = anglesOf(*instance.actuation);
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      if (instance.joints[i] >= 0) {
+        space.joint_commands[instance.row][static_cast<std::size_t>(instance.joints[i])] = {JointCommand::Mode::kAngle,
+                                                                                            *angles[i]};
+      }
+    }
+  }
 };
 
 }  // namespace

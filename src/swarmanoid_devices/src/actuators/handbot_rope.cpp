@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
@@ -17,32 +18,33 @@ class HandbotRopeActuator final : public ActuatorOf<HandbotRope> {
     description.label = HandbotRope::kType;
     description.implementation = "default";
     description.is_default = true;
+    description.mechanisms = {holder("rope")};
     description.summary = "Shoots the rope, winds it in and out, lets it go.";
     description.robots = {"handbot"};
-    description.parameters = {number("max_speed", "m/s", "0.2", {0.0, 2.0}, "The fastest winding, in and out."),
+    description.parameters = {number("max_speed", "m/s", numberText(HandbotRope::kUsualFastest), {0.0, 2.0},
+                                     "The fastest winding, in and out."),
                               number("noise", "", "0", {0.0, 1.0},
                                      "Standard deviation of the factor that the winding speed is multiplied with.")};
     return description;
   }
 
   void configure(const Configuration& parameters) override {
-    max_speed_ = parameters.number("max_speed", 0.2);
-    noise_ = parameters.number("noise", 0.0);
+    max_speed_ = parameters.number("max_speed", HandbotRope::kUsualFastest);
+    addErrorAlias("factor", "winding_speed", "deviation", parameters.number("noise", 0.0));
   }
 
  protected:
-  void limit(const Space& space, BasicActuatorInstance<HandbotRope>& instance) override {
+  void limit(const Space& /*space*/, BasicActuatorInstance<HandbotRope>& instance) override {
     double& speed = instance.actuation->winding_speed;
-    if (noise_ > 0.0) {
-      instance.random.startTick(space.tick);
-      speed *= instance.random.gaussian(1.0, noise_);
-    }
     speed = std::clamp(speed, -max_speed_, max_speed_);
   }
 
+  void apply(Space& space, BasicActuatorInstance<HandbotRope>& instance) override {
+    command(space, instance.row, "rope", instance.actuation->shot, instance.actuation->winding_speed);
+  }
+
  private:
-  double max_speed_ = 0.2;
-  double noise_ = 0.0;
+  double max_speed_ = HandbotRope::kUsualFastest;
 };
 
 }  // namespace

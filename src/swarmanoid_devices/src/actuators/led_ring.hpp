@@ -16,7 +16,6 @@ class LedRingActuator : public ActuatorOf<Leds> {
 
  protected:
   static PluginDescription describeRing(const std::string& robot) {
-    static_assert(Leds::kCount <= EntityModel::kMaxLeds, "the space has room for all LEDs of the ring");
     PluginDescription description;
     description.label = Leds::kType;
     description.implementation = "default";
@@ -27,7 +26,8 @@ class LedRingActuator : public ActuatorOf<Leds> {
   }
 
   void apply(Space& space, BasicActuatorInstance<Leds>& instance) override {
-    std::copy(instance.actuation->ring.begin(), instance.actuation->ring.end(), space.ledsOf(instance.row));
+    const Span<Color> leds = space.leds[instance.row];  // a robot may have fewer than the device
+    std::copy_n(instance.actuation->ring.begin(), std::min(leds.size(), Leds::kCount), leds.begin());
   }
 };
 

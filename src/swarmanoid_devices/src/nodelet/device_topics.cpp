@@ -59,26 +59,25 @@ void DeviceTopics::take(Commanded& commanded, const DeviceTopic& device, const s
 }
 
 void DeviceTopics::addLeds(const Space& space, Row row) {
-  const std::size_t count = space.entities.model[static_cast<std::size_t>(row)]->led_positions.size();
-  if (count == 0) {
+  if (space.leds[row].empty()) {
     return;
   }
   constexpr bool kLatched = true;
   // a latched topic is published at every change, even without subscribers
-  topics_.push_back({handle_.advertise<swarmanoid_msgs::LedArray>("leds/state", 1, kLatched),
-                     [this, count, shown = std::vector<Color>()](const ros::Publisher& publisher, const Space& seen,
-                                                                 Row owner) mutable {
-                       const Span<const Color> ring(seen.ledsOf(owner), count);
-                       if (std::vector<Color>(ring.begin(), ring.end()) == shown) {
-                         return;
-                       }
-                       shown.assign(ring.begin(), ring.end());
-                       swarmanoid_msgs::LedArray message;
-                       toMessage(ring, message);
-                       message.header.stamp = stampOf(seen);
-                       message.header.frame_id = frameOf(id_);
-                       publisher.publish(message);
-                     }});
+  topics_.push_back(
+      {handle_.advertise<swarmanoid_msgs::LedArray>("leds/state", 1, kLatched),
+       [this, shown = std::vector<Color>()](const ros::Publisher& publisher, const Space& seen, Row owner) mutable {
+         const Span<const Color> ring = seen.leds[owner];
+         if (std::vector<Color>(ring.begin(), ring.end()) == shown) {
+           return;
+         }
+         shown.assign(ring.begin(), ring.end());
+         swarmanoid_msgs::LedArray message;
+         toMessage(ring, message);
+         message.header.stamp = stampOf(seen);
+         message.header.frame_id = frameOf(id_);
+         publisher.publish(message);
+       }});
 }
 
 void DeviceTopics::addAll(const Space& space, Row row) {

@@ -69,15 +69,17 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
   virtual void configureView(const Configuration&) {}
   virtual double slope() const { return 0.0; }
 
+  std::size_t mostElements() const override { return max_blobs_; }
+
   void prepareInstance(const Space& space, Instance& instance) override {
     instance.buffer.resize(max_blobs_);
-    instance.mount = space.entities.model[static_cast<std::size_t>(instance.row)]->mount("camera");
+    instance.mount = space.entities.model[instance.row]->mount("camera");
   }
 
  private:
   void noteOverflow(Space& space, Instance& instance) const {
     if (!instance.has_overflowed) {
-      const std::string& robot = space.entities.name[static_cast<std::size_t>(instance.row)];
+      const std::string& robot = space.entities.name[instance.row];
       const std::string text = std::string(Camera::kType) + ": more than " + std::to_string(max_blobs_) + " blobs";
       space.events.push_back({Event::Kind::kOverflow, robot, "", text});
       if (!instance.overflow) {
@@ -93,7 +95,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
   }
 
   void senseOne(const Space& space, Instance& instance) const {
-    const Pose& pose = space.entities.pose[static_cast<std::size_t>(instance.row)];
+    const Pose& pose = space.entities.pose[instance.row];
     BlobView view;
     view.self = instance.row;
     view.position = pose.toWorld(instance.mount.position);

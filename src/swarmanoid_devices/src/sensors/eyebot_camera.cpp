@@ -7,7 +7,7 @@ namespace {
 class EyebotCameraSensor final : public ColorBlobCameraSensor<EyebotCamera> {
  public:
   static PluginDescription describe() {
-    PluginDescription description = describeCamera("10", "true");
+    PluginDescription description = describeCamera(numberText(EyebotCamera::kUsualRange), "true");
     description.summary = "Camera looking down that reports blobs of colour.";
     description.robots = {"eyebot"};
     description.parameters.push_back(
@@ -17,7 +17,7 @@ class EyebotCameraSensor final : public ColorBlobCameraSensor<EyebotCamera> {
 
  protected:
   void configureView(const Configuration& parameters) override {
-    slope_ = std::tan(parameters.angle("aperture", M_PI / 4.0));
+    slope_ = std::tan(parameters.angle("aperture", EyebotCamera::kUsualAperture));
   }
   double slope() const override { return slope_; }
 

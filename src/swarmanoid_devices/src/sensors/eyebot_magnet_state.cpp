@@ -1,5 +1,7 @@
 // The magnet's contact switch.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+
+#include "mechanisms.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid::devices {
@@ -20,10 +22,8 @@ class EyebotMagnetStateSensor final : public SensorOf<EyebotMagnetState> {
   void configure(const Configuration&) override {}
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
-    using Kind = Attachment::Kind;
     for (std::size_t k = first; k < last; ++k) {
-      const Row row = instances_[k].row;
-      instances_[k].readings->attached = space.attachments.isAttached(row, Kind::kMagnet);
+      instances_[k].readings->attached = attachmentOf(space, instances_[k].row, "magnet").held != kNoRow;
     }
   }
 };

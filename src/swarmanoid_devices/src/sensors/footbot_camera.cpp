@@ -7,7 +7,7 @@ namespace {
 class FootbotCameraSensor final : public ColorBlobCameraSensor<FootbotCamera> {
  public:
   static PluginDescription describe() {
-    PluginDescription description = describeCamera("2", "false");
+    PluginDescription description = describeCamera(numberText(FootbotCamera::kUsualRange), "false");
     description.label_aliases = {"pie_camera"};
     description.implementation_aliases = {"generic_pie_camera"};
     description.summary = "Omnidirectional camera that reports blobs of colour.";

@@ -1,6 +1,6 @@
 // The turret's encoder and the torque of its motor, as written by the engine that moves the robot.
+#include "mechanisms.hpp"
 #include "parameters.hpp"
-#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -18,6 +18,7 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
     description.label = FootbotTurretState::kType;
     description.implementation = "default";
     description.is_default = true;
+    description.mechanisms = {joint("turret")};
     description.summary = "Where the turret stands, how fast it turns, and the torque of its motor.";
     description.robots = {"footbot"};
     description.parameters = {
@@ -27,8 +28,8 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
   }
 
   void configure(const Configuration& parameters) override {
-    noise_ = parameters.angle("noise", 0.0);
-    noise_torque_ = parameters.number("noise_torque", 0.0);
+    addErrorAlias("gaussian", "angle", "deviation", parameters.angle("noise", 0.0));
+    addErrorAlias("gaussian", "torque", "deviation", parameters.number("noise_torque", 0.0));
   }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
@@ -37,26 +38,15 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
       if (instance.joint < 0) {
         continue;
       }
-      const JointState& state = space.jointsOf(instance.row)[instance.joint];
+      const JointState& state = space.joints[instance.row][instance.joint];
       *instance.readings = {state.angle, state.speed, state.effort};
-      instance.random.startTick(space.tick);
-      if (noise_ > 0.0) {
-        instance.readings->angle = wrapAngle(state.angle + instance.random.gaussian(0.0, noise_));
-      }
-      if (noise_torque_ > 0.0) {
-        instance.readings->torque += instance.random.gaussian(0.0, noise_torque_);
-      }
     }
   }
 
  protected:
   void prepareInstance(const Space& space, TurretStateInstance& instance) override {
-    instance.joint = space.entities.model[static_cast<std::size_t>(instance.row)]->findJoint("turret");
+    instance.joint = space.entities.model[instance.row]->findJoint("turret");
   }
-
- private:
-  double noise_ = 0.0;         // rad
-  double noise_torque_ = 0.0;  // N m
 };
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Encoders and torque sensors of the arms' joints.
+#include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_space/sensor.hpp"
@@ -23,33 +24,28 @@ class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsState
     return description;
   }
 
-  void configure(const Configuration& parameters) override { noise_ = parameters.angle("noise", 0.0); }
+  void configure(const Configuration& parameters) override {
+    addErrorAlias("gaussian", "joints[].angle", "deviation", parameters.angle("noise", 0.0));
+  }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
       ArmsStateInstance& instance = instances_[k];
-      instance.random.startTick(space.tick);
       for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
         if (instance.joints[i] < 0) {
           continue;
         }
-        const JointState& state = space.jointsOf(instance.row)[instance.joints[i]];
-        const double error = noise_ > 0.0 ? instance.random.gaussian(0.0, noise_) : 0.0;
-        instance.readings->joints[i] = {state.angle + error, state.speed, state.effort};
+        const JointState& state = space.joints[instance.row][instance.joints[i]];
+        instance.readings->joints[i] = {state.angle, state.speed, state.effort};
       }
     }
   }
 
  protected:
   void prepareInstance(const Space& space, ArmsStateInstance& instance) override {
-    const EntityModel& model = *space.entities.model[static_cast<std::size_t>(instance.row)];
-    for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
-      instance.joints[i] = model.findJoint(HandbotArmsState::kNames[i]);
-    }
+    const EntityModel& model = *space.entities.model[instance.row];
+    instance.joints = indicesOf(HandbotArmsState::kNames, model);
   }
-
- private:
-  double noise_ = 0.0;  // rad
 };
 
 }  // namespace

@@ -1,5 +1,7 @@
 // The docking sensors of the hands.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
+
+#include "mechanisms.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid::devices {
@@ -20,11 +22,10 @@ class HandbotHandsStateSensor final : public SensorOf<HandbotHandsState> {
   void configure(const Configuration&) override {}
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
-    using Kind = Attachment::Kind;
     for (std::size_t k = first; k < last; ++k) {
       const Row row = instances_[k].row;
-      const Attachment& left = space.attachments.of(row, Kind::kLeftHand);
-      const Attachment& right = space.attachments.of(row, Kind::kRightHand);
+      const Attachment left = attachmentOf(space, row, "left hand");
+      const Attachment right = attachmentOf(space, row, "right hand");
       instances_[k].readings->left = {left.held != kNoRow, left.force};
       instances_[k].readings->right = {right.held != kNoRow, right.force};
     }

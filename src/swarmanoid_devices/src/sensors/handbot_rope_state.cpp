@@ -1,5 +1,7 @@
 // The rope's encoder and tension sensor.
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+
+#include "mechanisms.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid::devices {
@@ -20,10 +22,8 @@ class HandbotRopeStateSensor final : public SensorOf<HandbotRopeState> {
   void configure(const Configuration&) override {}
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
-    using Kind = Attachment::Kind;
     for (std::size_t k = first; k < last; ++k) {
-      const Row row = instances_[k].row;
-      const Attachment& rope = space.attachments.of(row, Kind::kRope);
+      const Attachment rope = attachmentOf(space, instances_[k].row, "rope");
       *instances_[k].readings = {rope.held != kNoRow, rope.length, rope.force};
     }
   }

@@ -13,11 +13,21 @@ namespace swarmanoid {
 /// From a gripper's tip to the gripping strip that it can close on [m].
 constexpr double kGripperReach = 0.02;
 
+/// The first gripper of a robot that is commanded, as an index of its holders; -1: there is none.
+inline int commandedGripper(const Space& space, Row row) {
+  const EntityModel& model = *space.entities.model[row];
+  for (std::size_t i = 0; model.gripper && i < model.holders.size(); ++i) {
+    if (model.holders[i].kind == EntityModel::Holder::Kind::kGripper && space.holder_commands[row][i].is_commanded) {
+      return static_cast<int>(i);
+    }
+  }
+  return -1;
+}
+
 /// Phase `connect`. @param kind kAttached or kReleased
 inline void reportGrip(Space& space, Event::Kind kind, Row gripper, Row gripped, const std::string& text = "") {
   const auto& names = space.entities.name;
-  space.events.push_back(
-      {kind, names[static_cast<std::size_t>(gripper)], names[static_cast<std::size_t>(gripped)], text});
+  space.events.push_back({kind, names[gripper], names[gripped], text});
 }
 
 /// The text of the event in which a grip ends that was pulled too hard. @param strength [N]

@@ -99,8 +99,8 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   rigid_body.origin_advance = end.position;
   rigid_body.centre_advance = end.position + end.rotated(rigid_body.arm) - rigid_body.arm;
   rigid_body.turn_rate = body.turn_rate;
-  rigid_body.drive = body.wheels != nullptr ? Drive::kTreels : Drive::kFlight;
-  if (body.wheels != nullptr) {
+  rigid_body.drive = body.is_wheeled ? Drive::kTreels : Drive::kFlight;
+  if (body.is_wheeled) {
     const PlanarModel& model = *body.model;
     rigid_body.ahead = model.ahead;
     rigid_body.axle = body.entity->wheels->separation * model.left;

@@ -109,7 +109,7 @@ void Dynamics2d::reconfigure(const Configuration& parameters) {
   }
 }
 
-std::string Dynamics2d::unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const {
+std::string Dynamics2d::unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const {
   std::string problem = PlanarEngine::unsupportedReason(model, devices);
   if (problem.empty() && turnsLyingCylinder(model)) {
     return "has a cylinder on its turret that does not stand upright, which this engine cannot turn";
@@ -194,7 +194,7 @@ void Dynamics2d::putBody(const Space& space, BodyIndex index) {
   rigid_body.heading = body.pose.heading;
   rigid_body.centre = body.pose.position + body.pose.rotated(rigid_body.arm);
   rigid_body.writeTransform();
-  const Twist& twist = space.entities.twist[static_cast<std::size_t>(body.row)];
+  const Twist& twist = space.entities.twist[body.row];
   const double turn_rate = plane.along(twist.angular);
   const Eigen::Vector2d arm = body.pose.rotated(rigid_body.arm);
   const Eigen::Vector2d velocity = plane.toLocal(twist.linear) + turn_rate * Eigen::Vector2d(-arm.y(), arm.x());

@@ -67,7 +67,7 @@ class Dynamics2d final : public planar::PlanarEngine {
 
   void configure(const std::string& id, const Configuration& parameters) override;
   void reconfigure(const Configuration& parameters) override;
-  std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
   std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
   std::string unsupportedGripReason(const Space&, Row) const override { return ""; }
   void add(Space& space, Row row, Role role) override;
@@ -96,7 +96,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void takePose(const Space& space, BodyIndex index);
 
   // motion.cpp
-  void startTick(double tick);
+  void startTick(const Space& space, double tick);
   void choosePieces(double step);
   void moveInBox2d();
   void joinGround(BodyIndex index);

@@ -14,7 +14,7 @@ namespace swarmanoid::dynamics2d {
 void Dynamics2d::connect(Space& space) {
   for (const BodyIndex index : movers_) {
     const Body& body = bodies_[index];
-    if (body.gripper == nullptr) {
+    if (body.gripper < 0) {
       continue;
     }
     Grip& grip = rigid(index).grip;
@@ -24,7 +24,7 @@ void Dynamics2d::connect(Space& space) {
       grip = Grip{};
       grip.must_open = true;
     }
-    if (!body.gripper->closed) {
+    if (!planar::isGripperClosed(space, body)) {
       grip.must_open = false;
       if (grip.joint != nullptr) {
         reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row);

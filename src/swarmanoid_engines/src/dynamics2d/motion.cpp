@@ -56,7 +56,7 @@ void Dynamics2d::readMirrors(const Space& space) {
 }
 
 void Dynamics2d::move(Space& space, Duration dt) {
-  startTick(toSeconds(dt));
+  startTick(space, toSeconds(dt));
   moveAlone(toSeconds(dt));
   if (!present_.empty() || !mirrors_.empty()) {  // moved mirrors are noted in Box2D until it steps
     moveInBox2d();
@@ -92,7 +92,8 @@ void Dynamics2d::moveInBox2d() {
   }
 }
 
-void Dynamics2d::startTick(double tick) {
+void Dynamics2d::startTick(const Space& space, double tick) {
+  bodies_.readTurretCommands(space);
   for (const BodyIndex index : newcomers_) {
     joinGround(index);
   }
@@ -102,8 +103,8 @@ void Dynamics2d::startTick(double tick) {
   int robots = 0;
   for (const BodyIndex index : movers_) {
     Body& body = bodies_[index];
-    if (body.wheels != nullptr || body.flight != nullptr) {
-      readCommands(body);
+    if (body.isDriven()) {
+      readCommands(space, body);
       rigid(index).ordinal = robots++;
     }
     measureWay(index, tick, 0.0);
@@ -121,7 +122,7 @@ void Dynamics2d::startTick(double tick) {
   const double nominal = tick / subclock_;
   choosePieces(nominal);
   for (const BodyIndex index : movers_) {
-    if (bodies_[index].wheels != nullptr || bodies_[index].flight != nullptr) {
+    if (bodies_[index].isDriven()) {
       prepareDrive(index, rigid(index).is_alone ? nominal : last_step_);
     }
   }
@@ -135,7 +136,7 @@ void Dynamics2d::startTick(double tick) {
 void Dynamics2d::joinGround(BodyIndex index) {
   const Body& body = bodies_[index];
   const RigidBody& rigid_body = rigid(index);
-  if (body.wheels != nullptr || body.flight != nullptr) {
+  if (body.isDriven()) {
     return;
   }
   b2FrictionJointDef definition;
@@ -165,7 +166,7 @@ void Dynamics2d::finishTick(Space& space) {
   for (const BodyIndex index : movers_) {
     RigidBody& rigid_body = rigid(index);
     const planar::PlacedPose pose = rigid_body.pose();
-    Twist& twist = space.entities.twist[static_cast<std::size_t>(bodies_[index].row)];
+    Twist& twist = space.entities.twist[bodies_[index].row];
     const Eigen::Vector2d arm = pose.rotated(rigid_body.arm);
     const double turn_rate = rigid_body.spinNow();
     const Eigen::Vector2d velocity = rigid_body.velocityNow() - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());

@@ -88,14 +88,14 @@ void Dynamics2d::driveTurrets(double step) {
       turnFreely(turret, step);
       continue;
     }
-    motor->EnableMotor(turret.command->mode != FootbotTurret::Mode::kPassive);
-    const double speed = motorSpeed(*turret.command, bodies_.jointOf(turret), turret.state.angle, step);
+    motor->EnableMotor(turret.command.mode != JointCommand::Mode::kPassive);
+    const double speed = motorSpeed(turret.command, bodies_.jointOf(turret), turret.state.angle, step);
     motor->SetMotorSpeed(static_cast<float>(turret.sense * speed));
   }
 }
 
 void Dynamics2d::turnFreely(Turret& turret, double step) {
-  const double angle = freeTurn(*turret.command, bodies_.jointOf(turret), turret.state.angle, step);
+  const double angle = freeTurn(turret.command, bodies_.jointOf(turret), turret.state.angle, step);
   turret.state.speed = 0.0;
   turret.state.effort = 0.0;
   if (angle == turret.state.angle) {
@@ -172,7 +172,7 @@ void Dynamics2d::finishTurrets(Space& space) {
     if (std::abs(wrapTurn(turret.state.angle - bodies_.shapesAngle(turret))) > kSeen) {
       turnGripper(turret);
     }
-    space.jointsOf(bodies_[turret.body].row)[turret.joint] = turret.state;
+    space.joints[bodies_[turret.body].row][turret.joint] = turret.state;
   }
 }
 

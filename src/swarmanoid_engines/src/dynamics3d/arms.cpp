@@ -15,18 +15,6 @@ using Eigen::Vector3d;
 // range and a stop there would share the load in a way that no solver can tell.
 constexpr double kStopGap = 1e-3;  // rad
 
-const double* targetOf(const std::string& joint, const HandbotArms& arms) {
-  const std::array<const double*, HandbotArmsState::kJoints> angles{&arms.left.shoulder, &arms.left.elbow,
-                                                                    &arms.left.wrist,    &arms.right.shoulder,
-                                                                    &arms.right.elbow,   &arms.right.wrist};
-  for (std::size_t i = 0; i < angles.size(); ++i) {
-    if (joint == HandbotArmsState::kNames[i]) {
-      return angles[i];
-    }
-  }
-  return nullptr;
-}
-
 /// The rigid body that carries a joint.
 dBodyID carrierOf(const Body& body, const std::vector<Link>& links, int joint) {
   const int carrier = body.model->joints[static_cast<std::size_t>(joint)].carrier;
@@ -66,13 +54,13 @@ double turnedTo(const EntityModel::Joint& joint, const Link& link) {
 
 /// The way from the joint's angle to the commanded one, within its range [rad].
 double missingTo(const EntityModel::Joint& joint, const Link& link) {
-  const double target = link.target == nullptr ? 0.0 : *link.target;
+  const double target = link.command.value;
   return isEndless(joint) ? wrapAngle(target - link.angle) : std::clamp(target, joint.lower, joint.upper) - link.angle;
 }
 
 }  // namespace
 
-std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms& arms) {
+std::vector<Link> makeLinks(dWorldID world, const Body& body) {
   const std::vector<EntityModel::Joint>& joints = body.model->joints;
   SWARMANOID_EXPECTS(body.rigid != nullptr);
   std::vector<Link> links(joints.size());
@@ -81,7 +69,6 @@ std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms&
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const EntityModel::Joint& joint = joints[i];
     Link& link = links[i];
-    link.target = targetOf(joint.name, arms);
     link.rigid = dBodyCreate(world);
     const Vector3d& at = joint.part.centre_of_mass;
     dBodySetPosition(link.rigid, at.x(), at.y(), at.z());
@@ -92,25 +79,20 @@ std::vector<Link> makeLinks(dWorldID world, const Body& body, const HandbotArms&
   return links;
 }
 
-void placeLinks(Body& body, const JointState* joints) {
-  const JointState zero[EntityModel::kMaxJoints] = {};
-  const JointState* states = joints == nullptr ? zero : joints;
+void placeLinks(Body& body, Span<const JointState> joints) {
   for (std::size_t i = 0; i < body.links.size(); ++i) {
-    body.links[i].angle = states[i].angle;
-    const Eigen::Isometry3d displacement = displacementOf(*body.model, states, static_cast<int>(i));
+    body.links[i].angle = joints.empty() ? 0.0 : joints[i].angle;
+    const Eigen::Isometry3d displacement = displacementOf(*body.model, joints, static_cast<int>(i));
     const Vector3d& centre = body.model->joints[i].part.centre_of_mass;
     const Eigen::Quaterniond turn = body.pose.orientation * Eigen::Quaterniond(displacement.linear());
     setBodyPose(body.links[i].rigid, body.pose.toWorld(displacement * centre), turn.normalized());
   }
 }
 
-void moveLinks(Body& body, const Twist& twist, const JointState* joints) {
-  const JointState zero[EntityModel::kMaxJoints] = {};
-  const JointState* states = joints == nullptr ? zero : joints;
-  std::array<Vector3d, EntityModel::kMaxJoints> turning;  // of the links, in W
+void moveLinks(Body& body, const Twist& twist, Span<const JointState> joints) {
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     const EntityModel::Joint& joint = body.model->joints[i];
-    const Eigen::Isometry3d displacement = displacementOf(*body.model, states, static_cast<int>(i));
+    const Eigen::Isometry3d displacement = displacementOf(*body.model, joints, static_cast<int>(i));
     const auto inWorld = [&](const Vector3d& point) -> Vector3d { return body.pose.toWorld(displacement * point); };
     // as the carrier moves the joint, and the joint the link
     Vector3d carrier_turning = twist.angular;
@@ -118,21 +100,21 @@ void moveLinks(Body& body, const Twist& twist, const JointState* joints) {
     Vector3d carrier_place = body.pose.position;
     if (joint.carrier >= 0) {
       const auto c = static_cast<std::size_t>(joint.carrier);
-      carrier_turning = turning[c];
+      carrier_turning = toVector(dBodyGetAngularVel(body.links[c].rigid));
       carrier_speed = toVector(dBodyGetLinearVel(body.links[c].rigid));
       carrier_place = toVector(dBodyGetPosition(body.links[c].rigid));
     }
     const Vector3d axis = body.pose.orientation * (displacement.linear() * joint.axis);
     const Vector3d hinge = inWorld(joint.frame.position);
-    turning[i] = carrier_turning + states[i].speed * axis;
+    const Vector3d turning = carrier_turning + (joints.empty() ? 0.0 : joints[i].speed) * axis;
     const Vector3d speed = carrier_speed + carrier_turning.cross(hinge - carrier_place) +
-                           turning[i].cross(inWorld(joint.part.centre_of_mass) - hinge);
+                           turning.cross(inWorld(joint.part.centre_of_mass) - hinge);
     dBodySetLinearVel(body.links[i].rigid, speed.x(), speed.y(), speed.z());
-    dBodySetAngularVel(body.links[i].rigid, turning[i].x(), turning[i].y(), turning[i].z());
+    dBodySetAngularVel(body.links[i].rigid, turning.x(), turning.y(), turning.z());
   }
 }
 
-void turnSolids(Body& body, const JointState* joints) {
+void turnSolids(Body& body, Span<const JointState> joints) {
   for (std::size_t i = 0; i < body.model->shapes.size(); ++i) {
     if (body.model->shapes[i].joint < 0) {
       continue;
@@ -150,12 +132,15 @@ void driveLinks(Body& body) {
     link.angle = turnedTo(joint, link);
     dJointSetAMotorAngle(link.stop, 0, link.angle);
     link.stop_feedback = {};  // ODE writes nothing into that of a stop that is idle
-    const double speed = kGain * missingTo(joint, link);
+    const bool is_at_speed = link.command.mode == JointCommand::Mode::kSpeed;
+    const double speed = is_at_speed ? link.command.value : kGain * missingTo(joint, link);
+    const bool is_off = link.command.mode == JointCommand::Mode::kPassive;
+    dJointSetHingeParam(link.hinge, dParamFMax, is_off ? 0.0 : joint.max_effort);
     dJointSetHingeParam(link.hinge, dParamVel, std::clamp(speed, -joint.max_speed, joint.max_speed));
   }
 }
 
-void readLinks(const Body& body, JointState* joints) {
+void readLinks(const Body& body, Span<JointState> joints) {
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     const Link& link = body.links[i];
     dVector3 axis;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "common/grips.hpp"
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/solids.hpp"
 #include "swarmanoid_interface/expects.hpp"
@@ -17,17 +18,30 @@ void setMass(dBodyID rigid, const Inertial& inertial) {
   dBodySetMass(rigid, &mass);
 }
 
-void findHolding(Body& body, const Space& space) {
-  const auto* hands = space.actuation.find<HandbotHands>(body.row);
-  const auto* rope = space.actuation.find<HandbotRope>(body.row);
-  const auto* magnet = space.actuation.find<EyebotMagnet>(body.row);
-  if (hands == nullptr && rope == nullptr && magnet == nullptr) {
-    return;
+bool isGripper(const EntityModel::Holder& holder) { return holder.kind == EntityModel::Holder::Kind::kGripper; }
+
+/// Whether one of its holders besides grippers is commanded.
+bool isHoldingCommanded(const Space& space, Row row) {
+  const EntityModel& model = *space.entities.model[row];
+  const Span<const HolderCommand> commands = space.holder_commands[row];
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (commands[i].is_commanded && !isGripper(model.holders[i])) {
+      return true;
+    }
   }
-  body.holding = std::make_unique<Holding>();
-  body.holding->hands = hands;
-  body.holding->rope_command = rope;
-  body.holding->magnet = magnet;
+  return false;
+}
+
+/// Whether one of its joints besides a turret is commanded.
+bool areLinksCommanded(const Space& space, Row row) {
+  const int turret = turretJoint(*space.entities.model[row]);
+  const Span<const JointCommand> commands = space.joint_commands[row];
+  for (std::size_t i = 0; i < commands.size(); ++i) {
+    if (commands[i].mode != JointCommand::Mode::kNone && static_cast<int>(i) != turret) {
+      return true;
+    }
+  }
+  return false;
 }
 
 }  // namespace
@@ -69,7 +83,7 @@ Twist Body::currentTwist() const {
   return {toVector(dBodyGetLinearVel(rigid)) - angular.cross(arm), angular};
 }
 
-void Body::setPose(const Pose& new_pose, const JointState* joints) {
+void Body::setPose(const Pose& new_pose, Span<const JointState> joints) {
   pose = new_pose;
   if (rigid == nullptr) {
     for (std::size_t i = 0; i < solids.size(); ++i) {
@@ -81,15 +95,15 @@ void Body::setPose(const Pose& new_pose, const JointState* joints) {
   setBodyPose(rigid, pose.toWorld(own.centre_of_mass), pose.orientation);
   if (!links.empty()) {
     placeLinks(*this, joints);
-  } else if (posed_ != nullptr && joints != nullptr && turret.joint < 0) {
+  } else if (posed_ != nullptr && !joints.empty() && turret.joint < 0) {
     turnSolids(*this, joints);
   }
-  if (joints != nullptr) {
+  if (!joints.empty()) {
     poseShapes(joints);
   }
 }
 
-void Body::setTwist(const Twist& twist, const JointState* joints) {
+void Body::setTwist(const Twist& twist, Span<const JointState> joints) {
   SWARMANOID_EXPECTS(rigid != nullptr);
   const Eigen::Vector3d arm = toQuaternion(dBodyGetQuaternion(rigid)) * own.centre_of_mass;
   const Eigen::Vector3d linear = twist.linear + twist.angular.cross(arm);
@@ -98,7 +112,7 @@ void Body::setTwist(const Twist& twist, const JointState* joints) {
   moveLinks(*this, twist, joints);
 }
 
-void Body::poseShapes(const JointState* joints) {
+void Body::poseShapes(Span<const JointState> joints) {
   if (posed_ == nullptr) {
     return;
   }
@@ -143,27 +157,42 @@ void Body::restoreState() {
   });
 }
 
+void readCommands(const Space& space, Body& body) {
+  body.wheels = space.wheels[body.row];
+  body.velocity = space.flight[body.row];
+  const Span<const JointCommand> joints = space.joint_commands[body.row];
+  for (std::size_t i = 0; i < body.links.size(); ++i) {
+    body.links[i].command = joints[i];
+  }
+  if (body.turret.joint >= 0) {
+    body.turret.command = joints[static_cast<std::size_t>(body.turret.joint)];
+  }
+  if (body.holding != nullptr) {
+    for (std::size_t i = 0; i < body.holding->ropes.size(); ++i) {
+      body.holding->ropes[i].wanted_winding = space.holder_commands[body.row][i].winding_speed;
+    }
+  }
+}
+
 std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role role) {
   SWARMANOID_EXPECTS(OdeLock::isHeld());
-  const auto i = static_cast<std::size_t>(row);
   auto body = std::make_unique<Body>();
-  body->number = space.entities.number[i];
+  body->number = space.entities.number[row];
   body->row = row;
   body->role = role;
-  body->model = space.entities.model[i];
+  body->model = space.entities.model[row];
   const EntityModel& model = *body->model;
   body->own = {model.mass, model.centre_of_mass, model.inertia};
-  body->wheels = model.wheels ? space.actuation.find<FootbotWheels>(row) : nullptr;
-  body->velocity = space.actuation.find<EyebotVelocity>(row);
-  body->gripper = model.gripper ? space.actuation.find<FootbotGripper>(row) : nullptr;
-  findHolding(*body, space);
+  body->gripper = commandedGripper(space, row);
+  if (isHoldingCommanded(space, row)) {
+    body->holding = std::make_unique<Holding>(model);
+  }
   if (model.is_movable) {
     body->is_dynamic = role == Role::kMove;
     body->rigid = dBodyCreate(world);
-    const HandbotArms* arms = body->is_dynamic ? space.actuation.find<HandbotArms>(row) : nullptr;
-    if (arms != nullptr) {
+    if (body->is_dynamic && areLinksCommanded(space, row)) {
       body->own = model.body_part;
-      body->links = makeLinks(world, *body, *arms);
+      body->links = makeLinks(world, *body);
     }
     if (body->is_dynamic) {
       setMass(body->rigid, body->own);
@@ -182,6 +211,7 @@ std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role
     body->posed_->shapes = model.shapes;
     body->posed_->measureShapes();
   }
+  readCommands(space, *body);
   return body;
 }
 

@@ -5,20 +5,12 @@
 /// their axes are those of B while all joints are at zero.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <vector>
 
 #include "dynamics3d/ode.hpp"
 #include "dynamics3d/settings.hpp"
 #include "dynamics3d/turret.hpp"
-#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
-#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
-#include "swarmanoid_interface/devices/footbot_gripper.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
-#include "swarmanoid_interface/devices/handbot_arms.hpp"
-#include "swarmanoid_interface/devices/handbot_hands.hpp"
-#include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -45,8 +37,8 @@ struct Link {
   dJointFeedback feedback = {};
   dJointID stop = nullptr;  ///< idle within the joint's range
   dJointFeedback stop_feedback = {};
-  double angle = 0.0;              ///< as of the start of the step, not wrapped [rad]
-  const double* target = nullptr;  ///< the commanded angle of the joint [rad]; null: 0
+  double angle = 0.0;    ///< as of the start of the step, not wrapped [rad]
+  JointCommand command;  ///< of this tick
 };
 
 /// What a robot's treels do.
@@ -54,7 +46,7 @@ struct Treels {
   double rim_speed[2] = {0.0, 0.0};  ///< left, right [m/s]; follows the command as fast as the motors can
 };
 
-/// What an eyebot's flight controller remembers.
+/// What the flight controller of a flying robot remembers.
 struct Flight {
   bool is_holding = false;
   Eigen::Vector3d held = Eigen::Vector3d::Zero();  ///< where its centre of mass would be, had it flown as commanded [m]
@@ -63,7 +55,7 @@ struct Flight {
 
 struct Body;
 
-/// What a gripper, a hand or a magnet holds.
+/// What a holder without a rope holds.
 struct Grip {
   Body* gripped = nullptr;
   dBodyID holder = nullptr;  ///< the rigid body of the robot that holds it
@@ -74,11 +66,12 @@ struct Grip {
   bool must_open = false;                           ///< it broke, and was not opened since
 };
 
-/// A handbot's rope. See rope.hpp.
+/// A rope. See rope.hpp.
 struct Rope {
   Body* held = nullptr;                                ///< by the magnet at its end; null: nothing
   Eigen::Vector3d anchor = Eigen::Vector3d::Zero();    ///< where, in the frame B of `held` [m]
   double length = 0.0;                                 ///< from launcher to anchor, when taut [m]
+  double wanted_winding = 0.0;                         ///< as commanded in this tick [m/s]
   double winding = 0.0;                                ///< how fast it shortens in the step under way [m/s]
   double tension = 0.0;                                ///< without the noise of single steps [N]
   dJointFeedback feedback = {};                        ///< of the step
@@ -88,19 +81,14 @@ struct Rope {
   bool must_rewind = false;  ///< it broke, met nothing to hold or lost what it held, and was not called back since
 };
 
-/// What a robot holds on to by its hands, its magnet and its rope. Few robots have any, and none of the others is to
-/// pay for them.
+/// What a robot holds on to by its other holders than a gripper. Few robots have any, and none of the others is to pay
+/// for them.
 struct Holding {
-  // Its commands; null if it has no such device.
-  const HandbotHands* hands = nullptr;
-  const HandbotRope* rope_command = nullptr;
-  const EyebotMagnet* magnet = nullptr;
+  explicit Holding(const EntityModel& model) : grips(model.holders.size()), ropes(model.holders.size()) {}
 
-  std::array<Grip, Attachment::kKinds> grips;  ///< by hands and magnet; the rope is not among them
-  Rope rope;
-
-  Grip& grip(Attachment::Kind kind) { return grips[static_cast<std::size_t>(kind)]; }
-  const Grip& grip(Attachment::Kind kind) const { return grips[static_cast<std::size_t>(kind)]; }
+  // Both by the model's holders; those of a rope use `ropes`, the others `grips`.
+  std::vector<Grip> grips;
+  std::vector<Rope> ropes;
 };
 
 struct Body {
@@ -125,28 +113,30 @@ struct Body {
   Pose pose;                       ///< of B, as of the end of the last tick: what rays hit
   bool is_seen_elsewhere = false;  ///< a mirror; rays hit the entity in the engine that moves it
 
-  // Its commands; null if it has no such device, or not the parts for it.
-  const FootbotWheels* wheels = nullptr;
-  const EyebotVelocity* velocity = nullptr;
-  const FootbotGripper* gripper = nullptr;
+  // Its commands, of the tick under way.
+  WheelsCommand wheels;
+  FlightCommand velocity;
+  int gripper = -1;  ///< index of the holder; -1: it has none that is commanded
 
   Treels treels;
   Flight flight;
   Grip grip;
-  std::unique_ptr<Holding> holding;  ///< null: it has neither hands nor a rope nor a magnet
+  std::unique_ptr<Holding> holding;  ///< null: nobody commands its holders, and they hold nothing
   Turret turret;
+
+  const EntityModel::Holder& holder(std::size_t index) const { return model->holders[index]; }
 
   /// What rays hit: the model with its shapes where the joints have turned them.
   const EntityModel& seen() const { return posed_ == nullptr ? *model : *posed_; }
-  void poseShapes(const JointState* joints);
+  void poseShapes(Span<const JointState> joints);
 
   /// Of B, now. @pre rigid
   Pose currentPose() const;
   Twist currentTwist() const;
-  /// @param joints states of the model's joints; null: all are zero
-  void setPose(const Pose& pose, const JointState* joints = nullptr);
+  /// @param joints states of the model's joints; none: all are zero
+  void setPose(const Pose& pose, Span<const JointState> joints = {});
   /// After setPose. @pre rigid
-  void setTwist(const Twist& twist, const JointState* joints = nullptr);
+  void setTwist(const Twist& twist, Span<const JointState> joints = {});
 
   /// Of ODE's bodies, for a step that may have to be done again.
   void saveState();
@@ -169,6 +159,9 @@ struct Body {
   std::vector<State> saved_;            // one for each rigid body
   std::unique_ptr<EntityModel> posed_;  // null: no joint turns a shape
 };
+
+/// Takes the commands of a tick from the space.
+void readCommands(const Space& space, Body& body);
 
 /// Makes the body and its solids at the entity's pose in the space.
 /// @pre no other body of that entity; an OdeLock is held

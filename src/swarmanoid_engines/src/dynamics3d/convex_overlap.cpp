@@ -1,10 +1,9 @@
-// Two convex solids overlap if the origin lies in the set of differences between their points (Gilbert, Johnson,
-// Keerthi 1988). The set's point nearest to the origin is found by way of simplices; a direction in which the whole set
-// lies beyond the origin proves that they are apart.
+// By the Minkowski Portal Refinement of libccd. Its variant of the algorithm of Gilbert, Johnson and Keerthi is no
+// match: of spheres that sink into each other by 10 um it calls four in ten apart.
 #include "dynamics3d/convex_overlap.hpp"
 
-#include <algorithm>
-#include <array>
+#include <ccd/ccd.h>
+
 #include <cmath>
 
 namespace swarmanoid::dynamics3d {
@@ -41,116 +40,32 @@ struct PlacedShape {
   Eigen::Matrix3d axes;
 };
 
-struct Simplex {
-  std::array<Vector3d, 4> points{Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero(), Vector3d::Zero()};
-  int count = 0;
-};
+/// The library takes what is smaller than 1e-10 for zero, squares of lengths too: it is given units of the smallest
+/// solids.
+constexpr double kUnit = 1e-4;  // m
 
-/// The point of a simplex nearest to the origin; reduces the simplex to the points that are needed for it.
-Vector3d nearestOfSegment(Simplex& s) {
-  const Vector3d edge = s.points[1] - s.points[0];
-  const double length_squared = edge.squaredNorm();
-  const double t = length_squared > 0.0 ? -s.points[0].dot(edge) / length_squared : 0.0;
-  if (t <= 0.0 || t >= 1.0) {
-    s.points[0] = s.points[t <= 0.0 ? 0 : 1];
-    s.count = 1;
-    return s.points[0];
-  }
-  return s.points[0] + t * edge;
+/// For the library: the point of a placed shape that lies farthest in a direction.
+void supportOf(const void* shape, const ccd_vec3_t* direction, ccd_vec3_t* point) {
+  const auto& d = direction->v;
+  const Vector3d p = static_cast<const PlacedShape*>(shape)->farthest({d[0], d[1], d[2]}) / kUnit;
+  ccdVec3Set(point, p.x(), p.y(), p.z());
 }
 
-Vector3d nearestOfTriangle(Simplex& s) {
-  const Vector3d a = s.points[0];
-  const Vector3d normal = (s.points[1] - a).cross(s.points[2] - a);
-  bool is_inside = normal.squaredNorm() > 0.0;
-  for (int i = 0; i < 3 && is_inside; ++i) {
-    const Vector3d& from = s.points[static_cast<std::size_t>(i)];
-    const Vector3d& to = s.points[static_cast<std::size_t>((i + 1) % 3)];
-    is_inside = normal.dot((to - from).cross(-from)) >= 0.0;
-  }
-  if (is_inside) {
-    return normal.dot(a) / normal.squaredNorm() * normal;
-  }
-  Simplex best;
-  Vector3d nearest = Vector3d::Zero();
-  for (int i = 0; i < 3; ++i) {
-    Simplex edge;
-    edge.count = 2;
-    edge.points[0] = s.points[static_cast<std::size_t>(i)];
-    edge.points[1] = s.points[static_cast<std::size_t>((i + 1) % 3)];
-    const Vector3d candidate = nearestOfSegment(edge);
-    if (best.count == 0 || candidate.squaredNorm() < nearest.squaredNorm()) {
-      best = edge;
-      nearest = candidate;
-    }
-  }
-  s = best;
-  return nearest;
-}
-
-/// Zero if the origin is inside.
-Vector3d nearestOfTetrahedron(Simplex& s) {
-  Simplex best;
-  Vector3d nearest = Vector3d::Zero();
-  for (int left_out = 0; left_out < 4; ++left_out) {
-    Simplex face;
-    for (int i = 0; i < 4; ++i) {
-      if (i != left_out) {
-        face.points[static_cast<std::size_t>(face.count++)] = s.points[static_cast<std::size_t>(i)];
-      }
-    }
-    const Vector3d normal = (face.points[1] - face.points[0]).cross(face.points[2] - face.points[0]);
-    const double apex = normal.dot(s.points[static_cast<std::size_t>(left_out)] - face.points[0]);
-    const double origin = -normal.dot(face.points[0]);
-    if (apex * origin > 0.0) {
-      continue;  // on the same side of this face: not the way out
-    }
-    const Vector3d candidate = nearestOfTriangle(face);
-    if (best.count == 0 || candidate.squaredNorm() < nearest.squaredNorm()) {
-      best = face;
-      nearest = candidate;
-    }
-  }
-  if (best.count > 0) {
-    s = best;
-  }
-  return nearest;
-}
-
-Vector3d nearestOf(Simplex& s) {
-  switch (s.count) {
-    case 1:
-      return s.points[0];
-    case 2:
-      return nearestOfSegment(s);
-    case 3:
-      return nearestOfTriangle(s);
-    default:
-      return nearestOfTetrahedron(s);
-  }
+void centreOf(const void* shape, ccd_vec3_t* centre) {
+  const Vector3d c = static_cast<const PlacedShape*>(shape)->centre / kUnit;
+  ccdVec3Set(centre, c.x(), c.y(), c.z());
 }
 
 bool overlap(const PlacedShape& a, const PlacedShape& b) {
-  constexpr int kMostRounds = 200;
-  constexpr double kInside = 1e-20;  // m2
-  const auto farthest = [&](const Vector3d& direction) {
-    return Vector3d(a.farthest(direction) - b.farthest(-direction));
-  };
-  Simplex simplex;
-  simplex.points[0] = farthest(b.centre - a.centre);
-  simplex.count = 1;
-  for (int round = 0; round < kMostRounds; ++round) {
-    const Vector3d nearest = nearestOf(simplex);
-    if (simplex.count == 4 || nearest.squaredNorm() < kInside) {
-      return true;
-    }
-    const Vector3d next = farthest(-nearest);
-    if (next.dot(nearest) > 0.0) {
-      return false;
-    }
-    simplex.points[static_cast<std::size_t>(simplex.count++)] = next;
-  }
-  return true;
+  constexpr double kPrecision = 1e-9;  // m
+  ccd_t query;
+  CCD_INIT(&query);
+  query.support1 = supportOf;
+  query.support2 = supportOf;
+  query.center1 = centreOf;
+  query.center2 = centreOf;
+  query.mpr_tolerance = kPrecision / kUnit;
+  return ccdMPRIntersect(&a, &b, &query) != 0;
 }
 
 }  // namespace

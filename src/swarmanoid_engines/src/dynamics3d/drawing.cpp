@@ -68,11 +68,14 @@ void Dynamics3d::drawAttachments(EngineDrawing& drawing) const {
     if (body->holding == nullptr) {
       continue;
     }
-    if (const Rope& rope = body->holding->rope; rope.held != nullptr) {
-      const Vector3d launcher = launcherOf(*body);
-      const Pose& held = rope.held->pose;
-      drawing.add(Kind::kJoint, launcher, held.toWorld(rope.anchor));
-      drawing.add(Kind::kForce, launcher, launcher + EngineDrawing::kMetresPerNewton * rope.tension * rope.towards);
+    for (std::size_t i = 0; i < body->holding->ropes.size(); ++i) {
+      const Rope& rope = body->holding->ropes[i];
+      if (rope.held != nullptr) {
+        const Vector3d launcher = launcherOf(*body, i);
+        const Vector3d pull = EngineDrawing::kMetresPerNewton * rope.tension * rope.towards;
+        drawing.add(Kind::kJoint, launcher, rope.held->pose.toWorld(rope.anchor));
+        drawing.add(Kind::kForce, launcher, launcher + pull);
+      }
     }
     for (const Grip& hold : body->holding->grips) {
       if (hold.joint != nullptr) {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "common/unsupported_devices.hpp"
+#include "common/unsupported_mechanisms.hpp"
 #include "dynamics3d/convex_overlap.hpp"
 #include "dynamics3d/ground_contacts.hpp"
 #include "dynamics3d/solids.hpp"
@@ -27,14 +27,14 @@ std::string Dynamics3d::unsupportedClocktickReason(Duration clocktick) const {
   return text.str();
 }
 
-std::string Dynamics3d::unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const {
+std::string Dynamics3d::unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const {
   if (model.is_movable && !(model.mass > 0.0)) {
     return "has no mass, so this engine cannot move it";
   }
   if (model.is_movable && model.inertia.llt().info() != Eigen::Success) {
     return "has an inertia that no body has, so this engine cannot move it";
   }
-  return unsupportedDevicesReason(model, devices);
+  return unsupportedMechanismsReason(model, devices);
 }
 
 void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {
@@ -77,14 +77,10 @@ Row Dynamics3d::overlap(const EntityModel& model, const Pose& pose, Span<const R
 }
 
 void Dynamics3d::add(Space& space, Row row, Role role) {
-  const auto i = static_cast<std::size_t>(row);
   const OdeLock lock(seed_);
   makeWorld();
-  if (by_row_.size() <= i) {
-    by_row_.resize(i + 1);
-  }
-  by_row_[i] = makeBody(world_, space, row, role);
-  Body& body = *by_row_[i];
+  by_row_.fit(row) = makeBody(world_, space, row, role);
+  Body& body = *by_row_[row];
   // a mirror of an old entity may come late: the order is by number, not by arrival
   const auto place = std::upper_bound(order_.begin(), order_.end(), &body,
                                       [](const Body* a, const Body* b) { return a->number < b->number; });
@@ -107,14 +103,13 @@ void Dynamics3d::rankFrom(std::vector<Body*>::iterator first) {
 void Dynamics3d::takePose(const Space& space, Body& body) {
   constexpr double kFastest = 5.0;       // m/s: a mirror that was put elsewhere did not go there
   constexpr double kFastestTurn = 20.0;  // rad/s
-  const auto i = static_cast<std::size_t>(body.row);
-  const JointState* joints = space.jointsOf(body.row);
-  body.setPose(space.entities.pose[i], joints);
-  body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[i] != nullptr;
+  const Span<const JointState> joints = space.joints[body.row];
+  body.setPose(space.entities.pose[body.row], joints);
+  body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[body.row] != nullptr;
   if (body.rigid == nullptr) {
     return;
   }
-  Twist twist = space.entities.twist[i];
+  Twist twist = space.entities.twist[body.row];
   if (!body.is_dynamic && !(twist.linear.norm() < kFastest && twist.angular.norm() < kFastestTurn)) {
     twist = Twist{};
   }
@@ -127,13 +122,12 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
 
 void Dynamics3d::remove(Space&, Row row) {
   const OdeLock lock(seed_);
-  const auto i = static_cast<std::size_t>(row);
-  Body* body = by_row_[i].get();
+  Body* body = by_row_[row].get();
   forgetHolds(*body);
   contacts_.remove(*body);
   seen_.remove(body);
   rankFrom(order_.erase(std::find(order_.begin(), order_.end(), body)));
-  by_row_[i].reset();
+  by_row_[row].reset();
 }
 
 void Dynamics3d::place(Space& space, Row row) {

@@ -1,12 +1,12 @@
 /// The three-dimensional dynamic engine (thesis 3.5.3): rigid bodies with masses, forces, friction and gravity, by ODE.
 ///
-/// Footbots stand on treels that drive with no more than the friction they have (treels.hpp). Preys and blocks with a
-/// mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints: any number of grippers on one
-/// object, chains, and they break when pulled too hard; with a turret (turret.hpp) they turn. So do hands and magnets
-/// break, also on what is fixed. Handbots move their arms (arms.hpp) and hang on their rope (rope.hpp). Eyebots fly by
-/// thrust and drag (flight.hpp); one without its flight controller falls. An entity that another engine moves is a
-/// mirror: it goes on from where it was when the tick began as fast as it then moved, nothing stops it, and what it
-/// meets is pushed away.
+/// Wheeled robots stand on treels that drive with no more than the friction they have (treels.hpp). Preys and blocks
+/// with a mass are pushed, fall, topple; blocks without one are fixed. Grips are rigid joints: any number of grippers
+/// on one object, chains, and they break when pulled too hard; with a turret (turret.hpp) they turn. So do suction and
+/// magnets break, also on what is fixed. Joints move links (arms.hpp), ropes carry who hangs on them (rope.hpp). Flying
+/// robots fly by thrust and drag (flight.hpp); one without its flight controller falls. An entity that another engine
+/// moves is a mirror: it goes on from where it was when the tick began as fast as it then moved, nothing stops it, and
+/// what it meets is pushed away.
 ///
 /// ODE's bodies have their origin in the centre of mass; poses and twists in the space are of the entities' origins.
 /// Entities at rest on the ground keep their height to a few micrometres.
@@ -54,7 +54,7 @@ class Dynamics3d final : public Engine {
   void reconfigure(const Configuration& parameters) override;
   void takeTerrain(const std::shared_ptr<const Terrain>& terrain) override;
   std::string unsupportedClocktickReason(Duration clocktick) const override;
-  std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
   std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
@@ -73,15 +73,12 @@ class Dynamics3d final : public Engine {
   EngineHealth health() const override;
   const SolverCounts& solverCounts() const { return counts_; }
 
-  /// Notes what the treels of every footbot do from now on, by step and entity number; null: no longer. For comparisons
-  /// with ODE alone.
+  /// Notes what the treels of every robot that has them do from now on, by step and entity number; null: no longer. For
+  /// comparisons with ODE alone.
   void record(std::vector<Treels>* treels) { recorded_treels_ = treels; }
 
  private:
-  Body* find(Row row) const {
-    const auto i = static_cast<std::size_t>(row);
-    return i < by_row_.size() ? by_row_[i].get() : nullptr;
-  }
+  Body* find(Row row) const { return by_row_.has(row) ? by_row_[row].get() : nullptr; }
   void makeWorld();
   void destroyWorld();
   /// Ranks are places in `order_`; those before `first` have theirs.
@@ -106,15 +103,14 @@ class Dynamics3d final : public Engine {
     Eigen::Vector3d point = Eigen::Vector3d::Zero();  // in W
     bool can_be_held = false;
   };
-  static bool isToldToHold(const Holding& holding, Attachment::Kind kind);
-  double strengthOf(Attachment::Kind kind) const;
+  double strengthOf(EntityModel::Holder::Kind kind) const;
   Surface findSurface(const Body& robot, const Segment& segment, bool is_magnetic) const;
   void connectAttachments(Space& space, Body& robot);
-  void connectHold(Space& space, Body& robot, Attachment::Kind kind);
-  void connectRope(Space& space, Body& robot, double dt);
-  void attach(Space& space, Body& robot, Attachment::Kind kind, const Surface& surface, double length);
-  void hold(Body& robot, Attachment::Kind kind, Body& object, const Attachment& attachment);
-  void detach(Space& space, Body& robot, Attachment::Kind kind, const std::string& why);
+  void connectHold(Space& space, Body& robot, std::size_t holder);
+  void connectRope(Space& space, Body& robot, std::size_t holder, double dt);
+  void attach(Space& space, Body& robot, std::size_t holder, const Surface& surface, double length);
+  void hold(Body& robot, std::size_t holder, Body& object, const Attachment& attachment);
+  void detach(Space& space, Body& robot, std::size_t holder, const std::string& why);
   void takeOverAttachments(const Space& space, Body& body);
   static void reportForces(Space& space, const Body& robot);
   void drawAttachments(EngineDrawing& drawing) const;  // drawing.cpp
@@ -127,7 +123,7 @@ class Dynamics3d final : public Engine {
   void takeOverGrips(const Space& space, Body& body);
   void release(Space& space, Body& robot, const std::string& why);
   static void letGo(Grip& grip);
-  /// What grippers, hands, magnet and rope of the body hold, and those of others that hold it.
+  /// What the holders of the body hold, and those of others that hold it.
   void forgetHolds(Body& body);
   void feelGrips(double step);
 
@@ -136,7 +132,7 @@ class Dynamics3d final : public Engine {
   unsigned long seed_ = 0;  // of this world, in ODE
   dWorldID world_ = nullptr;
   Contacts contacts_;
-  std::vector<std::unique_ptr<Body>> by_row_;
+  ByRow<std::unique_ptr<Body>> by_row_;
   std::vector<Body*> order_;        // by entity number
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
   int settling_ = 0;                // steps that are left until what was put down stands

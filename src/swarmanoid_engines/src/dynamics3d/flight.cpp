@@ -23,7 +23,7 @@ constexpr double kMostThrust = 2.0;        // of the weight
 constexpr double kTurnGain = 256.0;        // 1/s2
 constexpr double kTurnDamping = 32.0;      // 1/s
 
-/// Holds the place where the eyebot is.
+/// Holds the place where the robot is.
 void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orientation) {
   const Vector3d ahead = orientation * Vector3d::UnitX();
   flight.is_holding = true;
@@ -31,7 +31,7 @@ void hold(Flight& flight, const Vector3d& centre, const Eigen::Quaterniond& orie
   flight.heading = std::atan2(ahead.y(), ahead.x());
 }
 
-/// Moves the place that is held as commanded, but not far from where the eyebot is: what is blocked gives in.
+/// Moves the place that is held as commanded, but not far from where the robot is: what is blocked gives in.
 void advance(Flight& flight, const Vector3d& centre, const Vector3d& way, double turn) {
   flight.heading = wrapAngle(flight.heading + turn);
   flight.held += way;
@@ -61,38 +61,38 @@ Eigen::Matrix3d attitude(const Vector3d& up, double heading) {
 
 }  // namespace
 
-void fly(Body& eyebot, double gravity, double step) {
-  SWARMANOID_EXPECTS(eyebot.velocity != nullptr);
-  const EyebotVelocity& command = *eyebot.velocity;
-  const Vector3d centre = toVector(dBodyGetPosition(eyebot.rigid));
-  const Vector3d speed = toVector(dBodyGetLinearVel(eyebot.rigid));
-  const Vector3d turning = toVector(dBodyGetAngularVel(eyebot.rigid));
-  const Eigen::Quaterniond orientation = toQuaternion(dBodyGetQuaternion(eyebot.rigid));
-  const double mass = eyebot.model->mass;
-  if (!eyebot.flight.is_holding) {
-    hold(eyebot.flight, centre, orientation);
+void fly(Body& robot, double gravity, double step) {
+  SWARMANOID_EXPECTS(robot.velocity.is_driven);
+  const FlightCommand& command = robot.velocity;
+  const Vector3d centre = toVector(dBodyGetPosition(robot.rigid));
+  const Vector3d speed = toVector(dBodyGetLinearVel(robot.rigid));
+  const Vector3d turning = toVector(dBodyGetAngularVel(robot.rigid));
+  const Eigen::Quaterniond orientation = toQuaternion(dBodyGetQuaternion(robot.rigid));
+  const double mass = robot.model->mass;
+  if (!robot.flight.is_holding) {
+    hold(robot.flight, centre, orientation);
   }
-  const Vector3d wanted = Eigen::AngleAxisd(eyebot.flight.heading, Vector3d::UnitZ()) * command.linear;
-  advance(eyebot.flight, centre, step * wanted, step * command.yaw_rate);
+  const Vector3d wanted = Eigen::AngleAxisd(robot.flight.heading, Vector3d::UnitZ()) * command.linear;
+  advance(robot.flight, centre, step * wanted, step * command.yaw_rate);
 
   const Vector3d place_gain(kPlaceGain, kPlaceGain, kPlaceGainUp);
   const Vector3d speed_gain(kSpeedGain, kSpeedGain, kSpeedGainUp);
   const Vector3d acceleration =
-      limited(place_gain.cwiseProduct(eyebot.flight.held - centre) + speed_gain.cwiseProduct(wanted - speed));
+      limited(place_gain.cwiseProduct(robot.flight.held - centre) + speed_gain.cwiseProduct(wanted - speed));
   const Vector3d lift = mass * (acceleration + gravity * Vector3d::UnitZ());
   const Eigen::Matrix3d axes = orientation.toRotationMatrix();
   const double thrust = std::clamp(lift.dot(axes.col(2)), 0.0, kMostThrust * mass * gravity);
   const Vector3d force = thrust * axes.col(2) - kDrag * speed;
 
   const Eigen::Matrix3d difference =
-      attitude(lift.z() > 0.0 ? lift : Vector3d::UnitZ(), eyebot.flight.heading).transpose() * axes;
+      attitude(lift.z() > 0.0 ? lift : Vector3d::UnitZ(), robot.flight.heading).transpose() * axes;
   const Eigen::Matrix3d skew = 0.5 * (difference - difference.transpose());
   const Vector3d error(skew(2, 1), skew(0, 2), skew(1, 0));
   const Vector3d rate = axes.transpose() * (turning - command.yaw_rate * Vector3d::UnitZ());
-  const Vector3d torque = eyebot.model->inertia * (-kTurnGain * error - kTurnDamping * rate);
+  const Vector3d torque = robot.model->inertia * (-kTurnGain * error - kTurnDamping * rate);
 
-  dBodyAddForce(eyebot.rigid, force.x(), force.y(), force.z());
-  dBodyAddRelTorque(eyebot.rigid, torque.x(), torque.y(), torque.z());
+  dBodyAddForce(robot.rigid, force.x(), force.y(), force.z());
+  dBodyAddRelTorque(robot.rigid, torque.x(), torque.y(), torque.z());
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -1,5 +1,5 @@
-// Phase `connect`: grippers take hold and let go. During `move` they, hands, magnets and ropes feel the force on them,
-// and may break.
+// Phase `connect`: grippers take hold and let go. During `move` they and all other holders feel the force on them, and
+// may break.
 #include <cmath>
 #include <limits>
 
@@ -28,7 +28,7 @@ void Dynamics3d::connect(Space& space) {
     if (body->holding != nullptr && body->is_dynamic) {
       connectAttachments(space, *body);
     }
-    if (body->gripper == nullptr || !body->is_dynamic) {
+    if (body->gripper < 0 || !body->is_dynamic) {
       continue;
     }
     Grip& grip = body->grip;
@@ -36,7 +36,7 @@ void Dynamics3d::connect(Space& space) {
       release(space, *body, tornText(settings_.grip_strength));
       grip.must_open = true;
     }
-    if (!body->gripper->closed) {
+    if (!space.holder_commands[body->row][static_cast<std::size_t>(body->gripper)].holds) {
       grip.must_open = false;
       if (grip.gripped != nullptr) {
         release(space, *body, "");
@@ -81,7 +81,7 @@ void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
 void Dynamics3d::joinGripper(Body& robot, Body& object) {
   robot.grip = Grip{};
   robot.grip.holder = robot.rigid;
-  if (robot.turret.command == nullptr) {
+  if (!robot.turret.is_commanded) {
     join(robot.grip, object);
     return;
   }
@@ -137,10 +137,12 @@ void Dynamics3d::forgetHolds(Body& body) {
         letGo(hold);
       }
     }
-    if (robot == &body || robot->holding->rope.held == &body) {
-      const bool must_rewind = robot->holding->rope.held != nullptr || robot->holding->rope.must_rewind;
-      robot->holding->rope = Rope{};
-      robot->holding->rope.must_rewind = must_rewind;
+    for (Rope& rope : robot->holding->ropes) {
+      if (robot == &body || rope.held == &body) {
+        const bool must_rewind = rope.held != nullptr || rope.must_rewind;
+        rope = Rope{};
+        rope.must_rewind = must_rewind;
+      }
     }
   }
 }
@@ -171,12 +173,13 @@ void Dynamics3d::feelGrips(double step) {
     if (body->holding == nullptr) {
       continue;
     }
-    for (const Attachment::Kind kind :
-         {Attachment::Kind::kLeftHand, Attachment::Kind::kRightHand, Attachment::Kind::kMagnet}) {
-      feel(*body, body->holding->grip(kind), strengthOf(kind));
+    for (std::size_t i = 0; i < body->holding->grips.size(); ++i) {
+      feel(*body, body->holding->grips[i], strengthOf(body->holder(i).kind));
     }
-    if (const Rope& rope = body->holding->rope; rope.held != nullptr && !rope.is_broken) {
-      feelRope(body->holding->rope, step, share, settings_.rope_strength);
+    for (Rope& rope : body->holding->ropes) {
+      if (rope.held != nullptr && !rope.is_broken) {
+        feelRope(rope, step, share, settings_.rope_strength);
+      }
     }
   }
 }

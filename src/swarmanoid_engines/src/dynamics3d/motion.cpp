@@ -23,6 +23,11 @@ void Dynamics3d::move(Space& space, Duration dt) {
   if (world_ == nullptr) {
     return;
   }
+  for (Body* body : order_) {
+    if (body->is_dynamic) {
+      readCommands(space, *body);
+    }
+  }
   const double step = toSeconds(dt) / settings_.subclock;
   for (int i = 0; i < settings_.subclock; ++i) {
     stepOnce(step);
@@ -32,9 +37,27 @@ void Dynamics3d::move(Space& space, Duration dt) {
 
 namespace {
 
-/// Hanging by its magnet an eyebot saves its battery.
-bool hangsByMagnet(const Body& eyebot) {
-  return eyebot.holding != nullptr && eyebot.holding->grip(Attachment::Kind::kMagnet).joint != nullptr;
+/// Hanging by its magnet a flying robot saves its battery.
+bool hangsByMagnet(const Body& robot) {
+  for (std::size_t i = 0; robot.holding != nullptr && i < robot.holding->grips.size(); ++i) {
+    if (robot.holder(i).kind == EntityModel::Holder::Kind::kMagnet && robot.holding->grips[i].joint != nullptr) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Calls visit(rope) for the ropes that hold something.
+template <class Visit>
+void visitRopes(Body& robot, Visit visit) {
+  if (robot.holding == nullptr) {
+    return;
+  }
+  for (std::size_t i = 0; i < robot.holding->ropes.size(); ++i) {
+    if (robot.holding->ropes[i].held != nullptr) {
+      visit(i);
+    }
+  }
 }
 
 }  // namespace
@@ -50,14 +73,14 @@ void Dynamics3d::stepOnce(double step) {
         recorded_treels_->push_back(body->treels);
       }
     }
-    if (body->velocity != nullptr && !hangsByMagnet(*body)) {
+    if (body->velocity.is_driven && !hangsByMagnet(*body)) {
       fly(*body, settings_.gravity, step);
     }
     driveLinks(*body);
-    if (body->holding != nullptr && body->holding->rope.held != nullptr) {
-      windRope(*body->holding, step);
-      dragRope(*body, settings_.rope_drag);
-    }
+    visitRopes(*body, [&](std::size_t rope) {
+      windRope(*body, rope, step);
+      dragRope(*body, rope, settings_.rope_drag);
+    });
     driveTurret(*body, contacts_, step);
   }
   setDamping(settling_ == 0);
@@ -132,9 +155,11 @@ void Dynamics3d::restoreStates() {
 
 void Dynamics3d::makeRopeJoints(double step) {
   for (Body* body : order_) {
-    if (body->holding != nullptr && body->holding->rope.held != nullptr && !body->holding->rope.is_broken) {
-      makeRopeJoint(world_, contacts_.joints(), *body, step);
-    }
+    visitRopes(*body, [&](std::size_t rope) {
+      if (!body->holding->ropes[rope].is_broken) {
+        makeRopeJoint(world_, contacts_.joints(), *body, rope, step);
+      }
+    });
   }
 }
 
@@ -164,17 +189,16 @@ EngineHealth Dynamics3d::health() const {
 void Dynamics3d::finishTick(Space& space) {
   for (Body* body : order_) {
     if (body->is_dynamic) {
-      const auto i = static_cast<std::size_t>(body->row);
       body->pose = body->currentPose();
-      space.entities.pose[i] = body->pose;
-      space.entities.twist[i] = body->currentTwist();
+      space.entities.pose[body->row] = body->pose;
+      space.entities.twist[body->row] = body->currentTwist();
       if (!body->links.empty()) {
-        readLinks(*body, space.jointsOf(body->row));
-        body->poseShapes(space.jointsOf(body->row));
+        readLinks(*body, space.joints[body->row]);
+        body->poseShapes(space.joints[body->row]);
       }
-      if (body->turret.command != nullptr) {
-        space.jointsOf(body->row)[body->turret.joint] = body->turret.state;
-        body->poseShapes(space.jointsOf(body->row));
+      if (body->turret.is_commanded) {
+        space.joints[body->row][body->turret.joint] = body->turret.state;
+        body->poseShapes(space.joints[body->row]);
       }
     }
   }

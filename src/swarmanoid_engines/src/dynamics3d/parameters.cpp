@@ -64,13 +64,13 @@ PluginDescription Dynamics3d::describe() {
       live(makeNumber("grip_strength", "N", standard.grip_strength, limits::kStrength,
                       "The force that opens a gripper.")),
       live(makeNumber("suction_strength", "N", standard.suction_strength, limits::kStrength,
-                      "The force that pulls a handbot's hand off what it holds.")),
+                      "The force that pulls a hand with suction off what it holds.")),
       live(makeNumber("rope_strength", "N", standard.rope_strength, limits::kStrength,
-                      "The force that pulls the magnet of a handbot's rope off.")),
+                      "The force that pulls the magnet of a rope off.")),
       live(makeNumber("rope_drag", "N s/m", standard.rope_drag, kDragRange,
-                      "What brakes a handbot that hangs on its rope, for each m/s of its launcher across the rope.")),
+                      "What brakes a robot that hangs on its rope, for each m/s of its launcher across the rope.")),
       live(makeNumber("magnet_strength", "N", standard.magnet_strength, limits::kStrength,
-                      "The force that pulls an eyebot's magnet off."))};
+                      "The force that pulls a robot's magnet off."))};
   return description;
 }
 

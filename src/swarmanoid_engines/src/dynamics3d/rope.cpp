@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kWindingForce = 60.0;  // N: of the motor that winds in, twice a handbot's weight
+constexpr double kWindingForce = 60.0;  // N: of the motor that winds in, twice the weight of a climbing robot
 constexpr double kShortest = 0.02;      // m
 
 Vector3d anchorOf(const Rope& rope) {
@@ -29,38 +29,39 @@ Vector3d speedAfter(dWorldID world, dBodyID rigid, const Vector3d& point, double
 
 }  // namespace
 
-Vector3d launcherOf(const Body& robot) {
+Vector3d launcherOf(const Body& robot, std::size_t rope) {
   const Pose pose = robot.currentPose();
-  return pose.toWorld(robot.model->mount("rope_launcher").position);
+  return pose.toWorld(robot.model->mount(robot.holder(rope).mount).position);
 }
 
-void windRope(Holding& holding, double step) {
-  SWARMANOID_EXPECTS(holding.rope.held != nullptr);
-  Rope& rope = holding.rope;
-  double wanted = holding.rope_command == nullptr ? 0.0 : holding.rope_command->winding_speed;
+void windRope(Body& robot, std::size_t index, double step) {
+  Rope& rope = robot.holding->ropes[index];
+  SWARMANOID_EXPECTS(rope.held != nullptr);
+  double wanted = rope.wanted_winding;
   if (wanted > 0.0 && rope.tension > kWindingForce) {
     wanted = 0.0;
   }
-  rope.winding = std::clamp(wanted, (rope.length - kRopeLength) / step, (rope.length - kShortest) / step);
+  rope.winding =
+      std::clamp(wanted, (rope.length - robot.holder(index).rope_length) / step, (rope.length - kShortest) / step);
 }
 
-void dragRope(Body& robot, double drag) {
-  SWARMANOID_EXPECTS(robot.holding->rope.held != nullptr);
-  const Rope& rope = robot.holding->rope;
+void dragRope(Body& robot, std::size_t index, double drag) {
+  const Rope& rope = robot.holding->ropes[index];
+  SWARMANOID_EXPECTS(rope.held != nullptr);
   const bool is_slack = toVector(rope.feedback.f1).isZero(0.0);
   if (drag == 0.0 || is_slack) {
     return;
   }
-  const Vector3d launcher = launcherOf(robot);
+  const Vector3d launcher = launcherOf(robot, index);
   const Vector3d speed = velocityAt(robot.rigid, launcher);
   const Vector3d force = -drag * (speed - rope.towards.dot(speed) * rope.towards);
   dBodyAddForceAtPos(robot.rigid, force.x(), force.y(), force.z(), launcher.x(), launcher.y(), launcher.z());
 }
 
-dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step) {
-  SWARMANOID_EXPECTS(robot.holding->rope.held != nullptr);
-  Rope& rope = robot.holding->rope;
-  const Vector3d launcher = launcherOf(robot);
+dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, std::size_t index, double step) {
+  Rope& rope = robot.holding->ropes[index];
+  SWARMANOID_EXPECTS(rope.held != nullptr);
+  const Vector3d launcher = launcherOf(robot, index);
   const Vector3d anchor = anchorOf(rope);
   const Vector3d way = anchor - launcher;
   const double distance = way.norm();

@@ -1,5 +1,5 @@
-/// A handbot's rope: a line without mass that keeps the launcher within its length of where its magnet holds. It pulls,
-/// and never pushes.
+/// The rope of a robot: a line without mass that keeps the launcher within its length of where its magnet holds. It
+/// pulls, and never pushes.
 ///
 /// It is a contact in ODE whose normal is the rope's direction: what contacts do between surfaces, the rope does
 /// between its ends, with the sign turned. So it is solved together with all other contacts, in the exact solver
@@ -12,18 +12,18 @@
 
 namespace swarmanoid::dynamics3d {
 
-constexpr double kRopeLength = 3.0;  // m: what is in the launcher
+// A rope is an index of the holders of the robot's model.
 
 /// Where the rope leaves the robot, in W, now.
-Eigen::Vector3d launcherOf(const Body& robot);
+Eigen::Vector3d launcherOf(const Body& robot, std::size_t rope);
 
 /// Before each step: how fast the rope is wound in it. @pre the rope holds something
-void windRope(Holding& holding, double step);
+void windRope(Body& robot, std::size_t rope, double step);
 /// Before each step: brakes the body that hangs on it, across the rope, by `drag` for each m/s of its launcher [N s/m].
 /// @pre the rope holds something
-void dragRope(Body& robot, double drag);
+void dragRope(Body& robot, std::size_t rope, double drag);
 /// Makes the rope's joint of a step. @pre it holds something
-dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, double step);
+dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, std::size_t rope, double step);
 /// After each step: how strong it was pulled, and how long it is now. @pre it holds something
 /// @param share of the step in the lasting tension
 void feelRope(Rope& rope, double step, double share, double strength);

@@ -1,4 +1,4 @@
-/// How a footbot's treels drive it: what stands under a wheel is pushed backwards, as by a moving belt, with no more
+/// How treels drive a robot: what stands under a wheel is pushed backwards, as by a moving belt, with no more
 /// than Coulomb's friction; beyond, the treel slips. Sideways the same friction holds.
 ///
 /// The wheels' balls carry the robot. The balls before and behind them are soft: on level ground they carry next to

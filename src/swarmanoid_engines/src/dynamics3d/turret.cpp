@@ -51,7 +51,7 @@ double depthOf(const Body& robot, const Contacts& contacts) {
 
 void turnFreely(Body& robot, const Contacts& contacts, double step) {
   JointState& state = robot.turret.state;
-  const double angle = freeTurn(*robot.turret.command, jointOf(robot), state.angle, step);
+  const double angle = freeTurn(robot.turret.command, jointOf(robot), state.angle, step);
   state.speed = 0.0;
   state.effort = 0.0;
   if (angle == state.angle) {
@@ -73,7 +73,10 @@ void turnFreely(Body& robot, const Contacts& contacts, double step) {
 void findTurret(Body& body, const Space& space) {
   Turret& turret = body.turret;
   turret.joint = turretJoint(*body.model);
-  turret.command = turret.joint >= 0 && body.is_dynamic ? space.actuation.find<FootbotTurret>(body.row) : nullptr;
+  if (turret.joint >= 0 && body.is_dynamic) {
+    turret.command = space.joint_commands[body.row][static_cast<std::size_t>(turret.joint)];
+    turret.is_commanded = turret.command.mode != JointCommand::Mode::kNone;
+  }
 }
 
 void takeTurret(Body& body, const Space& space) {
@@ -82,7 +85,7 @@ void takeTurret(Body& body, const Space& space) {
     return;
   }
   const double before = turret.state.angle;
-  turret.state = space.jointsOf(body.row)[turret.joint];
+  turret.state = space.joints[body.row][turret.joint];
   if (turret.state.angle != before) {
     turnSolids(body, turret.state.angle);
   }
@@ -97,7 +100,7 @@ Eigen::Vector3d gripperTip(const Body& robot) {
 }
 
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
-  SWARMANOID_EXPECTS(robot.turret.command != nullptr);
+  SWARMANOID_EXPECTS(robot.turret.is_commanded);
   const Pose pose = robot.currentPose();
   // angle and rate of ODE's hinges are those of the first body against the second
   const Eigen::Vector3d down = pose.orientation * -Eigen::Vector3d::UnitZ();
@@ -110,7 +113,7 @@ dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
 }
 
 void driveTurret(Body& robot, const Contacts& contacts, double step) {
-  if (robot.turret.command == nullptr) {
+  if (!robot.turret.is_commanded) {
     return;
   }
   const dJointID hinge = hingeOf(robot);
@@ -118,15 +121,15 @@ void driveTurret(Body& robot, const Contacts& contacts, double step) {
     turnFreely(robot, contacts, step);
     return;
   }
-  const FootbotTurret& command = *robot.turret.command;
+  const JointCommand& command = robot.turret.command;
   const EntityModel::Joint& joint = jointOf(robot);
-  const bool is_off = command.mode == FootbotTurret::Mode::kPassive;
+  const bool is_off = command.mode == JointCommand::Mode::kPassive;
   dJointSetHingeParam(hinge, dParamFMax, is_off ? 0.0 : joint.max_effort);
   dJointSetHingeParam(hinge, dParamVel, motorSpeed(command, joint, robot.turret.state.angle, step));
 }
 
 void readTurret(Body& robot) {
-  const dJointID hinge = robot.turret.command == nullptr ? nullptr : hingeOf(robot);
+  const dJointID hinge = !robot.turret.is_commanded ? nullptr : hingeOf(robot);
   if (hinge == nullptr) {
     return;
   }

@@ -1,8 +1,9 @@
-/// A footbot's turret in three dimensions.
+/// The turret of a robot in three dimensions.
 ///
-/// What the gripper of a robot with this device holds hangs on a hinge about body z through the robot's origin, which
-/// the turret's motor turns with no more than its torque: a load that is too heavy to turn turns the robot instead.
-/// While nothing is held the gripper's solids are turned as commanded, and stop before they would sink into something.
+/// What the gripper of a robot whose turret is commanded holds hangs on a hinge about body z through the robot's
+/// origin, which the turret's motor turns with no more than its torque: a load that is too heavy to turn turns the
+/// robot instead. While nothing is held the gripper's solids are turned as commanded, and stop before they would sink
+/// into something.
 #pragma once
 
 #include "common/turret.hpp"
@@ -15,8 +16,9 @@ struct Body;
 class Contacts;
 
 struct Turret {
-  const FootbotTurret* command = nullptr;  ///< null: the robot has no such device
-  int joint = -1;                          ///< of the model; -1: it has no turret
+  bool is_commanded = false;
+  JointCommand command;  ///< of this tick
+  int joint = -1;        ///< of the model; -1: it has no turret
   JointState state;
   double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
 };
@@ -30,7 +32,7 @@ void takeTurret(Body& body, const Space& space);
 /// The gripper's tip in the frame B [m]. @pre it has a gripper
 Eigen::Vector3d gripperTip(const Body& robot);
 
-/// A hinge between a robot and what it grips, with the turret as its motor. @pre robot.turret.command
+/// A hinge between a robot and what it grips, with the turret as its motor. @pre the turret is commanded
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object);
 
 /// Before a step [s]: sets the motor, or turns the gripper's solids.

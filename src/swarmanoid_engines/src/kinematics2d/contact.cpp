@@ -89,7 +89,7 @@ const std::vector<planar::Penetration>& Kinematics2d::findContacts(BodyIndex ind
   const BodyIndex gripped = motion(index).gripped;
   addContacts(index, pose, gripped);
   const planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
-  const bool is_trailing = turret != nullptr && turret->command->mode == FootbotTurret::Mode::kPassive;
+  const bool is_trailing = turret != nullptr && turret->command.mode == JointCommand::Mode::kPassive;
   if (gripped != kNoBody && !is_trailing) {  // what trails behind is not where the pose alone would put it
     addContacts(gripped, carriedPose(pose, motion(gripped).place_in_gripper), index);
   }

@@ -1,4 +1,4 @@
-// Phase `connect`: footbots grip preys and let go of them.
+// Phase `connect`: robots grip preys and let go of them.
 #include "common/grips.hpp"
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/gripper_reach.hpp"
@@ -8,10 +8,10 @@ namespace swarmanoid::kinematics2d {
 void Kinematics2d::connect(Space& space) {
   for (const BodyIndex index : bodies_.order()) {
     const Body& body = bodies_[index];
-    if (body.gripper == nullptr || body.role == Role::kMirror) {
+    if (body.gripper < 0 || body.role == Role::kMirror) {
       continue;
     }
-    if (!body.gripper->closed) {
+    if (!isGripperClosed(space, body)) {
       if (motion(index).gripped != kNoBody) {
         release(space, index);
       }
@@ -55,12 +55,12 @@ void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
 
 std::string Kinematics2d::unsupportedGripReason(const Space& space, Row gripper) const {
   const Row gripped = space.structure.grippedBy(gripper);
-  const auto i = static_cast<std::size_t>(gripped);
-  if (space.entities.model[i]->is_robot) {
-    return "grips the robot '" + space.entities.name[i] + "', which this engine cannot hold";
+  if (space.entities.model[gripped]->is_robot) {
+    return "grips the robot '" + space.entities.name[gripped] + "', which this engine cannot hold";
   }
   const bool is_shared = space.structure.grippersOf(gripped).size() > 1;
-  return is_shared ? "is not alone in gripping '" + space.entities.name[i] + "', which this engine cannot hold" : "";
+  return is_shared ? "is not alone in gripping '" + space.entities.name[gripped] + "', which this engine cannot hold"
+                   : "";
 }
 
 void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {

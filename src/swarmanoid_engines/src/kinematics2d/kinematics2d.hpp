@@ -76,7 +76,7 @@ class Kinematics2d final : public planar::PlanarEngine {
 
  private:
   // motion.cpp
-  void startTick(double step);
+  void startTick(const Space& space, double step);
   void moveBody(BodyIndex index, double dt);
   bool moveFreely(BodyIndex index, const PlacedPose& target);
   bool tryPose(BodyIndex index, const PlacedPose& pose);

@@ -24,7 +24,7 @@ void Kinematics2d::readMirrors(const Space& space) {
 
 void Kinematics2d::move(Space& space, Duration dt) {
   const double step = toSeconds(dt) / subclock_;
-  startTick(step);
+  startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
     travelled_ += stride_;
     detour_ = 0.0;
@@ -39,16 +39,17 @@ void Kinematics2d::move(Space& space, Duration dt) {
   finishTurrets(space, toSeconds(dt));
 }
 
-void Kinematics2d::startTick(double step) {
+void Kinematics2d::startTick(const Space& space, double step) {
+  bodies_.readTurretCommands(space);
   double fastest_squared = 0.0;
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
     motion(index).pose_at_start = {body.pose.position, body.pose.heading};
     body.has_moved = false;
-    if (body.role == Role::kMirror || (body.wheels == nullptr && body.flight == nullptr)) {
+    if (body.role == Role::kMirror || !body.isDriven()) {
       continue;
     }
-    readCommands(body);
+    readCommands(space, body);
     fastest_squared = std::max(fastest_squared, body.velocity.squaredNorm());
     if (const BodyIndex gripped = motion(index).gripped; gripped != kNoBody) {
       // what is gripped swings around its gripper
@@ -103,7 +104,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
   Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
   planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
-  if (turret != nullptr && turret->command->mode == FootbotTurret::Mode::kPassive) {
+  if (turret != nullptr && turret->command.mode == JointCommand::Mode::kPassive) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
   }
   Clearance clearance = record.clearance;
@@ -183,8 +184,7 @@ void Kinematics2d::finishTick(Space& space, double dt) {
     if (body.role == Role::kMirror || !body.is_movable) {
       continue;
     }
-    const auto i = static_cast<std::size_t>(body.row);
-    Twist& twist = space.entities.twist[i];
+    Twist& twist = space.entities.twist[body.row];
     if (!body.has_moved) {
       twist = Twist{};
       continue;

@@ -20,7 +20,7 @@ double Kinematics2d::startTurrets(double step) {
       continue;
     }
     const Body& body = bodies_[turret.body];
-    const double next = freeTurn(*turret.command, bodies_.jointOf(turret), turret.state.angle, step);
+    const double next = freeTurn(turret.command, bodies_.jointOf(turret), turret.state.angle, step);
     const double turn_rate = std::abs(wrapTurn(next - turret.state.angle)) / step + std::abs(body.turn_rate);
     const double arm = motion(gripped).place_in_gripper.position.norm();
     fastest = std::max(fastest, body.velocity.norm() + arm * turn_rate);
@@ -30,7 +30,7 @@ double Kinematics2d::startTurrets(double step) {
 
 void Kinematics2d::turn(Turret& turret, double dt) {
   const double start = turret.state.angle;
-  const double angle = freeTurn(*turret.command, bodies_.jointOf(turret), start, dt);
+  const double angle = freeTurn(turret.command, bodies_.jointOf(turret), start, dt);
   const PlacedPose& pose = bodies_[turret.body].pose;
   if (angle != start && !tryTurned(turret, pose, angle)) {
     tryParts([&](double part) { return tryTurned(turret, pose, wrapTurn(start + part * wrapTurn(angle - start))); });
@@ -85,7 +85,7 @@ void Kinematics2d::finishTurrets(Space& space, double dt) {
   for (Turret& turret : bodies_.turrets()) {
     turret.state.speed = wrapTurn(turret.state.angle - turret.angle_at_start) / dt;
     turret.state.effort = 0.0;
-    space.jointsOf(bodies_[turret.body].row)[turret.joint] = turret.state;
+    space.joints[bodies_[turret.body].row][turret.joint] = turret.state;
   }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/grips.hpp"
+
 namespace swarmanoid::planar {
 namespace {
 constexpr double kLargeRadius = 0.4;  // m: what is wider would make every look into the grid wide
@@ -28,11 +30,11 @@ std::shared_ptr<const PlanarModel> Bodies::project(const std::shared_ptr<const E
   return model;
 }
 
-void Bodies::findDevices(const Space& space, BodyIndex index) {
+void Bodies::findMechanisms(const Space& space, BodyIndex index) {
   Body& body = (*this)[index];
-  body.wheels = body.entity->wheels ? space.actuation.find<FootbotWheels>(body.row) : nullptr;
-  body.flight = space.actuation.find<EyebotVelocity>(body.row);
-  body.gripper = body.entity->gripper ? space.actuation.find<FootbotGripper>(body.row) : nullptr;
+  body.is_wheeled = body.entity->wheels && space.wheels[body.row].is_driven;
+  body.flies = space.flight[body.row].is_driven;
+  body.gripper = commandedGripper(space, body.row);
   findTurret(space, index);
 }
 
@@ -49,26 +51,24 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
     index = holes_.back();
     holes_.pop_back();
   }
-  const auto i = static_cast<std::size_t>(row);
   BodyDetails& record = details(index);
   record = BodyDetails{};
-  record.entity = space.entities.model[i];
-  record.base = plane_.baseOf(space.entities.pose[i].orientation);
+  record.entity = space.entities.model[row];
+  record.base = plane_.baseOf(space.entities.pose[row].orientation);
   record.shared_model = project(record.entity, record.base);
 
   Body& body = (*this)[index];
   body = Body{};
   body.row = row;
-  body.number = space.entities.number[i];
+  body.number = space.entities.number[row];
   body.role = role;
   body.model = record.shared_model.get();
   body.entity = record.entity.get();
   body.is_movable = record.entity->is_movable;
   body.is_large = body.model->radius > kLargeRadius;
-  findDevices(space, index);
+  findMechanisms(space, index);
 
-  index_of_row_.resize(std::max(index_of_row_.size(), i + 1), kNoBody);
-  index_of_row_[i] = index;
+  index_of_row_.fit(row, kNoBody) = index;
   // a mirror of an old entity may come late: the order is by number, not by arrival
   order_.insert(std::upper_bound(order_.begin(), order_.end(), index,
                                  [&](BodyIndex a, BodyIndex b) { return (*this)[a].number < (*this)[b].number; }),
@@ -78,7 +78,7 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   } else {
     largest_radius_ = std::max(largest_radius_, body.model->radius);
     circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
-    grid_.add(index, plane_.toLocal(space.entities.pose[i].position));
+    grid_.add(index, plane_.toLocal(space.entities.pose[row].position));
   }
   place(space, index);
   return index;
@@ -87,22 +87,23 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
 bool Bodies::place(const Space& space, BodyIndex index) {
   Body& body = (*this)[index];
   BodyDetails& record = details(index);
-  const Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
+  const Pose& pose = space.entities.pose[body.row];
   body.along = plane_.along(pose.position);
   const Eigen::Quaterniond base = plane_.baseOf(pose.orientation);
   const bool has_changed = !areSame(base, record.base) || haveJointsTurned(space, index);
   if (has_changed) {
     // not shared: a mirror that rocks has another base each tick
     record.base = base;
-    std::copy_n(space.jointsOf(body.row), record.entity->joints.size(), ownProjection(index).joints.begin());
+    const Span<const JointState> joints = space.joints[body.row];
+    std::copy(joints.begin(), joints.end(), ownProjection(index).joints.begin());
     takeProjection(index);
   }
   if (Turret* turret = findTurret(index)) {
-    turret->state = space.jointsOf(body.row)[turret->joint];
+    turret->state = space.joints[body.row][turret->joint];
   }
   setPose(index, PlacedPose::at(plane_.toLocal(pose.position), plane_.headingOf(pose.orientation)));
   body.has_moved = false;
-  body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[static_cast<std::size_t>(body.row)] != nullptr;
+  body.is_seen_elsewhere = body.role == Role::kMirror && space.mover[body.row] != nullptr;
   return has_changed;
 }
 
@@ -147,7 +148,7 @@ void Bodies::remove(BodyIndex index) {
   if (const Turret* turret = findTurret(index)) {
     turrets_.erase(turrets_.begin() + (turret - turrets_.data()));
   }
-  index_of_row_[static_cast<std::size_t>(body.row)] = kNoBody;
+  index_of_row_[body.row] = kNoBody;
   order_.erase(std::find(order_.begin(), order_.end(), index));
   if (body.is_large) {
     large_.erase(std::find_if(large_.begin(), large_.end(), [&](const Large& large) { return large.index == index; }));

@@ -12,9 +12,6 @@
 #include "planar/cell_grid.hpp"
 #include "planar/placed_pose.hpp"
 #include "planar/planar_model.hpp"
-#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
-#include "swarmanoid_interface/devices/footbot_gripper.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::planar {
@@ -31,12 +28,14 @@ struct Body {
   EntityNumber number = kNoEntity;
   Row row = kNoRow;
 
-  // Its commands; null if it has no such device, or not the parts for it.
-  const FootbotWheels* wheels = nullptr;
-  const EyebotVelocity* flight = nullptr;
-  const FootbotGripper* gripper = nullptr;
+  // Which of its mechanisms are commanded.
+  bool is_wheeled = false;
+  bool flies = false;
+  int gripper = -1;  ///< index of the holder; -1: none
 
-  // Its commands in this tick, by wheels or flight: see readCommands.
+  bool isDriven() const { return is_wheeled || flies; }
+
+  // What its drive is commanded in this tick: see readCommands.
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
   double turn_rate = 0.0;                              ///< [rad/s]
 
@@ -51,7 +50,7 @@ struct Body {
 /// A body's own projection, once its base has changed or a joint has turned some of its shapes.
 struct OwnProjection {
   PlanarModel model;
-  std::array<JointState, EntityModel::kMaxJoints> joints{};  ///< only their angles count
+  std::vector<JointState> joints;  ///< of the entity's model; only their angles count
 };
 
 /// What is looked at now and then.
@@ -62,12 +61,12 @@ struct BodyDetails {
   Eigen::Quaterniond base = Eigen::Quaterniond::Identity();
 };
 
-/// The turret of a body that has the device for it, and its body z axis along the normal.
+/// The turret of a body that is commanded, and has its body z axis along the normal.
 struct Turret {
   BodyIndex body = kNoBody;
-  const FootbotTurret* command = nullptr;
-  int joint = -1;      ///< of the entity's model
-  double sense = 1.0;  ///< -1 where a turn to the left is one to the right in the plane
+  JointCommand command;  ///< of this tick
+  int joint = -1;        ///< of the entity's model
+  double sense = 1.0;    ///< -1 where a turn to the left is one to the right in the plane
   JointState state;
   double angle_at_start = 0.0;  ///< of the tick [rad]
   PlanarPose held;              ///< what the gripper holds, in the turret's frame, from the moment of gripping
@@ -84,6 +83,8 @@ class Bodies {
   bool place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
 
+  /// Before each tick.
+  void readTurretCommands(const Space& space);
   /// By entity number.
   std::vector<Turret>& turrets() { return turrets_; }
   /// Null if it has none.
@@ -99,10 +100,7 @@ class Bodies {
   /// To what angle they are turned.
   double shapesAngle(const Turret& turret) const;
 
-  BodyIndex find(Row row) const {
-    const auto i = static_cast<std::size_t>(row);
-    return i < index_of_row_.size() ? index_of_row_[i] : kNoBody;
-  }
+  BodyIndex find(Row row) const { return index_of_row_.has(row) ? index_of_row_[row] : kNoBody; }
   Body& operator[](BodyIndex index) { return bodies_[static_cast<std::size_t>(index)]; }
   const Body& operator[](BodyIndex index) const { return bodies_[static_cast<std::size_t>(index)]; }
   /// Living bodies, by entity number.
@@ -160,7 +158,7 @@ class Bodies {
 
   std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& entity,
                                              const Eigen::Quaterniond& base);
-  void findDevices(const Space& space, BodyIndex index);
+  void findMechanisms(const Space& space, BodyIndex index);
   void findTurret(const Space& space, BodyIndex index);
   bool haveJointsTurned(const Space& space, BodyIndex index) const;
   OwnProjection& ownProjection(BodyIndex index);
@@ -173,7 +171,7 @@ class Bodies {
   std::vector<Circle> circles_;       // by body
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
-  std::vector<BodyIndex> index_of_row_;
+  ByRow<BodyIndex> index_of_row_;
   std::vector<Large> large_;
   std::vector<Turret> turrets_;
   OwnProjection tried_;                     // scratch of modelAt

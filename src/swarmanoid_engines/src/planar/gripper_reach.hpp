@@ -1,4 +1,4 @@
-/// What a footbot's gripper reaches: a gripping strip within kGripperReach of its tip.
+/// What a gripper reaches: a gripping strip within kGripperReach of its tip.
 #pragma once
 
 #include <cmath>
@@ -13,6 +13,11 @@ struct GripperTip {
   Eigen::Vector2d position = Eigen::Vector2d::Zero();  ///< [m]
   double along = 0.0;                                  ///< [m]
 };
+
+/// Whether the gripper is commanded to close. @pre the body has a commanded gripper
+inline bool isGripperClosed(const Space& space, const Body& body) {
+  return space.holder_commands[body.row][static_cast<std::size_t>(body.gripper)].holds;
+}
 
 /// @pre the body has a gripper
 GripperTip gripperTip(const Bodies& bodies, BodyIndex gripper);

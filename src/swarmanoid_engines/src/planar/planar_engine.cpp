@@ -6,14 +6,10 @@
 
 #include "common/parameter.hpp"
 #include "common/turret.hpp"
-#include "common/unsupported_devices.hpp"
+#include "common/unsupported_mechanisms.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/body_rays.hpp"
 #include "planar/draw_bodies.hpp"
-#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
-#include "swarmanoid_interface/devices/handbot_arms.hpp"
-#include "swarmanoid_interface/devices/handbot_hands.hpp"
-#include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -22,10 +18,21 @@ namespace swarmanoid::planar {
 namespace {
 constexpr Range kSubclockRange{1.0, 10000.0};
 
-/// Whether a device is of use in three dimensions only.
-bool isSpatial(const std::string& device) {
-  return device == HandbotArms::kType || device == HandbotHands::kType || device == HandbotRope::kType ||
-         device == EyebotMagnet::kType;
+/// Whether a mechanism is of use in three dimensions only. @pre the robot has it
+bool isSpatial(const EntityModel& model, const Mechanism& mechanism) {
+  if (mechanism.kind == Mechanism::Kind::kJoint) {
+    return model.findJoint(mechanism.name) != turretJoint(model);
+  }
+  if (mechanism.kind == Mechanism::Kind::kHolder) {
+    const int index = model.findHolder(mechanism.name);
+    return index >= 0 && model.holders[static_cast<std::size_t>(index)].kind != EntityModel::Holder::Kind::kGripper;
+  }
+  return false;
+}
+
+bool isSpatial(const EntityModel& model, const DeviceUse& device) {
+  return std::any_of(device.mechanisms.begin(), device.mechanisms.end(),
+                     [&](const Mechanism& mechanism) { return isSpatial(model, mechanism); });
 }
 
 }  // namespace
@@ -50,24 +57,27 @@ void PlanarEngine::configure(const std::string& id, const Configuration& paramet
   bodies_.configure(Plane(axis[0], parameters.number("distance", 0.0, limits::kCoordinate)));
 }
 
-std::string PlanarEngine::unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const {
-  std::string problem = unsupportedDevicesReason(model, devices);
+std::string PlanarEngine::unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const {
+  std::string problem = unsupportedMechanismsReason(model, devices);
   if (!problem.empty()) {
     return problem;
   }
-  const auto spatial = std::find_if(devices.begin(), devices.end(), isSpatial);
-  return spatial == devices.end() ? "" : "device '" + *spatial + "' cannot be simulated in a plane";
+  const auto spatial =
+      std::find_if(devices.begin(), devices.end(), [&](const DeviceUse& device) { return isSpatial(model, device); });
+  return spatial == devices.end() ? "" : "device '" + spatial->type + "' cannot be simulated in a plane";
 }
 
-bool PlanarEngine::mayStandIdle(const std::string& device) const { return isSpatial(device); }
+bool PlanarEngine::mayStandIdle(const EntityModel& model, const DeviceUse& device) const {
+  return isSpatial(model, device);
+}
 
 std::string PlanarEngine::unsupportedStateReason(const Space& space, Row row) const {
   constexpr double kStretched = 0.02;  // rad
-  const EntityModel& model = *space.entities.model[static_cast<std::size_t>(row)];
+  const EntityModel& model = *space.entities.model[row];
   const int turret = turretJoint(model);
   for (std::size_t i = 0; i < model.joints.size(); ++i) {
     // arms stand idle in a plane, and weigh what they weigh there with the joints at zero
-    if (static_cast<int>(i) != turret && std::abs(space.jointsOf(row)[i].angle) > kStretched) {
+    if (static_cast<int>(i) != turret && std::abs(space.joints[row][i].angle) > kStretched) {
       return "its joint '" + model.joints[i].name + "' is not at zero";
     }
   }
@@ -103,23 +113,25 @@ void PlanarEngine::raycast(const RayBundle& rays, Span<RayHit> hits) const { pla
 
 void PlanarEngine::draw(EngineDrawing& drawing) const { drawShapes(bodies_, drawing); }
 
-void PlanarEngine::readCommands(Body& body) {
+void PlanarEngine::readCommands(const Space& space, Body& body) {
+  SWARMANOID_EXPECTS(body.isDriven());
   const PlanarModel& model = *body.model;
-  if (body.wheels != nullptr) {
+  if (body.is_wheeled) {
     const EntityModel::Wheels& geometry = *body.entity->wheels;
-    body.velocity = 0.5 * (body.wheels->left + body.wheels->right) * geometry.radius * model.ahead;
-    body.turn_rate = (body.wheels->right - body.wheels->left) * geometry.radius / geometry.separation * model.turn;
+    const WheelsCommand& wheels = space.wheels[body.row];
+    body.velocity = 0.5 * (wheels.left + wheels.right) * geometry.radius * model.ahead;
+    body.turn_rate = (wheels.right - wheels.left) * geometry.radius / geometry.separation * model.turn;
   } else {
-    SWARMANOID_EXPECTS(body.flight != nullptr);
-    const Eigen::Vector3d& linear = body.flight->linear;
+    const FlightCommand& flight = space.flight[body.row];
+    const Eigen::Vector3d& linear = flight.linear;
     body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
-    body.turn_rate = body.flight->yaw_rate * model.turn;
+    body.turn_rate = flight.yaw_rate * model.turn;
   }
 }
 
 void PlanarEngine::writePose(Space& space, BodyIndex index, double heading_before) const {
   const Body& body = bodies_[index];
-  Pose& pose = space.entities.pose[static_cast<std::size_t>(body.row)];
+  Pose& pose = space.entities.pose[body.row];
   pose.position = bodies_.plane().toGlobal(body.pose.position, body.along);
   if (body.pose.heading != heading_before) {
     pose.orientation = bodies_.plane().orientation(body.pose.heading, bodies_.details(index).base);

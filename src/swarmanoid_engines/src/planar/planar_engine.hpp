@@ -12,9 +12,9 @@ namespace swarmanoid::planar {
 class PlanarEngine : public Engine {
  public:
   void configure(const std::string& id, const Configuration& parameters) override;
-  std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const override;
+  std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const override;
   /// Arms, hands, ropes and magnets.
-  bool mayStandIdle(const std::string& device) const override;
+  bool mayStandIdle(const EntityModel& model, const DeviceUse& device) const override;
   std::string unsupportedStateReason(const Space& space, Row row) const override;
   /// What is not in the plane, and robots that do not stand on their treels: these drive along the plane only so.
   std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const override;
@@ -30,7 +30,7 @@ class PlanarEngine : public Engine {
   static std::vector<Parameter> placementParameters();
 
   /// From the commands of wheels or flight to `velocity` and `turn_rate`. @pre the body has one of them
-  static void readCommands(Body& body);
+  static void readCommands(const Space& space, Body& body);
 
   /// Writes where a body is now, if it has moved in this tick. What did not turn keeps its orientation to the bit.
   void writePose(Space& space, BodyIndex index, double heading_before) const;

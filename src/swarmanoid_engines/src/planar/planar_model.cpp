@@ -97,7 +97,7 @@ double innerRadius(const PlanarShape& shape) {
 }  // namespace
 
 void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
-                  const JointState* joints) {
+                  Span<const JointState> joints) {
   result.ahead = plane.toLocal(base * Eigen::Vector3d::UnitX());
   result.left = plane.toLocal(base * Eigen::Vector3d::UnitY());
   result.up = plane.toLocal(base * Eigen::Vector3d::UnitZ());
@@ -109,7 +109,7 @@ void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Qua
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     PlanarShape& projected = result.shapes[i];
     const CollisionShape& shape = model.shapes[i];
-    const bool is_turned = joints != nullptr && shape.joint >= 0;
+    const bool is_turned = !joints.empty() && shape.joint >= 0;
     projectShape(is_turned ? placeOf(model, joints, shape) : shape, plane, base, projected);
     double reach = projected.centre.norm() + projected.radius;
     if (!projected.isCircle()) {

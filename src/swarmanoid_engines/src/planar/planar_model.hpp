@@ -52,9 +52,9 @@ struct PlanarModel {
 };
 
 /// Projects an entity whose orientation at heading 0 is `base`. `result` keeps its memory.
-/// @param joints states of the model's joints; null: all are at zero
+/// @param joints states of the model's joints; none: all are at zero
 void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
-                  const JointState* joints = nullptr);
+                  Span<const JointState> joints = {});
 
 /// Puts a model's shapes where a body is. `placed` is of the model's shape count and keeps its memory.
 void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,

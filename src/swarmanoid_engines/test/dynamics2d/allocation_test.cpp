@@ -27,7 +27,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
   const auto tick = [&](int i) {
     world.pose(mirror).position.y() = 4.8 - 0.3 * std::sin(0.1 * i);
     for (const Row row : robots) {
-      world.drive(row, i / 40 % 2 == 0 ? 0.2 : -0.1, 0.1 * (row % 7 - 3));
+      world.drive(row, i / 40 % 2 == 0 ? 0.2 : -0.1, 0.1 * (static_cast<int>(row) % 7 - 3));
     }
     world.step();
   };

@@ -88,6 +88,7 @@ TEST(AloneTest, OneThatIsFastKeepsOnlyThoseInBox2dWhomItReaches) {
   }
   const Row eyebot = world.addToSpace(robotModel("eyebot"), flatPose(1.0, 4.0));
   world.space.actuation.bank<EyebotVelocity>().add(eyebot);
+  test::carryOut(world.space);
   world.engine.add(world.space, eyebot, Role::kMove);
   world.space.actuation.bank<EyebotVelocity>().find(eyebot)->linear = {3.0, 0.0, 0.0};
   const Row standing = world.add(cylindricPreyModel(0.1, 1.0), flatPose(15.0, 4.0));
@@ -109,7 +110,8 @@ TEST(AloneTest, WhatAFastOneHitsHitsOthers) {
     rows.push_back(world.addPrey(0.1, 0.12, x, 2.0));
   }
   const Row fast = world.addToSpace(cylindricPreyModel(0.1, 0.12), flatPose(1.03, 2.0));
-  world.space.entities.twist[static_cast<std::size_t>(fast)].linear = {4.0, 0.0, 0.0};
+  world.space.entities.twist[fast].linear = {4.0, 0.0, 0.0};
+  test::carryOut(world.space);
   world.engine.add(world.space, fast, Role::kMove);
   rows.insert(rows.begin(), fast);
   for (int i = 0; i < 20; ++i) {

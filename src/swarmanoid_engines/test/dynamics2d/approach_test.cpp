@@ -30,6 +30,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
     const int ticks = static_cast<int>(std::ceil(seconds / dt() - 1e-9));
     for (int i = 0; i < ticks; ++i) {
       world.engine.readMirrors(world.space);
+      test::carryOut(world.space);
       world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * dt())));
       world.engine.connect(world.space);
       deepest = std::max(deepest, deepestOverlap(world, rows));

@@ -14,7 +14,8 @@ using Eigen::Vector3d;
 /// A puck that slides without friction.
 Row addPuck(World& world, double x, double y, const Vector3d& velocity, double mass) {
   const Row row = world.addToSpace(cylindricPreyModel(0.1, 0.1, mass), flatPose(x, y));
-  world.space.entities.twist[static_cast<std::size_t>(row)].linear = velocity;
+  world.space.entities.twist[row].linear = velocity;
+  test::carryOut(world.space);
   world.engine.add(world.space, row, Role::kMove);
   return row;
 }
@@ -27,7 +28,7 @@ struct Sum {
 Sum sumOf(const World& world, const std::vector<Row>& rows) {
   Sum sum;
   for (const Row row : rows) {
-    const EntityModel& model = *world.space.entities.model[static_cast<std::size_t>(row)];
+    const EntityModel& model = *world.space.entities.model[row];
     const Twist& twist = world.twist(row);
     sum.momentum += model.mass * twist.linear;
     sum.energy += 0.5 * model.mass * twist.linear.squaredNorm() +
@@ -154,7 +155,7 @@ TEST(CollisionTest, AMirrorPushesAsItMoves) {
   World world({10.0, 10.0, 2.0}, 10);
   const Row prey = world.add(cylindricPreyModel(0.1, 0.1), flatPose(1.25, 1.0));
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.1), flatPose(1.0, 1.0), Role::kMirror);
-  world.space.entities.twist[static_cast<std::size_t>(mirror)].linear = {0.2, 0.0, 0.0};
+  world.space.entities.twist[mirror].linear = {0.2, 0.0, 0.0};
   for (int i = 0; i < 50; ++i) {
     world.step();
     world.pose(mirror).position.x() += 0.02;

@@ -12,10 +12,10 @@ namespace swarmanoid::dynamics2d {
 /// The shapes of an entity where it is in the plane z = 0, its joints where they are.
 inline std::vector<planar::PlanarShape> placedShapes(const World& world, Row row) {
   const planar::Plane plane;
-  const EntityModel& entity = *world.space.entities.model[static_cast<std::size_t>(row)];
+  const EntityModel& entity = *world.space.entities.model[row];
   const Pose& pose = world.pose(row);
   planar::PlanarModel model;
-  planar::projectModel(entity, plane, plane.baseOf(pose.orientation), model, world.space.jointsOf(row));
+  planar::projectModel(entity, plane, plane.baseOf(pose.orientation), model, world.space.joints[row]);
   std::vector<planar::PlanarShape> placed;
   const double heading = plane.headingOf(pose.orientation);
   planar::placeShapes(model, plane.toLocal(pose.position), std::cos(heading), std::sin(heading), placed);
@@ -40,7 +40,7 @@ inline double overlapOf(const World& world, Row a, Row b) {
 /// The deepest overlap of any two of these entities of which one at least may move [m].
 inline double deepestOverlap(const World& world, const std::vector<Row>& rows) {
   double deepest = 0.0;
-  const auto isMovable = [&](Row row) { return world.space.entities.model[static_cast<std::size_t>(row)]->is_movable; };
+  const auto isMovable = [&](Row row) { return world.space.entities.model[row]->is_movable; };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t k = i + 1; k < rows.size(); ++k) {
       if (isMovable(rows[i]) || isMovable(rows[k])) {

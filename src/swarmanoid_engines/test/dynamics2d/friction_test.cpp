@@ -53,11 +53,14 @@ class Slider {
     world.setGripper(footbot, holds);
     if (holds) {
       EXPECT_TRUE(world.space.structure.connect(footbot, prey));
+      test::carryOut(world.space);
       world.engine.add(world.space, prey, Role::kMove);
     }
+    test::carryOut(world.space);
     world.engine.add(world.space, footbot, Role::kMove);
   }
   void tick(std::chrono::microseconds dt) {
+    test::carryOut(world.space);
     world.engine.move(world.space, dt);
     world.engine.connect(world.space);
   }
@@ -71,7 +74,7 @@ class Slider {
 
  private:
   void set(Row row, const Vector2d& velocity, double turn_rate) {
-    Twist& twist = world.space.entities.twist[static_cast<std::size_t>(row)];
+    Twist& twist = world.space.entities.twist[row];
     twist.linear = {velocity.x(), velocity.y(), 0.0};
     twist.angular = {0.0, 0.0, turn_rate};
   }
@@ -202,7 +205,8 @@ TEST(SlidingTest, WhatHasItsCentreOfMassElsewhereSlidesStraight) {
     World world({10.0, 10.0, 2.0}, 100);
     const Row row = world.addToSpace(model, flatPose(5.0, 5.0, 0.37));
     const Vector2d velocity = kSpeed * along(direction(k));
-    world.space.entities.twist[static_cast<std::size_t>(row)].linear = {velocity.x(), velocity.y(), 0.0};
+    world.space.entities.twist[row].linear = {velocity.x(), velocity.y(), 0.0};
+    test::carryOut(world.space);
     world.engine.add(world.space, row, Role::kMove);
     world.step(4);
     const Vector2d way = (world.pose(row).position - Vector3d(5.0, 5.0, 0.0)).head<2>();
@@ -219,9 +223,10 @@ TEST(SlidingTest, SlidingAndSpinningAreHeldBackEachByItself) {
     for (const double turn_rate : {0.0, 5.0}) {
       World world({10.0, 10.0, 2.0}, 100);
       const Row row = world.addToSpace(cylindricPreyModel(kRadius, 0.1, 0.7), flatPose(5.0, 5.0));
-      Twist& twist = world.space.entities.twist[static_cast<std::size_t>(row)];
+      Twist& twist = world.space.entities.twist[row];
       twist.linear.x() = speed;
       twist.angular.z() = turn_rate;
+      test::carryOut(world.space);
       world.engine.add(world.space, row, Role::kMove);
       world.step(10);
       const double spin_brake = 0.4 * kGravity * (2.0 / 3.0) * kRadius / (0.5 * kRadius * kRadius);  // rad/s2

@@ -17,6 +17,7 @@ constexpr double kDeepest = 0.6e-3;  // m: what engines.md promises
 
 void tick(World& world, double seconds) {
   world.engine.readMirrors(world.space);
+  test::carryOut(world.space);
   world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * seconds)));
   world.engine.connect(world.space);
 }
@@ -24,6 +25,7 @@ void tick(World& world, double seconds) {
 Row addEyebot(World& world, double x, double y, double heading = 0.0) {
   const Row row = world.addToSpace(robotModel("eyebot"), flatPose(x, y, heading));
   world.space.actuation.bank<EyebotVelocity>().add(row);
+  test::carryOut(world.space);
   world.engine.add(world.space, row, Role::kMove);
   return row;
 }

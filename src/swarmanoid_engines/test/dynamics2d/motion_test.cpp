@@ -72,7 +72,8 @@ TEST(SpeedTest, ACommandStepIsFollowedAsFastAsTreelsHold) {
 TEST(SpeedTest, APushedOffPreySlidesAsFarAsFrictionSays) {
   World world({10.0, 10.0, 2.0}, 10);
   const Row prey = world.addToSpace(cylindricPreyModel(0.1, 0.1), flatPose(1.0, 1.0));
-  world.space.entities.twist[static_cast<std::size_t>(prey)].linear = {0.8, 0.0, 0.0};
+  world.space.entities.twist[prey].linear = {0.8, 0.0, 0.0};
+  test::carryOut(world.space);
   world.engine.add(world.space, prey, Role::kMove);
   world.step(20);
   EXPECT_NEAR(world.pose(prey).position.x() - 1.0, 0.8 * 0.8 / (2.0 * 0.4 * kGravity), 0.01);

@@ -74,7 +74,7 @@ TEST(TurretTest, TheGripperCatchesWhereItIsTurned) {
 TEST(TurretTest, ThatOfAMirrorIsWhereTheSpaceSays) {
   World world({10.0, 10.0, 2.0}, 4);
   const Row mirror = world.add(robotModel("footbot"), flatPose(2.0, 2.0), Role::kMirror);
-  world.space.jointsOf(mirror)[0].angle = M_PI / 2.0;
+  world.space.joints[mirror][0].angle = M_PI / 2.0;
   world.step();
   const Row footbot = world.addFootbot(flatPose(2.0, 3.0, -M_PI / 2.0));
   world.drive(footbot, 0.1);

@@ -32,7 +32,7 @@ class ArmsWorld : public HandbotWorld {
     return robotModel("handbot")->joints[static_cast<std::size_t>(indexOf(name))];
   }
   const JointState& state(int index) const {
-    return space.jointsOf(robot)[indexOf(HandbotArmsState::kNames[static_cast<std::size_t>(index)])];
+    return space.joints[robot][indexOf(HandbotArmsState::kNames[static_cast<std::size_t>(index)])];
   }
   void run(int ticks) {
     for (int i = 0; i < ticks; ++i) {
@@ -108,7 +108,7 @@ TEST(ArmLimitsTest, WithALoadInTheHand) {
       const Row box = world.addBlock({0.06, 0.06, 0.06}, mass, flatPose(2.236, 2.11, 0.0, 0.15));
       world.hands(world.robot).left = true;
       world.run(1);
-      ASSERT_EQ(world.held(world.robot, Attachment::Kind::kLeftHand).held, box);
+      ASSERT_EQ(world.held(world.robot, kLeftHand).held, box);
       for (const double command : commandsFor(ArmsWorld::joint(joint))) {
         world.told(joint) = joint == 0 ? std::min(command, 0.3) : command;  // above the ground
         world.run(4 * kSecond);
@@ -135,7 +135,7 @@ TEST(ArmLimitsTest, AStopHoldsWhatIsTooHeavyForTheMotor) {
   const Row box = world.addBlock({0.06, 0.06, 0.06}, 4.0, flatPose(2.236, 2.11, 0.0, 0.55));
   world.hands(world.robot).left = true;
   world.run(1);
-  ASSERT_EQ(world.held(world.robot, Attachment::Kind::kLeftHand).held, box);
+  ASSERT_EQ(world.held(world.robot, kLeftHand).held, box);
   world.run(10 * kSecond);
   const double upper = ArmsWorld::joint(0).upper;
   EXPECT_NEAR(world.state(0).angle, upper, 0.01 * upper);
@@ -153,7 +153,7 @@ TEST(ArmLimitsTest, AWristDoesNotTurnThroughItsStops) {
     const Row bar = world.addBlock({0.02, 1.4, 0.02}, 1.2, flatPose(2.216, 2.11 - side * 0.65, 0.0, 0.55));
     world.hands(world.robot).left = true;
     world.run(1);
-    ASSERT_EQ(world.held(world.robot, Attachment::Kind::kLeftHand).held, bar);
+    ASSERT_EQ(world.held(world.robot, kLeftHand).held, bar);
     world.run(10 * kSecond);
     EXPECT_NEAR(world.state(2).angle, side * 3.14, 0.01 * 3.14) << "bar to side " << side;
   }

@@ -9,7 +9,6 @@ namespace swarmanoid::dynamics3d {
 namespace {
 
 using Eigen::Vector3d;
-using Kind = Attachment::Kind;
 
 const ArmAngles kPose{-0.8, 0.5, 1.0};
 
@@ -69,11 +68,11 @@ TEST(HandsTest, TakeLiftAndLetGo) {
   const Row table = world.addBlock({0.2, 0.2, 0.09}, 0.0, flatPose(2.3, 2.11, 0.0, 0.045));
   world.hands(robot).left = true;
   world.step(5);
-  ASSERT_EQ(world.held(robot, Kind::kLeftHand).held, box);
+  ASSERT_EQ(world.held(robot, kLeftHand).held, box);
   world.arms(robot).left.shoulder = -0.6;
   world.step(30);
   EXPECT_GT(world.pose(box).position.z(), 0.24);
-  EXPECT_NEAR(world.held(robot, Kind::kLeftHand).force, 0.1 * kGravity, 0.02);
+  EXPECT_NEAR(world.held(robot, kLeftHand).force, 0.1 * kGravity, 0.02);
   world.hands(robot).left = false;
   world.step(20);
   EXPECT_FALSE(world.space.attachments.isAttached(robot));
@@ -100,22 +99,22 @@ std::string hangByAHand(double gravity, double share) {
   const Row robot = world.addHandbot(flatPose(2.0, 2.0, 0.0, 0.1));
   world.arms(robot).right.shoulder = -1.57;
   world.step(30);
-  const Mount cups = placeOf(*robotModel("handbot"), world.space.jointsOf(robot), "right_suction");
+  const Mount cups = placeOf(*robotModel("handbot"), world.space.joints[robot], "right_suction");
   const Vector3d at = world.pose(robot).position + world.pose(robot).orientation * cups.position;
   world.addBlock({0.1, 0.1, 0.1}, 0.0, flatPose(at.x(), at.y(), 0.0, at.z() + 0.055));
   world.hands(robot).right = true;
   world.step(20);
-  EXPECT_TRUE(world.space.attachments.isAttached(robot, Kind::kRightHand));
-  EXPECT_LT(world.held(robot, Kind::kRightHand).force, 0.1 * weight);
+  EXPECT_TRUE(world.space.attachments.isAttached(robot, kRightHand));
+  EXPECT_LT(world.held(robot, kRightHand).force, 0.1 * weight);
   world.remove(stand);
   for (int i = 0; i < 100; ++i) {
     world.step();
     if (!world.space.events.empty()) {
-      EXPECT_FALSE(world.space.attachments.isAttached(robot, Kind::kRightHand));
+      EXPECT_FALSE(world.space.attachments.isAttached(robot, kRightHand));
       return world.space.events[0].text;
     }
   }
-  EXPECT_NEAR(world.held(robot, Kind::kRightHand).force, weight, 0.01 * weight);
+  EXPECT_NEAR(world.held(robot, kRightHand).force, weight, 0.01 * weight);
   return "";
 }
 
@@ -135,10 +134,10 @@ TEST(MagnetTest, HoldsAnEyebotAtTheCeilingWithItsRotorsAtRest) {
     world.step(40);
     world.flight(eyebot).linear.z() = 0.0;
     world.step(30);
-    EXPECT_EQ(world.space.attachments.isAttached(eyebot, Kind::kMagnet), is_ferromagnetic);
+    EXPECT_EQ(world.space.attachments.isAttached(eyebot, kMagnet), is_ferromagnetic);
     if (is_ferromagnetic) {
       const double weight = robotModel("eyebot")->mass * kGravity;
-      EXPECT_NEAR(world.held(eyebot, Kind::kMagnet).force, weight, 0.01 * weight);
+      EXPECT_NEAR(world.held(eyebot, kMagnet).force, weight, 0.01 * weight);
       EXPECT_LT(world.twist(eyebot).linear.norm(), 1e-4);
       const double height = world.pose(eyebot).position.z();
       world.space.actuation.bank<EyebotMagnet>().find(eyebot)->on = false;

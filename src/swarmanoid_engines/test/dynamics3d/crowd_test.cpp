@@ -42,11 +42,11 @@ struct Crowd {
     for (const Row row : world.space.entities.order) {
       const Twist& twist = world.twist(row);
       ASSERT_TRUE(world.pose(row).position.allFinite() && twist.linear.allFinite() && twist.angular.allFinite());
-      ASSERT_LT(twist.linear.norm(), 2.0) << "entity " << row << ", tick " << tick;
-      ASSERT_LT(twist.angular.norm(), 40.0) << "entity " << row << ", tick " << tick;
-      if (world.space.entities.model[static_cast<std::size_t>(row)]->is_movable) {
-        ASSERT_GT(world.pose(row).position.z(), -0.05) << "entity " << row << ", tick " << tick;
-        ASSERT_LT(world.pose(row).position.z(), 0.3) << "entity " << row << ", tick " << tick;
+      ASSERT_LT(twist.linear.norm(), 2.0) << "entity " << toIndex(row) << ", tick " << tick;
+      ASSERT_LT(twist.angular.norm(), 40.0) << "entity " << toIndex(row) << ", tick " << tick;
+      if (world.space.entities.model[row]->is_movable) {
+        ASSERT_GT(world.pose(row).position.z(), -0.05) << "entity " << toIndex(row) << ", tick " << tick;
+        ASSERT_LT(world.pose(row).position.z(), 0.3) << "entity " << toIndex(row) << ", tick " << tick;
       }
     }
   }
@@ -131,8 +131,6 @@ TEST(CrowdTest, AClearedEngineBeginsAgainAsAFreshOne) {
   used.engine.clear();
   used.space.entities.clear();
   used.space.actuation.clear();
-  used.space.structure.clear();
-  used.space.mover.clear();
   used.space.tick = 0;
   EXPECT_EQ(run(used), expected);
 }

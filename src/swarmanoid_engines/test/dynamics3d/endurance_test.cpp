@@ -99,7 +99,7 @@ TEST(EnduranceTest, EverybodyStaysInTheBoxAtBoundedSpeeds) {
     box.tick();
     for (const Row row : box.bodies) {
       const Vector3d& p = box.world.pose(row).position;
-      ASSERT_TRUE(isInside(p)) << "entity " << row << ", tick " << i << ": " << p.transpose();
+      ASSERT_TRUE(isInside(p)) << "entity " << toIndex(row) << ", tick " << i << ": " << p.transpose();
       fastest = std::max(fastest, box.world.twist(row).linear.norm());
       fastest_turn = std::max(fastest_turn, box.world.twist(row).angular.norm());
     }

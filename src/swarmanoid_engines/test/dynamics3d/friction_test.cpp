@@ -75,6 +75,7 @@ TEST_P(DirectionTest, AThrownPreyStopsOnItsLine) {
   const Row prey = world.addToSpace(cylindricPreyModel(0.07, 0.11, 0.9), flatPose(3.0, 3.0, 0.13));
   const Vector3d along(std::cos(direction()), std::sin(direction()), 0.0);
   world.twist(prey).linear = 1.37 * along;
+  test::carryOut(world.space);
   world.engine.add(world.space, prey, Role::kMove);
   world.step(10);
   const Vector3d way = world.pose(prey).position - Vector3d(3.0, 3.0, 0.0);

@@ -32,7 +32,9 @@ struct GrippingPair {
     if (start.is_handed_on) {
       world.engine.remove(world.space, footbot);
       world.engine.remove(world.space, prey);
+      test::carryOut(world.space);
       world.engine.add(world.space, prey, Role::kMove);
+      test::carryOut(world.space);
       world.engine.add(world.space, footbot, Role::kMove);
     }
   }

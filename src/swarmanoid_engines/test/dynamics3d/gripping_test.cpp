@@ -191,7 +191,9 @@ bool holdsAgainst(double force) {
   world.space.actuation.bank<FootbotGripper>().add(footbot);
   world.setGripper(footbot, true);
   EXPECT_TRUE(world.space.structure.connect(footbot, prey));
+  test::carryOut(world.space);
   world.engine.add(world.space, footbot, Role::kMove);
+  test::carryOut(world.space);
   world.engine.add(world.space, prey, Role::kMove);
   world.step(5);
   return world.gripped(footbot) == prey;
@@ -265,6 +267,7 @@ TEST(GrippingTest, GripsComeAlongIntoAnotherEngine) {
     world.engine.remove(world.space, row);
   }
   for (const Row row : {pair.prey, pair.footbot}) {
+    test::carryOut(world.space);
     world.engine.add(world.space, row, Role::kMove);
   }
   world.drive(pair.footbot, -0.1);

@@ -7,6 +7,12 @@ namespace swarmanoid::dynamics3d {
 
 constexpr double kCeiling = 2.5;  // m: its lower face
 
+// Holders of the robots' models, by their indices there.
+constexpr std::size_t kLeftHand = 0;
+constexpr std::size_t kRightHand = 1;
+constexpr std::size_t kRope = 2;
+constexpr std::size_t kMagnet = 0;  // of an eyebot
+
 class HandbotWorld : public World {
  public:
   explicit HandbotWorld(Values values = {}, bool is_ferromagnetic = true) : World(values) {
@@ -19,9 +25,9 @@ class HandbotWorld : public World {
   HandbotArms& arms(Row row) { return *space.actuation.bank<HandbotArms>().find(row); }
   HandbotHands& hands(Row row) { return *space.actuation.bank<HandbotHands>().find(row); }
   HandbotRope& rope(Row row) { return *space.actuation.bank<HandbotRope>().find(row); }
-  const Attachment& held(Row row, Attachment::Kind kind) const { return space.attachments.of(row, kind); }
-  double angle(Row row, const std::string& joint) const { return space.jointsOf(row)[indexOf(joint)].angle; }
-  double effort(Row row, const std::string& joint) const { return space.jointsOf(row)[indexOf(joint)].effort; }
+  const Attachment& held(Row row, std::size_t holder) const { return space.attachments.of(row, holder); }
+  double angle(Row row, const std::string& joint) const { return space.joints[row][indexOf(joint)].angle; }
+  double effort(Row row, const std::string& joint) const { return space.joints[row][indexOf(joint)].effort; }
   static int indexOf(const std::string& joint) { return robotModel("handbot")->findJoint(joint); }
 
   Row ceiling = kNoRow;

@@ -7,7 +7,6 @@ namespace swarmanoid::dynamics3d {
 namespace {
 
 using Eigen::Vector3d;
-using Kind = Attachment::Kind;
 
 struct Momentum {
   Vector3d linear = Vector3d::Zero();   // N s
@@ -16,7 +15,7 @@ struct Momentum {
 
 /// Of an entity without arms.
 Momentum momentumOf(const World& world, Row row) {
-  const EntityModel& model = *world.space.entities.model[static_cast<std::size_t>(row)];
+  const EntityModel& model = *world.space.entities.model[row];
   const Pose& pose = world.pose(row);
   const Twist& twist = world.twist(row);
   const Vector3d arm = pose.orientation * model.centre_of_mass;
@@ -34,8 +33,8 @@ TEST(HoldingTest, ARopePullsBothEndsAlike) {
   const Row block = world.add(blockModel({0.4, 0.3, 0.2}, 5.0, true), flatPose(8.0, 8.05, 0.0, 1.6));
   world.rope(robot).shot = true;
   world.step(3);
-  ASSERT_EQ(world.held(robot, Kind::kRope).held, block);
-  const double length = world.held(robot, Kind::kRope).length;
+  ASSERT_EQ(world.held(robot, kRope).held, block);
+  const double length = world.held(robot, kRope).length;
   world.rope(robot).winding_speed = 0.2;
   for (int tick = 0; tick < 30; ++tick) {
     world.step();
@@ -45,9 +44,8 @@ TEST(HoldingTest, ARopePullsBothEndsAlike) {
     ASSERT_LT((up.angular + down.angular).norm(), 0.01 * up.angular.norm()) << "tick " << tick;
   }
   EXPECT_GT(momentumOf(world, robot).linear.z(), 0.2);
-  EXPECT_NEAR(world.held(robot, Kind::kRope).length, length - 0.6, 1e-9);
-  const Vector3d anchor =
-      world.pose(block).position + world.pose(block).orientation * world.held(robot, Kind::kRope).anchor;
+  EXPECT_NEAR(world.held(robot, kRope).length, length - 0.6, 1e-9);
+  const Vector3d anchor = world.pose(block).position + world.pose(block).orientation * world.held(robot, kRope).anchor;
   const Vector3d launcher = world.pose(robot).position +
                             world.pose(robot).orientation * robotModel("handbot")->mount("rope_launcher").position;
   EXPECT_NEAR((anchor - launcher).norm(), length - 0.6, 1e-3);
@@ -60,18 +58,17 @@ TEST(HoldingTest, TwoHandsHoldOneThing) {
   const Row box = world.addBlock({0.06, 0.4, 0.12}, 0.2, flatPose(2.24, 2.0, 0.0, 0.15));
   world.hands(robot) = {true, true};
   world.step(5);
-  ASSERT_EQ(world.held(robot, Kind::kLeftHand).held, box);
-  ASSERT_EQ(world.held(robot, Kind::kRightHand).held, box);
+  ASSERT_EQ(world.held(robot, kLeftHand).held, box);
+  ASSERT_EQ(world.held(robot, kRightHand).held, box);
   world.arms(robot).left.shoulder = -0.4;
   world.arms(robot).right.shoulder = -0.4;
   world.step(30);
   EXPECT_GT(world.pose(box).position.z(), 0.21);
-  EXPECT_NEAR(world.held(robot, Kind::kLeftHand).force + world.held(robot, Kind::kRightHand).force, 0.2 * kGravity,
-              0.05);
+  EXPECT_NEAR(world.held(robot, kLeftHand).force + world.held(robot, kRightHand).force, 0.2 * kGravity, 0.05);
   world.hands(robot).left = false;
   world.step(10);
-  EXPECT_FALSE(world.space.attachments.isAttached(robot, Kind::kLeftHand));
-  EXPECT_NEAR(world.held(robot, Kind::kRightHand).force, 0.2 * kGravity, 0.02);
+  EXPECT_FALSE(world.space.attachments.isAttached(robot, kLeftHand));
+  EXPECT_NEAR(world.held(robot, kRightHand).force, 0.2 * kGravity, 0.02);
   EXPECT_GT(world.pose(box).position.z(), 0.2);
 }
 
@@ -83,8 +80,8 @@ TEST(HoldingTest, WhatIsTakenAwayIsHeldByNobody) {
   world.hands(robot) = {true, true};
   world.rope(robot).shot = true;
   world.step(10);
-  ASSERT_EQ(world.held(robot, Kind::kRope).held, world.ceiling);
-  ASSERT_EQ(world.held(robot, Kind::kRightHand).held, box);
+  ASSERT_EQ(world.held(robot, kRope).held, world.ceiling);
+  ASSERT_EQ(world.held(robot, kRightHand).held, box);
   world.remove(box);
   world.remove(world.ceiling);
   // what comes in its place is another thing, and the rope was not called back
@@ -96,7 +93,7 @@ TEST(HoldingTest, WhatIsTakenAwayIsHeldByNobody) {
   world.step();
   world.rope(robot).shot = true;
   world.step(10);
-  EXPECT_EQ(world.held(robot, Kind::kRope).held, world.ceiling);
+  EXPECT_EQ(world.held(robot, kRope).held, world.ceiling);
 }
 
 TEST(HoldingTest, WhoIsPutElsewhereLetsGo) {
@@ -105,7 +102,7 @@ TEST(HoldingTest, WhoIsPutElsewhereLetsGo) {
   world.rope(robot).shot = true;
   world.rope(robot).winding_speed = 0.1;
   world.step(60);
-  ASSERT_TRUE(world.space.attachments.isAttached(robot, Kind::kRope));
+  ASSERT_TRUE(world.space.attachments.isAttached(robot, kRope));
   ASSERT_GT(world.pose(robot).position.z(), 0.3);
   world.place(robot, flatPose(3.0, 3.0));
   world.step(20);
@@ -119,7 +116,8 @@ TEST(HoldingTest, MirrorsNeitherHoldNorAreHeld) {
   Dynamics3d other;
   const auto addMirrorOfOther = [&](const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = world.addToSpace(model, pose);
-    world.space.mover[static_cast<std::size_t>(row)] = &other;
+    world.space.mover[row] = &other;
+    test::carryOut(world.space);
     world.engine.add(world.space, row, Role::kMirror);
     return row;
   };
@@ -133,9 +131,9 @@ TEST(HoldingTest, MirrorsNeitherHoldNorAreHeld) {
   }
   world.step(10);
   EXPECT_FALSE(world.space.attachments.isAttached(mirror));
-  EXPECT_FALSE(world.space.attachments.isAttached(robot, Kind::kLeftHand));
-  EXPECT_FALSE(world.space.attachments.isAttached(robot, Kind::kRightHand));
-  EXPECT_EQ(world.held(robot, Kind::kRope).held, world.ceiling) << "through the mirror";
+  EXPECT_FALSE(world.space.attachments.isAttached(robot, kLeftHand));
+  EXPECT_FALSE(world.space.attachments.isAttached(robot, kRightHand));
+  EXPECT_EQ(world.held(robot, kRope).held, world.ceiling) << "through the mirror";
 }
 
 }  // namespace

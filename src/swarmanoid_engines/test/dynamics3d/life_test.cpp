@@ -24,10 +24,11 @@ TEST(LifeTest, StepsOverTenMillisecondsAreRefusedWithWhatIsAllowed) {
 
 TEST(LifeTest, UnsupportedReasonsNameWhatIsMissing) {
   const World world;
-  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("footbot"), {"footbot_wheels", "footbot_gripper"}), "");
+  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("footbot"), test::uses({"footbot_wheels", "footbot_gripper"})),
+            "");
   EXPECT_EQ(world.engine.unsupportedReason(*robotModel("handbot"), {}), "");
   EXPECT_EQ(world.engine.unsupportedReason(*blockModel({1.0, 1.0, 1.0}), {}), "");
-  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("eyebot"), {"footbot_wheels"}),
+  EXPECT_EQ(world.engine.unsupportedReason(*robotModel("eyebot"), test::uses({"footbot_wheels"})),
             "device 'footbot_wheels' cannot be simulated: a robot of this type has no wheels");
   EXPECT_EQ(world.engine.unsupportedReason(*lightModel(), {}), "has no shape, so this engine has nothing to hold");
   EntityModel massless = *robotModel("footbot");
@@ -120,6 +121,29 @@ TEST(LifeTest, OverlapIsThatOfSolids) {
   EXPECT_LT(overlapping, 2500);
 }
 
+TEST(LifeTest, OverlapIsExactForSolidsOfAnySize) {
+  // spheres beyond a corner of blocks: the corner is nearest to them
+  std::srand(5);
+  const auto random = [](double low, double high) { return low + (high - low) * (std::rand() / (RAND_MAX + 1.0)); };
+  for (const double size : {1e-4, 1e-3, 1e-2, 1.0, 100.0}) {
+    for (int i = 0; i < 5000; ++i) {
+      const double radius = size * random(0.5, 20.0);
+      EntityModel sphere;
+      sphere.shapes.push_back({CollisionShape::Kind::kSphere, Vector3d::Constant(radius), Vector3d::Zero()});
+      const EntityModel block = *boxModel(size * random(1, 20), size * random(1, 20), size * random(1, 20));
+      const Vector3d corner = block.shapes[0].position + block.shapes[0].half_extent;
+      const Vector3d away = Vector3d(random(0, 1), random(0, 1), random(0, 1)).normalized();
+      const Eigen::Quaterniond turn(
+          Eigen::AngleAxisd(random(0, 6), Vector3d(random(-1, 1), random(-1, 1), 1).normalized()));
+      const auto overlap = [&](double gap) {
+        return modelsOverlap(block, {Vector3d::Zero(), turn}, sphere, {turn * (corner + (radius + gap) * away), turn});
+      };
+      ASSERT_FALSE(overlap(1e-8)) << size;
+      ASSERT_TRUE(overlap(-2.0 * kContactTolerance)) << size;
+    }
+  }
+}
+
 TEST(LifeTest, WhatIsRemovedIsGone) {
   World world;
   const Row footbot = world.addFootbot(flatPose(2.0, 2.0));
@@ -151,14 +175,17 @@ TEST(LifeTest, AHandoverKeepsPoseAndTwist) {
   World world({{"ground", "false"}});
   const Row block = world.addToSpace(boxModel(0.1, 0.2, 0.3), flatPose(1.0, 1.0, 0.3, 1.0));
   world.twist(block) = {{1.0, 2.0, 3.0}, {0.1, 0.2, 0.3}};
+  test::carryOut(world.space);
   world.engine.add(world.space, block, Role::kMove);
   World other({{"ground", "false"}});
   const Row twin = other.addToSpace(boxModel(0.1, 0.2, 0.3), flatPose(1.0, 1.0, 0.3, 1.0));
   other.twist(twin) = world.twist(block);
+  test::carryOut(other.space);
   other.engine.add(other.space, twin, Role::kMove);
   world.step(10);
   other.step(5);
   other.engine.remove(other.space, twin);
+  test::carryOut(other.space);
   other.engine.add(other.space, twin, Role::kMove);
   other.step(5);
   EXPECT_LT((world.pose(block).position - other.pose(twin).position).norm(), 1e-12);

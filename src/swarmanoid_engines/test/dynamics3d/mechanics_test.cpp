@@ -37,6 +37,7 @@ TEST(MechanicsTest, ABlockThatSlidesStopsAfterItsFrictionDistance) {
     const Row block = world.addToSpace(blockModel({0.2, 0.2, 0.1}, 2.0), flatPose(2.0, 2.0, 0.2, 0.05));
     const Vector3d along(std::cos(direction), std::sin(direction), 0.0);
     world.twist(block).linear = 1.5 * along;
+    test::carryOut(world.space);
     world.engine.add(world.space, block, Role::kMove);
     world.step(10);
     const Vector3d way = world.pose(block).position - Vector3d(2.0, 2.0, 0.05);
@@ -51,6 +52,7 @@ TEST(MechanicsTest, AThrownBlockFollowsAParabola) {
   World world({{"ground", "false"}, {"subclock", "50"}});
   const Row block = world.addToSpace(blockModel({0.3, 0.2, 0.1}, 1.0), flatPose(1.0, 1.0, 0.0, 1.0));
   world.twist(block) = {{2.0, 1.0, 4.0}, {1.0, 2.0, 3.0}};
+  test::carryOut(world.space);
   world.engine.add(world.space, block, Role::kMove);
   const double step = 0.1 / 50.0;
   for (int i = 1; i <= 10; ++i) {
@@ -69,6 +71,7 @@ TEST(MechanicsTest, AFreeBodyKeepsItsAngularMomentum) {
   const auto model = blockModel({0.3, 0.2, 0.1}, 1.0);
   const Row block = world.addToSpace(model, flatPose(1.0, 1.0, 0.0, 1.0));
   world.twist(block).angular = {1.0, 2.0, 3.0};
+  test::carryOut(world.space);
   world.engine.add(world.space, block, Role::kMove);
   const auto momentum = [&] {
     const Eigen::Matrix3d axes = world.pose(block).orientation.toRotationMatrix();
@@ -88,6 +91,7 @@ struct Collision {
       const double mass = sign < 0.0 ? 2.0 : 1.0;
       const Row row = world.addToSpace(blockModel({0.1, 0.1, 0.1}, mass), flatPose(2.0 + 0.2 * sign, 2.0, 0.0, 1.0));
       world.twist(row).linear = {sign < 0.0 ? 1.0 : -0.5, 0.0, 0.0};
+      test::carryOut(world.space);
       world.engine.add(world.space, row, Role::kMove);
       (sign < 0.0 ? left : right) = row;
     }

@@ -49,7 +49,7 @@ TEST(RaysTest, AMirrorIsHitInTheEngineThatMovesIt) {
   World mover;
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.2), flatPose(2.0, 2.0), Role::kMirror);
   EXPECT_EQ(world.castRay({1.0, 2.0, 0.1}, {3.0, 2.0, 0.1}).row, mirror);  // nobody moves it
-  world.space.mover[static_cast<std::size_t>(mirror)] = &mover.engine;
+  world.space.mover[mirror] = &mover.engine;
   world.step();
   EXPECT_EQ(world.castRay({1.0, 2.0, 0.1}, {3.0, 2.0, 0.1}).row, kNoRow);
 }
@@ -71,8 +71,7 @@ TEST(RaysTest, LookingOnlyAtWhatIsNearLosesNothing) {
     const Segment segment{{4.0 * random(), 4.0 * random(), random()}, {4.0 * random(), 4.0 * random(), random()}};
     RayHit expected;
     for (const Row row : world.space.entities.order) {
-      const auto k = static_cast<std::size_t>(row);
-      const double fraction = closestHit(segment, *world.space.entities.model[k], world.space.entities.pose[k]);
+      const double fraction = closestHit(segment, *world.space.entities.model[row], world.space.entities.pose[row]);
       if (fraction < expected.fraction) {
         expected = {fraction, row};
       }

@@ -182,7 +182,7 @@ TEST(RoughGroundTest, AnEyebotLandsOnAHill) {
   const Row eyebot = world.addEyebot(flatPose(5.0, 5.0, 0.0, 0.8));
   world.flight(eyebot).linear.z() = -0.2;
   world.step(60);
-  const double lowest = world.space.entities.model[static_cast<std::size_t>(eyebot)]->lowest;
+  const double lowest = world.space.entities.model[eyebot]->lowest;
   EXPECT_NEAR(world.pose(eyebot).position.z() + lowest, 0.3, 0.01);
 }
 
@@ -250,12 +250,12 @@ struct RoughCrowd {
         const Twist& twist = world.twist(row);
         const Vector3d& position = world.pose(row).position;
         ASSERT_TRUE(position.allFinite() && twist.linear.allFinite() && twist.angular.allFinite());
-        ASSERT_LT(twist.linear.norm(), 2.5) << "entity " << row << ", tick " << tick;
-        ASSERT_LT(twist.angular.norm(), 40.0) << "entity " << row << ", tick " << tick;
+        ASSERT_LT(twist.linear.norm(), 2.5) << "entity " << toIndex(row) << ", tick " << tick;
+        ASSERT_LT(twist.angular.norm(), 40.0) << "entity " << toIndex(row) << ", tick " << tick;
         // the origin is at the bottom, in or on the surface, or above it if the body lies on its side
         ASSERT_GT(position.z(), terrain->heightAt(position.x(), position.y()) - 0.02)
-            << "entity " << row << ", tick " << tick;
-        ASSERT_LT(position.z(), 0.5) << "entity " << row << ", tick " << tick;
+            << "entity " << toIndex(row) << ", tick " << tick;
+        ASSERT_LT(position.z(), 0.5) << "entity " << toIndex(row) << ", tick " << tick;
       }
     }
   }

@@ -14,7 +14,6 @@ namespace {
 using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
-using Kind = Attachment::Kind;
 
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kStep = 0.01;  // s
@@ -35,7 +34,7 @@ class SwingingHandbot {
     world.rope(robot).shot = true;
     world.arms(robot).left = swing.left;
     world.engine.remove(world.space, robot);
-    JointState* joints = world.space.jointsOf(robot);
+    const Span<JointState> joints = world.space.joints[robot];
     joints[HandbotWorld::indexOf("left_shoulder")].angle = swing.left.shoulder;
     joints[HandbotWorld::indexOf("left_elbow")].angle = swing.left.elbow;
     joints[HandbotWorld::indexOf("left_wrist")].angle = swing.left.wrist;
@@ -52,7 +51,8 @@ class SwingingHandbot {
     const Vector3d turning = swing.push / swing.length * down.cross(about * Vector3d::UnitY());
     world.twist(robot) = {turning.cross(pose.position - anchor), turning};
     const Attachment rope{world.ceiling, anchor - world.pose(world.ceiling).position, swing.length, 0.0};
-    world.space.attachments.attach(robot, Kind::kRope, rope);
+    world.space.attachments.attach(robot, kRope, rope);
+    test::carryOut(world.space);
     world.engine.add(world.space, robot, Role::kMove);
     radius = swing.length + arm.norm();
     lowest_ = robotModel("handbot")->mass * kGravity * (anchor.z() - radius);
@@ -61,6 +61,7 @@ class SwingingHandbot {
   void lift(double height) {
     world.engine.remove(world.space, robot);
     world.pose(robot).position.z() += height;
+    test::carryOut(world.space);
     world.engine.add(world.space, robot, Role::kMove);
   }
 
@@ -73,10 +74,10 @@ class SwingingHandbot {
     std::vector<Twist> links;  // velocities of the links, as points at the origin of B would have them
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
       const EntityModel::Joint& joint = model.joints[i];
-      const Isometry3d displacement = displacementOf(model, world.space.jointsOf(robot), static_cast<int>(i));
+      const Isometry3d displacement = displacementOf(model, world.space.joints[robot], static_cast<int>(i));
       Twist link = joint.carrier < 0 ? twist : links[static_cast<std::size_t>(joint.carrier)];
       const Vector3d turn =
-          world.space.jointsOf(robot)[i].speed * (pose.orientation * (displacement.linear() * joint.axis));
+          world.space.joints[robot][i].speed * (pose.orientation * (displacement.linear() * joint.axis));
       link.angular += turn;
       link.linear -= turn.cross(pose.orientation * (displacement * joint.frame.position));
       links.push_back(link);
@@ -95,8 +96,7 @@ class SwingingHandbot {
     Vector3d sum = model.body_part.mass * model.body_part.centre_of_mass;
     for (std::size_t i = 0; i < model.joints.size(); ++i) {
       const Inertial& part = model.joints[i].part;
-      sum +=
-          part.mass * (displacementOf(model, world.space.jointsOf(robot), static_cast<int>(i)) * part.centre_of_mass);
+      sum += part.mass * (displacementOf(model, world.space.joints[robot], static_cast<int>(i)) * part.centre_of_mass);
     }
     return sum / model.mass;
   }
@@ -181,7 +181,7 @@ TEST(SwingTest, ARopeThatBecomesTautGivesNothingBack) {
     handbot.world.step();
     ASSERT_NEAR(handbot.energy(), 0.0, 0.01 * weight * 0.043) << "tick " << tick;
   }
-  EXPECT_TRUE(handbot.world.space.attachments.isAttached(handbot.robot, Kind::kRope));
+  EXPECT_TRUE(handbot.world.space.attachments.isAttached(handbot.robot, kRope));
 }
 
 constexpr ArmAngles kStretched{};

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "../carry_out.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -54,8 +55,7 @@ class World {
 
   Row addToSpace(const std::shared_ptr<const EntityModel>& model, const Pose& pose) {
     const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, colors::kBlack);
-    space.fitRows();
-    space.mover[static_cast<std::size_t>(row)] = nullptr;
+    space.mover[row] = nullptr;
     return row;
   }
   Row add(const std::shared_ptr<const EntityModel>& model, const Pose& pose, Role role = Role::kMove) {
@@ -66,9 +66,10 @@ class World {
   Row addRobot(const std::shared_ptr<const EntityModel>& model, const Pose& pose, Role role = Role::kMove) {
     const Row row = addToSpace(model, pose);
     (space.actuation.bank<Devices>().add(row), ...);
+    test::carryOut(space, row);
     engine.add(space, row, role);
     if (role == Role::kMove) {
-      space.mover[static_cast<std::size_t>(row)] = &engine;
+      space.mover[row] = &engine;
     }
     return row;
   }
@@ -78,7 +79,7 @@ class World {
   }
   Row addEyebot(const Pose& pose) { return addRobot<EyebotVelocity>(robotModel("eyebot"), pose); }
   FootbotTurret& turret(Row row) { return *space.actuation.bank<FootbotTurret>().find(row); }
-  const JointState& turretState(Row row) const { return space.jointsOf(row)[0]; }
+  const JointState& turretState(Row row) const { return space.joints[row][0]; }
   Row addBlock(const Eigen::Vector3d& size, double mass, const Pose& pose) { return add(blockModel(size, mass), pose); }
   Row addPrey(double radius, double height, double mass, double x, double y) {
     return add(cylindricPreyModel(radius, height, mass), flatPose(x, y));
@@ -87,7 +88,7 @@ class World {
     space.structure.isolate(row);
     space.attachments.isolate(row);
     engine.remove(space, row);
-    space.mover[static_cast<std::size_t>(row)] = nullptr;
+    space.mover[row] = nullptr;
     space.entities.remove(row);
   }
 
@@ -112,6 +113,7 @@ class World {
   void step(int ticks = 1) {
     for (int i = 0; i < ticks; ++i) {
       space.events.clear();
+      test::carryOut(space);
       engine.readMirrors(space);
       engine.move(space, space.clocktick);
       engine.connect(space);
@@ -119,10 +121,10 @@ class World {
     }
   }
 
-  const Pose& pose(Row row) const { return space.entities.pose[static_cast<std::size_t>(row)]; }
-  Pose& pose(Row row) { return space.entities.pose[static_cast<std::size_t>(row)]; }
-  const Twist& twist(Row row) const { return space.entities.twist[static_cast<std::size_t>(row)]; }
-  Twist& twist(Row row) { return space.entities.twist[static_cast<std::size_t>(row)]; }
+  const Pose& pose(Row row) const { return space.entities.pose[row]; }
+  Pose& pose(Row row) { return space.entities.pose[row]; }
+  const Twist& twist(Row row) const { return space.entities.twist[row]; }
+  Twist& twist(Row row) { return space.entities.twist[row]; }
   Row gripped(Row row) const { return space.structure.grippedBy(row); }
 
   RayHit castRay(const Eigen::Vector3d& from, const Eigen::Vector3d& to, Row ignored = kNoRow) const {

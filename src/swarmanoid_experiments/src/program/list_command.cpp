@@ -10,9 +10,11 @@
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/error_models/error_model.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/experiment_file/experiment_tags.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -48,6 +50,9 @@ Origins loadPlugins() {
     for (const Registry::Entry* entry : allEntries()) {
       origins.emplace(entry, declared);
     }
+  }
+  for (const std::string& problem : robotProblems()) {
+    std::cerr << "swarmanoid: warning: " << problem << '\n';
   }
   for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
     std::cerr << "swarmanoid: warning: " << describe(conflict) << '\n';
@@ -98,6 +103,13 @@ void write(const ExperimentTag& tag, std::ostream& out) {
   }
   for (const Parameter& value : tag.values) {
     write(value, withRange(value), out);
+  }
+}
+
+void write(const ErrorKind& kind, std::ostream& out) {
+  out << "  kind=\"" << kind.description.name << "\": " << kind.description.summary << '\n';
+  for (const Parameter& parameter : kind.description.parameters) {
+    write(parameter, "attribute, " + withRange(parameter), out);
   }
 }
 
@@ -156,6 +168,11 @@ void writeHeading(const std::string& heading, const Origins& origins, std::ostre
   for (const ExperimentTag& tag : experimentTags()) {
     if (tag.heading == heading) {
       write(tag, out);
+    }
+  }
+  if (heading == "error") {
+    for (const ErrorKind* kind : errorKinds()) {
+      write(*kind, out);
     }
   }
   for (const Registry::Entry* entry : allEntries()) {

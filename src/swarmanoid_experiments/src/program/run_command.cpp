@@ -26,6 +26,7 @@ struct RunOptions : ExperimentOptions {
   std::string record_controllers = "none";
   bool record_state = false;
   std::optional<std::string> hashes;
+  bool hashes_deep = false;
   bool quiet = false;
   bool profile = false;
 };
@@ -155,7 +156,8 @@ ExitCode run(const RunOptions& options) {
   refuseRobotsOfOthers(experiment);
   Simulation simulation(std::move(experiment), context);
   if (options.hashes) {
-    addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes);
+    addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes,
+                       {{"deep", options.hashes_deep ? "true" : "false"}});
   }
   if (options.bag) {
     addFromCommandLine(
@@ -206,7 +208,8 @@ Command addRunCommand(CLI::App& app) {
       ->needs(bag);
   command->add_flag("--record-state", options->record_state, "all named state in the bag, for `swarmanoid diff`")
       ->needs(bag);
-  command->add_option("--hashes", options->hashes, "write the state hash of every tick");
+  CLI::Option* hashes = command->add_option("--hashes", options->hashes, "write the state hash of every tick");
+  command->add_flag("--deep", options->hashes_deep, "and a hash of all readings and commands, too")->needs(hashes);
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options, command] {

@@ -130,7 +130,7 @@ Space* exposed = nullptr;
 /// What is kept of a run must be of a time before this.
 void spoilTheStateAndCrash() {
   if (exposed != nullptr) {
-    exposed->entities.pose[0].position.x() += 1.0;
+    exposed->entities.pose[rowAt(0)].position.x() += 1.0;
   }
   raise(SIGSEGV);
 }

@@ -50,7 +50,7 @@ int grippedOf(const std::string& engine, const std::vector<Strip>& preys) {
   tick(*simulation);
   const Space& space = simulation->space();
   const Row gripped = space.structure.grippedBy(space.entities.find("fb"));
-  return gripped == kNoRow ? 0 : std::stoi(space.entities.name[static_cast<std::size_t>(gripped)].substr(2));
+  return gripped == kNoRow ? 0 : std::stoi(space.entities.name[gripped].substr(2));
 }
 
 TEST(ModelsPageTest, GripperReach) {
@@ -120,7 +120,7 @@ TEST(ModelsPageTest, TurretWithoutLoad) {
     double told = 2.3;
     setProgram([&](Robot& robot) { robot.actuator<FootbotTurret>().holdAngle(told); });
     auto simulation = world.start();
-    const auto angle = [&] { return simulation->space().jointsOf(simulation->space().entities.find("fb"))[0].angle; };
+    const auto angle = [&] { return simulation->space().joints[simulation->space().entities.find("fb")][0].angle; };
     for (int n = 1; n <= 10; ++n) {
       tick(*simulation);
       EXPECT_NEAR(angle(), std::min(0.3 * n, told), 1e-9) << engine << ", tick " << n;

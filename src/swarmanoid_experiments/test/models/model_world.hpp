@@ -75,8 +75,8 @@ inline void tick(Simulation& simulation, int ticks = 1) {
   }
 }
 
-inline std::size_t rowOf(const Simulation& simulation, const std::string& name) {
-  return static_cast<std::size_t>(simulation.space().entities.find(name));
+inline Row rowOf(const Simulation& simulation, const std::string& name) {
+  return simulation.space().entities.find(name);
 }
 inline const Pose& poseOf(const Simulation& simulation, const std::string& name) {
   return simulation.space().entities.pose[rowOf(simulation, name)];

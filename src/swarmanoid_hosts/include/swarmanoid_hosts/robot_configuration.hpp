@@ -2,7 +2,7 @@
 /// is stopped. On a robot this is a YAML file (docs/how-to/run_on_a_robot.md); here it is a Configuration, from any
 /// source.
 ///
-///     robot_type: footbot                       footbot, eyebot or handbot
+///     robot_type: footbot                       one that devices name, or of a robot with devices for any robot only
 ///     rate: 10                                  of the controller [Hz], 0.1 to 1000
 ///     seed: 1                                   of robot.random()
 ///     sensors: [footbot_proximity]              device types
@@ -29,6 +29,7 @@ namespace swarmanoid {
 struct KnownDevice {
   std::string type;
   bool is_sensor = false;
+  std::string robot;                ///< only robots of this type have the device; "": any
   std::vector<std::string> topics;  ///< the first is the main topic
 };
 

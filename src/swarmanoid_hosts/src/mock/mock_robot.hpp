@@ -1,85 +1,59 @@
-/// Simulates robots by simple kinematics behind the devices of a real one, without ROS. They serve to try controllers
-/// and hosts, not for experiments: no body has mass, no bodies collide, readings have no noise.
+/// Simulates a robot by simple kinematics behind the devices of a real one, without ROS. Mock robots serve to try
+/// controllers and hosts, not for experiments: no body has mass, no bodies collide, readings have no noise.
+///
+/// A robot is nothing but its devices (mock_device.hpp) and a state that they share (mock_state.hpp).
 #pragma once
 
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "mock_device.hpp"
+#include "mock_state.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
-#include "world.hpp"
 
 namespace swarmanoid::mock {
 
 class MockRobot {
  public:
-  struct Sensor {
-    std::string device;
-    const void* reading;
-  };
-  struct Actuator {
-    std::string device;
-    void* command;
-  };
-  /// A velocity in the robot's frame.
-  struct Twist {
-    Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
-    double yaw_rate = 0.0;                             ///< [rad/s]
+  struct Device {
+    const DeviceType* type;
+    std::shared_ptr<void> value;       ///< the device's struct: readings, or the command
+    std::unique_ptr<MockDevice> mock;  ///< null: generic
   };
 
-  virtual ~MockRobot() = default;
-  MockRobot(const MockRobot&) = delete;
-  MockRobot& operator=(const MockRobot&) = delete;
+  /// @param devices types, which are registered
+  MockRobot(const std::vector<std::string>& devices, const World& world);
 
   /// Carries out the commands for `dt` seconds, then reads the sensors.
-  void advance(double dt) {
-    move(dt);
-    sense();
-  }
+  void advance(double dt);
+  /// Puts the robot somewhere, and reads the sensors.
+  void place(const Pose& pose);
 
-  const std::vector<Sensor>& sensors() const { return sensors_; }
-  const std::vector<Actuator>& actuators() const { return actuators_; }
-  const Pose& pose() const { return pose_; }
-  const Twist& twist() const { return twist_; }
-  const World& world() const { return world_; }
-
- protected:
-  MockRobot(World world, Pose start) : world_(std::move(world)), pose_(std::move(start)) {}
-
-  virtual void move(double dt) = 0;
-  virtual void sense() = 0;
-
-  template <class Device>
-  void provideSensor(const Device& reading) {
-    sensors_.push_back({Device::kType, &reading});
-  }
-  template <class Device>
-  void provideActuator(Device& command) {
-    actuators_.push_back({Device::kType, &command});
-  }
-
-  World world_;
-  Pose pose_;
-  Twist twist_;
+  /// Returns the devices in the order of their types.
+  const std::vector<Device>& devices() const { return devices_; }
+  /// @return null if the robot has no such device
+  const Device* find(const std::string& type) const;
+  const MockState& state() const { return state_; }
 
  private:
-  std::vector<Sensor> sensors_;
-  std::vector<Actuator> actuators_;
+  void sense();
+
+  MockState state_;
+  std::vector<Device> devices_;
 };
 
+/// Returns the devices of a mock robot of that type: those that only robots of that type have, or whose names begin
+/// with the type and "_", and `others`.
+/// @throws ConfigError at `location` for a device that is not known, and for a type without any device
+std::vector<std::string> devicesOf(const std::string& robot_type, const std::vector<std::string>& others,
+                                   const SourceLocation& location);
+
 /// Reads the robot's world and its start from `values`: `start: [x, y, z]`, `start_yaw` [degrees], and the values of
-/// readWorld.
-/// @param type footbot, eyebot, handbot @throws ConfigError
-std::unique_ptr<MockRobot> makeMockRobot(const std::string& type, const Configuration& values);
-
-std::unique_ptr<MockRobot> makeMockFootbot(World world, Pose start);
-std::unique_ptr<MockRobot> makeMockEyebot(World world, Pose start);
-std::unique_ptr<MockRobot> makeMockHandbot(World world, Pose start);
-
-/// Returns the beacon as a camera at the robot reports it.
-ColorBlob blobOf(const Beacon& beacon, const Pose& pose);
+/// readWorld. @throws ConfigError
+std::unique_ptr<MockRobot> makeMockRobot(const std::vector<std::string>& devices, const Configuration& values);
 
 /// Does what a driver does when commands are missing: after `timeout` an actuator that had commands gets those of its
 /// safe stop, until a command comes again.
@@ -88,14 +62,15 @@ class CommandWatchdog {
   /// @param timeout [s]
   CommandWatchdog(const MockRobot& robot, double timeout);
 
-  void commanded(std::size_t actuator) { silence_[actuator] = 0.0; }
+  /// @param device index in MockRobot::devices
+  void commanded(std::size_t device) { silence_[device] = 0.0; }
   /// Is called before the robot moves. @param dt [s]
   void advance(double dt);
   /// Returns whether no command has come for longer than `timeout`, so that the actuator is being stopped.
-  bool hasExpired(std::size_t actuator) const { return silence_[actuator] > timeout_; }
+  bool hasExpired(std::size_t device) const { return silence_[device] > timeout_; }
 
  private:
-  static constexpr double kNever = -1.0;  // the actuator has had no command yet
+  static constexpr double kNever = -1.0;  // the device has had no command yet
 
   const MockRobot& mock_;
   Robot robot_;

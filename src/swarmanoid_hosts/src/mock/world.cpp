@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "swarmanoid_interface/devices/proximity.hpp"
+
 namespace swarmanoid::mock {
 namespace {
 
@@ -40,6 +42,13 @@ World readWorld(const Configuration& values) {
     world.is_something_left = hands->boolean("left", world.is_something_left);
     world.is_something_right = hands->boolean("right", world.is_something_right);
     hands->refuseUnread({"left", "right"});
+  }
+  if (const Configuration* ring = values.find("ring")) {
+    const auto usual = static_cast<std::int64_t>(world.ring.sensors);
+    const Range allowed{1.0, static_cast<double>(Proximity::kMostSensors)};
+    world.ring.sensors = static_cast<std::size_t>(ring->integer("sensors", usual, allowed));
+    world.ring.radius = ring->number("radius", world.ring.radius, {0.0, 10.0});
+    ring->refuseUnread({"sensors", "radius"});
   }
   world.ceiling = values.number("ceiling", world.ceiling, {0.0, 100.0});
   return world;

@@ -36,9 +36,16 @@ struct Beacon {
 };
 
 struct World {
+  /// Of a robot whose proximity sensors are not known here: so many, evenly around its axis, the first ahead.
+  struct Ring {
+    std::size_t sensors = 8;
+    double radius = 0.035;  ///< [m]
+  };
+
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
   double ceiling = 3.0;  ///< height of the ceiling, which is ferromagnetic [m]
+  Ring ring;
   /// Whether a handbot's hand touches an object when its arm is level.
   bool is_something_left = true;
   bool is_something_right = true;
@@ -49,6 +56,7 @@ struct World {
 ///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there
+///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity`
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 

@@ -80,15 +80,15 @@ std::vector<Field> readFields(const std::string& layout, ByteReader& in) {
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// @param names of the fields; null if they are unknown
-void addNamed(const std::vector<Field>& fields, const std::vector<NumberName>* names, const std::string& prefix,
+/// @param numbers of the device; null if they are unknown
+void addNamed(const std::vector<Field>& fields, const std::vector<DeviceNumber>* numbers, const std::string& prefix,
               Values& out) {
   for (std::size_t i = 0; i < fields.size(); ++i) {
-    const std::string name = prefix + (names != nullptr ? (*names)[i].name : std::to_string(i));
+    const std::string name = prefix + (numbers != nullptr ? (*numbers)[i].name : std::to_string(i));
     if (!fields[i].is_variable) {
       out.emplace_back(name, fields[i].number);
     }
-    const std::vector<NumberName>* inner = names != nullptr ? &(*names)[i].elements : nullptr;
+    const std::vector<DeviceNumber>* inner = numbers != nullptr ? &(*numbers)[i].elements : nullptr;
     for (std::size_t k = 0; k < fields[i].elements.size(); ++k) {
       addNamed(fields[i].elements[k], inner, name + "[" + std::to_string(k) + "].", out);
     }
@@ -126,7 +126,7 @@ std::string toText(const std::vector<Field>& fields) {
 Values named(const std::vector<Field>& fields, const DeviceLayout& device) {
   const DeviceType* type = findDeviceType(device.type);
   Values result;
-  addNamed(fields, type != nullptr && type->layout == device.layout ? &type->names : nullptr, "", result);
+  addNamed(fields, type != nullptr && type->layout == device.layout ? &type->numbers : nullptr, "", result);
   return result;
 }
 

@@ -1,8 +1,9 @@
 // mock_drivers: drivers of one simulated robot with simple kinematics, with the topics of docs/reference/drivers.md.
 //
-// Private parameters: `robot`, its name; `type`, footbot, eyebot or handbot; `rate` of the sensors [Hz], 1 to 1000;
-// `watchdog`, how long commands may be missing before an actuator is stopped safely [s], 0.01 to 3600; `without`,
-// devices that are left out, separated by spaces; `world`, its surroundings (../mock/world.hpp).
+// Private parameters: `robot`, its name; `type`, such as footbot: it has all devices of such a robot; `devices`, others
+// that it has too, separated by spaces; `without`, devices that are left out, likewise; `rate` of the sensors [Hz], 1
+// to 1000; `watchdog`, how long commands may be missing before an actuator is stopped safely [s], 0.01 to 3600;
+// `world`, its surroundings (../mock/world.hpp).
 #include <nav_msgs/Odometry.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
@@ -17,7 +18,6 @@
 #include "swarmanoid_hosts/period_clock.hpp"
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
-#include "swarmanoid_hosts/ros/topics/leds.hpp"
 #include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid::mock {
@@ -33,28 +33,32 @@ double readNumber(const ros::NodeHandle& own, const std::string& name, double us
   return value;
 }
 
+/// Reads names that are separated by spaces.
+std::vector<std::string> readNames(const ros::NodeHandle& own, const std::string& name) {
+  std::istringstream words(own.param(name, std::string()));
+  return {std::istream_iterator<std::string>(words), {}};
+}
+
+/// Returns the topic on which people see the state of what a topic commands: leds/state for leds/command.
+DeviceTopic stateTopicOf(const DeviceTopic& command) {
+  DeviceTopic state = command;
+  const std::size_t end = command.name.rfind("/command");
+  state.name = (end == std::string::npos ? command.name : command.name.substr(0, end)) + "/state";
+  return state;
+}
+
 class Drivers {
  public:
   explicit Drivers(const ros::NodeHandle& own)
       : name_(own.param("robot", std::string("robot"))),
         robot_handle_(name_),
         rate_(readNumber(own, "rate", 50.0, {1.0, 1000.0})),
-        robot_(makeMockRobot(own.param("type", std::string("footbot")), readWorldOf(own))),
+        robot_(makeMockRobot(readDevices(own), readWorldOf(own))),
         watchdog_(*robot_, readNumber(own, "watchdog", 0.5, {0.01, 3600.0})) {
-    std::istringstream words(own.param("without", std::string()));
-    const std::vector<std::string> without{std::istream_iterator<std::string>(words), {}};
-    const auto has = [&](const std::string& device) {
-      return std::find(without.begin(), without.end(), device) == without.end();
-    };
-    for (const MockRobot::Sensor& sensor : robot_->sensors()) {
-      for (const DeviceTopic* topic : topicsOf(sensor.device)) {
-        if (has(sensor.device)) {
-          sensors_.push_back({topic, topic->advertise(robot_handle_, *topic), sensor.reading});
-        }
-      }
-    }
-    for (std::size_t i = 0; i < robot_->actuators().size(); ++i) {
-      if (has(robot_->actuators()[i].device)) {
+    for (std::size_t i = 0; i < robot_->devices().size(); ++i) {
+      if (robot_->devices()[i].type->kind == DeviceKind::kSensor) {
+        advertiseReadings(robot_->devices()[i]);
+      } else {
         subscribeCommands(i);
       }
     }
@@ -86,6 +90,27 @@ class Drivers {
     ros::Publisher publisher;
     const void* reading;
   };
+  /// A command that people can see, such as the colours of LEDs.
+  struct Shown {
+    const MockRobot::Device* device;
+    DeviceTopic topic;
+    ros::Publisher publisher;
+    Bytes last;  ///< what was published last
+  };
+
+  /// @throws ConfigError
+  static std::vector<std::string> readDevices(const ros::NodeHandle& own) {
+    std::vector<std::string> devices =
+        devicesOf(own.param("type", std::string()), readNames(own, "devices"), {own.getNamespace(), 0});
+    for (const std::string& left_out : readNames(own, "without")) {
+      if (std::find(devices.begin(), devices.end(), left_out) == devices.end()) {
+        throw ConfigError({own.getNamespace() + "/without", 0},
+                          "found '" + left_out + "', allowed: " + joinNames(devices) + didYouMean(left_out, devices));
+      }
+      devices.erase(std::remove(devices.begin(), devices.end(), left_out), devices.end());
+    }
+    return devices;
+  }
 
   static Configuration readWorldOf(const ros::NodeHandle& own) {
     XmlRpc::XmlRpcValue values;
@@ -94,10 +119,16 @@ class Drivers {
                                          : Configuration("world", "", {path, 0});
   }
 
+  void advertiseReadings(const MockRobot::Device& sensor) {
+    for (const DeviceTopic* topic : topicsOf(sensor.type->type)) {
+      sensors_.push_back({topic, topic->advertise(robot_handle_, *topic), sensor.value.get()});
+    }
+  }
+
   void subscribeCommands(std::size_t index) {
-    const MockRobot::Actuator& actuator = robot_->actuators()[index];
-    for (const DeviceTopic* topic : topicsOf(actuator.device)) {
-      commands_.push_back(topic->subscribe(robot_handle_, *topic, actuator.command, parts_.emplace_back(),
+    const MockRobot::Device& actuator = robot_->devices()[index];
+    for (const DeviceTopic* topic : topicsOf(actuator.type->type)) {
+      commands_.push_back(topic->subscribe(robot_handle_, *topic, actuator.value.get(), parts_.emplace_back(),
                                            [this, index, topic](const std::string& why) {
                                              if (why.empty()) {
                                                watchdog_.commanded(index);
@@ -107,9 +138,10 @@ class Drivers {
                                              }
                                            }));
     }
-    if (actuator.device == FootbotLeds::kType || actuator.device == EyebotLeds::kType) {
-      constexpr bool kLatched = true;
-      leds_state_ = robot_handle_.advertise<swarmanoid_msgs::LedArray>("leds/state", 1, kLatched);
+    const DeviceTopic* command = mainTopicOf(actuator.type->type);
+    if (command != nullptr && actuator.mock && actuator.mock->isShown()) {
+      const DeviceTopic state = stateTopicOf(*command);
+      shown_.push_back({&actuator, state, state.advertiseLatched(robot_handle_, state), {}});
     }
   }
 
@@ -121,26 +153,19 @@ class Drivers {
       output.topic->publish(output.publisher, output.reading, header);
     }
     header.frame_id = name_ + "/base_link";
-    publishLeds(header);
+    for (Shown& shown : shown_) {
+      publishIfChanged(shown, header);
+    }
     publishOdometry(header.stamp);
   }
 
-  /// Publishes the LEDs at each change.
-  void publishLeds(const std_msgs::Header& header) {
-    for (const MockRobot::Actuator& actuator : robot_->actuators()) {
-      swarmanoid_msgs::LedArray message;
-      if (actuator.device == FootbotLeds::kType) {
-        toMessage(*static_cast<const FootbotLeds*>(actuator.command), message);
-      } else if (actuator.device == EyebotLeds::kType) {
-        toMessage(*static_cast<const EyebotLeds*>(actuator.command), message);
-      } else {
-        continue;
-      }
-      if (leds_state_ && message.colors != shown_) {
-        shown_ = message.colors;
-        message.header = header;
-        leds_state_.publish(message);
-      }
+  static void publishIfChanged(Shown& shown, const std_msgs::Header& header) {
+    Bytes state;
+    ByteWriter out(state);
+    shown.device->type->write(shown.device->value.get(), out);
+    if (state != shown.last) {
+      shown.last = state;
+      shown.topic.publish(shown.publisher, shown.device->value.get(), header);
     }
   }
 
@@ -149,16 +174,16 @@ class Drivers {
     message.header.stamp = stamp;
     message.header.frame_id = name_ + "/odom";
     message.child_frame_id = name_ + "/base_link";
-    const Pose& pose = robot_->pose();
+    const Pose& pose = robot_->state().pose;
     message.pose.pose.position.x = pose.position.x();
     message.pose.pose.position.y = pose.position.y();
     message.pose.pose.position.z = pose.position.z();
     message.pose.pose.orientation.z = std::sin(0.5 * pose.yaw);
     message.pose.pose.orientation.w = std::cos(0.5 * pose.yaw);
-    message.twist.twist.linear.x = robot_->twist().linear.x();
-    message.twist.twist.linear.y = robot_->twist().linear.y();
-    message.twist.twist.linear.z = robot_->twist().linear.z();
-    message.twist.twist.angular.z = robot_->twist().yaw_rate;
+    message.twist.twist.linear.x = robot_->state().twist.linear.x();
+    message.twist.twist.linear.y = robot_->state().twist.linear.y();
+    message.twist.twist.linear.z = robot_->state().twist.linear.z();
+    message.twist.twist.angular.z = robot_->state().twist.yaw_rate;
     odometry_.publish(message);
   }
 
@@ -170,8 +195,7 @@ class Drivers {
   std::vector<Output> sensors_;
   std::deque<VariableParts> parts_;  // addresses stay valid
   std::vector<ros::Subscriber> commands_;
-  ros::Publisher leds_state_;
-  std::vector<std_msgs::ColorRGBA> shown_;
+  std::vector<Shown> shown_;
   ros::Publisher odometry_;
 };
 

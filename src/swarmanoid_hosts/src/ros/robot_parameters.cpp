@@ -2,6 +2,7 @@
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid {
@@ -11,7 +12,9 @@ std::vector<KnownDevice> knownDevices() {
   std::vector<KnownDevice> known;
   for (const DeviceTopic* topic : deviceTopics()) {
     if (known.empty() || known.back().type != topic->device) {
-      known.push_back({topic->device, topic->kind == DeviceTopic::Kind::kReading, {}});
+      const DeviceType* type = findDeviceType(topic->device);
+      known.push_back(
+          {topic->device, topic->kind == DeviceTopic::Kind::kReading, type == nullptr ? "" : type->robot, {}});
     }
     known.back().topics.push_back(topic->name);
   }

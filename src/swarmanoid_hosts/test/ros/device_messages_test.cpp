@@ -6,18 +6,22 @@
 #include <set>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
-#include "swarmanoid_hosts/ros/topics/color_blob_camera.hpp"
-#include "swarmanoid_hosts/ros/topics/eyebot_laser.hpp"
-#include "swarmanoid_hosts/ros/topics/eyebot_magnet.hpp"
-#include "swarmanoid_hosts/ros/topics/eyebot_velocity.hpp"
-#include "swarmanoid_hosts/ros/topics/footbot_gripper.hpp"
-#include "swarmanoid_hosts/ros/topics/footbot_proximity.hpp"
-#include "swarmanoid_hosts/ros/topics/footbot_turret.hpp"
-#include "swarmanoid_hosts/ros/topics/footbot_wheels.hpp"
-#include "swarmanoid_hosts/ros/topics/handbot_arms.hpp"
-#include "swarmanoid_hosts/ros/topics/handbot_hands.hpp"
-#include "swarmanoid_hosts/ros/topics/handbot_rope.hpp"
-#include "swarmanoid_hosts/ros/topics/leds.hpp"
+#include "swarmanoid_hosts/ros/devices/color_blob_camera.hpp"
+#include "swarmanoid_hosts/ros/devices/differential_drive.hpp"
+#include "swarmanoid_hosts/ros/devices/eyebot_laser.hpp"
+#include "swarmanoid_hosts/ros/devices/eyebot_magnet.hpp"
+#include "swarmanoid_hosts/ros/devices/eyebot_velocity.hpp"
+#include "swarmanoid_hosts/ros/devices/footbot_gripper.hpp"
+#include "swarmanoid_hosts/ros/devices/footbot_proximity.hpp"
+#include "swarmanoid_hosts/ros/devices/footbot_turret.hpp"
+#include "swarmanoid_hosts/ros/devices/footbot_wheels.hpp"
+#include "swarmanoid_hosts/ros/devices/handbot_arms.hpp"
+#include "swarmanoid_hosts/ros/devices/handbot_hands.hpp"
+#include "swarmanoid_hosts/ros/devices/handbot_rope.hpp"
+#include "swarmanoid_hosts/ros/devices/led_array.hpp"
+#include "swarmanoid_hosts/ros/devices/leds.hpp"
+#include "swarmanoid_hosts/ros/devices/proximity.hpp"
+#include "swarmanoid_hosts/ros/devices/wheels.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid {
@@ -91,6 +95,33 @@ TEST(DeviceMessages, KeepAllBlobs) {
   EXPECT_EQ(bytesOf("footbot_camera", &camera), bytesOf("footbot_camera", &back));
 }
 
+TEST(DeviceMessages, KeepProximityOfAnyRobot) {
+  const std::array<ProximityReading, 2> sensors{ProximityReading{0.25F, 0.5F}, ProximityReading{1.0F, -3.0F}};
+  Proximity proximity;
+  proximity.sensors = Span<const ProximityReading>(sensors.data(), sensors.size());
+  swarmanoid_msgs::ProximityArray message;
+  toMessage(proximity, message);
+  EXPECT_EQ(message.angles, (std::vector<float>{0.5F, -3.0F}));
+  Proximity back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("proximity", &proximity), bytesOf("proximity", &back));
+  message.angles.pop_back();
+  EXPECT_EQ(refusalOf(message, proximity), "found 1 angles and 2 values, allowed: as many of both, at most 64");
+}
+
+TEST(DeviceMessages, LedsWithoutAColourAreOff) {
+  swarmanoid_msgs::LedArray message;
+  message.colors.resize(2, toMessage(colors::kRed));
+  Leds leds;
+  leds.setAll(colors::kBlue);
+  fromMessage(message, leds);
+  EXPECT_EQ(leds.colors[1], colors::kRed);
+  EXPECT_EQ(leds.colors[2], colors::kBlack);
+  message.colors.resize(65);
+  EXPECT_EQ(refusalOf(message, leds), "found 65 colours, allowed: at most 64");
+}
+
 TEST(DeviceMessages, ARefusedListLeavesTheFormerOne) {
   swarmanoid_msgs::ColorBlobs message;
   message.blobs.resize(2);
@@ -107,6 +138,8 @@ TEST(DeviceMessages, ARefusedListLeavesTheFormerOne) {
 
 TEST(DeviceMessages, KeepAllCommands) {
   expectNothingLost<swarmanoid_msgs::WheelsCommand>(FootbotWheels{1.5, -2.5});
+  expectNothingLost<swarmanoid_msgs::WheelsCommand>(Wheels{1.5, -2.5});
+  expectNothingLost<geometry_msgs::Twist>(DifferentialDrive{0.25, -0.5});
   expectNothingLost<swarmanoid_msgs::GripperCommand>(FootbotGripper{true});
   expectNothingLost<swarmanoid_msgs::TurretCommand>(FootbotTurret{FootbotTurret::Mode::kSpeed, 0.25, -0.5});
   expectNothingLost<swarmanoid_msgs::TurretCommand>(FootbotTurret{FootbotTurret::Mode::kPassive, 0.0, 0.0});

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -33,6 +34,7 @@ struct FieldInfo {
   const char* unit = "";     ///< "rad/s"; "" for none
   const char* meaning = "";  ///< one phrase
   Range range = {};          ///< the bounds that values keep or are limited to
+  bool wraps = false;        ///< an angle: what leaves its bounds at one end comes in at the other
 };
 
 /// The description of one field for readers of the device; a struct gives one for each of its fields.
@@ -45,6 +47,7 @@ struct FieldDescription {
   Range range;
   std::size_t count = 1;     ///< count in a device; 0: it varies
   double resting_value = 0;  ///< value in a device that was just made; of the first number, if there are several
+  bool wraps = false;        ///< an angle within one turn
 };
 
 /// Returns "value[24] [rad], float32, from 0 to 1"; the range stands there only if the field has one.
@@ -52,10 +55,25 @@ std::string describe(const FieldDescription& field);
 /// Returns "float64", "bool", "uint8", ...: the name that ROS and NumPy use for the type.
 std::string typeName(const FieldDescription& field);
 
-/// The names of the numbers of a device in the order in which they travel.
-struct NumberName {
-  std::string name;                  ///< "left.shoulder", "value[3]"; of a span: "blobs"
-  std::vector<NumberName> elements;  ///< for spans only: the numbers of one element
+/// Reads and replaces the elements of a span whose type the caller does not know.
+struct SpanAccess {
+  std::size_t element_size = 0;                           ///< [byte]
+  Span<const std::byte> (*bytes)(const void*) = nullptr;  ///< of all elements of the span
+  void (*set)(void* span, const void* elements, std::size_t count) = nullptr;
+};
+
+/// One number of a device, or one span, with its place in the struct. A device has a list of them, in the order in
+/// which they travel.
+struct DeviceNumber {
+  enum class Kind { kNumber, kTruthValue, kEnumeration, kSpan };
+
+  std::string name;  ///< "left.shoulder", "value[3]"; of a span: "blobs"
+  Kind kind = Kind::kNumber;
+  std::string type;        ///< f4, f8, b1, u1, ... i8; "" for spans
+  std::size_t offset = 0;  ///< from the beginning of the device; in an element from that of the element [byte]
+  std::size_t field = 0;   ///< index of its description in DeviceType::fields; 0 for spans
+  SpanAccess span;         ///< for spans only
+  std::vector<DeviceNumber> elements;  ///< for spans only: the numbers of one element
 };
 
 namespace detail {
@@ -111,82 +129,135 @@ class FiniteCheck {
   bool is_finite_ = true;
 };
 
-/// Collects the list of descriptions.
-class FieldLister {
+/// Makes the access to a span of a type.
+template <class T>
+SpanAccess spanAccess() {
+  static_assert(std::is_trivially_copyable_v<T>, "elements of spans are copied as bytes");
+  SpanAccess access;
+  access.element_size = sizeof(T);
+  access.bytes = [](const void* span) {
+    const auto& elements = *static_cast<const Span<const T>*>(span);
+    return Span<const std::byte>(reinterpret_cast<const std::byte*>(elements.data()), elements.size() * sizeof(T));
+  };
+  access.set = [](void* span, const void* elements, std::size_t count) {
+    *static_cast<Span<const T>*>(span) = Span<const T>(static_cast<const T*>(elements), count);
+  };
+  return access;
+}
+
+/// Brings numbers into the ranges of their fields.
+class RangeLimiter {
  public:
   template <class Value>
   void operator()(Value& value, const FieldInfo& info) {
-    add(value, prefix_ + info.name, info, 1);
+    limit(value, info.range);
   }
-  std::vector<FieldDescription> take() { return std::move(fields_); }
 
  private:
   template <class Value>
-  void add(Value& value, const std::string& name, const FieldInfo& info, std::size_t count) {
-    if constexpr (std::is_enum_v<Value>) {
-      auto number = static_cast<std::underlying_type_t<Value>>(value);
-      add(number, name, info, count);
-    } else if constexpr (std::is_arithmetic_v<Value>) {
-      fields_.push_back(
-          {name, numberType<Value>(), info.unit, info.meaning, info.range, count_ * count, static_cast<double>(value)});
+  void limit(Value& value, const Range& range) {
+    if constexpr (std::is_floating_point_v<Value>) {
+      value = static_cast<Value>(std::clamp(static_cast<double>(value), range.minimum, range.maximum));
     } else if constexpr (IsArray<Value>::value) {
-      add(*value.begin(), name + "[]", info, count * static_cast<std::size_t>(value.size()));
-    } else if constexpr (IsSpan<Value>::value) {
-      std::remove_const_t<std::remove_pointer_t<decltype(value.data())>> element{};
-      add(element, name + "[]", info, 0);
-    } else {
-      const std::string outer = std::move(prefix_);
-      const std::size_t outer_count = count_;
-      prefix_ = name + ".";
-      count_ *= count;
+      for (auto& element : value) {
+        limit(element, range);
+      }
+    } else if constexpr (!std::is_arithmetic_v<Value> && !std::is_enum_v<Value> && !IsSpan<Value>::value) {
       fields(*this, value);
-      prefix_ = outer;
-      count_ = outer_count;
     }
   }
-
-  std::vector<FieldDescription> fields_;
-  std::string prefix_;
-  std::size_t count_ = 1;  // number of structs like the one that is visited
 };
 
-/// Collects the list of names.
-class NameLister {
+/// Collects the descriptions of the fields, and the list of the numbers.
+class FieldLister {
  public:
+  /// @param device that `fields` is called with
+  explicit FieldLister(const void* device) : origin_(static_cast<const std::byte*>(device)) {}
+
   template <class Value>
   void operator()(Value& value, const FieldInfo& info) {
-    add(value, prefix_ + info.name);
+    add(value, {outer_.number + info.name, outer_.field + info.name}, info);
   }
-  std::vector<NumberName> take() { return std::move(names_); }
+  std::vector<FieldDescription> takeFields() { return std::move(fields_); }
+  std::vector<DeviceNumber> takeNumbers() { return std::move(numbers_); }
 
  private:
+  struct Name {
+    std::string number;  // "joints[2].angle"; relative to the element inside of a span
+    std::string field;   // "joints[].angle"
+  };
+
   template <class Value>
-  void add(Value& value, const std::string& name) {
-    if constexpr (std::is_arithmetic_v<Value> || std::is_enum_v<Value>) {
-      names_.push_back({name, {}});
+  void add(Value& value, const Name& name, const FieldInfo& info) {
+    if constexpr (std::is_enum_v<Value>) {
+      using Number = std::underlying_type_t<Value>;
+      addNumber<Number>(&value, static_cast<Number>(value), DeviceNumber::Kind::kEnumeration, name, info);
+    } else if constexpr (std::is_arithmetic_v<Value>) {
+      constexpr bool kIsBool = std::is_same_v<Value, bool>;
+      addNumber<Value>(&value, value, kIsBool ? DeviceNumber::Kind::kTruthValue : DeviceNumber::Kind::kNumber, name,
+                       info);
     } else if constexpr (IsArray<Value>::value) {
       std::size_t i = 0;
       for (auto& element : value) {
-        add(element, name + "[" + std::to_string(i++) + "]");
+        add(element, {name.number + "[" + std::to_string(i++) + "]", name.field + "[]"}, info);
       }
     } else if constexpr (IsSpan<Value>::value) {
-      std::remove_const_t<std::remove_pointer_t<decltype(value.data())>> element{};
-      NameLister inner;
-      fields(inner, element);
-      names_.push_back({name, inner.take()});
+      addSpan(value, name);
     } else {
-      const std::string outer = std::move(prefix_);
-      prefix_ = name + ".";
+      const Name outer = std::exchange(outer_, {name.number + ".", name.field + "."});
       fields(*this, value);
-      prefix_ = outer;
+      outer_ = outer;
     }
   }
 
-  std::vector<NumberName> names_;
-  std::string prefix_;
+  template <class Number>
+  void addNumber(const void* place, Number value, DeviceNumber::Kind kind, const Name& name, const FieldInfo& info) {
+    const auto known = std::find_if(fields_.begin(), fields_.end(),
+                                    [&](const FieldDescription& field) { return field.name == name.field; });
+    const auto field = static_cast<std::size_t>(known - fields_.begin());
+    if (known == fields_.end()) {
+      fields_.push_back({name.field, numberType<Number>(), info.unit, info.meaning, info.range, 0,
+                         static_cast<double>(value), info.wraps});
+    }
+    fields_[field].count += is_in_span_ ? 0 : 1;
+    numbers_.push_back({name.number, kind, numberType<Number>(), offsetOf(place), field, {}, {}});
+  }
+
+  template <class T>
+  void addSpan(const Span<const T>& span, const Name& name) {
+    T element{};
+    DeviceNumber number{name.number, DeviceNumber::Kind::kSpan, "", offsetOf(&span), 0, spanAccess<T>(), {}};
+    const Name outer = std::exchange(outer_, {"", name.field + "[]."});
+    const std::byte* origin = std::exchange(origin_, reinterpret_cast<const std::byte*>(&element));
+    is_in_span_ = true;
+    std::swap(numbers_, number.elements);
+    fields(*this, element);
+    std::swap(numbers_, number.elements);
+    is_in_span_ = false;
+    origin_ = origin;
+    outer_ = outer;
+    numbers_.push_back(std::move(number));
+  }
+
+  std::size_t offsetOf(const void* place) const {
+    return static_cast<std::size_t>(static_cast<const std::byte*>(place) - origin_);
+  }
+
+  std::vector<FieldDescription> fields_;
+  std::vector<DeviceNumber> numbers_;
+  Name outer_;  // of what is visited, with a point
+  const std::byte* origin_;
+  bool is_in_span_ = false;
 };
 
 }  // namespace detail
+
+/// Brings the numbers of a command into the ranges that its fields have; spans and whole numbers stay as they are.
+template <class Device>
+void limitToRanges(Device& device) {
+  detail::RangeLimiter limiter;
+  fields(limiter, device);
+}
 
 /// Returns whether no number of the device is NaN or infinite.
 template <class Device>

@@ -18,6 +18,9 @@
 ///
 ///     inline bool stopSafely(MyDevice& command, const SafeStopMoment& moment) { ...; return true; }
 ///
+/// A device that is built into robots of one type only names it, `static constexpr const char* kRobot = "footbot";`.
+/// Every robot may have the others.
+///
 /// As bytes a device is its fields one after the other, each in its own precision and little-endian, without padding; a
 /// span is its length (4 bytes) and its elements. A controller in another process therefore reads the same bits.
 ///
@@ -44,8 +47,8 @@ struct DeviceType {
   DeviceKind kind = DeviceKind::kSensor;
   std::string summary;  ///< one sentence
   std::vector<FieldDescription> fields;
-  std::vector<NumberName> names;  ///< of the numbers, in the order of the bytes
-  std::string layout;             ///< of the bytes: "f8 f8"; two processes can exchange the device if theirs are equal
+  std::vector<DeviceNumber> numbers;  ///< in the order of the bytes
+  std::string layout;  ///< of the bytes: "f8 f8"; two processes can exchange the device if theirs are equal
   void (*write)(const void* device, ByteWriter& out) = nullptr;
   /// @throws ByteError; the device is then partly read
   void (*read)(ByteReader& in, void* device, VariableParts& parts) = nullptr;
@@ -53,6 +56,7 @@ struct DeviceType {
   bool (*is_finite)(const void* device) = nullptr;  ///< returns whether no number is NaN or infinite
   /// The safe stop of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
   bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
+  std::string robot{};        ///< Device::kRobot: only robots of this type have the device; "": any
   bool has_own_stop = false;  ///< `stopSafely` stands beside the struct; else the safe stop is what it does at rest
 };
 
@@ -60,6 +64,9 @@ struct DeviceType {
 const DeviceType* findDeviceType(const std::string& type);
 /// Returns all types, sorted by type.
 std::vector<const DeviceType*> deviceTypes();
+
+/// Returns the robot types that devices name, sorted. A robot that consists of devices for any robot is none of them.
+std::vector<std::string> robotTypesOfDevices();
 
 /// Registers a type while a library loads; the first registration of a type stays.
 void registerDeviceType(DeviceType type);
@@ -82,6 +89,11 @@ struct HasSafeStop<Device,
                    std::void_t<decltype(stopSafely(std::declval<Device&>(), std::declval<const SafeStopMoment&>()))>>
     : std::true_type {};
 
+template <class Device, class = void>
+struct HasRobot : std::false_type {};
+template <class Device>
+struct HasRobot<Device, std::void_t<decltype(Device::kRobot)>> : std::true_type {};
+
 /// Applies the device's own safe stop, or its command at rest if it has none.
 template <class Device>
 bool stop(Device& command, const SafeStopMoment& moment) {
@@ -98,11 +110,12 @@ DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
   Device device;
   LayoutWriter layout;
   fields(layout, device);
-  FieldLister descriptions;
-  fields(descriptions, device);
-  NameLister names;
-  fields(names, device);
-  DeviceType type{Device::kType, kind, summary, descriptions.take(), names.take(), layout.text()};
+  FieldLister lister(&device);
+  fields(lister, device);
+  DeviceType type{Device::kType, kind, summary, lister.takeFields(), lister.takeNumbers(), layout.text()};
+  if constexpr (HasRobot<Device>::value) {
+    type.robot = Device::kRobot;
+  }
   type.write = [](const void* source, ByteWriter& out) {
     // the same list of fields serves reading and writing; writing changes nothing
     fields(out, *const_cast<Device*>(static_cast<const Device*>(source)));

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/mechanism.hpp"
 
 namespace swarmanoid {
 
@@ -69,8 +70,10 @@ struct PluginDescription {
   std::vector<Parameter> parameters;
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
   std::vector<std::string> implementation_aliases;  ///< likewise
-  std::vector<std::string> robots;                  ///< devices: the robot types that carry it; empty: any
-  bool free_parameters = false;                     ///< the plugin reads parameters of any name (controllers)
+  std::vector<Mechanism> mechanisms;                ///< sensors and actuators: what the robot must have for them
+  /// Devices: robot types that carry it although their description does not list it; empty: any.
+  std::vector<std::string> robots;
+  bool free_parameters = false;  ///< the plugin reads parameters of any name (controllers)
 };
 
 class Registry {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace swarmanoid {
@@ -11,9 +12,11 @@ class Span {
  public:
   constexpr Span() = default;
   constexpr Span(T* data, std::size_t size) : data_(data), size_(size) {}
-  template <class U>
+  template <class U, class = std::enable_if_t<std::is_convertible_v<U (*)[], T (*)[]>>>
+  constexpr Span(Span<U> other) : data_(other.data()), size_(other.size()) {}  // NOLINT
+  template <class U, class = std::enable_if_t<std::is_convertible_v<U (*)[], T (*)[]>>>
   Span(std::vector<U>& values) : data_(values.data()), size_(values.size()) {}  // NOLINT: as std::span
-  template <class U>
+  template <class U, class = std::enable_if_t<std::is_convertible_v<const U (*)[], T (*)[]>>>
   Span(const std::vector<U>& values) : data_(values.data()), size_(values.size()) {}  // NOLINT
 
   constexpr T* begin() const { return data_; }

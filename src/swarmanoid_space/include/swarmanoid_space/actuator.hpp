@@ -1,9 +1,11 @@
 /// The base classes of simulated actuators. One object serves all robots of one controller configuration: it takes
-/// their commands, checks, limits and disturbs them, and leaves the actuation, which engines and other parts of the
-/// tick read.
+/// their commands, checks, limits and disturbs them, and passes what comes of it on to the robots' mechanisms, which
+/// engines read.
 ///
 /// Phases   configure, add, remove, stop: between phases. actuate: the phase of this name. afterMove: in `connect`.
 /// Noise    drawn from the instance's own stream.
+/// Errors   those of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
+///          parameter of the actuator mean such an error.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
 /// REGISTER_ACTUATOR. Beside the struct stands its descriptor (swarmanoid_interface/device_type.hpp), for the check of
@@ -18,6 +20,7 @@
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -29,6 +32,9 @@ class Actuator {
   /// @throws ConfigError
   virtual void configure(const Configuration& parameters) = 0;
 
+  /// After `configure`. @throws ConfigError if they do not suit the device
+  virtual void takeErrors(const std::vector<ErrorModelDescription>& errors) = 0;
+
   /// Adds the instance of a robot. @return where it writes its command, for as long as it lives
   virtual void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
@@ -39,7 +45,7 @@ class Actuator {
   /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.
   virtual void afterMove(Space&) {}
   /// The robot's command becomes that of its safe stop, and is carried out at once. Starts from the last command that
-  /// is sound. @return whether the stop is over: the command stays now
+  /// is sound. Errors of <error> elements act on it too. @return whether the stop is over: the command stays now
   virtual bool stop(Space& space, Row row, const SafeStopMoment& moment) = 0;
 
   const char* type() const { return type_; }
@@ -66,48 +72,59 @@ class ActuatorOf : public Actuator {
                 "beside the device's struct stand its fields: swarmanoid_interface/device_type.hpp");
 
  public:
+  void takeErrors(const std::vector<ErrorModelDescription>& errors) override { errors_.add(errors); }
+
   void* add(Space& space, Row row) override {
     Instance instance;
     instance.row = row;
-    instance.number = space.entities.number[static_cast<std::size_t>(row)];
+    instance.number = space.entities.number[row];
     instance.command = &space.commands.template bank<Device>().add(row);
     instance.actuation = &space.actuation.template bank<Device>().add(row);
-    instance.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
+    instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
     prepareInstance(space, instance);
     Device* command = instance.command;
+    apply(space, instance);  // from now on its mechanisms are commanded, at rest
     instances_.push_back(std::move(instance));
+    if (!errors_.isEmpty()) {
+      error_states_.push_back({row, errors_.makeState(space.seed, space.entities.name[row], 0)});
+    }
     return command;
   }
 
   void remove(Space& space, Row row) override {
     space.commands.template bank<Device>().remove(row);
     space.actuation.template bank<Device>().remove(row);
-    instances_.erase(std::remove_if(instances_.begin(), instances_.end(),
-                                    [&](const Instance& instance) { return instance.row == row; }),
-                     instances_.end());
+    const auto is_meant = [&](const auto& candidate) { return candidate.row == row; };
+    instances_.erase(std::remove_if(instances_.begin(), instances_.end(), is_meant), instances_.end());
+    error_states_.erase(std::remove_if(error_states_.begin(), error_states_.end(), is_meant), error_states_.end());
   }
 
   void actuate(Space& space, std::vector<Row>& faulty) override {
-    for (Instance& instance : instances_) {
-      if (isFinite(*instance.command)) {
-        *instance.actuation = *instance.command;
-        limit(space, instance);
-      } else {
-        faulty.push_back(instance.row);
-      }
-      apply(space, instance);
+    if (errors_.isEmpty()) {
+      actuateEach(space, faulty, [](std::size_t) {});
+    } else {
+      actuateEach(space, faulty,
+                  [&](std::size_t k) { errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick); });
     }
   }
 
   bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
     bool is_over = true;
-    for (Instance& instance : instances_) {
+    for (std::size_t k = 0; k < instances_.size(); ++k) {
+      Instance& instance = instances_[k];
       if (instance.row == row) {
         if (!isFinite(*instance.command)) {
           *instance.command = *instance.actuation;
         }
         is_over = detail::stop(*instance.command, moment);
-        detail::stop(*instance.actuation, moment);
+        if (errors_.hasListed()) {
+          // a motor that is stuck or late is so for a safe stop too
+          *instance.actuation = *instance.command;
+          errors_.applyListed(instance.actuation, error_states_[k].errors, space.tick);
+          limit(space, instance);
+        } else {
+          detail::stop(*instance.actuation, moment);
+        }
         apply(space, instance);
       }
     }
@@ -117,14 +134,47 @@ class ActuatorOf : public Actuator {
  protected:
   ActuatorOf() : Actuator(Device::kType) {}
 
+  /// In `configure`: a parameter of this actuator means an error; 0 means none.
+  /// @param kind of the error @param field that it acts on, "" for all @param parameter of the kind
+  void addErrorAlias(const char* kind, const char* field, const char* parameter, double value) {
+    errors_.addAlias(kind, field, parameter, value);
+  }
+
   /// Last chance to prepare a new instance, such as from the entity's model.
   virtual void prepareInstance(const Space&, Instance&) {}
-  /// Limits and noise: changes instance.actuation, which starts as the command.
+  /// Limits and noise: changes instance.actuation, which starts as the command with its errors.
   virtual void limit(const Space&, Instance&) {}
-  /// Carries an actuation out that needs no engine, such as the colour of LEDs.
+  /// Passes the actuation on: to the mechanisms that it commands (state/mechanisms.hpp), to LEDs. Called in each tick,
+  /// and at rest when an instance is added.
   virtual void apply(Space&, Instance&) {}
 
   std::vector<Instance> instances_;
+
+ private:
+  /// What the instance of the same index has besides, if there are errors.
+  struct Disturbed {
+    Row row;
+    ErrorState errors;
+  };
+
+  /// @param disturb called with the index of an instance whose actuation is the command
+  template <class Disturb>
+  void actuateEach(Space& space, std::vector<Row>& faulty, Disturb disturb) {
+    for (std::size_t k = 0; k < instances_.size(); ++k) {
+      Instance& instance = instances_[k];
+      if (isFinite(*instance.command)) {
+        *instance.actuation = *instance.command;
+        disturb(k);
+        limit(space, instance);
+      } else {
+        faulty.push_back(instance.row);
+      }
+      apply(space, instance);
+    }
+  }
+
+  DeviceErrors errors_{Device::kType};
+  std::vector<Disturbed> error_states_;
 };
 
 }  // namespace swarmanoid

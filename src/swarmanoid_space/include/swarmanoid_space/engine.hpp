@@ -46,6 +46,12 @@ struct EngineHealth {
   std::vector<std::pair<std::string, std::string>> counters;  ///< name and value, since the run began
 };
 
+/// A device of a controller, and the mechanisms of the robot that it works with.
+struct DeviceUse {
+  std::string type;
+  std::vector<Mechanism> mechanisms;
+};
+
 class Engine {
  public:
   virtual ~Engine() = default;
@@ -66,13 +72,13 @@ class Engine {
   virtual void takeTerrain(const std::shared_ptr<const Terrain>& /*terrain*/) {}
 
   /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
-  /// the device or the property. @param devices types of the controller's devices
-  virtual std::string unsupportedReason(const EntityModel& model, const std::vector<std::string>& devices) const = 0;
+  /// the device or the property. @param devices of the controller
+  virtual std::string unsupportedReason(const EntityModel& model, const std::vector<DeviceUse>& devices) const = 0;
 
   /// Whether a robot with that device, which this engine refuses, may be moved here all the same with the device idle,
-  /// if another of the engines that hold the robot can simulate it: such as a handbot's rope while footbots carry the
-  /// handbot over the ground (thesis chapter 5).
-  virtual bool mayStandIdle(const std::string& /*device*/) const { return false; }
+  /// if another of the engines that hold the robot can simulate it: such as the rope of a climbing robot while others
+  /// carry it over the ground (thesis chapter 5).
+  virtual bool mayStandIdle(const EntityModel& /*model*/, const DeviceUse& /*device*/) const { return false; }
 
   /// Why an entity cannot stand there, such as "is not in the plane z = 0"; "" if it can. Overlap is not looked at.
   virtual std::string invalidPoseReason(const EntityModel& model, const Pose& pose) const = 0;

@@ -4,18 +4,23 @@
 /// Phases   configure, add, remove: between ticks. sense: the phase of this name; sees the space const.
 /// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
+/// Errors   those of <error> elements act on what `sense` has filled in, which stays as it is. addErrorAlias makes a
+///          parameter of the sensor mean such an error.
 ///
 /// To add a sensor: write its struct and descriptor in an interface header, derive from SensorOf<Struct>, end with
 /// REGISTER_SENSOR.
 #pragma once
 
 #include <algorithm>
+#include <memory>
+#include <string>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -27,6 +32,9 @@ class Sensor {
   /// @throws ConfigError
   virtual void configure(const Configuration& parameters) = 0;
 
+  /// After `configure`. @throws ConfigError if they do not suit the device
+  virtual void takeErrors(const std::vector<ErrorModelDescription>& errors) = 0;
+
   /// Adds the instance of a robot. @return where its readings will be, for as long as the robot lives
   virtual const void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
@@ -34,6 +42,13 @@ class Sensor {
   virtual std::size_t instanceCount() const = 0;
   /// Refreshes the readings of instances first .. last - 1, which are in the order of entity numbers.
   virtual void sense(const Space& space, std::size_t first, std::size_t last) = 0;
+  /// The same, and then what errors make of the readings.
+  void update(const Space& space, std::size_t first, std::size_t last) {
+    sense(space, first, last);
+    if (has_errors_) {
+      deliver(space, first, last);
+    }
+  }
   /// After all ranges are sensed, on one thread: events such as an overflow.
   virtual void report(Space&) {}
 
@@ -41,6 +56,11 @@ class Sensor {
 
  protected:
   explicit Sensor(const char* type) : type_(type) {}
+
+  /// Copies readings to where they are read, with their errors.
+  virtual void deliver(const Space& space, std::size_t first, std::size_t last) = 0;
+
+  bool has_errors_ = false;
 
  private:
   const char* type_;
@@ -51,7 +71,7 @@ template <class Device>
 struct BasicSensorInstance {
   Row row = kNoRow;
   EntityNumber number = kNoEntity;
-  Device* readings = nullptr;
+  Device* readings = nullptr;  ///< without errors
   RandomStream random;
 };
 
@@ -63,24 +83,39 @@ class SensorOf : public Sensor {
                 "beside the device's struct stand its fields: swarmanoid_interface/device_type.hpp");
 
  public:
+  void takeErrors(const std::vector<ErrorModelDescription>& errors) override {
+    errors_.add(errors);
+    has_errors_ = !errors_.isEmpty();
+  }
+
   const void* add(Space& space, Row row) override {
+    Device& delivered = space.readings.template bank<Device>().add(row);
     Instance instance;
     instance.row = row;
-    instance.number = space.entities.number[static_cast<std::size_t>(row)];
-    instance.readings = &space.readings.template bank<Device>().add(row);
-    instance.random = RandomStream(space.seed, space.entities.name[static_cast<std::size_t>(row)], Device::kType);
+    instance.number = space.entities.number[row];
+    instance.readings = &delivered;
+    instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
+    Disturbed disturbed{row, nullptr, &delivered, {}};
+    if (has_errors_) {
+      // the readings have a place of their own, since a sensor may go on from what it has written there
+      disturbed.readings = std::make_unique<Device>();
+      disturbed.errors = errors_.makeState(space.seed, space.entities.name[row], mostElements());
+      instance.readings = disturbed.readings.get();
+    }
     prepareInstance(space, instance);
-    const Device* readings = instance.readings;
     // entity numbers only grow, so the order is kept
     instances_.push_back(std::move(instance));
-    return readings;
+    if (has_errors_) {
+      disturbed_.push_back(std::move(disturbed));
+    }
+    return &delivered;
   }
 
   void remove(Space& space, Row row) override {
     space.readings.template bank<Device>().remove(row);
-    instances_.erase(std::remove_if(instances_.begin(), instances_.end(),
-                                    [&](const Instance& instance) { return instance.row == row; }),
-                     instances_.end());
+    const auto is_meant = [&](const auto& candidate) { return candidate.row == row; };
+    instances_.erase(std::remove_if(instances_.begin(), instances_.end(), is_meant), instances_.end());
+    disturbed_.erase(std::remove_if(disturbed_.begin(), disturbed_.end(), is_meant), disturbed_.end());
   }
 
   std::size_t instanceCount() const override { return instances_.size(); }
@@ -88,10 +123,39 @@ class SensorOf : public Sensor {
  protected:
   SensorOf() : Sensor(Device::kType) {}
 
+  /// In `configure`: a parameter of this sensor means an error; 0 means none.
+  /// @param kind of the error @param field that it acts on, "" for all @param parameter of the kind
+  void addErrorAlias(const char* kind, const char* field, const char* parameter, double value) {
+    errors_.addAlias(kind, field, parameter, value);
+    has_errors_ = !errors_.isEmpty();
+  }
+  /// The most elements that a span of the readings has; errors on spans get room for so many.
+  virtual std::size_t mostElements() const { return 0; }
+
   /// Last chance to prepare a new instance, such as from the entity's model.
   virtual void prepareInstance(const Space&, Instance&) {}
 
+  void deliver(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      Disturbed& disturbed = disturbed_[k];
+      *disturbed.delivered = *disturbed.readings;
+      errors_.apply(disturbed.delivered, disturbed.errors, space.tick);
+    }
+  }
+
   std::vector<Instance> instances_;
+
+ private:
+  /// What the instance of the same index has besides, if there are errors.
+  struct Disturbed {
+    Row row;
+    std::unique_ptr<Device> readings;
+    Device* delivered;
+    ErrorState errors;
+  };
+
+  DeviceErrors errors_{Device::kType};
+  std::vector<Disturbed> disturbed_;
 };
 
 }  // namespace swarmanoid

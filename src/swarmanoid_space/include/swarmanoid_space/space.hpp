@@ -25,6 +25,7 @@
 #include "swarmanoid_space/state/entities.hpp"
 #include "swarmanoid_space/state/event.hpp"
 #include "swarmanoid_space/state/joints.hpp"
+#include "swarmanoid_space/state/mechanisms.hpp"
 #include "swarmanoid_space/state/overflow.hpp"
 #include "swarmanoid_space/state/structural_tree.hpp"
 
@@ -45,6 +46,10 @@ struct ControllerState {
   StepStatus status =
       StepStatus::kNothing;  ///< kNothing: not asked, or late; the commands are those of an earlier tick
 };
+
+/// Two runs that differ only in who moves an entity go apart later: their hashes differ in the tick in which they begin
+/// to. Walls may be in several engines, and none of them moves them.
+void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Engine* mover);
 
 class Space {
  public:
@@ -67,14 +72,39 @@ class Space {
   /// The lowest ground [m]: 0, or less where a terrain has holes.
   double lowestGround() const { return terrain ? std::min(0.0, terrain->bounds().min().z()) : 0.0; }
 
-  // The world.
-  Entities entities;               ///< pose, twist: move
-  StructuralTree structure;        ///< connect
-  Attachments attachments;         ///< connect
-  PositionalIndex index;           ///< index; as of the end of the last tick
-  std::vector<JointState> joints;  ///< move; rows of EntityModel::kMaxJoints, by entity row: those of model->joints
-  /// actuate; rows of EntityModel::kMaxLeds, by entity row: the colours of model->led_positions
-  std::vector<Color> leds;
+  // The world. What has one value an entity is a column (state/column.hpp), and says itself who writes it.
+  Entities entities;
+  /// The colours of the LEDs of the model, LED 0 first.
+  ListColumn<Color> leds{entities.columns, {"led", Writer::kActuate, Visits::kHash}, [](const EntityModel& model) {
+                           return model.led_positions.size();
+                         }};
+  StructuralTree structure{entities.columns};
+  /// The joints of the model, in its order.
+  ListColumn<JointState> joints{entities.columns,
+                                {"joint", Writer::kMove, Visits::kHash},
+                                [](const EntityModel& model) { return model.joints.size(); }};
+  Attachments attachments{entities};
+
+  // What the mechanisms of robots are commanded to do; joints and holders in the order of the model.
+  Column<WheelsCommand> wheels{entities.columns, {"wheels", Writer::kActuate}};
+  Column<FlightCommand> flight{entities.columns, {"flight", Writer::kActuate}};
+  ListColumn<JointCommand> joint_commands{entities.columns,
+                                          {"joint_command", Writer::kActuate},
+                                          [](const EntityModel& model) { return model.joints.size(); }};
+  ListColumn<HolderCommand> holder_commands{entities.columns,
+                                            {"holder_command", Writer::kActuate},
+                                            [](const EntityModel& model) { return model.holders.size(); }};
+
+  /// null: no engine moves the entity
+  Column<Engine*> mover{entities.columns, {"engine", Writer::kConnect, Visits::kHash}};
+  /// 1: the entity's origin is outside the arena
+  Column<char> outside{entities.columns, {"outside", Writer::kIndex, Visits::kRecordings}};
+  /// null: the entity has no controller
+  Column<std::unique_ptr<Robot>> robots{entities.columns, {"robot", Writer::kBetweenTicks}};
+  /// control; a failure also actuate
+  Column<ControllerState> controllers{entities.columns, {"controller", Writer::kControl}};
+
+  PositionalIndex index;               ///< index; as of the end of the last tick
   std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
   std::vector<Event> events;           ///< of this tick, in order of happening
   std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks
@@ -84,21 +114,7 @@ class Space {
   Banks commands;   ///< control
   Banks actuation;  ///< actuate
 
-  // Who is in charge, by entity row.
-  std::vector<Engine*> mover;                  ///< null: no engine moves the entity
-  std::vector<std::unique_ptr<Robot>> robots;  ///< null: the entity has no controller
-  std::vector<ControllerState> controllers;    ///< control; a failure also actuate
-  std::vector<char> outside;                   ///< index; 1: the entity's origin is outside the arena
-
   std::vector<Engine*> engines;  ///< all, in the order of the experiment file
-
-  /// The states of an entity's joints, EntityModel::kMaxJoints of them.
-  JointState* jointsOf(Row row) { return &joints[static_cast<std::size_t>(row) * EntityModel::kMaxJoints]; }
-  const JointState* jointsOf(Row row) const { return &joints[static_cast<std::size_t>(row) * EntityModel::kMaxJoints]; }
-
-  /// The colours of an entity's LEDs, EntityModel::kMaxLeds of them.
-  Color* ledsOf(Row row) { return &leds[static_cast<std::size_t>(row) * EntityModel::kMaxLeds]; }
-  const Color* ledsOf(Row row) const { return &leds[static_cast<std::size_t>(row) * EntityModel::kMaxLeds]; }
 
   /// Whether a ray of the bundle could hit anything; in doubt, yes. Its segments are not looked at. Far cheaper than
   /// casting. Thread-safe outside `move`.
@@ -112,16 +128,19 @@ class Space {
   /// Whether something other than the two stands between the points (thesis 3.4, "physical occlusions").
   bool isOccluded(const Segment& segment, Row from, Row to) const;
 
-  /// Grows all columns to the entities' rows; after entities were added.
-  void fitRows();
-
   /// Entities in no engine, by row: rays are cast against their models. Kept by add and remove of entities.
   std::vector<Row> entities_without_engine;
 };
 
-/// A hash of all named state, in the order of entity numbers (XXH3): clock, poses, twists, joints, LEDs, grips,
-/// attachments, laser spots, and which engine moves whom.
+/// Passes all named state to the visitor: the columns in the order of entity numbers, then what belongs to the world.
+void visitState(const Space& space, StateVisitor& visitor);
+
+/// A hash of all named state (XXH3): the clock, the columns that are hashed, laser spots.
 /// Equal hashes each tick mean equal runs; -0 counts as 0.
 std::uint64_t stateHash(const Space& space);
+
+/// A hash of the state and of all readings and commands, bit for bit: it differs in the tick in which a device does,
+/// and not only once the state follows. Allocates.
+std::uint64_t deepHash(const Space& space);
 
 }  // namespace swarmanoid

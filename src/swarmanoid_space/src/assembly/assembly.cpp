@@ -35,7 +35,7 @@ RobotInstance* Assembly::findRobot(const Entities& entities, Row row) {
   if (row == kNoRow) {
     return nullptr;
   }
-  const auto numberOf = [&](Row of) { return entities.number[static_cast<std::size_t>(of)]; };
+  const auto numberOf = [&](Row of) { return entities.number[of]; };
   const auto found = std::lower_bound(
       robots.begin(), robots.end(), numberOf(row),
       [&](const RobotInstance& instance, EntityNumber number) { return numberOf(instance.row) < number; });

@@ -18,14 +18,14 @@
 namespace swarmanoid {
 
 struct Assembly {
-  explicit Assembly(int threads) : workers(threads) {}
+  Assembly(int threads, Columns& columns) : workers(threads), memberships(columns, {"memberships", Writer::kConnect}) {}
 
   Workers workers;
   std::vector<Named<Engine>> engines;
   std::vector<std::unique_ptr<ControllerGroup>> groups;
-  std::vector<RobotInstance> robots;                 ///< by entity number
-  std::vector<std::vector<Membership>> memberships;  ///< by entity row
-  std::vector<HandoverTrigger> triggers;             ///< by entity number, then as in the file
+  std::vector<RobotInstance> robots;  ///< by entity number
+  Column<std::vector<Membership>> memberships;
+  std::vector<HandoverTrigger> triggers;  ///< by entity number, then as in the file
   std::vector<ObserverInstance> observers;
 
   Engine* findEngine(const std::string& id) const;

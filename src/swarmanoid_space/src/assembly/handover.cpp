@@ -17,13 +17,12 @@ const ControllerGroup* groupOf(const std::vector<RobotInstance>& instances, Row 
 std::string problemOf(const Space& space, const std::vector<RobotInstance>& instances,
                       const std::vector<Membership>& memberships, const std::vector<Row>& members, Row row,
                       const Engine& engine) {
-  const auto i = static_cast<std::size_t>(row);
-  const EntityModel& model = *space.entities.model[i];
-  const Pose& pose = space.entities.pose[i];
+  const EntityModel& model = *space.entities.model[row];
+  const Pose& pose = space.entities.pose[row];
   if (!model.is_movable) {
     return "is fixed, no engine moves it";
   }
-  const auto posed = posedModel(space.entities.model[i], space.jointsOf(row));
+  const auto posed = posedModel(space.entities.model[row], space.joints[row]);
   std::string problem = engine.invalidPoseReason(*posed, pose);
   if (problem.empty()) {
     problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(instances, row)), memberships);
@@ -36,14 +35,19 @@ std::string problemOf(const Space& space, const std::vector<RobotInstance>& inst
   }
   if (problem.empty()) {
     const Row other = engine.overlap(*posed, pose, members);
-    problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[static_cast<std::size_t>(other)] + "'";
+    problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[other] + "'";
   }
   return problem;
 }
 
+/// Whether the device would stand idle in the engine.
+bool isIdle(const Engine& engine, const EntityModel& model, const DeviceUse& device) {
+  return engine.mayStandIdle(model, device) && !engine.unsupportedReason(model, {device}).empty();
+}
+
 /// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
 Engine* takeOut(Space& space, const std::vector<Membership>& memberships, Row row, const Engine& target) {
-  Engine*& mover = space.mover[static_cast<std::size_t>(row)];
+  Engine*& mover = space.mover[row];
   for (const Membership& membership : memberships) {
     if (membership.engine == mover || membership.engine == &target) {
       membership.engine->remove(space, row);
@@ -81,49 +85,46 @@ void changeMemberships(std::vector<Membership>& memberships, const Engine* forme
 
 }  // namespace
 
-void refreshMirrors(Space& space, const std::vector<std::vector<Membership>>& memberships, Engine& engine) {
+void refreshMirrors(Space& space, const ByRow<std::vector<Membership>>& memberships, Engine& engine) {
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    for (const Membership& membership : memberships[i]) {
-      if (membership.engine == &engine && membership.role == Role::kMirror && space.entities.model[i]->is_movable) {
+    for (const Membership& membership : memberships[row]) {
+      if (membership.engine == &engine && membership.role == Role::kMirror && space.entities.model[row]->is_movable) {
         engine.place(space, row);
       }
     }
   }
 }
 
-std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<std::string>& devices,
+std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<DeviceUse>& devices,
                                 const std::vector<Membership>& memberships) {
-  std::vector<std::string> needed = devices;
-  for (const std::string& device : idleDevices(engine, model, devices)) {
+  std::vector<DeviceUse> needed;
+  std::copy_if(devices.begin(), devices.end(), std::back_inserter(needed), [&](const DeviceUse& device) {
     const auto simulatesIt = [&](const Membership& membership) {
       return membership.engine->unsupportedReason(model, {device}).empty();
     };
-    if (std::any_of(memberships.begin(), memberships.end(), simulatesIt)) {
-      needed.erase(std::find(needed.begin(), needed.end(), device));
-    }
-  }
+    return !isIdle(engine, model, device) || std::none_of(memberships.begin(), memberships.end(), simulatesIt);
+  });
   return engine.unsupportedReason(model, needed);
 }
 
 std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& model,
-                                     const std::vector<std::string>& devices) {
+                                     const std::vector<DeviceUse>& devices) {
   std::vector<std::string> idle;
-  std::copy_if(devices.begin(), devices.end(), std::back_inserter(idle), [&](const std::string& device) {
-    return engine.mayStandIdle(device) && !engine.unsupportedReason(model, {device}).empty();
-  });
+  for (const DeviceUse& device : devices) {
+    if (isIdle(engine, model, device)) {
+      idle.push_back(device.type);
+    }
+  }
   return idle;
 }
 
 std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
-                            const std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members,
-                            Row row, const Engine& engine) {
+                            const ByRow<std::vector<Membership>>& memberships, const std::vector<Row>& members, Row row,
+                            const Engine& engine) {
   for (const Row member : members) {
-    const std::string problem =
-        problemOf(space, instances, memberships[static_cast<std::size_t>(member)], members, member, engine);
+    const std::string problem = problemOf(space, instances, memberships[member], members, member, engine);
     if (!problem.empty()) {
-      const auto i = static_cast<std::size_t>(member);
-      const std::string who = space.entities.model[i]->type + " '" + space.entities.name[i] + "': ";
+      const std::string who = space.entities.model[member]->type + " '" + space.entities.name[member] + "': ";
       return member == row ? problem : "connected " + who + problem;
     }
   }
@@ -131,27 +132,27 @@ std::string handoverProblem(const Space& space, const std::vector<RobotInstance>
 }
 
 void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
-                    std::vector<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
+                    ByRow<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
                     std::vector<Event>& events) {
   SWARMANOID_EXPECTS(handoverProblem(space, instances, memberships, members, members.front(), engine).empty());
   std::vector<Engine*> former;
   former.reserve(members.size());
   for (const Row row : members) {
-    former.push_back(takeOut(space, memberships[static_cast<std::size_t>(row)], row, engine));
+    former.push_back(takeOut(space, memberships[row], row, engine));
   }
   for (std::size_t k = 0; k < members.size(); ++k) {
-    const auto i = static_cast<std::size_t>(members[k]);
-    changeMemberships(memberships[i], former[k], engine);
-    space.mover[i] = &engine;
-    engine.add(space, members[k], Role::kMove);
+    const Row row = members[k];
+    changeMemberships(memberships[row], former[k], engine);
+    space.mover[row] = &engine;
+    engine.add(space, row, Role::kMove);
     std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id();
-    const auto idle = idleDevices(engine, *space.entities.model[i], devicesOf(groupOf(instances, members[k])));
+    const auto idle = idleDevices(engine, *space.entities.model[row], devicesOf(groupOf(instances, row)));
     text += idle.empty() ? "" : "; idle there: " + joinNames(idle);
-    events.push_back({Event::Kind::kHandedOver, space.entities.name[i], "", text});
+    events.push_back({Event::Kind::kHandedOver, space.entities.name[row], "", text});
   }
   // only now, so that no engine has half a structure as mirrors and moves the other half
   for (std::size_t k = 0; k < members.size(); ++k) {
-    for (const Membership& membership : memberships[static_cast<std::size_t>(members[k])]) {
+    for (const Membership& membership : memberships[members[k]]) {
       if (membership.engine == former[k]) {
         former[k]->add(space, members[k], Role::kMirror);
       }
@@ -162,9 +163,8 @@ void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
 bool holds(const HandoverDescription& rule, const Space& space, Row row) {
   using Condition = HandoverDescription::Condition;
   using End = HandoverDescription::End;
-  const auto i = static_cast<std::size_t>(row);
   const auto isInside = [&] {
-    const Eigen::Vector3d& p = space.entities.pose[i].position;
+    const Eigen::Vector3d& p = space.entities.pose[row].position;
     return (p.array() >= rule.minimum.array()).all() && (p.array() <= rule.maximum.array()).all();
   };
   const auto isAttached = [&] {
@@ -173,7 +173,7 @@ bool holds(const HandoverDescription& rule, const Space& space, Row row) {
            (rule.end != End::kGripper && (!space.structure.grippersOf(row).empty() || space.attachments.isHeld(row)));
   };
   const auto isShown = [&] {
-    const auto& values = space.robots[i]->debugValues();
+    const auto& values = space.robots[row]->debugValues();
     return std::any_of(values.begin(), values.end(), [&rule](const Robot::DebugValue& shown) {
       return shown.first == rule.key && shown.second == rule.value;
     });

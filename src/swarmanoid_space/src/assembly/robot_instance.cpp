@@ -2,17 +2,9 @@
 
 namespace swarmanoid {
 
-std::vector<std::string> devicesOf(const ControllerGroup* group) {
-  std::vector<std::string> devices;
-  if (group != nullptr) {
-    for (const auto& sensor : group->sensors) {
-      devices.emplace_back(sensor->type());
-    }
-    for (const auto& actuator : group->actuators) {
-      devices.emplace_back(actuator->type());
-    }
-  }
-  return devices;
+const std::vector<DeviceUse>& devicesOf(const ControllerGroup* group) {
+  static const std::vector<DeviceUse> none;
+  return group == nullptr ? none : group->devices;
 }
 
 }  // namespace swarmanoid

@@ -20,12 +20,13 @@ struct ControllerGroup {
   const ControllerDescription* description = nullptr;
   std::vector<Named<Sensor>> sensors;
   std::vector<Named<Actuator>> actuators;
+  std::vector<DeviceUse> devices;  ///< all of them
   std::function<std::shared_ptr<Controller>()> make;
   std::string part;  ///< what `make` makes, as UserCode has it
 };
 
-/// Types of its devices; none without a group.
-std::vector<std::string> devicesOf(const ControllerGroup* group);
+/// Its devices; none without a group.
+const std::vector<DeviceUse>& devicesOf(const ControllerGroup* group);
 
 /// One robot of the simulation, with its controller and its failure.
 struct RobotInstance {

@@ -21,6 +21,16 @@ std::vector<std::string> implementationsOf(PluginKind kind, const std::string& t
   return names;
 }
 
+/// The tag <error> is the framework's own.
+void refuseErrorParameter(const XmlElement& element, const PluginDescription& device) {
+  for (const Parameter& parameter : device.parameters) {
+    if (parameter.name == "error") {
+      element.refuse("found the parameter 'error' of the implementation '" + device.implementation +
+                     "', allowed: another name, since <error> in a device is an error model");
+    }
+  }
+}
+
 DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader& reader) {
   const std::string path = kind == PluginKind::kSensor ? "controllers/*/sensors/*" : "controllers/*/actuators/*";
   element.allowAttributes(attributesOf(path));
@@ -46,7 +56,11 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
                    "', which has no default, allowed: " + joinNames(implementationsOf(kind, device.type)));
   }
   device.implementation = entry->description.implementation;
-  device.parameters = readPluginParameters(element, entry->description, valuesOf(path));
+  refuseErrorParameter(element, entry->description);
+  std::vector<std::string> others = valuesOf(path);
+  others.emplace_back("error");
+  device.parameters = readPluginParameters(element, entry->description, others);
+  device.errors = readErrors(element, is_stand_in ? "" : device.type);
   return device;
 }
 

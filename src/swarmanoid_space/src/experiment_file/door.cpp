@@ -62,23 +62,36 @@ void checkValues(const EntityDescription& entity, const PluginDescription& type)
   }
 }
 
-void checkDevices(const SourceLocation& location, const EntityDescription& entity, PluginKind kind,
-                  const std::vector<DeviceDescription>& devices) {
+bool isAmong(const std::string& name, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+void checkDevices(const SourceLocation& location, const EntityDescription& entity, const EntityModel& model,
+                  PluginKind kind, const std::vector<DeviceDescription>& devices) {
   for (const DeviceDescription& device : devices) {
     const Registry::Entry* entry = Registry::instance().find(kind, device.type, device.implementation);
     if (entry == nullptr) {
       continue;  // its library is not loaded: `swarmanoid validate --no-libraries`
     }
     const auto& robots = entry->description.robots;
-    if (!robots.empty() && std::find(robots.begin(), robots.end(), entity.type) == robots.end()) {
+    const bool is_carried = robots.empty() || isAmong(entity.type, robots) || isAmong(device.type, model.devices);
+    if (!is_carried) {
       throw ConfigError(location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
                                       device.type + "', which a " + entity.type +
                                       " does not have; it is for: " + joinNames(robots));
     }
+    for (const Mechanism& mechanism : entry->description.mechanisms) {
+      if (const std::string part = model.missingPart(mechanism); !part.empty()) {
+        throw ConfigError(location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
+                                        device.type + "', and a " + entity.type + " has no " + part +
+                                        ", allowed: robots that have it");
+      }
+    }
   }
 }
 
-void checkController(const EntityDescription& entity, const EntityType& type, const Experiment& experiment) {
+void checkController(const EntityDescription& entity, const EntityType& type, const EntityModel& model,
+                     const Experiment& experiment) {
   if (entity.controller.empty()) {
     return;
   }
@@ -98,8 +111,8 @@ void checkController(const EntityDescription& entity, const EntityType& type, co
     throw ConfigError(location,
                       "controller of a " + entity.type + ": " + unknownName("the id", entity.controller, known));
   }
-  checkDevices(location, entity, PluginKind::kActuator, found->actuators);
-  checkDevices(location, entity, PluginKind::kSensor, found->sensors);
+  checkDevices(location, entity, model, PluginKind::kActuator, found->actuators);
+  checkDevices(location, entity, model, PluginKind::kSensor, found->sensors);
 }
 
 /// Values that come from code do not know where they stand.
@@ -132,8 +145,8 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
     refuse(locationOf(entity, "orientation"), "orientation", textOf(entity.angles), "three finite numbers");
   }
   const auto type = makePlugin<EntityType>(entry);
-  checkController(entity, *type, experiment);
   const auto model = makeModel(*type, entity);
+  checkController(entity, *type, *model, experiment);
   if (!entity.distribution) {
     checkPosition("position", entity.position, *model, experiment.arena, locationOf(entity, "position"));
     return;

@@ -6,30 +6,30 @@
 namespace swarmanoid::experiment {
 namespace {
 
-using tinyxml2::XMLElement;
-
 [[noreturn]] void refuse(const Override& change, const std::string& message) {
   throw ConfigError({"--set " + change.path, 0}, message);
 }
 
-bool hasTag(const XMLElement* element, const std::string& tag) {
-  const std::string name = element->Name();
+std::string nameOf(const xmlNode* element) { return characters(element->name); }
+
+bool hasTag(const xmlNode* element, const std::string& tag) {
+  const std::string name = nameOf(element);
   const auto american = [](const std::string& word) { return word == "visualisations" ? "visualizations" : word; };
   return american(name) == american(tag);
 }
 
-std::string idOf(const XMLElement* element) {
-  const char* id = element->Attribute("id");
-  return id == nullptr ? "" : id;
+std::string idOf(const xmlNode* element) {
+  const xmlAttr* id = xmlHasProp(element, xmlCharacters("id"));
+  return id == nullptr ? "" : textIn(id->children);
 }
 
 /// The element's children; an entity in <distribute> is found as if it stood beside the others.
-std::vector<XMLElement*> childrenOf(XMLElement* parent) {
-  std::vector<XMLElement*> children;
-  for (auto* child = parent->FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+std::vector<xmlNode*> childrenOf(xmlNode* parent) {
+  std::vector<xmlNode*> children;
+  for (xmlNode* child = xmlFirstElementChild(parent); child != nullptr; child = xmlNextElementSibling(child)) {
     children.push_back(child);
     if (hasTag(child, "distribute")) {
-      for (auto* inner = child->FirstChildElement(); inner != nullptr; inner = inner->NextSiblingElement()) {
+      for (xmlNode* inner = xmlFirstElementChild(child); inner != nullptr; inner = xmlNextElementSibling(inner)) {
         if (!idOf(inner).empty()) {
           children.push_back(inner);
         }
@@ -40,10 +40,10 @@ std::vector<XMLElement*> childrenOf(XMLElement* parent) {
 }
 
 /// The child with that id, or else the only one with that tag; null if there is none.
-XMLElement* findChild(XMLElement* parent, const std::string& name, const Override& change) {
-  XMLElement* found = nullptr;
+xmlNode* findChild(xmlNode* parent, const std::string& name, const Override& change) {
+  xmlNode* found = nullptr;
   int count = 0;
-  for (XMLElement* child : childrenOf(parent)) {
+  for (xmlNode* child : childrenOf(parent)) {
     if (idOf(child) == name) {
       return child;
     }
@@ -53,31 +53,31 @@ XMLElement* findChild(XMLElement* parent, const std::string& name, const Overrid
     }
   }
   if (count > 1) {
-    refuse(change, "found " + std::to_string(count) + " <" + name + "> in <" + parent->Name() +
+    refuse(change, "found " + std::to_string(count) + " <" + name + "> in <" + nameOf(parent) +
                        ">, allowed: a tag that stands there once, or an id");
   }
   return found;
 }
 
-std::vector<std::string> namesIn(XMLElement* parent) {
+std::vector<std::string> namesIn(xmlNode* parent) {
   std::vector<std::string> names;
-  for (XMLElement* child : childrenOf(parent)) {
-    names.push_back(idOf(child).empty() ? child->Name() : idOf(child));
+  for (xmlNode* child : childrenOf(parent)) {
+    names.push_back(idOf(child).empty() ? nameOf(child) : idOf(child));
   }
   return names;
 }
 
 /// Whether a value of that name belongs into an attribute, even if the file does not give it.
-bool isAttribute(const XMLElement* element, const std::string& name) {
-  if (element->Attribute(name.c_str()) != nullptr) {
+bool isAttribute(const xmlNode* element, const std::string& name) {
+  if (xmlHasProp(element, xmlCharacters(name.c_str())) != nullptr) {
     return true;
   }
   const auto among = [&name](const std::vector<std::string>& names) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  const auto* parent = element->Parent()->ToElement();
-  const std::string parent_tag = parent == nullptr ? "" : parent->Name();
-  if (hasTag(element, "arena") && parent != nullptr && parent->Parent()->ToDocument() != nullptr) {
+  const xmlNode* root = xmlDocGetRootElement(element->doc);
+  const std::string parent_tag = element == root ? "" : nameOf(element->parent);
+  if (hasTag(element, "arena") && element->parent == root) {
     return among(attributesOf("arena"));
   }
   if (hasTag(element, "distribute") && parent_tag == "arena") {
@@ -91,11 +91,15 @@ bool isAttribute(const XMLElement* element, const std::string& name) {
   }
   if (parent_tag == "handover") {
     const std::vector<std::string> rules = tagsIn("arena_physics/handover");
-    const bool is_rule = std::find(rules.begin(), rules.end(), element->Name()) != rules.end();
-    return is_rule && among(attributesOf(std::string("arena_physics/handover/") + element->Name()));
+    const bool is_rule = std::find(rules.begin(), rules.end(), nameOf(element)) != rules.end();
+    return is_rule && among(attributesOf("arena_physics/handover/" + nameOf(element)));
   }
   if (hasTag(element, "controller") && parent_tag != "controllers") {
     return among(attributesOf("arena/*/controller"));
+  }
+  const xmlNode* section = element == root || element->parent == root ? nullptr : element->parent->parent;
+  if (hasTag(element, "error") && section != nullptr && (hasTag(section, "sensors") || hasTag(section, "actuators"))) {
+    return among(attributesOf("controllers/*/sensors/*/error"));
   }
   const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "visualisations" ||
                          parent_tag == "visualizations";
@@ -117,49 +121,53 @@ std::vector<std::string> split(const std::string& path) {
   return parts;
 }
 
-OverrideMarks& marksOf(XMLElement* element, std::deque<OverrideMarks>& all) {
-  if (element->GetUserData() == nullptr) {
-    element->SetUserData(&all.emplace_back());
+OverrideMarks& marksOf(xmlNode* element, std::deque<OverrideMarks>& all) {
+  if (element->_private == nullptr) {
+    element->_private = &all.emplace_back();
   }
-  return *static_cast<OverrideMarks*>(element->GetUserData());
+  return *static_cast<OverrideMarks*>(element->_private);
 }
 
-void apply(XMLElement* root, const Override& change, std::deque<OverrideMarks>& marks) {
+void apply(xmlNode* root, const Override& change, std::deque<OverrideMarks>& marks) {
   const std::vector<std::string> parts = split(change.path);
   if (parts.size() < 2 || std::find(parts.begin(), parts.end(), "") != parts.end()) {
     refuse(change, "allowed: section.name, such as framework.maxclock");
   }
-  XMLElement* element = root;
+  const xmlChar* value = xmlCharacters(change.value.c_str());
+  if (xmlCheckUTF8(value) == 0) {
+    refuse(change, "found bytes that are no text in UTF-8, allowed: UTF-8");
+  }
+  xmlNode* element = root;
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-    XMLElement* child = findChild(element, parts[i], change);
+    xmlNode* child = findChild(element, parts[i], change);
     if (child == nullptr) {
-      refuse(change, unknownName("no tag or id", parts[i], namesIn(element)) + " (in <" + element->Name() + ">)");
+      refuse(change, unknownName("no tag or id", parts[i], namesIn(element)) + " (in <" + nameOf(element) + ">)");
     }
     element = child;
   }
   const std::string& last = parts.back();
   if (isAttribute(element, last)) {
-    element->SetAttribute(last.c_str(), change.value.c_str());
+    xmlSetProp(element, xmlCharacters(last.c_str()), value);
     marksOf(element, marks).attributes[last] = change.path;
     return;
   }
-  XMLElement* target = findChild(element, last, change);
+  xmlNode* target = findChild(element, last, change);
   if (target == nullptr) {
-    target = element->InsertNewChildElement(last.c_str());
-  } else if (target->FirstChildElement() != nullptr) {
-    refuse(change, "found <" + std::string(target->Name()) + ">, which holds elements, allowed: the path of a value");
+    target = xmlNewChild(element, nullptr, xmlCharacters(last.c_str()), nullptr);
+  } else if (xmlFirstElementChild(target) != nullptr) {
+    refuse(change, "found <" + nameOf(target) + ">, which holds elements, allowed: the path of a value");
   }
-  target->DeleteChildren();  // a comment before the old text would survive SetText, and the old text with it
-  target->SetText(change.value.c_str());
+  xmlNodeSetContent(target, nullptr);
+  xmlNodeAddContent(target, value);  // as it stands there, while xmlNodeSetContent would look for entities in it
   marksOf(target, marks).text = change.path;
 }
 
 }  // namespace
 
-std::deque<OverrideMarks> applyOverrides(tinyxml2::XMLDocument& document, const std::vector<Override>& overrides) {
+std::deque<OverrideMarks> applyOverrides(xmlDoc& document, const std::vector<Override>& overrides) {
   std::deque<OverrideMarks> marks;
   for (const Override& change : overrides) {
-    apply(document.RootElement(), change, marks);
+    apply(xmlDocGetRootElement(&document), change, marks);
   }
   return marks;
 }

@@ -152,22 +152,6 @@ void readSections(const XmlElement& root, Reader& reader) {
   }
 }
 
-std::string xmlProblem(const tinyxml2::XMLDocument& document) {
-  switch (document.ErrorID()) {
-    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
-      return "found an empty file, allowed: an <ahss-config> element";
-    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
-      return "found a closing tag that does not match the open element";
-    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
-      return "found a malformed attribute, allowed: name=\"value\", each name once";
-    case tinyxml2::XML_ERROR_PARSING:
-    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
-      return "found a tag that is malformed or never closed";
-    default:
-      return std::string("found malformed XML (") + tinyxml2::XMLDocument::ErrorIDToName(document.ErrorID()) + ")";
-  }
-}
-
 }  // namespace
 }  // namespace experiment
 
@@ -188,24 +172,15 @@ namespace {
 void readText(const std::string& text, const std::string& name, const std::vector<Override>& overrides,
               experiment::Reader& reader) {
   using experiment::XmlElement;
-  experiment::checkWellFormed(text, name);
-  tinyxml2::XMLDocument document;
-  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) {
-    throw ConfigError({name, document.ErrorLineNum()}, experiment::xmlProblem(document));
+  if (text.empty()) {
+    throw ConfigError({name, 0}, "found an empty file, allowed: an <ahss-config> element");
   }
-  const tinyxml2::XMLElement* root = document.RootElement();
-  if (root == nullptr) {
-    throw ConfigError({name, 0}, "found no element, allowed: an <ahss-config> element");
-  }
-  const XmlElement root_element(root, &name);
+  const XmlDocument document = parseXml(text, name, XmlNamespaces::kRefused);
+  const XmlElement root_element(xmlDocGetRootElement(document.get()), &name);
   if (root_element.name() != "ahss-config") {
     root_element.refuse("found the root element <" + root_element.name() + ">, allowed: <ahss-config>");
   }
-  if (const tinyxml2::XMLElement* second = root->NextSiblingElement()) {
-    XmlElement(second, &name)
-        .refuse("found <" + std::string(second->Name()) + "> after the root element, allowed: nothing");
-  }
-  const auto marks = experiment::applyOverrides(document, overrides);
+  const auto marks = experiment::applyOverrides(*document, overrides);
   reader.experiment.file = name;
   reader.experiment.name = std::filesystem::path(name).stem().string();
   reader.experiment.text = text;

@@ -69,6 +69,8 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
 
 void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
+/// All <error> of a sensor or an actuator. @param device its type; "" if that is not known
+std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device);
 void readArena(const XmlElement& section, Reader& reader);
 /// <heightfield> in <arena>, at most one.
 void readHeightfield(const XmlElement& element, Reader& reader);
@@ -89,6 +91,6 @@ Configuration readPluginParameters(const XmlElement& element, const PluginDescri
 /// Sets values in the document before it is read.
 /// @return what the document's elements point to, so it must live as long as they are read
 /// @throws ConfigError for a path that leads nowhere, or to more than one place
-std::deque<OverrideMarks> applyOverrides(tinyxml2::XMLDocument& document, const std::vector<Override>& overrides);
+std::deque<OverrideMarks> applyOverrides(xmlDoc& document, const std::vector<Override>& overrides);
 
 }  // namespace swarmanoid::experiment

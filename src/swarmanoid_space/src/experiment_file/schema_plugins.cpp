@@ -55,9 +55,11 @@ void writeDevice(const std::string& tag, const std::vector<const Registry::Entry
     choices.insert(choices.end(), names.begin(), names.end());
   }
   out.openElement(tag, true, implementations.front()->description.summary);
-  out.open("all");
+  // <xs:all> cannot hold what stands there several times, so that values stand there once is left to the reader
+  out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
   out.choiceElement("implementation", choices);
   out.parameters(deviceParameters(implementations));
+  out.tag(tagAt("controllers/*/sensors/*/error"));
   out.close();
   out.attributes(tagAt("controllers/*/sensors/*").attributes);  // and actuators have the same
   out.closeElement();

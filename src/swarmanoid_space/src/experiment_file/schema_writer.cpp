@@ -3,6 +3,7 @@
 #include <cmath>
 #include <iomanip>
 
+#include "../xml/xml_document.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid::experiment {
@@ -52,8 +53,13 @@ std::string documentationOf(const Parameter& parameter) {
 
 }  // namespace
 
-SchemaWriter::SchemaWriter() {
-  printer_.PushDeclaration("xml version=\"1.0\" encoding=\"UTF-8\"");
+SchemaWriter::SchemaWriter() : text_(xmlBufferCreate()), writer_(xmlNewTextWriterMemory(text_.get(), 0)) {
+  if (writer_ == nullptr) {
+    throw std::bad_alloc();
+  }
+  xmlTextWriterSetIndent(writer_.get(), 1);
+  xmlTextWriterSetIndentString(writer_.get(), xmlCharacters("    "));
+  xmlTextWriterStartDocument(writer_.get(), nullptr, "UTF-8", nullptr);
   open("schema", {{"xmlns:xs", "http://www.w3.org/2001/XMLSchema"}});
   const std::string number = kNumber;
   pattern("number", "xs:double", "\\s*" + number + "\\s*");
@@ -72,17 +78,13 @@ SchemaWriter::SchemaWriter() {
 }
 
 void SchemaWriter::open(const std::string& tag, const Attributes& attributes) {
-  open_tags_.push_back("xs:" + tag);
-  printer_.OpenElement(open_tags_.back().c_str());
+  xmlTextWriterStartElement(writer_.get(), xmlCharacters(("xs:" + tag).c_str()));
   for (const auto& [name, value] : attributes) {
-    printer_.PushAttribute(name.c_str(), value.c_str());
+    xmlTextWriterWriteAttribute(writer_.get(), xmlCharacters(name.c_str()), xmlCharacters(value.c_str()));
   }
 }
 
-void SchemaWriter::close() {
-  printer_.CloseElement();
-  open_tags_.pop_back();
-}
+void SchemaWriter::close() { xmlTextWriterEndElement(writer_.get()); }
 
 void SchemaWriter::leaf(const std::string& tag, const Attributes& attributes) {
   open(tag, attributes);
@@ -197,7 +199,8 @@ void SchemaWriter::anyElements(const std::string& process_contents) {
 
 std::string SchemaWriter::text() {
   close();
-  return printer_.CStr();
+  xmlTextWriterEndDocument(writer_.get());  // hands over all that was written
+  return characters(xmlBufferContent(text_.get()));
 }
 
 void SchemaWriter::pattern(const std::string& name, const std::string& base, const std::string& pattern) {
@@ -212,7 +215,7 @@ void SchemaWriter::documentation(const std::string& text) {
   if (!text.empty()) {
     open("annotation");
     open("documentation");
-    printer_.PushText(text.c_str());
+    xmlTextWriterWriteString(writer_.get(), xmlCharacters(text.c_str()));
     close();
     close();
   }

@@ -1,9 +1,9 @@
 /// The bricks of an XML schema (XSD 1.0): elements, attributes and types, written from tables of parameters.
 #pragma once
 
-#include <tinyxml2.h>
+#include <libxml/xmlwriter.h>
 
-#include <deque>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -59,8 +59,13 @@ class SchemaWriter {
   void restriction(const std::string& base, Range range, bool is_whole);
   void enumeration(const std::vector<std::string>& choices);
 
-  tinyxml2::XMLPrinter printer_;
-  std::deque<std::string> open_tags_;  ///< the printer keeps pointers to them
+  struct Deleter {
+    void operator()(xmlBuffer* buffer) const { xmlBufferFree(buffer); }
+    void operator()(xmlTextWriter* writer) const { xmlFreeTextWriter(writer); }
+  };
+
+  std::unique_ptr<xmlBuffer, Deleter> text_;
+  std::unique_ptr<xmlTextWriter, Deleter> writer_;  ///< into the text
 };
 
 /// A name and the other names of the same thing.

@@ -1,7 +1,10 @@
 // The table of tags, and looking things up in it.
 #include "tags.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "swarmanoid_space/error_models/error_model.hpp"
 
 namespace swarmanoid {
 namespace experiment {
@@ -41,6 +44,30 @@ ExperimentTag device(const std::string& section, const std::string& heading) {
           "In <" + section + ">.",
           {text("library", "", "As for controllers.")},
           {makeParameter("implementation", Type::kText, "", "", {}, "In brackets below; else the type's default.")}};
+}
+
+/// In a device. The attributes of all kinds stand here; which of them one kind has, `readErrors` knows.
+ExperimentTag errorTag() {
+  std::vector<Attribute> attributes{
+      choice("kind", errorKindNames(), std::nullopt, "What the error is."),
+      id("id", false, "Its name, for the command line."),
+      text("field", "", "What it acts on, such as value, value[3], left or blobs[].distance; else all that suits."),
+      {makeParameter("from_tick", Type::kInteger, "ticks", "0", kTickRange, "The first tick in which it acts.")}};
+  for (const ErrorKind* kind : errorKinds()) {
+    for (Parameter parameter : kind->description.parameters) {
+      const auto is_known = [&](const Attribute& known) { return known.value.name == parameter.name; };
+      if (std::none_of(attributes.begin(), attributes.end(), is_known)) {
+        parameter.value = "";  // other kinds do not have it
+        attributes.push_back({parameter});
+      }
+    }
+  }
+  return {"controllers/*/sensors/*",
+          "error",
+          "error",
+          "In a sensor or an actuator, as often as needed: what is wrong with it. Numbers are in the field's unit.",
+          std::move(attributes),
+          {}};
 }
 
 ExperimentTag rule(const std::string& name, const std::string& summary, std::vector<Attribute> attributes,
@@ -130,7 +157,8 @@ std::vector<ExperimentTag> makeTags() {
       {"controllers/*", "sensors", "controller", "In a controller: the sensors that it uses.", {}, {}},
       {"controllers/*", "parameters", "controller", "In a controller: whatever it reads.", {}, {}},
       device("sensors", "sensor"),
-      device("actuators", "actuator")};
+      device("actuators", "actuator"),
+      errorTag()};
   const auto append = [&tags](const std::vector<ExperimentTag>& more) {
     tags.insert(tags.end(), more.begin(), more.end());
   };

@@ -19,17 +19,17 @@ bool contains(const std::vector<std::string>& names, const std::string& name) {
 }  // namespace
 
 SourceLocation XmlElement::location() const {
-  for (const tinyxml2::XMLNode* node = element_; node != nullptr; node = node->Parent()) {
-    const auto* marks = static_cast<const OverrideMarks*>(node->GetUserData());
+  for (const xmlNode* node = element_; node != nullptr; node = node->parent) {
+    const auto* marks = static_cast<const OverrideMarks*>(node->_private);
     if (marks != nullptr && !marks->text.empty()) {
       return {"--set " + marks->text, 0};
     }
   }
-  return {*file_, element_->GetLineNum()};
+  return {*file_, lineOf(element_)};
 }
 
 SourceLocation XmlElement::attributeLocation(const char* name) const {
-  if (const auto* marks = static_cast<const OverrideMarks*>(element_->GetUserData())) {
+  if (const auto* marks = static_cast<const OverrideMarks*>(element_->_private)) {
     const auto mark = marks->attributes.find(name);
     if (mark != marks->attributes.end()) {
       return {"--set " + mark->second, 0};
@@ -39,22 +39,16 @@ SourceLocation XmlElement::attributeLocation(const char* name) const {
 }
 
 std::string XmlElement::text() const {
-  if (const tinyxml2::XMLElement* child = element_->FirstChildElement()) {
-    XmlElement(child, file_)
-        .refuse("found <" + std::string(child->Name()) + "> in <" + name() + ">, allowed: only a value");
+  if (xmlNode* child = xmlFirstElementChild(element_)) {
+    const XmlElement inner(child, file_);
+    inner.refuse("found <" + inner.name() + "> in <" + name() + ">, allowed: only a value");
   }
-  std::string text;
-  for (const tinyxml2::XMLNode* node = element_->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (const tinyxml2::XMLText* part = node->ToText()) {
-      text += part->Value();
-    }
-  }
-  return trimmed(text);
+  return trimmed(textIn(element_->children));
 }
 
 std::optional<std::string> XmlElement::attribute(const char* name) const {
-  const char* value = element_->Attribute(name);
-  return value == nullptr ? std::nullopt : std::optional<std::string>(trimmed(value));
+  const xmlAttr* entry = xmlHasProp(element_, xmlCharacters(name));
+  return entry == nullptr ? std::nullopt : std::optional<std::string>(trimmed(textIn(entry->children)));
 }
 
 std::string XmlElement::requireAttribute(const char* attribute_name) const {
@@ -68,28 +62,30 @@ std::string XmlElement::requireAttribute(const char* attribute_name) const {
 
 std::vector<XmlElement> XmlElement::children() const {
   std::vector<XmlElement> result;
-  for (const auto* child = element_->FirstChildElement(); child != nullptr; child = child->NextSiblingElement()) {
+  for (xmlNode* child = xmlFirstElementChild(element_); child != nullptr; child = xmlNextElementSibling(child)) {
     result.emplace_back(child, file_);
   }
   return result;
 }
 
 std::optional<XmlElement> XmlElement::child(const char* child_name) const {
-  const auto* first = element_->FirstChildElement(child_name);
-  if (first == nullptr) {
-    return std::nullopt;
+  std::optional<XmlElement> found;
+  for (xmlNode* child = xmlFirstElementChild(element_); child != nullptr; child = xmlNextElementSibling(child)) {
+    if (xmlStrEqual(child->name, xmlCharacters(child_name)) != 0) {
+      const XmlElement entry(child, file_);
+      if (found) {
+        entry.refuse("found a second <" + entry.name() + "> in <" + name() + ">, allowed: one");
+      }
+      found = entry;
+    }
   }
-  if (const auto* second = first->NextSiblingElement(child_name)) {
-    XmlElement(second, file_)
-        .refuse("found a second <" + std::string(child_name) + "> in <" + name() + ">, allowed: one");
-  }
-  return XmlElement(first, file_);
+  return found;
 }
 
 void XmlElement::allowAttributes(const std::vector<std::string>& names) const {
-  for (const auto* entry = element_->FirstAttribute(); entry != nullptr; entry = entry->Next()) {
-    if (!contains(names, entry->Name())) {
-      refuse(unknownName("attribute", entry->Name(), names) + " (in <" + name() + ">)");
+  for (const xmlAttr* entry = element_->properties; entry != nullptr; entry = entry->next) {
+    if (!contains(names, characters(entry->name))) {
+      refuse(unknownName("attribute", characters(entry->name), names) + " (in <" + name() + ">)");
     }
   }
 }
@@ -104,11 +100,11 @@ void XmlElement::allowChildren(const std::vector<std::string>& names) const {
 }
 
 void XmlElement::refuseText() const {
-  for (const tinyxml2::XMLNode* node = element_->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    const tinyxml2::XMLText* text = node->ToText();
-    if (text != nullptr && !trimmed(text->Value()).empty()) {
-      throw ConfigError({location().file, text->GetLineNum()},
-                        "found the text '" + trimmed(text->Value()) + "' in <" + name() + ">, allowed: only elements");
+  for (const xmlNode* node = element_->children; node != nullptr; node = node->next) {
+    const std::string text = node->type == XML_TEXT_NODE ? trimmed(characters(node->content)) : "";
+    if (!text.empty()) {
+      throw ConfigError({location().file, lineOf(node)},
+                        "found the text '" + text + "' in <" + name() + ">, allowed: only elements");
     }
   }
 }
@@ -116,7 +112,7 @@ void XmlElement::refuseText() const {
 void XmlElement::refuseDoubles() const {
   std::set<std::string> names;
   for (const XmlElement& entry : children()) {
-    if (element_->Attribute(entry.name().c_str()) != nullptr) {
+    if (attribute(entry.name().c_str())) {
       entry.refuse("found <" + entry.name() + "> beside the attribute of that name in <" + name() + ">, allowed: one");
     }
     if (!names.insert(entry.name()).second) {
@@ -126,15 +122,10 @@ void XmlElement::refuseDoubles() const {
 }
 
 Configuration XmlElement::toConfiguration() const {
-  std::string own_text;
-  for (const tinyxml2::XMLNode* node = element_->FirstChild(); node != nullptr; node = node->NextSibling()) {
-    if (const tinyxml2::XMLText* part = node->ToText()) {
-      own_text += part->Value();
-    }
-  }
-  Configuration result(name(), trimmed(own_text), location());
-  for (const auto* entry = element_->FirstAttribute(); entry != nullptr; entry = entry->Next()) {
-    result.add(Configuration(entry->Name(), trimmed(entry->Value()), attributeLocation(entry->Name())));
+  Configuration result(name(), trimmed(textIn(element_->children)), location());
+  for (const xmlAttr* entry = element_->properties; entry != nullptr; entry = entry->next) {
+    const char* attribute_name = characters(entry->name);
+    result.add(Configuration(attribute_name, trimmed(textIn(entry->children)), attributeLocation(attribute_name)));
   }
   for (const XmlElement& entry : children()) {
     result.add(entry.toConfiguration());

@@ -1,18 +1,17 @@
 /// An element of an experiment file, read strictly: whoever reads it says what is allowed, and the rest is refused.
 #pragma once
 
-#include <tinyxml2.h>
-
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "../xml/xml_document.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 
 namespace swarmanoid::experiment {
 
-/// Which overrides have set something of an element; hung on the element as its user data.
+/// Which overrides have set something of an element; hung on the element as its private data.
 struct OverrideMarks {
   std::string text;                               ///< path of the override that set the element's text; "" for none
   std::map<std::string, std::string> attributes;  ///< and of those that set attributes, by attribute
@@ -20,9 +19,9 @@ struct OverrideMarks {
 
 class XmlElement {
  public:
-  XmlElement(const tinyxml2::XMLElement* element, const std::string* file) : element_(element), file_(file) {}
+  XmlElement(xmlNode* element, const std::string* file) : element_(element), file_(file) {}
 
-  std::string name() const { return element_->Name(); }
+  std::string name() const { return characters(element_->name); }
   /// Where it stands; for what an override has set, the override.
   SourceLocation location() const;
   /// The same for one attribute.
@@ -51,12 +50,8 @@ class XmlElement {
   [[noreturn]] void refuse(const std::string& message) const { throw ConfigError(location(), message); }
 
  private:
-  const tinyxml2::XMLElement* element_;
+  xmlNode* element_;
   const std::string* file_;
 };
-
-/// @throws ConfigError for what is not well-formed XML though the XML library lets it pass: text or closing tags
-/// outside the root element, references other than XML's own, `<` in attributes, and markup such as <!DOCTYPE>
-void checkWellFormed(const std::string& text, const std::string& file);
 
 }  // namespace swarmanoid::experiment

@@ -68,15 +68,15 @@ void PositionalIndex::rebuild(const Entities& entities) {
   std::fill(first_item_.begin(), first_item_.end(), 0U);
   cell_of_entity_.resize(entities.order.size());
   for (std::size_t k = 0; k < entities.order.size(); ++k) {
-    const auto i = static_cast<std::size_t>(entities.order[k]);
-    const double radius = entities.model[i]->bounding_radius;
+    const Row row = entities.order[k];
+    const double radius = entities.model[row]->bounding_radius;
     if (radius > cell_size_) {
       cell_of_entity_[k] = kLarge;
-      large_items_.push_back({boundsOf(*entities.model[i], entities.pose[i]), entities.order[k]});
+      large_items_.push_back({boundsOf(*entities.model[row], entities.pose[row]), row});
       continue;
     }
     largest_small_radius_ = std::max(largest_small_radius_, radius);
-    cell_of_entity_[k] = static_cast<std::uint32_t>(flat(cellOf(entities.pose[i].position)));
+    cell_of_entity_[k] = static_cast<std::uint32_t>(flat(cellOf(entities.pose[row].position)));
     ++first_item_[cell_of_entity_[k]];
   }
   std::uint32_t sum = 0;
@@ -93,10 +93,9 @@ void PositionalIndex::rebuild(const Entities& entities) {
 }
 
 PositionalIndex::Item PositionalIndex::itemOf(const Entities& entities, Row row) {
-  const auto i = static_cast<std::size_t>(row);
-  const EntityModel& model = *entities.model[i];
-  const Eigen::Vector3d& p = entities.pose[i].position;
-  const Eigen::Quaterniond& q = entities.pose[i].orientation;
+  const EntityModel& model = *entities.model[row];
+  const Eigen::Vector3d& p = entities.pose[row].position;
+  const Eigen::Quaterniond& q = entities.pose[row].orientation;
   const bool is_upright = q.x() == 0.0 && q.y() == 0.0;
   if (is_upright && !model.shapes.empty()) {
     return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row};
@@ -151,11 +150,11 @@ std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::
     found.push_back(row);
     return true;
   });
-  const auto number = [&](Row row) { return entities.number[static_cast<std::size_t>(row)]; };
+  const auto number = [&](Row row) { return entities.number[row]; };
   std::sort(found.begin(), found.end(), [&](Row a, Row b) { return number(a) < number(b); });
   found.erase(std::unique(found.begin(), found.end()), found.end());
   const auto is_far = [&](Row row) {
-    const Eigen::Vector3d& origin = entities.pose[static_cast<std::size_t>(row)].position;
+    const Eigen::Vector3d& origin = entities.pose[row].position;
     return (origin - centre).squaredNorm() > radius * radius;
   };
   found.erase(std::remove_if(found.begin(), found.end(), is_far), found.end());
@@ -163,7 +162,7 @@ std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::
 }
 
 std::vector<Row> PositionalIndex::within(const Entities& entities, Row around, double radius) const {
-  std::vector<Row> found = within(entities, entities.pose[static_cast<std::size_t>(around)].position, radius);
+  std::vector<Row> found = within(entities, entities.pose[around].position, radius);
   found.erase(std::remove(found.begin(), found.end(), around), found.end());
   return found;
 }

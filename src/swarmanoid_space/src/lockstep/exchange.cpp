@@ -37,9 +37,7 @@ void skipAnswer(ByteReader& in, StepStatus status, const RemoteRobot& robot) {
   }
 }
 
-ControllerState& stateOf(const RobotInstance& instance, Space& space) {
-  return space.controllers[static_cast<std::size_t>(instance.row)];
-}
+ControllerState& stateOf(const RobotInstance& instance, Space& space) { return space.controllers[instance.row]; }
 
 void fail(RobotInstance& instance, const std::string& reason, Space& space) {
   stateOf(instance, space).status = StepStatus::kFailed;

@@ -111,6 +111,26 @@ int EntityModel::findJoint(const std::string& name) const {
   return -1;
 }
 
+int EntityModel::findHolder(const std::string& holder) const {
+  const auto found =
+      std::find_if(holders.begin(), holders.end(), [&](const Holder& each) { return each.name == holder; });
+  return found == holders.end() ? -1 : static_cast<int>(found - holders.begin());
+}
+
+std::string EntityModel::missingPart(const Mechanism& mechanism) const {
+  switch (mechanism.kind) {
+    case Mechanism::Kind::kWheels:
+      return wheels ? "" : "wheels";
+    case Mechanism::Kind::kFlight:
+      return "";  // what is commanded to fly flies
+    case Mechanism::Kind::kJoint:
+      return findJoint(mechanism.name) >= 0 ? "" : "joint '" + mechanism.name + "'";
+    case Mechanism::Kind::kHolder:
+      return findHolder(mechanism.name) >= 0 ? "" : mechanism.name;
+  }
+  return "";
+}
+
 const Mount& EntityModel::mount(const std::string& name) const {
   const auto found = mounts.find(name);
   if (found == mounts.end()) {

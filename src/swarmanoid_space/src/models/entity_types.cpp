@@ -1,9 +1,14 @@
-// The entity types of <arena>: the three robots of the Swarmanoid, and what else stands in an arena.
+// The entity types of <arena>: the robots that packages bring, and what else stands in an arena.
 #include <array>
+#include <fstream>
 #include <map>
 #include <mutex>
+#include <sstream>
 #include <string>
 
+#include "../xml/xml_document.hpp"
+#include "robot_description.hpp"
+#include "robot_files.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -36,41 +41,40 @@ std::shared_ptr<const EntityModel> shared(std::map<Key, std::weak_ptr<const Enti
   return model;
 }
 
-class RobotType : public EntityType {
+class RobotType final : public EntityType {
  public:
   explicit RobotType(std::string name) : name_(std::move(name)) {}
   std::shared_ptr<const EntityModel> makeModel(const Configuration&) const override { return robotModel(name_); }
   bool isRobot() const override { return true; }
 
- protected:
-  static PluginDescription describeRobot(const std::string& name, const std::string& summary) {
-    PluginDescription description;
-    description.label = name;
-    description.summary = summary;
-    return description;
-  }
-
  private:
   std::string name_;
 };
 
-class FootbotType final : public RobotType {
- public:
-  FootbotType() : RobotType("footbot") {}
-  static PluginDescription describe() { return describeRobot("footbot", "A wheeled robot with a gripper."); }
-};
+/// @return "" where the description is wrong: whoever uses the robot is told
+std::string summaryOf(const RobotFile& robot) {
+  try {
+    std::ostringstream text;
+    text << std::ifstream(robot.file, std::ios::binary).rdbuf();
+    return readRobotDescription(*parseXml(text.str(), robot.file, XmlNamespaces::kAllowed), robot.file).summary;
+  } catch (const ConfigError&) {
+    return "";
+  }
+}
 
-class EyebotType final : public RobotType {
- public:
-  EyebotType() : RobotType("eyebot") {}
-  static PluginDescription describe() { return describeRobot("eyebot", "A flying robot with a camera and a laser."); }
-};
-
-class HandbotType final : public RobotType {
- public:
-  HandbotType() : RobotType("handbot") {}
-  static PluginDescription describe() { return describeRobot("handbot", "A climbing robot with two arms."); }
-};
+/// Registers a type for each robot that a package brings. Of two of a name the second is a conflict in the registry,
+/// and whoever uses the name is refused.
+bool registerRobotTypes() {
+  for (const RobotFile& robot : robotFiles().robots) {
+    PluginDescription description;
+    description.label = robot.type;
+    description.summary = summaryOf(robot);
+    Registry::instance().add(PluginKind::kEntity, description, [type = robot.type]() -> std::shared_ptr<void> {
+      return std::static_pointer_cast<EntityType>(std::make_shared<RobotType>(type));
+    });
+  }
+  return true;
+}
 
 class BlockType final : public EntityType {
  public:
@@ -81,8 +85,7 @@ class BlockType final : public EntityType {
     description.parameters = {
         parameter("size", Parameter::Type::kVector3, "m", "Lengths along the brick's own x, y, z."),
         mass("0", 0.0, "Of the brick, at least 0.001; 0: it is fixed to the ground."),
-        parameter("ferromagnetic", Parameter::Type::kBoolean, "", "Whether magnets of ropes and eyebots hold on it.",
-                  "false")};
+        parameter("ferromagnetic", Parameter::Type::kBoolean, "", "Whether magnets hold on it.", "false")};
     return description;
   }
 
@@ -145,9 +148,10 @@ class LightType final : public EntityType {
 }  // namespace
 }  // namespace swarmanoid
 
-REGISTER_ENTITY_TYPE(swarmanoid::FootbotType)
-REGISTER_ENTITY_TYPE(swarmanoid::EyebotType)
-REGISTER_ENTITY_TYPE(swarmanoid::HandbotType)
 REGISTER_ENTITY_TYPE(swarmanoid::BlockType)
 REGISTER_ENTITY_TYPE(swarmanoid::CylindricPreyType)
 REGISTER_ENTITY_TYPE(swarmanoid::LightType)
+
+namespace {
+const bool are_robot_types_registered = swarmanoid::registerRobotTypes();
+}

@@ -1,7 +1,6 @@
 #include "read_urdf.hpp"
 
 #include <console_bridge/console.h>
-#include <tinyxml2.h>
 #include <urdf_parser/urdf_parser.h>
 
 #include <fstream>
@@ -53,15 +52,6 @@ std::string readText(const std::string& file) {
   return text.str();
 }
 
-void refuseBadXml(const std::string& file, const std::string& text) {
-  // urdfdom's own parser says neither what is wrong nor where
-  tinyxml2::XMLDocument document;
-  if (document.Parse(text.c_str(), text.size()) != tinyxml2::XML_SUCCESS) {
-    throw ConfigError({file, document.ErrorLineNum()},
-                      std::string("found no well-formed XML (") + document.ErrorName() + "), expected a URDF");
-  }
-}
-
 }  // namespace
 
 void UrdfFile::fail(const std::string& message) const { throw ConfigError({file}, message); }
@@ -71,7 +61,8 @@ UrdfFile readUrdf(const std::string& file) {
   UrdfFile result;
   result.file = file;
   result.text = readText(file);
-  refuseBadXml(file, result.text);
+  result.document = parseXml(result.text, file,
+                             XmlNamespaces::kAllowed);  // urdfdom's own parser says neither what is wrong nor where
   const std::lock_guard<std::mutex> lock(one_listener);
   const ErrorListener listener;
   result.robot = urdf::parseURDF(result.text);

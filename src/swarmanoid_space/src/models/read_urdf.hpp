@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <string>
 
+#include "../xml/xml_document.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
@@ -17,6 +18,7 @@ constexpr double kSamePlace = 1e-6;
 struct UrdfFile {
   std::string file;
   std::string text;
+  XmlDocument document;
   urdf::ModelInterfaceSharedPtr robot;
 
   /// @throws ConfigError

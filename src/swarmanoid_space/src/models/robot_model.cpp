@@ -1,23 +1,20 @@
 // Robots' models from their URDF.
 #include <algorithm>
-#include <cctype>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <mutex>
 #include <set>
 
 #include "read_urdf.hpp"
+#include "robot_description.hpp"
+#include "robot_files.hpp"
 #include "robot_joints.hpp"
 #include "robot_wheels.hpp"
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid {
 namespace {
-
-constexpr const char* kPackage = "swarmanoid_description";
 
 bool isUpright(const CollisionShape& shape) {
   const Eigen::Vector3d axis = shape.orientation * Eigen::Vector3d::UnitZ();
@@ -27,10 +24,12 @@ bool isUpright(const CollisionShape& shape) {
 /// Builds the model of one robot, part by part.
 class RobotReader {
  public:
-  RobotReader(const std::string& type, const std::string& file) : urdf_(readUrdf(file)) {
+  RobotReader(const std::string& type, const std::string& file)
+      : urdf_(readUrdf(file)), description_(readRobotDescription(*urdf_.document, file)) {
     model_->type = type;
-    model_->title = type;
-    model_->title.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(type.front())));
+    model_->title = description_.title;
+    model_->holders = description_.holders;
+    model_->devices = description_.devices;
     model_->is_robot = true;
     model_->is_movable = true;
     model_->urdf = urdf_.text;
@@ -45,7 +44,9 @@ class RobotReader {
     if (model_->shapes.empty()) {
       urdf_.fail("found no collision element, expected at least one: without it the robot has no extent");
     }
-    model_->wheels = readWheels(urdf_, *model_);
+    if (description_.wheels) {
+      model_->wheels = readWheels(urdf_, *model_, *description_.wheels);
+    }
     readGripper();
     readLeds();
     model_->measureShapes();
@@ -66,18 +67,18 @@ class RobotReader {
     for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
       CollisionShape shape = readShape(link.name, *collision, frame);
       shape.joint = turned_by;
-      if (link.name == "gripping_strip") {
+      if (link.name == description_.gripping_strip) {
         readStrip(shape);
       } else {
         model_->shapes.push_back(shape);
       }
     }
-    if (link.name == "gripping_strip" && !model_->gripping_radius) {
-      urdf_.fail("link 'gripping_strip': found no collision element, expected a cylinder");
+    if (link.name == description_.gripping_strip && !model_->gripping_radius) {
+      urdf_.fail("link '" + link.name + "': found no collision element, expected a cylinder");
     }
     for (const urdf::JointSharedPtr& joint : link.child_joints) {
       const Mount child = chain(frame, toMount(joint->parent_to_joint_origin_transform));
-      const bool turns = isTurningJoint(*joint) && !isWheelJoint(joint->name);
+      const bool turns = isTurningJoint(*joint) && !isWheel(joint->name);
       readLink(*urdf_.robot->getLink(joint->child_link_name), child,
                turns ? addJoint(*joint, child, turned_by) : turned_by);
     }
@@ -85,10 +86,6 @@ class RobotReader {
 
   /// @return its index
   int addJoint(const urdf::Joint& joint, const Mount& frame, int carrier) {
-    if (model_->joints.size() == EntityModel::kMaxJoints) {
-      urdf_.fail("joint '" + joint.name + "': allowed are at most " + std::to_string(EntityModel::kMaxJoints) +
-                 " joints besides the wheels");
-    }
     model_->joints.push_back(readJoint(urdf_, joint, frame, carrier));
     return static_cast<int>(model_->joints.size()) - 1;
   }
@@ -129,57 +126,82 @@ class RobotReader {
   void readStrip(const CollisionShape& shape) {
     if (shape.kind != CollisionShape::Kind::kCylinder || model_->gripping_radius || !isUpright(shape) ||
         shape.position.head<2>().norm() > kSamePlace) {
-      urdf_.fail("link 'gripping_strip': expected one collision element, an upright cylinder around the body's z axis");
+      urdf_.fail("link '" + description_.gripping_strip +
+                 "': expected one collision element, an upright cylinder around the body's z axis");
     }
     model_->gripping_radius = shape.half_extent.x();
   }
 
+  bool isWheel(const std::string& joint) const {
+    return description_.wheels && (joint == description_.wheels->left || joint == description_.wheels->right);
+  }
+
   void readGripper() {
-    const auto found = model_->mounts.find("gripper_tip");
-    if (found == model_->mounts.end()) {
+    using Holder = EntityModel::Holder;
+    const auto found = std::find_if(model_->holders.begin(), model_->holders.end(),
+                                    [](const Holder& holder) { return holder.kind == Holder::Kind::kGripper; });
+    if (found == model_->holders.end()) {
       return;
     }
-    const Eigen::Vector3d& tip = found->second.position;
+    const Eigen::Vector3d& tip = model_->mount(found->mount).position;
     if (std::abs(tip.y()) > kSamePlace || tip.x() <= 0.0) {
-      urdf_.fail("link 'gripper_tip': found it at " + coordinates(tip) +
+      urdf_.fail("link '" + found->mount + "': found it at " + coordinates(tip) +
                  ", expected it straight ahead of the body's centre");
     }
     model_->gripper = EntityModel::Gripper{tip.x(), tip.z()};
   }
 
   void readLeds() {
-    const auto is_led = [](const auto& mount) { return mount.first.rfind("led_", 0) == 0; };
+    if (description_.leds.empty()) {
+      return;
+    }
+    const std::string prefix = description_.leds + "_";
+    const auto is_led = [&](const auto& mount) { return mount.first.rfind(prefix, 0) == 0; };
     const auto count = static_cast<std::size_t>(std::count_if(model_->mounts.begin(), model_->mounts.end(), is_led));
-    if (count > EntityModel::kMaxLeds) {
-      urdf_.fail("found " + std::to_string(count) + " LEDs, allowed are at most " +
+    if (count == 0 || count > EntityModel::kMaxLeds) {
+      urdf_.fail("found " + std::to_string(count) + " links '" + prefix + "...', allowed are 1 to " +
                  std::to_string(EntityModel::kMaxLeds));
     }
     for (std::size_t i = 0; i < count; ++i) {
-      const auto found = model_->mounts.find("led_" + std::to_string(i));
+      const auto found = model_->mounts.find(prefix + std::to_string(i));
       if (found == model_->mounts.end()) {
-        urdf_.fail("found " + std::to_string(count) + " links 'led_...' but no 'led_" + std::to_string(i) +
-                   "', expected them to be numbered from 0 without gaps");
+        urdf_.fail("found " + std::to_string(count) + " links '" + prefix + "...' but no '" + prefix +
+                   std::to_string(i) + "', expected them to be numbered from 0 without gaps");
       }
       model_->led_positions.push_back(found->second.position);
     }
   }
 
   UrdfFile urdf_;
+  RobotDescription description_;
   std::shared_ptr<EntityModel> model_ = std::make_shared<EntityModel>();
 };
 
-/// Types of this installation, for messages.
-std::vector<std::string> robotTypes() {
-  std::set<std::string> types;
-  for (const std::string& folder : shareFolders()) {
-    std::error_code ignored;
-    for (const auto& entry : std::filesystem::directory_iterator(folder + "/" + kPackage + "/urdf", ignored)) {
-      if (entry.path().extension() == ".urdf") {
-        types.insert(entry.path().stem().string());
-      }
+/// @throws ConfigError if not exactly one package has a robot of that type
+const std::string& fileOf(const std::string& type) {
+  const RobotFiles& files = robotFiles();
+  const RobotFile* found = nullptr;
+  std::vector<std::string> types;
+  for (const RobotFile& robot : files.robots) {
+    types.push_back(robot.type);
+    if (robot.type != type) {
+      continue;
     }
+    if (found != nullptr) {
+      throw ConfigError({robot.file}, "found a second robot '" + type + "', allowed: one; the other is " + found->file);
+    }
+    found = &robot;
   }
-  return {types.begin(), types.end()};
+  if (found == nullptr) {
+    std::string problems;
+    for (const std::string& problem : files.problems) {
+      problems += "; " + problem;
+    }
+    const std::string allowed = types.empty() ? "none (no package with robots is installed)" : joinNames(types);
+    throw ConfigError({},
+                      "found no robot '" + type + "', allowed are: " + allowed + didYouMean(type, types) + problems);
+  }
+  return found->file;
 }
 
 }  // namespace
@@ -194,16 +216,24 @@ std::shared_ptr<const EntityModel> robotModel(const std::string& type) {
   const std::lock_guard<std::mutex> lock(mutex);
   std::shared_ptr<const EntityModel>& model = loaded[type];
   if (model == nullptr) {
-    const std::string file = findShared(kPackage, "urdf/" + type + ".urdf");
-    if (file.empty()) {
-      const std::vector<std::string> types = robotTypes();
-      const std::string allowed =
-          types.empty() ? "none (package swarmanoid_description is not installed)" : joinNames(types);
-      throw ConfigError({}, "found no robot '" + type + "', allowed are: " + allowed + didYouMean(type, types));
-    }
-    model = loadRobotModel(type, file);
+    model = loadRobotModel(type, fileOf(type));
   }
   return model;
+}
+
+std::vector<std::string> robotProblems() {
+  std::vector<std::string> problems = robotFiles().problems;
+  std::set<std::string> types;
+  for (const RobotFile& robot : robotFiles().robots) {
+    try {
+      if (types.insert(robot.type).second) {
+        robotModel(robot.type);
+      }
+    } catch (const ConfigError& error) {
+      problems.emplace_back(error.what());
+    }
+  }
+  return problems;
 }
 
 }  // namespace swarmanoid

@@ -52,20 +52,9 @@ Wheel readWheel(const UrdfFile& urdf, const EntityModel& model, const urdf::Join
 
 }  // namespace
 
-bool isWheelJoint(const std::string& name) { return name == "left_wheel" || name == "right_wheel"; }
-
-std::optional<EntityModel::Wheels> readWheels(const UrdfFile& urdf, const EntityModel& model) {
-  const urdf::JointConstSharedPtr left_joint = urdf.robot->getJoint("left_wheel");
-  const urdf::JointConstSharedPtr right_joint = urdf.robot->getJoint("right_wheel");
-  if (left_joint == nullptr && right_joint == nullptr) {
-    return std::nullopt;
-  }
-  if (left_joint == nullptr || right_joint == nullptr) {
-    urdf.fail(std::string("found a joint '") + (right_joint == nullptr ? "left" : "right") +
-              "_wheel' alone, expected 'left_wheel' and 'right_wheel' or neither");
-  }
-  const Wheel left = readWheel(urdf, model, *left_joint);
-  const Wheel right = readWheel(urdf, model, *right_joint);
+EntityModel::Wheels readWheels(const UrdfFile& urdf, const EntityModel& model, const RobotDescription::Wheels& joints) {
+  const Wheel left = readWheel(urdf, model, *urdf.robot->getJoint(joints.left));
+  const Wheel right = readWheel(urdf, model, *urdf.robot->getJoint(joints.right));
   const Vector3d mirrored(-left.position.x(), -left.position.y(), left.position.z());
   if (!(left.position.y() > 0.0 && std::abs(left.position.x()) < kSamePlace &&
         (right.position - mirrored).norm() < kSamePlace)) {
@@ -75,7 +64,13 @@ std::optional<EntityModel::Wheels> readWheels(const UrdfFile& urdf, const Entity
   if (left.radius != right.radius || left.max_speed != right.max_speed) {
     urdf.fail("found wheels that differ in radius or in limit of velocity, expected equal ones");
   }
-  return EntityModel::Wheels{left.radius, left.position.y() - right.position.y(), left.max_speed};
+  EntityModel::Wheels wheels;
+  wheels.radius = left.radius;
+  wheels.separation = left.position.y() - right.position.y();
+  wheels.max_speed = left.max_speed;
+  wheels.left_joint = joints.left;
+  wheels.right_joint = joints.right;
+  return wheels;
 }
 
 }  // namespace swarmanoid

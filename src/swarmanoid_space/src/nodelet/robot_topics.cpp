@@ -51,11 +51,10 @@ void RobotTopics::follow(const Space& space) {
   }
   Robots present;
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    const bool is_robot = space.controllers[i].description != nullptr;
-    const std::string& name = space.entities.name[i];
+    const bool is_robot = space.controllers[row].description != nullptr;
+    const std::string& name = space.entities.name[row];
     if ((selection_.is_all && is_robot) || selection_.names.count(name) > 0) {
-      present[name] = space.entities.number[i];
+      present[name] = space.entities.number[row];
     }
   }
   {

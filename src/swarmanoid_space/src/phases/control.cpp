@@ -4,7 +4,7 @@
 
 namespace swarmanoid::phases {
 
-void control(const Space& space, std::vector<ControllerState>& states, std::vector<RobotInstance>& instances,
+void control(const Space& space, ByRow<ControllerState>& states, std::vector<RobotInstance>& instances,
              const Workers& workers) {
   constexpr std::size_t kGrain = 64;
   workers.forRanges(instances.size(), kGrain, [&](std::size_t first, std::size_t last) {
@@ -13,7 +13,7 @@ void control(const Space& space, std::vector<ControllerState>& states, std::vect
       if (instance.source == CommandSource::kRemote) {
         continue;  // its participant has answered
       }
-      StepStatus& status = states[static_cast<std::size_t>(instance.row)].status;
+      StepStatus& status = states[instance.row].status;
       status = StepStatus::kNothing;
       if (!instance.has_failed && instance.controller != nullptr) {
         instance.has_failed = !stepController(*instance.controller, instance.step, *instance.robot, space.tick,

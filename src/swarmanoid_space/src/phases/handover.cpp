@@ -6,8 +6,8 @@ namespace swarmanoid::phases {
 namespace {
 
 void attempt(Space& space, const std::vector<RobotInstance>& instances, HandoverTrigger& trigger,
-             std::vector<std::vector<Membership>>& memberships) {
-  if (space.mover[static_cast<std::size_t>(trigger.row)] == trigger.engine) {
+             ByRow<std::vector<Membership>>& memberships) {
+  if (space.mover[trigger.row] == trigger.engine) {
     trigger.is_due = false;
     return;
   }
@@ -19,17 +19,17 @@ void attempt(Space& space, const std::vector<RobotInstance>& instances, Handover
     trigger.is_due = false;
   } else if (!trigger.is_refused) {
     trigger.is_refused = true;  // reported once; tried again each tick, for what is in the way may go
-    space.events.push_back({Event::Kind::kHandoverRefused, space.entities.name[static_cast<std::size_t>(trigger.row)],
-                            "", "to " + trigger.engine->id() + ": " + problem});
+    space.events.push_back({Event::Kind::kHandoverRefused, space.entities.name[trigger.row], "",
+                            "to " + trigger.engine->id() + ": " + problem});
   }
 }
 
 }  // namespace
 
 void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
-              std::vector<std::vector<Membership>>& memberships) {
+              ByRow<std::vector<Membership>>& memberships) {
   for (HandoverTrigger& trigger : triggers) {
-    if (space.entities.number[static_cast<std::size_t>(trigger.row)] != trigger.number) {
+    if (space.entities.number[trigger.row] != trigger.number) {
       continue;  // deleted; another entity may have its row now
     }
     const bool is_true = holds(*trigger.rule, space, trigger.row);

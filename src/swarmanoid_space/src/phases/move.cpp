@@ -12,7 +12,7 @@ bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orien
 
 /// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity are as their last one left
 /// them.
-bool areAllFinite(const std::vector<Pose>& poses) {
+bool areAllFinite(const ByRow<Pose>& poses) {
   Eigen::Array3d positions = Eigen::Array3d::Zero();
   Eigen::Array4d orientations = Eigen::Array4d::Zero();
   for (const Pose& pose : poses) {
@@ -28,10 +28,9 @@ void refuseWhatIsNotFinite(const Space& space) {
     return;
   }
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    if (!isFinite(space.entities.pose[i])) {
-      const std::string who = space.mover[i] == nullptr ? "nobody" : "engine '" + space.mover[i]->id() + "'";
-      throw std::runtime_error(who + " has moved " + space.entities.model[i]->type + " '" + space.entities.name[i] +
+    if (!isFinite(space.entities.pose[row])) {
+      const std::string who = space.mover[row] == nullptr ? "nobody" : "engine '" + space.mover[row]->id() + "'";
+      throw std::runtime_error(who + " has moved " + space.entities.model[row]->type + " '" + space.entities.name[row] +
                                "' to a pose that is not finite");
     }
   }

@@ -13,7 +13,8 @@
 
 namespace swarmanoid::phases {
 
-/// Banks of sensors read the space and fill the readings. Again in the same tick they fill in the same.
+/// Banks of sensors read the space and fill the readings, with their errors. Again in the same tick they fill in the
+/// same.
 void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, const Workers& workers);
 
 /// Sensors say what there is to say of the tick's readings.
@@ -26,13 +27,14 @@ void applyTopics(const Space& space, Banks& commands, std::vector<Event>& events
 
 /// Every controller of this process turns readings into commands; those of participants have done so before, see
 /// Lockstep::exchange. A robot whose controller throws is marked as failed.
-void control(const Space& space, std::vector<ControllerState>& states, std::vector<RobotInstance>& instances,
+void control(const Space& space, ByRow<ControllerState>& states, std::vector<RobotInstance>& instances,
              const Workers& workers);
 
 /// Robots that are being stopped get the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
 void stopSafely(Space& space, std::vector<RobotInstance>& instances);
 
-/// Commands are checked, limited, given noise. `faulty` gets the rows whose commands held a number that is not finite.
+/// Commands are checked, given their errors, limited. `faulty` gets the rows whose commands held a number that is not
+/// finite.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
 
 /// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.
@@ -45,10 +47,10 @@ void connect(Space& space, const std::vector<Named<Engine>>& engines,
 
 /// Rules for handover: an entity that enters, leaves, is attached ... may change the engine that moves it.
 void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
-              std::vector<std::vector<Membership>>& memberships);
+              ByRow<std::vector<Membership>>& memberships);
 
 /// The positional index gets the new poses; an event names entities that have left the arena.
-void index(const Space& space, PositionalIndex& index, std::vector<char>& outside, std::vector<Event>& events);
+void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events);
 
 /// All observers draw. @return whether one asks to finish
 bool show(const Space& space, const std::vector<ObserverInstance>& observers);

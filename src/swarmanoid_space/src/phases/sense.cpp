@@ -1,4 +1,4 @@
-// Phase 1: banks of sensors read the space and fill the readings.
+// Phase 1: banks of sensors read the space and fill the readings; errors act on them.
 #include "phases.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 
@@ -9,7 +9,7 @@ void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup
   for (const auto& group : groups) {
     for (const auto& sensor : group->sensors) {
       workers.forRanges(sensor->instanceCount(), kGrain, [&](std::size_t first, std::size_t last) {
-        callPlugin("sense", sensor.part, space.tick, [&] { sensor->sense(space, first, last); });
+        callPlugin("sense", sensor.part, space.tick, [&] { sensor->update(space, first, last); });
       });
     }
   }

@@ -70,7 +70,8 @@ double closestHit(const Segment& segment, const EntityModel& model, const Pose& 
   return first;
 }
 
-LedSet hiddenLeds(const EntityModel& model, const JointState* joints, const Eigen::Vector3d& eye, const LedSet& asked) {
+LedSet hiddenLeds(const EntityModel& model, Span<const JointState> joints, const Eigen::Vector3d& eye,
+                  const LedSet& asked) {
   LedSet hidden;
   for (const CollisionShape& shape : model.shapes) {
     if (shape.joint < 0) {

@@ -72,10 +72,9 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
 }
 
 void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int& id, MarkerArray& markers) {
-  const auto i = static_cast<std::size_t>(row);
-  const EntityModel& model = *space.entities.model[i];
-  const Pose& pose = space.entities.pose[i];
-  const Color color = space.entities.color[i];
+  const EntityModel& model = *space.entities.model[row];
+  const Pose& pose = space.entities.pose[row];
+  const Color color = space.entities.color[row];
   if (model.shapes.empty()) {
     // a lamp
     constexpr double kDiameter = 0.08;
@@ -105,12 +104,10 @@ void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int
 
 }  // namespace
 
-bool isBoundary(const Space& space, Row row) {
-  return space.entities.name[static_cast<std::size_t>(row)].rfind("boundary_", 0) == 0;
-}
+bool isBoundary(const Space& space, Row row) { return space.entities.name[row].rfind("boundary_", 0) == 0; }
 
 bool isOverhead(const Space& space, Row row, const CollisionShape& shape) {
-  const Pose& pose = space.entities.pose[static_cast<std::size_t>(row)];
+  const Pose& pose = space.entities.pose[row];
   const Eigen::Matrix3d orientation = (pose.orientation * shape.orientation).toRotationMatrix();
   const double middle = (pose.toWorld(shape.position)).z();
   return middle - orientation.row(2).cwiseAbs().dot(shape.half_extent) > 0.5 * space.size.z();
@@ -126,7 +123,7 @@ MarkerArray arenaMarkers(const Space& space) {
   drawFloor(space, header, markers);
   int id = 0;
   for (const Row row : space.entities.order) {
-    if (!space.entities.model[static_cast<std::size_t>(row)]->is_movable) {
+    if (!space.entities.model[row]->is_movable) {
       drawEntity(space, row, header, id, markers);
     }
   }

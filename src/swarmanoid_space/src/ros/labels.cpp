@@ -64,16 +64,15 @@ Area bodyArea(const EntityModel& model, const Pose& pose) {
 Label labelOf(const Space& space, Row row, const std_msgs::Header& header) {
   constexpr double kLine = 1.15;      // a line's height by that of the text
   constexpr double kCharacter = 0.5;  // a character's width likewise, at the most on average
-  const auto i = static_cast<std::size_t>(row);
   const double text_height = textHeight(space);
   Label label;
-  label.marker = makeMarker(header, "labels", static_cast<int>(space.entities.number[i]), Marker::TEXT_VIEW_FACING,
+  label.marker = makeMarker(header, "labels", static_cast<int>(space.entities.number[row]), Marker::TEXT_VIEW_FACING,
                             {0.0, 0.0, text_height}, rgba(0.05F, 0.07F, 0.1F, 1.0F));
   std::string& text = label.marker.text;
-  text = space.entities.name[i];
+  text = space.entities.name[row];
   std::size_t lines = 1;
   std::size_t longest = text.size();
-  if (const auto& robot = space.robots[i]) {
+  if (const auto& robot = space.robots[row]) {
     for (const auto& [key, value] : robot->debugValues()) {
       text += "\n" + value;
       longest = std::max(longest, value.size());
@@ -82,9 +81,9 @@ Label labelOf(const Space& space, Row row, const std_msgs::Header& header) {
   }
   label.width = kCharacter * text_height * static_cast<double>(longest);
   label.height = kLine * text_height * static_cast<double>(lines);
-  const Pose& pose = space.entities.pose[i];
-  label.anchor = pose.toWorld(Vector3d(0.0, 0.0, space.entities.model[i]->highest));
-  label.place = pose.toWorld(Vector3d(0.0, 0.0, space.entities.model[i]->highest + kAntenna));
+  const Pose& pose = space.entities.pose[row];
+  label.anchor = pose.toWorld(Vector3d(0.0, 0.0, space.entities.model[row]->highest));
+  label.place = pose.toWorld(Vector3d(0.0, 0.0, space.entities.model[row]->highest + kAntenna));
   label.place.z() += 0.5 * label.height / upInPicture().z();
   return label;
 }
@@ -106,12 +105,11 @@ Vector3d freePlaceAbove(Vector3d place, const Label& label, const std::vector<Ar
 /// Whether something that does not move stands between the camera and this place.
 bool isHidden(const Space& space, const Vector3d& place) {
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    if (space.entities.model[i]->is_movable || isBoundary(space, row)) {
+    if (space.entities.model[row]->is_movable || isBoundary(space, row)) {
       continue;
     }
-    const Pose& pose = space.entities.pose[i];
-    for (const CollisionShape& shape : space.entities.model[i]->shapes) {
+    const Pose& pose = space.entities.pose[row];
+    for (const CollisionShape& shape : space.entities.model[row]->shapes) {
       // the ray towards the camera is between the shape's two faces across each of its axes from one distance to
       // another
       const Eigen::Quaterniond turn = (pose.orientation * shape.orientation).conjugate();
@@ -160,9 +158,8 @@ void addLabels(const Space& space, const std_msgs::Header& header, visualization
   std::vector<Area> taken;
   std::vector<Label> labels;
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    if (space.entities.model[i]->is_robot) {
-      taken.push_back(bodyArea(*space.entities.model[i], space.entities.pose[i]));
+    if (space.entities.model[row]->is_robot) {
+      taken.push_back(bodyArea(*space.entities.model[row], space.entities.pose[row]));
       labels.push_back(labelOf(space, row, header));
     }
   }

@@ -18,8 +18,8 @@ struct Canvas {
   bool has_few_robots;
   MarkerArray& array;
 
-  const Pose& poseOf(Row row) const { return space.entities.pose[static_cast<std::size_t>(row)]; }
-  const EntityModel& modelOf(Row row) const { return *space.entities.model[static_cast<std::size_t>(row)]; }
+  const Pose& poseOf(Row row) const { return space.entities.pose[row]; }
+  const EntityModel& modelOf(Row row) const { return *space.entities.model[row]; }
   /// rviz warns of lists without points.
   void addList(Marker list) const {
     if (!list.points.empty()) {
@@ -57,15 +57,14 @@ void drawSwarm(const Canvas& canvas) {
 
 void drawPreys(const Canvas& canvas) {
   for (const Row row : canvas.space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
     const EntityModel& model = canvas.modelOf(row);
     if (model.is_robot || !model.is_movable) {
       continue;
     }
-    const Color color = canvas.space.entities.color[i];
+    const Color color = canvas.space.entities.color[row];
     for (std::size_t k = 0; k < model.shapes.size(); ++k) {
       canvas.array.markers.push_back(shapeMarker(
-          canvas.header, "preys/" + std::to_string(k), static_cast<int>(canvas.space.entities.number[i]),
+          canvas.header, "preys/" + std::to_string(k), static_cast<int>(canvas.space.entities.number[row]),
           model.shapes[k], canvas.poseOf(row), color.isLit() ? opaque(color) : rgba(0.6F, 0.6F, 0.6F, 1.0F)));
     }
   }
@@ -78,7 +77,7 @@ void drawLeds(const Canvas& canvas) {
   for (const Row row : canvas.space.entities.order) {
     const EntityModel& model = canvas.modelOf(row);
     for (std::size_t led = 0; model.is_robot && led < model.led_positions.size(); ++led) {
-      const Color color = canvas.space.ledsOf(row)[led];
+      const Color color = canvas.space.leds[row][led];
       if (color.isLit()) {
         leds.points.push_back(toMessage(canvas.poseOf(row).toWorld(model.led_positions[led])));
         leds.colors.push_back(opaque(color));
@@ -129,12 +128,13 @@ void drawRopes(const Canvas& canvas) {
   Marker ropes =
       makeMarker(canvas.header, "ropes", 0, Marker::LINE_LIST, {kWidth, 0.0, 0.0}, rgba(0.95F, 0.8F, 0.2F, 1.0F));
   for (const Row row : canvas.space.entities.order) {
-    const Attachment& rope = canvas.space.attachments.of(row, Attachment::Kind::kRope);
-    if (rope.held == kNoRow) {
-      continue;
-    }
-    ropes.points.push_back(toMessage(canvas.poseOf(row).toWorld(canvas.modelOf(row).mount("rope_launcher").position)));
-    ropes.points.push_back(toMessage(canvas.poseOf(rope.held).toWorld(rope.anchor)));
+    canvas.space.attachments.visit(row, [&](std::size_t index, const Attachment& rope) {
+      const EntityModel::Holder& holder = canvas.modelOf(row).holders[index];
+      if (holder.kind == EntityModel::Holder::Kind::kRope) {
+        ropes.points.push_back(toMessage(canvas.poseOf(row).toWorld(canvas.modelOf(row).mount(holder.mount).position)));
+        ropes.points.push_back(toMessage(canvas.poseOf(rope.held).toWorld(rope.anchor)));
+      }
+    });
   }
   canvas.addList(std::move(ropes));
 }

@@ -94,7 +94,7 @@ std::vector<Part> bodyOf(const EntityModel& model) {
 bool hasFewRobots(const Space& space) {
   std::size_t count = 0;
   for (const Row row : space.entities.order) {
-    count += space.entities.model[static_cast<std::size_t>(row)]->is_robot ? 1 : 0;
+    count += space.entities.model[row]->is_robot ? 1 : 0;
   }
   return count <= Transforms::kFewRobots;
 }
@@ -106,8 +106,7 @@ void addRobotBodies(const Space& space, MarkerArray& markers) {
   std::map<std::string, std::vector<Part>> bodies;
   int id = 0;
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    const EntityModel& model = *space.entities.model[i];
+    const EntityModel& model = *space.entities.model[row];
     if (!model.is_robot || model.urdf.empty()) {
       continue;
     }
@@ -117,7 +116,7 @@ void addRobotBodies(const Space& space, MarkerArray& markers) {
     }
     for (const Part& part : body->second) {
       // no stamp: wherever the frame is at the moment
-      const std::string& name = space.entities.name[i];
+      const std::string& name = space.entities.name[row];
       markers.markers.push_back(part.marker);
       markers.markers.back().header.frame_id = part.link.empty() ? frameOf(name) : frameOf(name, part.link);
       markers.markers.back().id = id++;

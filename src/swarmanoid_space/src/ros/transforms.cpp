@@ -7,7 +7,6 @@
 
 #include "../models/read_urdf.hpp"
 #include "swarmanoid_interface/angle.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -52,7 +51,7 @@ TransformLevel Transforms::level(const Space& space) {
   if (!level_) {
     std::size_t robots = 0;
     for (const Row row : space.entities.order) {
-      robots += space.entities.model[static_cast<std::size_t>(row)]->is_robot ? 1 : 0;
+      robots += space.entities.model[row]->is_robot ? 1 : 0;
     }
     level_ = robots <= kFewRobots ? TransformLevel::kFull : TransformLevel::kBase;
   }
@@ -69,8 +68,8 @@ const std::vector<Transforms::Link>& Transforms::linksOf(const EntityModel& mode
       link.name = joint->child_link_name;
       link.place = toMount(joint->parent_to_joint_origin_transform);
       link.axis = {joint->axis.x, joint->axis.y, joint->axis.z};
-      if (name == "left_wheel" || name == "right_wheel") {
-        link.wheel = name == "left_wheel" ? 0 : 1;
+      if (model.wheels && (name == model.wheels->left_joint || name == model.wheels->right_joint)) {
+        link.wheel = name == model.wheels->left_joint ? 0 : 1;
       }
       link.joint = model.findJoint(name);
       known->second.push_back(link);
@@ -92,10 +91,10 @@ void Transforms::advance(const Space& space) {
   advanced_tick_ = space.tick;
   const double dt = toSeconds(space.clocktick);
   for (const Row row : space.entities.order) {
-    if (const auto* wheels = space.actuation.find<FootbotWheels>(row)) {
-      auto& angles = wheel_angles_[space.entities.number[static_cast<std::size_t>(row)]];
-      angles[0] = wrapAngle(angles[0] + wheels->left * dt);
-      angles[1] = wrapAngle(angles[1] + wheels->right * dt);
+    if (const WheelsCommand& wheels = space.wheels[row]; wheels.is_driven) {
+      auto& angles = wheel_angles_[space.entities.number[row]];
+      angles[0] = wrapAngle(angles[0] + wheels.left * dt);
+      angles[1] = wrapAngle(angles[1] + wheels.right * dt);
     }
   }
 }
@@ -108,21 +107,20 @@ const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
   }
   const ros::Time stamp = stampOf(space);
   for (const Row row : entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    const EntityModel& model = *entities.model[i];
+    const EntityModel& model = *entities.model[row];
     if (!model.is_movable) {
       continue;
     }
-    const std::string& name = entities.name[i];
-    const Pose& pose = entities.pose[i];
+    const std::string& name = entities.name[row];
+    const Pose& pose = entities.pose[row];
     moving_.transforms.push_back(transform(stamp, kWorldFrame, frameOf(name), pose.position, pose.orientation));
     if (level(space) != TransformLevel::kFull || (!model.wheels && model.joints.empty())) {
       continue;
     }
-    const std::array<double, 2>& wheel_angles = wheel_angles_[entities.number[i]];
+    const std::array<double, 2>& wheel_angles = wheel_angles_[entities.number[row]];
     for (const Link& link : linksOf(model)) {
       if (link.wheel || link.joint >= 0) {
-        const double angle = link.wheel ? wheel_angles[*link.wheel] : space.jointsOf(row)[link.joint].angle;
+        const double angle = link.wheel ? wheel_angles[*link.wheel] : space.joints[row][link.joint].angle;
         const Eigen::Quaterniond turned = link.place.orientation * Eigen::AngleAxisd(angle, link.axis.normalized());
         moving_.transforms.push_back(
             transform(stamp, frameOf(name, link.parent), frameOf(name, link.name), link.place.position, turned));
@@ -140,11 +138,10 @@ const tf2_msgs::TFMessage& Transforms::fixed(const Space& space) {
   }
   const ros::Time stamp = stampOf(space);
   for (const Row row : entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    const EntityModel& model = *entities.model[i];
-    const std::string& name = entities.name[i];
+    const EntityModel& model = *entities.model[row];
+    const std::string& name = entities.name[row];
     if (!model.is_movable) {
-      const Pose& pose = entities.pose[i];
+      const Pose& pose = entities.pose[row];
       fixed_.transforms.push_back(transform(stamp, kWorldFrame, frameOf(name), pose.position, pose.orientation));
     }
     if (level(space) == TransformLevel::kFull) {

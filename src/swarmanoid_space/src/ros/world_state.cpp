@@ -17,15 +17,14 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
 
 /// A robot shows the mean of its lit LEDs, anything else its surface.
 std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
-  const auto i = static_cast<std::size_t>(row);
-  const EntityModel& model = *space.entities.model[i];
+  const EntityModel& model = *space.entities.model[row];
   if (!model.is_robot) {
-    return toMessage(space.entities.color[i]);
+    return toMessage(space.entities.color[row]);
   }
   std_msgs::ColorRGBA sum;
   float lit = 0.0F;
   for (std::size_t led = 0; led < model.led_positions.size(); ++led) {
-    const Color color = space.ledsOf(row)[led];
+    const Color color = space.leds[row][led];
     if (color.isLit()) {
       const std_msgs::ColorRGBA one = toMessage(color);
       sum.r += one.r;
@@ -116,16 +115,15 @@ void toMessage(const Space& space, swarmanoid_msgs::WorldState& message) {
   message.colors.resize(count);
   for (std::size_t k = 0; k < count; ++k) {
     const Row row = entities.order[k];
-    const auto i = static_cast<std::size_t>(row);
-    message.numbers[k] = entities.number[i];
-    message.names[k] = entities.name[i];
-    message.types[k] = entities.model[i]->type;
-    message.poses[k] = toMessage(entities.pose[i]);
-    message.twists[k].linear = toVector(entities.twist[i].linear);
-    message.twists[k].angular = toVector(entities.twist[i].angular);
-    message.engines[k] = space.mover[i] == nullptr ? "" : space.mover[i]->id();
+    message.numbers[k] = static_cast<std::uint64_t>(entities.number[row]);
+    message.names[k] = entities.name[row];
+    message.types[k] = entities.model[row]->type;
+    message.poses[k] = toMessage(entities.pose[row]);
+    message.twists[k].linear = toVector(entities.twist[row].linear);
+    message.twists[k].angular = toVector(entities.twist[row].angular);
+    message.engines[k] = space.mover[row] == nullptr ? "" : space.mover[row]->id();
     const Row gripped = space.structure.grippedBy(row);
-    message.gripped[k] = gripped == kNoRow ? "" : entities.name[static_cast<std::size_t>(gripped)];
+    message.gripped[k] = gripped == kNoRow ? "" : entities.name[gripped];
     message.colors[k] = colorOf(space, row);
   }
 }
@@ -157,7 +155,7 @@ void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& m
 
 bool OutsideChanges::look(const Space& space) {
   const std::vector<Row>& order = space.entities.order;
-  const EntityNumber last = order.empty() ? kNoEntity : space.entities.number[static_cast<std::size_t>(order.back())];
+  const EntityNumber last = order.empty() ? kNoEntity : space.entities.number[order.back()];
   bool is_change = !has_looked_ || space.run != run_ || order.size() != count_ || last != last_;
   for (const Event& event : space.events) {
     is_change = is_change || event.kind == Event::Kind::kMoved || event.kind == Event::Kind::kSpawned ||

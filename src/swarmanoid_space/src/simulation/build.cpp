@@ -29,11 +29,16 @@ void configure(const Named<Plugin>& plugin, const SourceLocation& location, cons
   }
 }
 
-/// A new one, not yet configured.
+/// Adds a device to the group, configured.
 template <class Plugin>
-Named<Plugin> makeDevice(PluginKind kind, const DeviceDescription& device, const std::string& controller) {
-  return {makePlugin<Plugin>(*Registry::instance().find(kind, device.type, device.implementation)),
-          std::string(toString(kind)) + " '" + device.type + "' of controller '" + controller + "'"};
+void addDevice(PluginKind kind, const DeviceDescription& description, const std::string& controller,
+               std::vector<Named<Plugin>>& plugins, std::vector<DeviceUse>& uses) {
+  const Registry::Entry& entry = *Registry::instance().find(kind, description.type, description.implementation);
+  plugins.push_back({makePlugin<Plugin>(entry),
+                     std::string(toString(kind)) + " '" + description.type + "' of controller '" + controller + "'"});
+  uses.push_back({description.type, entry.description.mechanisms});
+  configure(plugins.back(), description.location, description.parameters);
+  plugins.back()->takeErrors(description.errors);
 }
 
 /// @throws ConfigError if there are more than memory can be expected to hold
@@ -65,7 +70,7 @@ void refuseEndlessRun(const FrameworkDescription& framework) {
 Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts supplied)
     : experiment_(std::move(experiment)), context_(std::move(context)), supplied_(std::move(supplied)) {
   context_.experiment = &experiment_;
-  assembly_ = std::make_unique<Assembly>(experiment_.framework.threads);
+  assembly_ = std::make_unique<Assembly>(experiment_.framework.threads, space_.entities.columns);
   lockstep_ = std::make_unique<Lockstep>();
   space_.seed = experiment_.framework.seed;
   refuseEndlessRun(experiment_.framework);
@@ -136,12 +141,10 @@ void Simulation::buildControllerGroups() {
     auto group = std::make_unique<ControllerGroup>();
     group->description = &description;
     for (const DeviceDescription& device : description.sensors) {
-      group->sensors.push_back(makeDevice<Sensor>(PluginKind::kSensor, device, description.id));
-      configure(group->sensors.back(), device.location, device.parameters);
+      addDevice(PluginKind::kSensor, device, description.id, group->sensors, group->devices);
     }
     for (const DeviceDescription& device : description.actuators) {
-      group->actuators.push_back(makeDevice<Actuator>(PluginKind::kActuator, device, description.id));
-      configure(group->actuators.back(), device.location, device.parameters);
+      addDevice(PluginKind::kActuator, device, description.id, group->actuators, group->devices);
     }
     group->part = controllerPart(description.id, description.label);
     const auto supplied = supplied_.controllers.find(description.id);

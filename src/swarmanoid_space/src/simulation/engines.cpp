@@ -109,13 +109,12 @@ std::vector<EngineReport> Simulation::engineReports() const {
     report.label = experiment_.engines[i].label;
     report.health = engine->health();
     for (const Row row : space_.entities.order) {
-      const auto k = static_cast<std::size_t>(row);
-      if (!space_.entities.model[k]->is_movable) {
+      if (!space_.entities.model[row]->is_movable) {
         continue;
       }
-      report.moved += space_.mover[k] == engine ? 1 : 0;
+      report.moved += space_.mover[row] == engine ? 1 : 0;
       report.mirrored += static_cast<std::size_t>(std::count_if(
-          assembly_->memberships[k].begin(), assembly_->memberships[k].end(), [&](const Membership& membership) {
+          assembly_->memberships[row].begin(), assembly_->memberships[row].end(), [&](const Membership& membership) {
             return membership.engine == engine && membership.role == Role::kMirror;
           }));
     }

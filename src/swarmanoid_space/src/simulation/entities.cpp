@@ -20,7 +20,7 @@ namespace {
 
 void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                                 const std::vector<Membership>& memberships) const {
-  const std::vector<std::string> devices = devicesOf(assembly_->findGroup(entity.controller));
+  const std::vector<DeviceUse>& devices = devicesOf(assembly_->findGroup(entity.controller));
   for (const Membership& membership : memberships) {
     const std::string in_engine = "' in engine '" + membership.engine->id() + "': ";
     std::string problem = membership.engine->invalidPoseReason(model, pose);
@@ -32,8 +32,8 @@ void Simulation::refuseBadPlace(const EntityDescription& entity, const EntityMod
     }
     const Row other = membership.engine->overlap(model, pose, space_.entities.find(entity.id));
     if (other != kNoRow) {
-      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + "overlaps '" +
-                                             space_.entities.name[static_cast<std::size_t>(other)] + "'");
+      throw ConfigError(entity.location,
+                        entity.type + " '" + entity.id + in_engine + "overlaps '" + space_.entities.name[other] + "'");
     }
   }
 }
@@ -48,15 +48,6 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
   refuseBadPlace(entity, *model, pose, memberships);
 
   const Row row = space_.entities.add(entity.id, model, pose, entity.color);
-  const auto i = static_cast<std::size_t>(row);
-  space_.fitRows();
-  std::fill_n(space_.ledsOf(row), EntityModel::kMaxLeds, colors::kBlack);
-  std::fill_n(space_.jointsOf(row), EntityModel::kMaxJoints, JointState{});
-  space_.outside[i] = 0;
-  space_.mover[i] = nullptr;
-  space_.controllers[i] = ControllerState{};
-  assembly_->memberships.resize(space_.entities.rowCount());
-  assembly_->memberships[i].clear();
   try {
     if (!entity.controller.empty()) {
       giveController(row, entity);
@@ -68,9 +59,9 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
   for (const Membership& membership : memberships) {
     callPlugin("add", assembly_->partOf(*membership.engine), UserCode::kNoTick,
                [&] { membership.engine->add(space_, row, membership.role); });
-    assembly_->memberships[i].push_back(membership);
+    assembly_->memberships[row].push_back(membership);
     if (membership.role == Role::kMove) {
-      space_.mover[i] = membership.engine;
+      space_.mover[row] = membership.engine;
     }
   }
   if (memberships.empty()) {
@@ -80,7 +71,6 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
 }
 
 void Simulation::giveController(Row row, const EntityDescription& entity) {
-  const auto i = static_cast<std::size_t>(row);
   ControllerGroup* group = assembly_->findGroup(entity.controller);
   auto robot = std::make_unique<Robot>(entity.id, entity.type, space_.seed);
   robot->setLogSink(log_sink_);
@@ -91,8 +81,8 @@ void Simulation::giveController(Row row, const EntityDescription& entity) {
   instance.step = {"step", group->part, instance.robot->name()};
   instance.source = entity.source;
   instance.command_timeout = entity.command_timeout;
-  space_.robots[i] = std::move(robot);
-  space_.controllers[i] = {group->description, 1, StepStatus::kNothing};
+  space_.robots[row] = std::move(robot);
+  space_.controllers[row] = {group->description, 1, StepStatus::kNothing};
   try {
     for (const auto& sensor : group->sensors) {
       instance.robot->provideSensor(sensor->type(), sensor->add(space_, row));
@@ -132,7 +122,6 @@ void Simulation::destroyControllers() {
 }
 
 void Simulation::removeEntity(Row row) {
-  const auto i = static_cast<std::size_t>(row);
   if (RobotInstance* instance = assembly_->findRobot(space_.entities, row)) {
     destroyController(*instance);
     for (const auto& sensor : instance->group->sensors) {
@@ -143,16 +132,12 @@ void Simulation::removeEntity(Row row) {
     }
     assembly_->robots.erase(assembly_->robots.begin() + (instance - assembly_->robots.data()));
   }
-  space_.robots[i].reset();
-  space_.controllers[i] = ControllerState{};
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
-  for (const Membership& membership : assembly_->memberships[i]) {
+  for (const Membership& membership : assembly_->memberships[row]) {
     callPlugin("remove", assembly_->partOf(*membership.engine), UserCode::kNoTick,
                [&] { membership.engine->remove(space_, row); });
   }
-  assembly_->memberships[i].clear();
-  space_.mover[i] = nullptr;
   auto& lone = space_.entities_without_engine;
   lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
   space_.entities.remove(row);
@@ -167,23 +152,15 @@ void Simulation::unbuild() {
     engine->clear();
   }
   assembly_->groups.clear();
-  assembly_->memberships.clear();
   assembly_->triggers.clear();
-  space_.entities.clear();
-  space_.structure.clear();
   space_.attachments.clear();
-  space_.joints.clear();
-  space_.leds.clear();
+  space_.entities.clear();
   space_.laser_spots.clear();
   space_.events.clear();
   space_.overflows.clear();
   space_.readings.clear();
   space_.commands.clear();
   space_.actuation.clear();
-  space_.mover.clear();
-  space_.robots.clear();
-  space_.controllers.clear();
-  space_.outside.clear();
   space_.entities_without_engine.clear();
 }
 

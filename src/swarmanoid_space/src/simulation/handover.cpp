@@ -48,7 +48,7 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
   if (row == kNoRow) {
     std::vector<std::string> known;
     for (const Row other : space_.entities.order) {
-      known.push_back(space_.entities.name[static_cast<std::size_t>(other)]);
+      known.push_back(space_.entities.name[other]);
     }
     throw ConfigError({}, "there is no entity '" + name + "'" + didYouMean(name, known));
   }
@@ -58,15 +58,14 @@ void Simulation::handover(const std::string& name, const std::string& engine_id)
     throw ConfigError(
         {}, "engine '" + engine_id + "' does not exist; there are: " + joinNames(known) + didYouMean(engine_id, known));
   }
-  const auto i = static_cast<std::size_t>(row);
-  if (space_.mover[i] == engine && space_.entities.model[i]->is_movable) {
+  if (space_.mover[row] == engine && space_.entities.model[row]->is_movable) {
     return;
   }
   const std::vector<Row> members = connectedTo(space_.entities, space_.structure, space_.attachments, row);
   refreshMirrors(space_, assembly_->memberships, *engine);
   const std::string problem = handoverProblem(space_, assembly_->robots, assembly_->memberships, members, row, *engine);
   if (!problem.empty()) {
-    throw ConfigError({}, space_.entities.model[i]->type + " '" + name + "' cannot be handed over to engine '" +
+    throw ConfigError({}, space_.entities.model[row]->type + " '" + name + "' cannot be handed over to engine '" +
                               engine_id + "': " + problem);
   }
   pending_events_.push_back({Event::Kind::kIntervention, name, "", "handover to " + engine_id});
@@ -85,12 +84,11 @@ void Simulation::buildTriggers() {
       if (row == kNoRow) {
         throw ConfigError(rule.location, "handover: there is no entity '" + name + "'");
       }
-      const auto i = static_cast<std::size_t>(row);
-      const EntityModel& model = *space_.entities.model[i];
+      const EntityModel& model = *space_.entities.model[row];
       RobotInstance* instance = assembly_->findRobot(space_.entities, row);
       std::string problem = model.is_movable
                                 ? unsupportedReasonOf(*engine, model, devicesOf(instance ? instance->group : nullptr),
-                                                      assembly_->memberships[i])
+                                                      assembly_->memberships[row])
                                 : "is fixed, no engine moves it";
       if (problem.empty() && rule.condition == HandoverDescription::Condition::kDebug && instance == nullptr) {
         problem = "has no controller, so it has no debug values";
@@ -100,7 +98,7 @@ void Simulation::buildTriggers() {
                           "handover of " + model.type + " '" + name + "' to engine '" + rule.engine + "': " + problem);
       }
       // what is true from the start has not become true
-      assembly_->triggers.push_back({&rule, engine, row, space_.entities.number[i], holds(rule, space_, row)});
+      assembly_->triggers.push_back({&rule, engine, row, space_.entities.number[row], holds(rule, space_, row)});
     }
   }
   std::stable_sort(assembly_->triggers.begin(), assembly_->triggers.end(),

@@ -40,24 +40,23 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   if (row == kNoRow) {
     throw ConfigError({}, "there is no entity '" + name + "'");
   }
-  const auto i = static_cast<std::size_t>(row);
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
     throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
   }
-  door::checkPosition("position", pose.position, *space_.entities.model[i], experiment_.arena, {});
+  door::checkPosition("position", pose.position, *space_.entities.model[row], experiment_.arena, {});
   Pose target = pose;
   target.orientation.normalize();
   EntityDescription entity;
   entity.id = name;
-  entity.type = space_.entities.model[i]->type;
-  refuseBadPlace(entity, *posedModel(space_.entities.model[i], space_.jointsOf(row)), target,
-                 assembly_->memberships[i]);
+  entity.type = space_.entities.model[row]->type;
+  refuseBadPlace(entity, *posedModel(space_.entities.model[row], space_.joints[row]), target,
+                 assembly_->memberships[row]);
   // what is connected would be torn apart
   space_.structure.isolate(row);
   space_.attachments.isolate(row);
-  space_.entities.pose[i] = target;
-  space_.entities.twist[i] = Twist{};
-  for (const Membership& membership : assembly_->memberships[i]) {
+  space_.entities.pose[row] = target;
+  space_.entities.twist[row] = Twist{};
+  for (const Membership& membership : assembly_->memberships[row]) {
     membership.engine->place(space_, row);
   }
   space_.index.rebuild(space_.entities);

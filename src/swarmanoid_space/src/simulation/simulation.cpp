@@ -84,7 +84,7 @@ void Simulation::noteFailures() {
     if (!instance->has_failed) {
       instance->has_failed = true;
       instance->failure = kNotFinite;
-      space_.controllers[static_cast<std::size_t>(row)].status = StepStatus::kFailed;
+      space_.controllers[row].status = StepStatus::kFailed;
     }
   }
   for (RobotInstance& instance : assembly_->robots) {

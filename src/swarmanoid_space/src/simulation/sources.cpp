@@ -74,7 +74,7 @@ void Simulation::setCommandSource(const std::string& robot, CommandSource source
   }
   destroyController(*instance);
   instance->controller = std::move(controller);
-  ++space_.controllers[static_cast<std::size_t>(instance->row)].starts;
+  ++space_.controllers[instance->row].starts;
   pending_events_.push_back(
       {Event::Kind::kIntervention, robot, "",
        std::string("commands from ") + toString(source) + ", no more from " + toString(instance->source)});

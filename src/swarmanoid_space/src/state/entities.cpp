@@ -28,41 +28,50 @@ Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
   return {alpha, std::asin(sine_beta), gamma};
 }
 
+void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, const Pose& pose) {
+  visitor.vector({name, "position"}, pose.position);
+  visitor.quaternion({name, "orientation"}, pose.orientation);
+}
+
+void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, const Twist& twist) {
+  visitor.vector({name, "linear"}, twist.linear);
+  visitor.vector({name, "angular"}, twist.angular);
+}
+
 Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityModel> entity_model,
                   const Pose& entity_pose, Color entity_color) {
   SWARMANOID_EXPECTS(find(entity_name) == kNoRow);
-  Row row = static_cast<Row>(number.size());
+  Row row = rowAt(rowCount());
   if (holes_.empty()) {
-    number.emplace_back();
-    name.emplace_back();
-    model.emplace_back();
-    pose.emplace_back();
-    twist.emplace_back();
-    color.emplace_back();
+    columns.resize(rowCount() + 1);
   } else {
     row = holes_.back();
     holes_.pop_back();
   }
-  const auto i = static_cast<std::size_t>(row);
-  number[i] = ++last_number_;
-  name[i] = entity_name;
-  model[i] = std::move(entity_model);
-  pose[i] = entity_pose;
-  twist[i] = Twist{};
-  color[i] = entity_color;
+  columns.reset(row, entity_model.get());
+  number[row] = EntityNumber{++last_number_};
+  name[row] = entity_name;
+  model[row] = std::move(entity_model);
+  pose[row] = entity_pose;
+  color[row] = entity_color;
   order.push_back(row);  // numbers only grow
   row_by_name_[entity_name] = row;
   return row;
 }
 
 void Entities::remove(Row row) {
-  const auto i = static_cast<std::size_t>(row);
-  row_by_name_.erase(name[i]);
-  number[i] = kNoEntity;
-  name[i].clear();
-  model[i].reset();
+  row_by_name_.erase(name[row]);
+  columns.reset(row, nullptr);
   order.erase(std::find(order.begin(), order.end(), row));
   holes_.push_back(row);
+}
+
+void Entities::clear() {
+  columns.resize(0);
+  order.clear();
+  holes_.clear();
+  row_by_name_.clear();
+  last_number_ = 0;
 }
 
 Row Entities::find(const std::string& entity_name) const {
@@ -71,10 +80,9 @@ Row Entities::find(const std::string& entity_name) const {
 }
 
 Row Entities::find(EntityNumber entity_number) const {
-  const auto found = std::lower_bound(order.begin(), order.end(), entity_number, [&](Row row, EntityNumber value) {
-    return number[static_cast<std::size_t>(row)] < value;
-  });
-  return found != order.end() && number[static_cast<std::size_t>(*found)] == entity_number ? *found : kNoRow;
+  const auto found = std::lower_bound(order.begin(), order.end(), entity_number,
+                                      [&](Row row, EntityNumber value) { return number[row] < value; });
+  return found != order.end() && number[*found] == entity_number ? *found : kNoRow;
 }
 
 }  // namespace swarmanoid

@@ -4,36 +4,20 @@
 
 namespace swarmanoid {
 
-void StructuralTree::resize(std::size_t row_count) {
-  if (row_count > parent_.size()) {
-    parent_.resize(row_count, kNoRow);
-    const std::size_t known = children_.size();
-    children_.resize(row_count);
-    constexpr std::size_t kUsualGrippers = 2;  // so that a grip allocates nothing
-    std::for_each(children_.begin() + static_cast<std::ptrdiff_t>(known), children_.end(),
-                  [](std::vector<Row>& grippers) { grippers.reserve(kUsualGrippers); });
-  }
-}
-
-void StructuralTree::clear() {
-  parent_.clear();
-  children_.clear();
-}
-
 bool StructuralTree::connect(Row gripper, Row gripped) {
   if (grippedBy(gripper) != kNoRow || root(gripped) == gripper) {
     return false;
   }
-  parent_[static_cast<std::size_t>(gripper)] = gripped;
-  children_[static_cast<std::size_t>(gripped)].push_back(gripper);
+  parent_[gripper] = gripped;
+  children_[gripped].push_back(gripper);
   return true;
 }
 
 Row StructuralTree::release(Row gripper) {
-  Row& parent = parent_[static_cast<std::size_t>(gripper)];
+  Row& parent = parent_[gripper];
   const Row gripped = parent;
   if (gripped != kNoRow) {
-    std::vector<Row>& siblings = children_[static_cast<std::size_t>(gripped)];
+    std::vector<Row>& siblings = children_[gripped];
     siblings.erase(std::find(siblings.begin(), siblings.end(), gripper));
     parent = kNoRow;
   }

@@ -33,7 +33,7 @@ class DebugRender final : public Observer {
             << (event.other.empty() || event.text.empty() ? "" : " ") << event.text << '\n';
     }
     for (const Row row : space.entities.order) {
-      const auto& robot = space.robots[static_cast<std::size_t>(row)];
+      const auto& robot = space.robots[row];
       if (robot) {
         writeChanges(space.tick, *robot);
       }

@@ -1,4 +1,4 @@
-// The state hash of every tick, for comparing runs.
+// The hashes of every tick, for comparing runs.
 #include <iomanip>
 
 #include "swarmanoid_space/output/out_file.hpp"
@@ -13,18 +13,25 @@ class HashRecorder final : public Observer {
     description.label = "hash_recorder";
     description.summary = "Writes tick and state hash, one line a tick.";
     description.parameters = {
-        makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Where the lines go.")};
+        makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Where the lines go."),
+        makeParameter("deep", Parameter::Type::kBoolean, "", "false", {},
+                      "Whether a hash of all readings and commands, too, follows in each line.")};
     return description;
   }
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext& context) override {
     id_ = id;
+    is_deep_ = parameters.boolean("deep", false);
     file_.open(context, parameters, id);
   }
 
   void draw(const Space& space) override {
-    file_ << space.tick << ' ' << std::hex << std::setw(16) << std::setfill('0') << stateHash(space) << std::dec
-          << '\n';
+    file_ << space.tick;
+    write(stateHash(space));
+    if (is_deep_) {
+      write(deepHash(space));
+    }
+    file_ << '\n';
   }
 
   void flush() override { file_.flush(); }
@@ -32,7 +39,10 @@ class HashRecorder final : public Observer {
   void finish() override { file_.flush(); }
 
  private:
+  void write(std::uint64_t hash) { file_ << ' ' << std::hex << std::setw(16) << std::setfill('0') << hash << std::dec; }
+
   OutFile file_;
+  bool is_deep_ = false;
 };
 
 }  // namespace

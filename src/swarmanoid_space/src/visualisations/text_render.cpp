@@ -46,7 +46,7 @@ class TextRender final : public Observer {
       out << "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n";
     }
     for (const Row row : space.entities.order) {
-      writeLine(out, space, static_cast<std::size_t>(row));
+      writeLine(out, space, row);
     }
   }
 
@@ -59,11 +59,11 @@ class TextRender final : public Observer {
   }
 
  private:
-  void writeLine(std::ostream& out, const Space& space, std::size_t i) {
+  void writeLine(std::ostream& out, const Space& space, Row row) {
     const Entities& entities = space.entities;
-    const Eigen::Vector3d& p = entities.pose[i].position;
-    const Eigen::Vector3d angles = anglesFromOrientation(entities.pose[i].orientation) * kDegPerRad;
-    out << space.tick << '\t' << entities.model[i]->title << '\t' << entities.name[i];
+    const Eigen::Vector3d& p = entities.pose[row].position;
+    const Eigen::Vector3d angles = anglesFromOrientation(entities.pose[row].orientation) * kDegPerRad;
+    out << space.tick << '\t' << entities.model[row]->title << '\t' << entities.name[row];
     for (const double value : {p.x(), p.y(), p.z(), angles.x(), angles.y(), angles.z()}) {
       out << '\t' << shortened(value);
     }

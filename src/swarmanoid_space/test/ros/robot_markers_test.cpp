@@ -36,12 +36,11 @@ TEST(RobotMarkersTest, MoveWithTheirFrames) {
   }
   std::set<std::string> expected;
   for (const Row row : simulation->space().entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    if (simulation->space().entities.model[i]->is_robot) {
-      const std::string& name = simulation->space().entities.name[i];
+    if (simulation->space().entities.model[row]->is_robot) {
+      const std::string& name = simulation->space().entities.name[row];
       expected.insert(name + "/base_link");
       // what a joint turns is in the frame of its link
-      for (const EntityModel::Joint& joint : simulation->space().entities.model[i]->joints) {
+      for (const EntityModel::Joint& joint : simulation->space().entities.model[row]->joints) {
         expected.insert(name + "/" + joint.link);
       }
     }
@@ -67,9 +66,8 @@ TEST(RobotMarkersTest, AreLeftOutWhenTheirRobotIs) {
   const std::size_t before = bodies(simulation->space()).size();
   std::string robot;
   for (const Row row : simulation->space().entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    if (simulation->space().entities.model[i]->is_robot) {
-      robot = simulation->space().entities.name[i];
+    if (simulation->space().entities.model[row]->is_robot) {
+      robot = simulation->space().entities.name[row];
     }
   }
   simulation->remove(robot);

@@ -62,8 +62,7 @@ TEST(TransformsTest, WhatMovesIsInOneBatchWithOneStamp) {
 TEST(TransformsTest, TheGripperTurnsWithTheTurret) {
   Space space;
   const Row row = space.entities.add("fb", robotModel("footbot"), Pose{}, Color{});
-  space.fitRows();
-  space.jointsOf(row)[0].angle = 0.5;
+  space.joints[row][0].angle = 0.5;
   Transforms transforms(TransformLevel::kFull);
   const tf2_msgs::TFMessage moving = transforms.moving(space);
   const tf2_msgs::TFMessage fixed = transforms.fixed(space);

@@ -1,4 +1,4 @@
-/// Converts the fields that several devices' messages share. The devices themselves are in topics/.
+/// Converts the fields that several devices' messages share. The devices themselves are in devices/.
 ///
 /// Functions that read a message throw std::runtime_error, whose text gives what was found and what is allowed.
 #pragma once

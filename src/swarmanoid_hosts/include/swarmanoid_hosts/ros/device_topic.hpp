@@ -5,7 +5,7 @@
 /// Readings go from a robot to its subscribers, commands the other way. Topics lie in the robot's namespace.
 ///
 /// Two functions in the device's namespace, in a header of their own, convert a device to a message and back; a macro
-/// below them registers the topic (topics/footbot_gripper.hpp is an example):
+/// below them registers the topic (devices/footbot_gripper.hpp is an example):
 ///
 ///     inline void toMessage(const MyDevice& device, my_msgs::MyDevice& message);
 ///     inline void fromMessage(const my_msgs::MyDevice& message, MyDevice& device);
@@ -16,7 +16,7 @@
 /// for the device; the struct may then be partly written. For a device with lists it takes VariableParts as well, which
 /// store their elements.
 ///
-/// The headers in topics/ define the suite's topics; a source of a library that is linked with swarmanoid_hosts_ros
+/// The headers in devices/ define the suite's topics; a source of a library that is linked with swarmanoid_hosts_ros
 /// includes the header of a further topic. A device may have more than one topic; the first is the main one.
 #pragma once
 
@@ -48,6 +48,8 @@ struct DeviceTopic {
 
   /// Advertises the topic in the namespace of `robot`.
   ros::Publisher (*advertise)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
+  /// Does the same; whoever subscribes later gets the last message.
+  ros::Publisher (*advertiseLatched)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
   /// @param header stamp, and for readings the frame; it is left out if the message has no header
   void (*publish)(const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) = nullptr;
   /// Writes each message that comes to `device`, whose variable parts are stored in `parts`, and then calls `receive`,
@@ -107,6 +109,10 @@ DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, con
   topic.advertise = [](ros::NodeHandle& robot, const DeviceTopic& entry) {
     constexpr std::uint32_t kQueue = 10;
     return robot.advertise<Message>(entry.name, kQueue);
+  };
+  topic.advertiseLatched = [](ros::NodeHandle& robot, const DeviceTopic& entry) {
+    constexpr bool kLatched = true;
+    return robot.advertise<Message>(entry.name, 1, kLatched);
   };
   topic.publish = [](const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) {
     Message message;

@@ -19,7 +19,7 @@ struct ColorBlob {
 template <class Visitor>
 void fields(Visitor& visit, ColorBlob& blob) {
   visit(blob.color, {"color"});
-  visit(blob.bearing, {"bearing", "rad", "direction in the robot's frame", {-M_PI, M_PI}});
+  visit(blob.bearing, {"bearing", "rad", "direction in the robot's frame", {-M_PI, M_PI}, true});
   visit(blob.distance, {"distance", "m", "horizontal", {0.0, kInfinity}});
 }
 
@@ -42,6 +42,8 @@ void fields(Visitor& visit, ColorBlobs& camera) {
 /// The footbot's omnidirectional camera ("pie camera").
 struct FootbotCamera : ColorBlobs {
   static constexpr const char* kType = "footbot_camera";
+  static constexpr const char* kRobot = "footbot";
+  static constexpr double kUsualRange = 2.0;  ///< horizontal distance beyond which it sees nothing [m]
 };
 
 REGISTER_DEVICE(FootbotCamera, kSensor, "An omnidirectional camera that reports blobs of colour.")
@@ -49,6 +51,10 @@ REGISTER_DEVICE(FootbotCamera, kSensor, "An omnidirectional camera that reports 
 /// The eyebot's camera, which looks down: its field of view is a circle on the ground under the robot.
 struct EyebotCamera : ColorBlobs {
   static constexpr const char* kType = "eyebot_camera";
+  static constexpr const char* kRobot = "eyebot";
+  static constexpr double kUsualRange = 10.0;           ///< horizontal distance beyond which it sees nothing [m]
+  static constexpr double kUsualAperture = M_PI / 4.0;  ///< half the opening angle of its cone [rad]
+  static constexpr double kMount = 0.15;                ///< height of the camera in the robot's frame [m]
 };
 
 REGISTER_DEVICE(EyebotCamera, kSensor, "A camera that looks down into a cone and reports blobs of colour.")

@@ -10,6 +10,9 @@ namespace swarmanoid {
 /// there.
 struct EyebotMagnet {
   static constexpr const char* kType = "eyebot_magnet";
+  static constexpr const char* kRobot = "eyebot";
+
+  static constexpr double kMount = 0.54;  ///< height of the magnet in the robot's frame [m]
 
   bool on = false;
 };
@@ -25,6 +28,7 @@ REGISTER_DEVICE(EyebotMagnet, kActuator, "The magnet on top, by which the robot 
 /// The state at the end of the last tick.
 struct EyebotMagnetState {
   static constexpr const char* kType = "eyebot_magnet_state";
+  static constexpr const char* kRobot = "eyebot";
 
   bool attached = false;
 };

@@ -12,6 +12,10 @@ namespace swarmanoid {
 /// Desired velocity in the eyebot's own frame (x ahead, y left, z up).
 struct EyebotVelocity {
   static constexpr const char* kType = "eyebot_velocity";
+  static constexpr const char* kRobot = "eyebot";
+
+  static constexpr double kUsualFastest = 1.0;      ///< in any direction [m/s]
+  static constexpr double kUsualFastestTurn = 2.0;  ///< either way [rad/s]
 
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
   double yaw_rate = 0.0;                             ///< [rad/s], counter-clockwise seen from above

@@ -8,6 +8,9 @@ namespace swarmanoid {
 /// The command of the gripper. A closed gripper holds the object within its reach; an open gripper releases it.
 struct FootbotGripper {
   static constexpr const char* kType = "footbot_gripper";
+  static constexpr const char* kRobot = "footbot";
+
+  static constexpr double kReach = 0.11;  ///< of its tip from the robot's axis [m]
 
   bool closed = false;
 
@@ -26,6 +29,7 @@ REGISTER_DEVICE(FootbotGripper, kActuator, "The rigid gripper at the front, whic
 /// The reading of the gripper's contact switch.
 struct FootbotGripperState {
   static constexpr const char* kType = "footbot_gripper_state";
+  static constexpr const char* kRobot = "footbot";
 
   bool gripping = false;  ///< an object is held, as of the end of the last tick
 };

@@ -8,11 +8,13 @@
 
 namespace swarmanoid {
 
-/// Readings of the 24 sensors: 0 with nothing in range, rising to 1 at contact.
+/// Readings of the 24 sensors: 0 with nothing in range, rising to 1 at contact, by the law of Proximity::response.
 /// Sensor 0 looks straight ahead (the robot's x axis), the others follow counter-clockwise every 15 degrees.
 struct FootbotProximity {
   static constexpr const char* kType = "footbot_proximity";
+  static constexpr const char* kRobot = "footbot";
   static constexpr std::size_t kCount = 24;
+  static constexpr double kRingRadius = 0.085;  ///< of the sensors around the robot's axis [m]
 
   std::array<float, kCount> value{};
 

@@ -14,6 +14,9 @@ namespace swarmanoid {
 /// The command of the turret's motor. Its initial value holds the angle 0, as does a robot without this device.
 struct FootbotTurret {
   static constexpr const char* kType = "footbot_turret";
+  static constexpr const char* kRobot = "footbot";
+
+  static constexpr double kFastest = 3.0;  ///< against the chassis, either way [rad/s]
 
   enum class Mode : std::uint8_t {
     kAngle,   ///< turns to an angle, the shorter way, and holds it
@@ -48,6 +51,7 @@ REGISTER_DEVICE(FootbotTurret, kActuator, "The ring that carries the gripper and
 /// The readings of the turret's encoder and motor, as of the end of the last tick.
 struct FootbotTurretState {
   static constexpr const char* kType = "footbot_turret_state";
+  static constexpr const char* kRobot = "footbot";
 
   double angle = 0.0;   ///< in (-pi, pi] [rad]
   double speed = 0.0;   ///< [rad/s]
@@ -56,7 +60,7 @@ struct FootbotTurretState {
 
 template <class Visitor>
 void fields(Visitor& visit, FootbotTurretState& turret) {
-  visit(turret.angle, {"angle", "rad", "of the gripper in the robot's frame", {-M_PI, M_PI}});
+  visit(turret.angle, {"angle", "rad", "of the gripper in the robot's frame", {-M_PI, M_PI}, true});
   visit(turret.speed, {"speed", "rad/s", "how fast it turns against the chassis"});
   visit(turret.torque, {"torque", "N m", "of the motor on the turret; 0 in engines without forces"});
 }

@@ -8,9 +8,11 @@ namespace swarmanoid {
 /// Angular velocities of the wheels [rad/s]; positive drives the robot forward (its x axis).
 struct FootbotWheels {
   static constexpr const char* kType = "footbot_wheels";
+  static constexpr const char* kRobot = "footbot";
 
-  static constexpr double kRadius = 0.029;      ///< of the wheels [m]
-  static constexpr double kSeparation = 0.140;  ///< between them [m]
+  static constexpr double kRadius = 0.029;           ///< of the wheels [m]
+  static constexpr double kSeparation = 0.140;       ///< between them [m]
+  static constexpr double kFastest = 0.3 / kRadius;  ///< of a wheel, either way [rad/s]
 
   double left = 0.0;   ///< [rad/s]
   double right = 0.0;  ///< [rad/s]

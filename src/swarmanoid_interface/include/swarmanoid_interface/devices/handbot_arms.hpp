@@ -27,6 +27,9 @@ void fields(Visitor& visit, ArmAngles& arm) {
 /// The joints move to the commanded angles as fast as their motors can, and hold them with at most the motors' torque.
 struct HandbotArms {
   static constexpr const char* kType = "handbot_arms";
+  static constexpr const char* kRobot = "handbot";
+
+  static constexpr double kFastest = 2.0;  ///< of a joint, either way [rad/s]
 
   ArmAngles left;
   ArmAngles right;
@@ -44,6 +47,7 @@ REGISTER_DEVICE(HandbotArms, kActuator, "Two arms, each with shoulder, elbow and
 /// The angles of the joints at the end of the last tick, and the torques of their motors.
 struct HandbotArmsState {
   static constexpr const char* kType = "handbot_arms_state";
+  static constexpr const char* kRobot = "handbot";
   static constexpr std::size_t kJoints = 6;
   /// Names of the joints in the URDF, in the order of `joints`.
   static constexpr std::array<const char*, kJoints> kNames{"left_shoulder",  "left_elbow",  "left_wrist",

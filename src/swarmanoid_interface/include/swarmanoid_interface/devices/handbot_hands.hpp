@@ -9,6 +9,7 @@ namespace swarmanoid {
 /// Suction on: a hand holds the surface that its cups touch. Off: it releases the surface.
 struct HandbotHands {
   static constexpr const char* kType = "handbot_hands";
+  static constexpr const char* kRobot = "handbot";
 
   bool left = false;
   bool right = false;
@@ -26,6 +27,7 @@ REGISTER_DEVICE(HandbotHands, kActuator, "The suction cups of the hands, which g
 /// The readings of each hand's docking sensor, as of the end of the last tick.
 struct HandbotHandsState {
   static constexpr const char* kType = "handbot_hands_state";
+  static constexpr const char* kRobot = "handbot";
 
   struct Hand {
     bool holding = false;

@@ -11,6 +11,10 @@ namespace swarmanoid {
 /// magnet releases its hold and the rope is back in its launcher.
 struct HandbotRope {
   static constexpr const char* kType = "handbot_rope";
+  static constexpr const char* kRobot = "handbot";
+
+  static constexpr double kMount = 0.29;        ///< height of the launcher in the robot's frame [m]
+  static constexpr double kUsualFastest = 0.2;  ///< of winding, in and out [m/s]
 
   bool shot = false;
   double winding_speed = 0.0;  ///< [m/s]; positive shortens the rope, as far as the motor is strong enough
@@ -31,6 +35,7 @@ REGISTER_DEVICE(HandbotRope, kActuator, "The rope with a magnet at its end, shot
 /// The state at the end of the last tick.
 struct HandbotRopeState {
   static constexpr const char* kType = "handbot_rope_state";
+  static constexpr const char* kRobot = "handbot";
 
   bool attached = false;
   double length = 0.0;   ///< from the launcher to the magnet, when taut; 0 when not attached [m]

@@ -14,6 +14,7 @@ namespace swarmanoid {
 
 struct FootbotLeds {
   static constexpr const char* kType = "footbot_leds";
+  static constexpr const char* kRobot = "footbot";
   static constexpr std::size_t kCount = 12;
 
   std::array<Color, kCount> ring{};
@@ -31,6 +32,7 @@ REGISTER_DEVICE(FootbotLeds, kActuator, "The ring of coloured LEDs.")
 
 struct EyebotLeds {
   static constexpr const char* kType = "eyebot_leds";
+  static constexpr const char* kRobot = "eyebot";
   static constexpr std::size_t kCount = 16;
 
   std::array<Color, kCount> ring{};

@@ -14,6 +14,7 @@
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/time.hpp"
+#include "swarmanoid_space/error_models/error_model_description.hpp"
 #include "swarmanoid_space/index/positional_index.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 #include "swarmanoid_space/state/entities.hpp"
@@ -32,10 +33,11 @@ struct FrameworkDescription {
 
 /// One device in a controller's `<actuators>` or `<sensors>`.
 struct DeviceDescription {
-  std::string type;            ///< never an alias
-  std::string implementation;  ///< never an alias, never empty
-  std::string library;         ///< "" if it is already known
-  Configuration parameters;    ///< defaults filled in
+  std::string type;                           ///< never an alias
+  std::string implementation;                 ///< never an alias, never empty
+  std::string library;                        ///< "" if it is already known
+  Configuration parameters;                   ///< defaults filled in
+  std::vector<ErrorModelDescription> errors;  ///< in the order of the file
   SourceLocation location;
 };
 

@@ -1,7 +1,7 @@
 /// What an entity of one type is made of: shapes, height, joints, wheels, gripper, mounts. Shared by all entities of
 /// that type.
 ///
-/// Robots' models come from their URDF (swarmanoid_description), those of blocks and preys from the experiment file.
+/// Robots' models come from their URDF, which packages bring, those of blocks and preys from the experiment file.
 /// Frames: everything is in the body frame B: x ahead, y left, z up, origin where the entity's pose is (REP-103). A
 /// robot's origin is on the ground under its centre, a prey's at the centre of its lower face, a block's at its centre.
 #pragma once
@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/mechanism.hpp"
 
 namespace swarmanoid {
 
@@ -47,8 +48,7 @@ struct Inertial {
 };
 
 struct EntityModel {
-  static constexpr std::size_t kMaxJoints = 8;
-  static constexpr std::size_t kMaxLeds = 16;
+  static constexpr std::size_t kMaxLeds = 64;  ///< as many as cameras look at
 
   std::string type;   ///< the tag in `<arena>`: "footbot", "block", ...
   std::string title;  ///< in the text table (thesis figure 3.11): "Footbot", "Block", ...; one word
@@ -67,7 +67,7 @@ struct EntityModel {
 
   bool is_robot = false;
   bool is_movable = false;                ///< may be moved by an engine
-  bool is_ferromagnetic = false;          ///< magnets of ropes and eyebots hold on it
+  bool is_ferromagnetic = false;          ///< magnets hold on it
   double origin_height = 0.0;             ///< of the body's origin over what it stands on [m]
   std::optional<double> gripping_radius;  ///< there is a gripping strip, at this distance around body z [m]
 
@@ -96,8 +96,28 @@ struct EntityModel {
     double radius = 0.0;      ///< [m]
     double separation = 0.0;  ///< between the wheels' middles [m]
     double max_speed = 0.0;   ///< angular velocity [rad/s]
+    std::string left_joint;   ///< name of the joint in the URDF
+    std::string right_joint;  ///< likewise
   };
   std::optional<Wheels> wheels;
+
+  /// A part that holds on to other entities.
+  struct Holder {
+    enum class Kind {
+      kGripper,  ///< closes on gripping strips; what it holds stands in the structural tree
+      kSuction,  ///< holds on to any surface
+      kMagnet,   ///< holds on to what is ferromagnetic
+      kRope      ///< a magnet at the end of a rope, which is shot along x of the mount's frame, and wound by a winch
+    };
+
+    std::string name;  ///< "gripper", "left hand": as messages and recordings call it
+    Kind kind = Kind::kGripper;
+    std::string mount;         ///< of its tip or surface, or of where its rope leaves the robot
+    double rope_length = 0.0;  ///< of a rope: what is on the winch [m]
+  };
+  std::vector<Holder> holders;
+  /// @return the index of a holder; -1 if there is none of that name
+  int findHolder(const std::string& name) const;
 
   /// The gripper's tip, on the body's x axis.
   struct Gripper {
@@ -106,9 +126,14 @@ struct EntityModel {
   };
   std::optional<Gripper> gripper;
 
-  std::map<std::string, Mount> mounts;         ///< URDF frames by link name, relative to the body
-  std::vector<Eigen::Vector3d> led_positions;  ///< LED 0 first; the points, at most 64, at which cameras see colour [m]
-  std::string urdf;                            ///< the whole URDF text; empty if there is none
+  /// @return what the model lacks of a mechanism, in words: "wheels", "joint 'turret'"; "" if it has it
+  std::string missingPart(const Mechanism& mechanism) const;
+
+  std::map<std::string, Mount> mounts;  ///< URDF frames by link name, relative to the body
+  std::vector<Eigen::Vector3d>
+      led_positions;                 ///< LED 0 first; the points, at most kMaxLeds, at which cameras see colour [m]
+  std::vector<std::string> devices;  ///< device types that the description of a robot lists
+  std::string urdf;                  ///< the whole URDF text; empty if there is none
 
   /// Fills `lowest`, `highest` and the two radii from `shapes`.
   void measureShapes();
@@ -122,18 +147,20 @@ struct EntityModel {
 
 /// Reads a robot's URDF. The root link is `base_link`, the body frame. Links' collision elements (boxes, cylinders,
 /// spheres) become shapes, all links become mounts, both placed with all joints at zero. Revolute and continuous joints
-/// become joints (at most EntityModel::kMaxJoints). By name: `left_wheel` and `right_wheel`
-/// joints (continuous, axis y, with a limit of velocity; their child links' widest cylinder is the wheel) make a
-/// differential drive; a link `gripper_tip` makes a gripper; links `led_0`, `led_1`, ... (at most
-/// EntityModel::kMaxLeds) make LEDs; a link `gripping_strip` with a cylinder collision makes a gripping strip (it is
-/// not a shape).
+/// become joints. The element <swarmanoid> below <robot> says which joints are wheels (continuous, axis y, with a limit
+/// of velocity; their child links' widest cylinder is the wheel), which links are holders, LEDs (`led_0`, `led_1`, ...,
+/// at most EntityModel::kMaxLeds) or a gripping strip (it is not a shape), and which devices the robot carries.
 /// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 
-/// The model of a robot type of this installation (`swarmanoid_description/urdf/<type>.urdf`); loaded once a process.
-/// Thread-safe.
-/// @throws ConfigError if there is no such robot
+/// The model of a robot type of this installation: of <type>.urdf in a folder that a package exports in its
+/// package.xml, as <export><swarmanoid robots="${prefix}/urdf"/></export>. Loaded once a process. Thread-safe.
+/// @throws ConfigError if there is no such robot, or if there are two
 std::shared_ptr<const EntityModel> robotModel(const std::string& type);
+
+/// Loads all robots of this installation. Thread-safe.
+/// @return what is wrong with them, and with the packages that bring them, a message each
+std::vector<std::string> robotProblems();
 
 /// A solid upright box with the origin at its centre. @param size lengths along x, y, z [m]
 /// @param mass [kg]; 0: it is fixed to the ground

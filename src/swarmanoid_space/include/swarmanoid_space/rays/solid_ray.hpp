@@ -18,7 +18,7 @@ double closestHit(const Segment& segment, const EntityModel& model, const Pose& 
 constexpr double kLedHeight = 0.005;
 
 /// LEDs of one entity: bit k belongs to EntityModel::led_positions[k].
-using LedSet = std::bitset<64>;
+using LedSet = std::bitset<EntityModel::kMaxLeds>;
 
 /// Which of an entity's LEDs its own shapes hide from an eye, by standing between the two.
 ///
@@ -29,6 +29,7 @@ using LedSet = std::bitset<64>;
 ///
 /// @param joints states of the model's joints; @param eye in the body frame [m]; @param asked others are left out
 /// Thread-safe.
-LedSet hiddenLeds(const EntityModel& model, const JointState* joints, const Eigen::Vector3d& eye, const LedSet& asked);
+LedSet hiddenLeds(const EntityModel& model, Span<const JointState> joints, const Eigen::Vector3d& eye,
+                  const LedSet& asked);
 
 }  // namespace swarmanoid

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/expects.hpp"
-#include "swarmanoid_space/state/entities.hpp"
+#include "swarmanoid_space/state/row.hpp"
 
 namespace swarmanoid {
 
@@ -31,10 +31,6 @@ class Bank final : public BankBase {
   /// A slot with the device's initial value. @pre the entity has none
   Device& add(Row row) {
     SWARMANOID_EXPECTS(find(row) == nullptr);
-    const auto index = static_cast<std::size_t>(row);
-    if (slot_of_row_.size() <= index) {
-      slot_of_row_.resize(index + 1, nullptr);
-    }
     if (holes_.empty()) {
       chunks_.push_back(std::make_unique<Device[]>(kChunkSize));
       for (std::size_t i = kChunkSize; i > 0; --i) {
@@ -44,21 +40,18 @@ class Bank final : public BankBase {
     Device* slot = holes_.back();
     holes_.pop_back();
     *slot = Device{};
-    slot_of_row_[index] = slot;
+    slot_of_row_.fit(row) = slot;
     return *slot;
   }
 
   void remove(Row row) override {
     if (Device* slot = find(row)) {
       holes_.push_back(slot);
-      slot_of_row_[static_cast<std::size_t>(row)] = nullptr;
+      slot_of_row_[row] = nullptr;
     }
   }
 
-  Device* find(Row row) const {
-    const auto index = static_cast<std::size_t>(row);
-    return index < slot_of_row_.size() ? slot_of_row_[index] : nullptr;
-  }
+  Device* find(Row row) const { return slot_of_row_.has(row) ? slot_of_row_[row] : nullptr; }
 
   void* findSlot(Row row) override { return find(row); }
 
@@ -67,7 +60,7 @@ class Bank final : public BankBase {
 
   std::vector<std::unique_ptr<Device[]>> chunks_;
   std::vector<Device*> holes_;
-  std::vector<Device*> slot_of_row_;
+  ByRow<Device*> slot_of_row_;
 };
 
 /// The banks of one purpose (readings, commands or actuation), by device type.
@@ -91,6 +84,16 @@ class Banks {
     const auto bank = banks_.find(type);
     return bank == banks_.end() ? nullptr : bank->second->findSlot(row);
   }
+  /// Calls visit(type, device) for each device of an entity, in the order of their types.
+  template <class Visit>
+  void visit(Row row, Visit visit) const {
+    for (const auto& [type, bank] : banks_) {
+      if (const void* device = bank->findSlot(row)) {
+        visit(type, device);
+      }
+    }
+  }
+
   void* find(const std::string& type, Row row) { return const_cast<void*>(std::as_const(*this).find(type, row)); }
 
   void clear() { banks_.clear(); }

@@ -1,4 +1,4 @@
-/// All entities, as arrays: one row an entity (thesis 3.4: identifier, position, heading).
+/// All entities, as columns: one row an entity (thesis 3.4: identifier, position, heading).
 ///
 /// A row is reused after its entity is deleted; an entity number never is. Whatever must not depend on history (hashes,
 /// random streams, orders) goes by entity number, which is what `order` is sorted by.
@@ -16,14 +16,9 @@
 
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
+#include "swarmanoid_space/state/column.hpp"
 
 namespace swarmanoid {
-
-using Row = std::int32_t;            ///< where an entity stands in the arrays; valid within a tick
-using EntityNumber = std::uint64_t;  ///< an entity for ever; the first is 1, 0 is no entity
-
-constexpr Row kNoRow = -1;
-constexpr EntityNumber kNoEntity = 0;
 
 /// Position and orientation in W.
 struct Pose {
@@ -46,13 +41,16 @@ Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles);
 /// The inverse: alpha and gamma from -pi to pi, beta from -pi/2 to pi/2 [rad]; at the ends of beta alpha is 0.
 Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& orientation);
 
+void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Pose& pose);
+void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Twist& twist);
+
 class Entities {
  public:
-  /// @pre no entity has that name
+  /// The entity has the defaults in all columns but those of the arguments. @pre no entity has that name
   Row add(const std::string& name, std::shared_ptr<const EntityModel> model, const Pose& pose, Color color);
   void remove(Row row);
   /// Forgets everything, entity numbers too.
-  void clear() { *this = Entities(); }
+  void clear();
 
   /// @return kNoRow if there is none
   Row find(const std::string& name) const;
@@ -60,23 +58,26 @@ class Entities {
 
   std::size_t size() const { return order.size(); }
   /// One more than the highest row in use; rows below may be holes.
-  std::size_t rowCount() const { return number.size(); }
-  bool isAlive(Row row) const { return number[static_cast<std::size_t>(row)] != kNoEntity; }
+  std::size_t rowCount() const { return columns.rowCount(); }
+  bool isAlive(Row row) const { return number[row] != kNoEntity; }
 
   std::vector<Row> order;  ///< living rows, by entity number
 
-  // Columns, by row. `pose` and `twist` are written by the engine that moves the entity, and by nothing else.
-  std::vector<EntityNumber> number;
-  std::vector<std::string> name;
-  std::vector<std::shared_ptr<const EntityModel>> model;
-  std::vector<Pose> pose;
-  std::vector<Twist> twist;
-  std::vector<Color> color;  ///< of the entity's own surface (preys); black: none that a camera would see
+  Columns columns;  ///< all of the space
+
+  // `pose` and `twist` are written by the engine that moves the entity, and by nothing else.
+  Column<EntityNumber> number{columns, {"number", Writer::kBetweenTicks}};
+  Column<std::string> name{columns, {"name", Writer::kBetweenTicks}};
+  Column<std::shared_ptr<const EntityModel>> model{columns, {"model", Writer::kBetweenTicks}};
+  Column<Pose> pose{columns, {"pose", Writer::kMove, Visits::kHash}};
+  Column<Twist> twist{columns, {"twist", Writer::kMove, Visits::kHash}};
+  /// Of the entity's own surface (preys); black: none that a camera would see.
+  Column<Color> color{columns, {"color", Writer::kBetweenTicks, Visits::kRecordings}};
 
  private:
   std::vector<Row> holes_;
   std::unordered_map<std::string, Row> row_by_name_;
-  EntityNumber last_number_ = 0;
+  std::uint64_t last_number_ = 0;
 };
 
 }  // namespace swarmanoid

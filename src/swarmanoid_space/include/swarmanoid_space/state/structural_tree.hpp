@@ -15,9 +15,9 @@ namespace swarmanoid {
 
 class StructuralTree {
  public:
-  /// Rows up to `row_count` exist from now on, gripping nothing.
-  void resize(std::size_t row_count);
-  void clear();
+  explicit StructuralTree(Columns& columns)
+      : parent_(columns, {"gripped", Writer::kConnect, Visits::kHash}, kNoRow),
+        children_(columns, {"grippers", Writer::kConnect}) {}
 
   /// @return false, and nothing changes, if `gripper` already grips something or the grip would close a loop
   bool connect(Row gripper, Row gripped);
@@ -26,16 +26,26 @@ class StructuralTree {
   /// Lets go of everything that `row` grips or is gripped by, such as before it is deleted.
   void isolate(Row row);
 
-  Row grippedBy(Row gripper) const { return parent_[static_cast<std::size_t>(gripper)]; }
-  const std::vector<Row>& grippersOf(Row gripped) const { return children_[static_cast<std::size_t>(gripped)]; }
+  Row grippedBy(Row gripper) const { return parent_[gripper]; }
+  const std::vector<Row>& grippersOf(Row gripped) const { return children_[gripped]; }
   /// The entity at the bottom of the structure that `row` belongs to; itself if it grips nothing.
   Row root(Row row) const;
   /// All members of `row`'s structure: the root first, then the others, parents before children.
   std::vector<Row> members(Row row) const;
 
  private:
-  std::vector<Row> parent_;
-  std::vector<std::vector<Row>> children_;
+  /// Has room for a few from the start, in copies too, so that a grip allocates nothing.
+  struct Grippers : std::vector<Row> {
+    Grippers() { reserve(2); }
+    Grippers(const Grippers& other) : Grippers() { assign(other.begin(), other.end()); }
+    Grippers(Grippers&&) noexcept = default;
+    Grippers& operator=(const Grippers&) = default;
+    Grippers& operator=(Grippers&&) noexcept = default;
+    ~Grippers() = default;
+  };
+
+  Column<Row> parent_;
+  Column<Grippers> children_;
 };
 
 }  // namespace swarmanoid

@@ -56,13 +56,12 @@ void ControllerRecorder::record(const Space& space, BagWriter& bag) {
     return;
   }
   for (const Row row : space.entities.order) {
-    const auto i = static_cast<std::size_t>(row);
-    const ControllerState& controller = space.controllers[i];
-    if (controller.status == StepStatus::kNothing || !isWanted(space.entities.name[i])) {
+    const ControllerState& controller = space.controllers[row];
+    if (controller.status == StepStatus::kNothing || !isWanted(space.entities.name[row])) {
       continue;
     }
-    Recorded& recorded = recorded_[space.entities.name[i]];
-    const bool is_new = recorded.number != space.entities.number[i] || recorded.starts != controller.starts ||
+    Recorded& recorded = recorded_[space.entities.name[row]];
+    const bool is_new = recorded.number != space.entities.number[row] || recorded.starts != controller.starts ||
                         recorded.registration.run != space.run;
     if (is_new) {
       start(space, row, recorded, bag);
@@ -72,23 +71,21 @@ void ControllerRecorder::record(const Space& space, BagWriter& bag) {
 }
 
 void ControllerRecorder::start(const Space& space, Row row, Recorded& recorded, BagWriter& bag) {
-  const auto i = static_cast<std::size_t>(row);
-  const ControllerState& controller = space.controllers[i];
-  recorded.number = space.entities.number[i];
+  const ControllerState& controller = space.controllers[row];
+  recorded.number = space.entities.number[row];
   recorded.starts = controller.starts;
   recorded.registration.run = space.run;
   recorded.registration.seed = space.seed;
   recorded.registration.clocktick = space.clocktick;
-  recorded.registration.robots = {describeRobot(*space.robots[i], *controller.description)};
+  recorded.registration.robots = {describeRobot(*space.robots[row], *controller.description)};
   swarmanoid_msgs::ControllerStart message;
   message.header.stamp = toRosTime(timeOf(space));
   toMessage(recorded.registration, 0, message);
-  bag.writeLatched(topicOf(space.entities.name[i], "start"), bagTimeOf(space), message);
+  bag.writeLatched(topicOf(space.entities.name[row], "start"), bagTimeOf(space), message);
 }
 
 void ControllerRecorder::writeTick(const Space& space, Row row, const Recorded& recorded, BagWriter& bag) {
-  const auto i = static_cast<std::size_t>(row);
-  const std::string& name = space.entities.name[i];
+  const std::string& name = space.entities.name[row];
   const RemoteRobot& robot = recorded.registration.robots.front();
   sensors_.stamp = tickOf(space);
   sensors_.seed = space.seed;
@@ -99,7 +96,7 @@ void ControllerRecorder::writeTick(const Space& space, Row row, const Recorded& 
   sensors.number(std::uint8_t{1});
   writeReadings(space, row, robot.sensors, sensors);
 
-  const StepStatus status = space.controllers[i].status;
+  const StepStatus status = space.controllers[row].status;
   commands_.stamp = sensors_.stamp;
   commands_.data.clear();
   ByteWriter commands(commands_.data);
@@ -108,7 +105,7 @@ void ControllerRecorder::writeTick(const Space& space, Row row, const Recorded& 
     commands.text(failureOf(name, space));
   } else {
     writeCommands(space, row, robot.actuators, commands);
-    writeDebugValues(space.robots[i]->debugValues(), commands);
+    writeDebugValues(space.robots[row]->debugValues(), commands);
   }
   toMessage(sensors_, sensors_message_);
   toMessage(commands_, commands_message_);

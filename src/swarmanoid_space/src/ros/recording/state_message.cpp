@@ -1,50 +1,45 @@
 #include "state_message.hpp"
 
-#include "../../visit_state.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
 namespace {
 
-class MessageVisitor {
+class MessageVisitor final : public StateVisitor {
  public:
   MessageVisitor(const Space& space, swarmanoid_msgs::NamedState& message) : space_(space), message_(message) {}
 
-  void beginEntity(Row row) { owner_ = space_.entities.name[static_cast<std::size_t>(row)]; }
-  void beginWorld() { owner_ = ""; }
+  void beginEntity(Row row) override { owner_ = space_.entities.name[row]; }
+  void beginWorld() override { owner_ = ""; }
 
-  template <class Value>
-  void number(const FieldName& name, Value value) {
-    add(nameOf(name), static_cast<double>(value));
-  }
-  void vector(const FieldName& name, const Eigen::Vector3d& value) {
+  void number(const FieldName& name, double value) override { add(nameOf(name), value); }
+  void vector(const FieldName& name, const Eigen::Vector3d& value) override {
     const std::string begin = nameOf(name);
     add(begin + "/x", value.x());
     add(begin + "/y", value.y());
     add(begin + "/z", value.z());
   }
-  void quaternion(const FieldName& name, const Eigen::Quaterniond& value) {
+  void quaternion(const FieldName& name, const Eigen::Quaterniond& value) override {
     vector(name, value.vec());
     add(nameOf(name) + "/w", value.w());
   }
-  void colors(const FieldName& name, const Color* first, std::size_t count) {
-    for (std::size_t i = 0; i < count; ++i) {
+  void colors(const FieldName& name, Span<const Color> values) override {
+    for (std::size_t i = 0; i < values.size(); ++i) {
       const std::string begin = nameOf(name) + "/" + std::to_string(i);
-      add(begin + "/red", first[i].red);
-      add(begin + "/green", first[i].green);
-      add(begin + "/blue", first[i].blue);
+      add(begin + "/red", values[i].red);
+      add(begin + "/green", values[i].green);
+      add(begin + "/blue", values[i].blue);
     }
   }
-  void entity(const FieldName& name, EntityNumber number) {
-    const Row row = number == kNoEntity ? kNoRow : space_.entities.find(number);
-    text(name, row == kNoRow ? std::string() : space_.entities.name[static_cast<std::size_t>(row)]);
+  void entity(const FieldName& name, Row value) override {
+    text(name, value == kNoRow ? std::string_view() : std::string_view(space_.entities.name[value]));
   }
-  void ordinal(std::uint64_t) {}
-  void text(const FieldName& name, const std::string& value) {
+  void ordinal(std::size_t) override {}
+  void text(const FieldName& name, std::string_view value) override {
     text_names_.push_back(nameOf(name));
-    message_.texts.push_back(value);
+    message_.texts.emplace_back(value);
   }
-  MessageVisitor* detail() { return this; }
+  bool wantsDetail() const override { return true; }
 
   /// Of numbers, then of texts.
   std::vector<std::string> takeNames() {
@@ -83,7 +78,7 @@ const swarmanoid_msgs::NamedState& StateMessage::write(const Space& space) {
   message_.numbers.clear();
   message_.texts.clear();
   MessageVisitor visitor(space, message_);
-  StateVisit(space, visitor).run();
+  visitState(space, visitor);
   std::vector<std::string> names = visitor.takeNames();
   message_.names.clear();
   if (names != names_) {

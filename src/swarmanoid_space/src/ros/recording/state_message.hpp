@@ -1,4 +1,4 @@
-/// All named state of a space as a message, to compare runs by. Fields, units and frames: visit_state.hpp.
+/// All named state of a space as a message, to compare runs by. Fields, units and frames: state/state_visitor.hpp.
 ///
 /// Threads  one at a time. Allocates each time: only for runs that ask for it.
 #pragma once

@@ -1,0 +1,33 @@
+/// The checks of a device, which register themselves while the library loads:
+///
+///     std::vector<Check> sonarChecks(Bench& bench) { ... }
+///     const ChecksRegistration sonar_checks({Sonar::kType, sonarChecks});
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "bench.hpp"
+#include "check.hpp"
+
+namespace swarmanoid::conformance {
+
+struct DeviceChecks {
+  std::string device;  ///< Device::kType
+  std::vector<Check> (*make)(Bench& bench) = nullptr;
+  /// Changes what is usual at the place where robots with the device are tested; null: nothing.
+  void (*prepare)(Surroundings& usual) = nullptr;
+  /// Commands rest, of an actuator that moves the robot; null for others.
+  void (*rest)(const Bench& bench) = nullptr;
+  /// Returns the readings of a camera; null for devices that are none.
+  const ColorBlobs* (*look)(const Bench& bench) = nullptr;
+};
+
+/// Returns the checks of all devices, sorted by device.
+const std::vector<DeviceChecks>& deviceChecks();
+
+struct ChecksRegistration {
+  explicit ChecksRegistration(DeviceChecks checks);
+};
+
+}  // namespace swarmanoid::conformance

@@ -1,0 +1,16 @@
+// A footbot's camera sees beacon and prey where they are.
+#include "../checks.hpp"
+
+namespace swarmanoid::conformance {
+namespace {
+
+const ChecksRegistration footbot_camera_checks(
+    {FootbotCamera::kType, [](Bench& bench) -> std::vector<Check> { return {camera(bench, FootbotCamera::kType)}; },
+     [](Surroundings& usual) {
+       usual.beacon_distance = 1.0;
+       usual.prey_distance = 0.5;
+     },
+     nullptr, [](const Bench& bench) -> const ColorBlobs* { return bench.sensor<FootbotCamera>(); }});
+
+}  // namespace
+}  // namespace swarmanoid::conformance

@@ -1,0 +1,16 @@
+// The wheels of any robot have no check of their own: that of its differential drive is by the same motion. They rest
+// between checks.
+#include "swarmanoid_interface/devices/wheels.hpp"
+#include "../checks.hpp"
+
+namespace swarmanoid::conformance {
+namespace {
+
+std::vector<Check> noChecks(Bench& /*bench*/) { return {}; }
+
+void restAnyWheels(const Bench& bench) { *bench.actuator<Wheels>() = Wheels{}; }
+
+const ChecksRegistration any_wheels_checks({Wheels::kType, noChecks, nullptr, restAnyWheels});
+
+}  // namespace
+}  // namespace swarmanoid::conformance

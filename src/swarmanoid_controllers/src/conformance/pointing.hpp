@@ -1,0 +1,18 @@
+/// Stages of checks in which an eyebot points with its laser.
+#pragma once
+
+#include "checks.hpp"
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
+
+namespace swarmanoid::conformance {
+
+constexpr double kTilt = 0.3;  ///< of the laser, where a check does not say another [rad]
+
+/// Points somewhere [rad], stands still, then judges.
+inline Stage point(Bench& bench, double pan, double tilt, std::function<void()> judge) {
+  Stage stage = settle(bench, std::move(judge));
+  stage.begin = [&bench, pan, tilt] { *bench.actuator<EyebotLaser>() = {true, pan, tilt}; };
+  return stage;
+}
+
+}  // namespace swarmanoid::conformance

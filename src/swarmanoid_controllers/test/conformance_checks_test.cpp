@@ -1,0 +1,138 @@
+// Which checks the conformance test does on a robot, and in which order.
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <stdexcept>
+
+#include "../src/conformance/checks.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid::conformance {
+namespace {
+
+struct Whistle {
+  static constexpr const char* kType = "whistle_of_a_test";
+  double loudness = 0.0;
+};
+template <class Visitor>
+void fields(Visitor& visit, Whistle& whistle) {
+  visit(whistle.loudness, {"loudness"});
+}
+REGISTER_DEVICE(Whistle, kActuator, "Makes a noise.")
+
+int rests = 0;
+const ChecksRegistration whistle_checks({Whistle::kType,
+                                         [](Bench&) -> std::vector<Check> {
+                                           return {{"whistles", {Whistle::kType}, "", {}, {}}};
+                                         },
+                                         [](Surroundings& usual) { usual.wall_distance = 3.0; },
+                                         [](const Bench&) { ++rests; }});
+
+/// A robot with devices at rest.
+struct TestRobot {
+  TestRobot(const std::string& type, const std::vector<std::string>& devices) : robot("r", type, 1) {
+    for (const std::string& name : devices) {
+      const DeviceType& device = *findDeviceType(name);
+      values.push_back(device.make());
+      if (device.kind == DeviceKind::kSensor) {
+        robot.provideSensor(name, values.back().get());
+      } else {
+        robot.provideActuator(name, values.back().get());
+      }
+    }
+  }
+
+  std::vector<std::shared_ptr<void>> values;
+  Robot robot;
+};
+
+std::vector<std::string> namesOf(const std::vector<Check>& checks) {
+  std::vector<std::string> names;
+  for (const Check& check : checks) {
+    names.push_back(check.name);
+  }
+  return names;
+}
+
+std::vector<std::string> checksOf(const std::string& type, const std::vector<std::string>& devices,
+                                  const Configuration& parameters = {"parameters", "", {}}) {
+  TestRobot robot(type, devices);
+  Bench bench(robot.robot, parameters);
+  return namesOf(checksFor(bench));
+}
+
+using Names = std::vector<std::string>;
+
+TEST(ConformanceChecks, OfARobotsOwnDevicesAreInTheirOrder) {
+  EXPECT_EQ((Names{"footbot_leds", "footbot_camera", "wheels_ahead", "wheels_left", "footbot_proximity",
+                   "gripper_closes", "footbot_turret", "gripper_opens"}),
+            checksOf("footbot", {"footbot_wheels"}))
+      << "those that are not listed too: they are named as unchecked";
+  EXPECT_EQ((Names{"eyebot_leds", "eyebot_camera", "velocity_in_the_plane", "yaw_left", "eyebot_laser", "velocity_up",
+                   "eyebot_magnet"}),
+            checksOf("eyebot", {}));
+  EXPECT_EQ((Names{"handbot_arms", "handbot_hands", "handbot_rope"}), checksOf("handbot", {}));
+}
+
+TEST(ConformanceChecks, OfOtherRobotsAreThoseOfTheirDevices) {
+  EXPECT_EQ(Names{}, checksOf("epuck", {}));
+  EXPECT_EQ(Names{"whistles"}, checksOf("epuck", {Whistle::kType}));
+  EXPECT_EQ("whistles", checksOf("handbot", {Whistle::kType}).back());
+}
+
+TEST(ConformanceChecks, AnObserverLooksThroughTheCameraThatIsListed) {
+  Configuration parameters("parameters", "", {});
+  parameters.set("role", "observer");
+  TestRobot with("eyebot", {"eyebot_camera", Whistle::kType});
+  Bench bench(with.robot, parameters);
+  const std::vector<Check> checks = checksFor(bench);
+  ASSERT_EQ(Names{"leds_of_the_other"}, namesOf(checks));
+  EXPECT_EQ(Names{"eyebot_camera"}, checks[0].devices);
+  EXPECT_EQ("", checks[0].obstacle);
+  TestRobot without("eyebot", {Whistle::kType});
+  Bench blind(without.robot, parameters);
+  EXPECT_EQ("no camera is listed", checksFor(blind)[0].obstacle);
+}
+
+TEST(ConformanceChecks, UsualSurroundingsFollowFromTheDevicesThatAreListed) {
+  const Configuration none("parameters", "", {});
+  TestRobot footbot("footbot", {"footbot_camera", "footbot_proximity"});
+  Bench ground(footbot.robot, none);
+  EXPECT_EQ(1.0, ground.surroundings().beacon_distance);
+  EXPECT_EQ(0.4, ground.surroundings().wall_distance);
+  EXPECT_EQ(0.5, ground.settlingTime());
+  TestRobot eyebot("eyebot", {"eyebot_camera", "eyebot_velocity", Whistle::kType});
+  Configuration parameters("parameters", "", {});
+  parameters.set("beacon_distance", "0.7");
+  Bench air(eyebot.robot, parameters);
+  EXPECT_EQ(0.7, air.surroundings().beacon_distance) << "what a parameter says";
+  EXPECT_EQ(0.6, air.surroundings().prey_distance);
+  EXPECT_EQ(3.0, air.surroundings().wall_distance) << "what the whistle says";
+  EXPECT_EQ(2.0, air.settlingTime());
+}
+
+TEST(ConformanceChecks, RestIsCommandedToTheDevicesThatAreListed) {
+  const Configuration none("parameters", "", {});
+  TestRobot loud("epuck", {Whistle::kType});
+  TestRobot quiet("epuck", {});
+  rests = 0;
+  Bench(quiet.robot, none).rest();
+  EXPECT_EQ(0, rests);
+  Bench(loud.robot, none).rest();
+  EXPECT_EQ(1, rests);
+}
+
+TEST(ConformanceChecks, WhatIsShownComesFirstAndEachComesAfterThoseThatItNames) {
+  Check shown{"shown", {}, "", {}, {}};
+  shown.is_only_shown = true;
+  const Check needs{"needs", {}, "", {"other"}, {}};
+  Check follows{"follows", {}, "", {}, {}};
+  follows.follows = {"needs", "is not done here"};
+  const Check other{"other", {}, "", {}, {}};
+  EXPECT_EQ((Names{"shown", "other", "needs", "follows"}), namesOf(inOrder({follows, needs, other, shown})));
+  const Check circle{"other", {}, "", {"needs"}, {}};
+  EXPECT_THROW(inOrder({needs, circle}), std::logic_error);
+}
+
+}  // namespace
+}  // namespace swarmanoid::conformance

@@ -1,0 +1,29 @@
+// The wheels of any robot with a differential drive, by speed and turn rate.
+#include "swarmanoid_interface/devices/differential_drive.hpp"
+
+#include "wheel_drive.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class DifferentialDriveActuator final : public WheelDriveActuator<DifferentialDrive> {
+ public:
+  static PluginDescription describe() {
+    return describeDrive("Speed and turn rate; each wheel is limited to its motor's maximum.");
+  }
+
+ protected:
+  Speeds toSpeeds(const DifferentialDrive& command, const EntityModel::Wheels& wheels) const override {
+    const double difference = 0.5 * command.turn_rate * wheels.separation;
+    return {(command.speed - difference) / wheels.radius, (command.speed + difference) / wheels.radius};
+  }
+  void fromSpeeds(const Speeds& speeds, const EntityModel::Wheels& wheels, DifferentialDrive& command) const override {
+    command.speed = 0.5 * (speeds.left + speeds.right) * wheels.radius;
+    command.turn_rate = (speeds.right - speeds.left) * wheels.radius / wheels.separation;
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::DifferentialDriveActuator)

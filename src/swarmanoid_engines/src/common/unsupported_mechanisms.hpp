@@ -1,0 +1,15 @@
+/// What all engines ask of the mechanisms of an entity that they are to move.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_space/engine.hpp"
+
+namespace swarmanoid {
+
+/// Why such an entity cannot be moved with these devices: it has no shape, not the mechanisms that they work with, or
+/// two of them would drive it; "" if nothing speaks against it.
+std::string unsupportedMechanismsReason(const EntityModel& model, const std::vector<DeviceUse>& devices);
+
+}  // namespace swarmanoid

@@ -1,0 +1,32 @@
+// An eyebot's camera looks down into a cone.
+#include <cmath>
+
+#include "../mock_device.hpp"
+#include "../sight.hpp"
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
+
+namespace swarmanoid::mock {
+namespace {
+
+class MockEyebotCamera final : public MockDevice {
+ public:
+  MockEyebotCamera(EyebotCamera& readings, MockState& /*state*/) : readings_(readings) {}
+
+  void sense(const MockState& state) override {
+    const double camera = state.pose.position.z() + EyebotCamera::kMount;
+    const double slope = std::tan(EyebotCamera::kUsualAperture);
+    blobs_ = blobsInView(state, [=](double horizontal, double height) {
+      return horizontal <= EyebotCamera::kUsualRange && horizontal <= slope * (camera - height);
+    });
+    readings_.blobs = blobs_;
+  }
+
+ private:
+  EyebotCamera& readings_;
+  std::vector<ColorBlob> blobs_;
+};
+
+REGISTER_MOCK_DEVICE(EyebotCamera, MockEyebotCamera)
+
+}  // namespace
+}  // namespace swarmanoid::mock

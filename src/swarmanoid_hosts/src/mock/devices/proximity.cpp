@@ -1,0 +1,39 @@
+// The infrared sensors of any robot feel the walls of the world, from a ring that the world's values describe.
+#include "swarmanoid_interface/devices/proximity.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "../mock_device.hpp"
+#include "swarmanoid_interface/angle.hpp"
+
+namespace swarmanoid::mock {
+namespace {
+
+class MockProximity final : public MockDevice {
+ public:
+  MockProximity(Proximity& readings, MockState& /*state*/) : readings_(readings) {}
+
+  void sense(const MockState& state) override {
+    const World::Ring& ring = state.world.ring;
+    sensors_.resize(ring.sensors);
+    for (std::size_t i = 0; i < ring.sensors; ++i) {
+      const double angle = wrapAngle(2.0 * M_PI * static_cast<double>(i) / static_cast<double>(ring.sensors));
+      const double distance =
+          distanceToWall(state.world, state.pose.position.head<2>(), state.pose.yaw + angle) - ring.radius;
+      const double fraction = std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0);
+      sensors_[i] = {Proximity::response(fraction), static_cast<float>(angle)};
+    }
+    readings_.sensors = sensors_;
+  }
+
+ private:
+  Proximity& readings_;
+  std::vector<ProximityReading> sensors_;
+};
+
+REGISTER_MOCK_DEVICE(Proximity, MockProximity)
+
+}  // namespace
+}  // namespace swarmanoid::mock

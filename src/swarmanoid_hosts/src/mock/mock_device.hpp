@@ -1,0 +1,64 @@
+/// Base of mock devices: what a device of a mock robot does. Each is a file in devices/, which the build finds by
+/// itself:
+///
+///     class MockSonar final : public MockDevice {
+///      public:
+///       MockSonar(Sonar& sonar, MockState&) : sonar_(sonar) {}
+///       void sense(const MockState& state) override { sonar_.range = ...; }
+///
+///      private:
+///       Sonar& sonar_;
+///     };
+///     REGISTER_MOCK_DEVICE(Sonar, MockSonar)
+///
+/// A device without such a file gets the generic mock: a sensor says what it says at rest, an actuator takes commands
+/// and stops safely, without effect. A law that simulator and mock share stands in the device's header.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "mock_state.hpp"
+#include "swarmanoid_interface/registry.hpp"
+
+namespace swarmanoid::mock {
+
+/// The functions of all devices are called in the order of the phases: all act, the robot moves, all follow, all
+/// sense. Within a phase they are called in the order of their types.
+class MockDevice {
+ public:
+  MockDevice() = default;
+  virtual ~MockDevice() = default;
+  MockDevice(const MockDevice&) = delete;
+  MockDevice& operator=(const MockDevice&) = delete;
+
+  /// Carries out a command: turns joints, sets the velocity with which the robot moves next. @param dt [s]
+  virtual void act(MockState& /*state*/, double /*dt*/) {}
+  /// Carries out what depends on the place to which the robot has moved: what is held goes with it.
+  virtual void follow(MockState& /*state*/) {}
+  /// Writes readings.
+  virtual void sense(const MockState& /*state*/) {}
+  /// Whether drivers publish the device's command as its state, at each change: people can see it.
+  virtual bool isShown() const { return false; }
+};
+
+/// @param device the device's struct, which outlives the mock
+using MakeMockDevice = std::unique_ptr<MockDevice> (*)(void* device, MockState& state);
+
+/// @return null for devices that have the generic mock
+MakeMockDevice findMockDevice(const std::string& type);
+
+struct MockDeviceRegistration {
+  MockDeviceRegistration(const std::string& type, MakeMockDevice make);
+};
+
+}  // namespace swarmanoid::mock
+
+/// @param Mock a class with a constructor that takes the device and the state, in which it may set what is usual at the
+/// start: it is called once, before the parameters of the world's file are applied
+#define REGISTER_MOCK_DEVICE(Device, Mock)                                                                         \
+  static const ::swarmanoid::mock::MockDeviceRegistration SWARMANOID_CONCATENATE(mock_registration_, __COUNTER__)( \
+      Device::kType,                                                                                               \
+      [](void* device, ::swarmanoid::mock::MockState& state) -> std::unique_ptr<::swarmanoid::mock::MockDevice> {  \
+        return std::make_unique<Mock>(*static_cast<Device*>(device), state);                                       \
+      });

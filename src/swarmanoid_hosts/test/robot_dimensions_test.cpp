@@ -1,0 +1,92 @@
+// What device headers say of the robots' bodies and motors is what the robots' URDF says.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+#include <sstream>
+
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/eyebot_laser.hpp"
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+#include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
+
+namespace swarmanoid {
+namespace {
+
+constexpr double kRounding = 1e-9;
+
+std::string urdfOf(const std::string& robot) {
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(DESCRIPTION)) {
+    if (entry.path().filename() == robot + ".urdf") {
+      std::ifstream in(entry.path());
+      return {std::istreambuf_iterator<char>(in), {}};
+    }
+  }
+  ADD_FAILURE() << "there is no " << robot << ".urdf in " << DESCRIPTION;
+  return "";
+}
+
+/// The element of a joint.
+std::string jointOf(const std::string& robot, const std::string& name) {
+  const std::string urdf = urdfOf(robot);
+  const auto begin = urdf.find("<joint name=\"" + name + "\"");
+  EXPECT_NE(std::string::npos, begin) << robot << " has no joint " << name;
+  return begin == std::string::npos ? "" : urdf.substr(begin, urdf.find("</joint>", begin) - begin);
+}
+
+/// The numbers of an attribute of the joint.
+std::vector<double> numbersOf(const std::string& robot, const std::string& joint, const std::string& attribute) {
+  const std::string element = jointOf(robot, joint);
+  std::smatch found;
+  if (!std::regex_search(element, found, std::regex(attribute + R"re(="([^"]*)")re"))) {
+    ADD_FAILURE() << robot << ": " << joint << " has no " << attribute;
+    return {0.0, 0.0, 0.0};
+  }
+  std::istringstream words(found[1]);
+  return {std::istream_iterator<double>(words), {}};
+}
+
+TEST(RobotDimensions, OfFootbots) {
+  const std::vector<double> wheel = numbersOf("footbot", "left_wheel", "xyz");
+  EXPECT_NEAR(FootbotWheels::kSeparation / 2.0, wheel[1], kRounding);
+  EXPECT_NEAR(FootbotWheels::kRadius, wheel[2], kRounding) << "the wheel stands on the ground";
+  EXPECT_NEAR(FootbotWheels::kFastest, numbersOf("footbot", "left_wheel", "velocity")[0], kRounding);
+  EXPECT_NEAR(FootbotTurret::kFastest, numbersOf("footbot", "turret", "velocity")[0], kRounding);
+  EXPECT_NEAR(FootbotGripper::kReach, numbersOf("footbot", "gripper_tip_joint", "xyz")[0], kRounding);
+  for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+    const std::vector<double> sensor = numbersOf("footbot", "proximity_" + std::to_string(i) + "_joint", "xyz");
+    EXPECT_NEAR(FootbotProximity::kRingRadius * std::cos(FootbotProximity::angle(i)), sensor[0], kRounding) << i;
+    EXPECT_NEAR(FootbotProximity::kRingRadius * std::sin(FootbotProximity::angle(i)), sensor[1], kRounding) << i;
+  }
+}
+
+TEST(RobotDimensions, OfEyebots) {
+  EXPECT_NEAR(EyebotCamera::kMount, numbersOf("eyebot", "camera_joint", "xyz")[2], kRounding);
+  EXPECT_NEAR(EyebotMagnet::kMount, numbersOf("eyebot", "magnet_joint", "xyz")[2], kRounding);
+  const std::vector<double> laser = numbersOf("eyebot", "laser_pointer_joint", "xyz");
+  for (std::size_t axis = 0; axis < laser.size(); ++axis) {
+    EXPECT_NEAR(EyebotLaser::kMount[axis], laser[axis], kRounding);
+  }
+}
+
+TEST(RobotDimensions, OfHandbots) {
+  EXPECT_NEAR(HandbotRope::kMount, numbersOf("handbot", "rope_launcher_joint", "xyz")[2], kRounding);
+  const DeviceType& arms = *findDeviceType(HandbotArms::kType);
+  ASSERT_EQ(HandbotArmsState::kJoints, arms.fields.size());
+  for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
+    const std::string joint = HandbotArmsState::kNames[i];
+    EXPECT_NEAR(HandbotArms::kFastest, numbersOf("handbot", joint, "velocity")[0], kRounding);
+    EXPECT_NEAR(arms.fields[i].range.minimum, numbersOf("handbot", joint, "lower")[0], kRounding) << joint;
+    EXPECT_NEAR(arms.fields[i].range.maximum, numbersOf("handbot", joint, "upper")[0], kRounding) << joint;
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid

@@ -1,0 +1,31 @@
+/// Actuator: the coloured LEDs of any robot.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid {
+
+/// Colours in the order of the LEDs: that of the robot's description. A black LED is off; colours beyond the LEDs that
+/// the robot has are not shown.
+struct Leds {
+  static constexpr const char* kType = "leds";
+  static constexpr std::size_t kMost = 64;
+
+  std::array<Color, kMost> colors{};
+
+  void setAll(Color color) { colors.fill(color); }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Leds& leds) {
+  visit(leds.colors, {"colors"});
+}
+/// The LEDs keep their colours.
+inline bool stopSafely(Leds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
+REGISTER_DEVICE(Leds, kActuator, "Coloured LEDs, as many as the robot has.")
+
+}  // namespace swarmanoid

@@ -1,0 +1,46 @@
+/// Sensor: the infrared proximity sensors of any robot, as many as it has, wherever they look.
+#pragma once
+
+#include <cmath>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/span.hpp"
+
+namespace swarmanoid {
+
+/// The reading of one sensor.
+struct ProximityReading {
+  float value = 0.0F;  ///< 0 with nothing in range, rising to 1 at contact
+  float angle = 0.0F;  ///< where the sensor looks in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
+};
+
+template <class Visitor>
+void fields(Visitor& visit, ProximityReading& reading) {
+  visit(reading.value, {"value", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
+  visit(reading.angle, {"angle", "rad", "where the sensor looks in the robot's frame", {-M_PI, M_PI}});
+}
+
+/// Readings in the order of the sensors: that of the links proximity_0, proximity_1, ... of the robot's description.
+/// The span is valid until the next tick.
+struct Proximity {
+  static constexpr const char* kType = "proximity";
+  static constexpr std::size_t kMostSensors = 64;
+  static constexpr double kUsualRange = 0.1;  ///< from a sensor, where its response has fallen to 0 [m]
+
+  Span<const ProximityReading> sensors;
+
+  /// The law by which all proximity sensors of the suite respond.
+  /// @param fraction of the range at which something is: 0 at contact, 1 at the range or beyond
+  static constexpr float response(double fraction) {
+    const double closeness = 1.0 - fraction;
+    return static_cast<float>(closeness * closeness * closeness);
+  }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Proximity& proximity) {
+  visit(proximity.sensors, {"sensors"});
+}
+REGISTER_DEVICE(Proximity, kSensor, "Infrared sensors around the body, as many as the robot has.")
+
+}  // namespace swarmanoid

@@ -1,0 +1,29 @@
+/// Actuator: the two wheels of any robot with a differential drive.
+#pragma once
+
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid {
+
+/// Angular velocities of the wheels [rad/s]; positive drives the robot forward (its x axis). How far that takes it
+/// depends on its wheels; who thinks in metres commands a DifferentialDrive.
+struct Wheels {
+  static constexpr const char* kType = "wheels";
+
+  double left = 0.0;   ///< [rad/s]
+  double right = 0.0;  ///< [rad/s]
+
+  void setAngularVelocity(double left_rad_per_s, double right_rad_per_s) {
+    left = left_rad_per_s;
+    right = right_rad_per_s;
+  }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Wheels& wheels) {
+  visit(wheels.left, {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead"});
+  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead"});
+}
+REGISTER_DEVICE(Wheels, kActuator, "Two wheels on one axle, left and right.")
+
+}  // namespace swarmanoid

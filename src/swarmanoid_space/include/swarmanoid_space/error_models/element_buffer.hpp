@@ -1,0 +1,44 @@
+/// The elements of a span, copied as bytes to a place of their own.
+///
+/// Threads  as its owner. It allocates only when it is given more than ever before.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <vector>
+
+#include "swarmanoid_interface/span.hpp"
+
+namespace swarmanoid {
+
+class ElementBuffer {
+ public:
+  /// Makes room for so many bytes.
+  void reserve(std::size_t bytes) { words_.resize(wordsOf(bytes)); }
+
+  /// @param size of an element [byte]
+  void assign(Span<const std::byte> elements, std::size_t size) {
+    if (words_.size() < wordsOf(elements.size())) {
+      reserve(elements.size());
+    }
+    if (!elements.empty()) {
+      std::memmove(words_.data(), elements.data(), elements.size());
+    }
+    count_ = elements.size() / size;
+    size_ = elements.size();
+  }
+
+  std::byte* bytes() { return reinterpret_cast<std::byte*>(words_.data()); }
+  Span<const std::byte> all() const { return {reinterpret_cast<const std::byte*>(words_.data()), size_}; }
+  std::size_t count() const { return count_; }
+
+ private:
+  static std::size_t wordsOf(std::size_t bytes) { return (bytes + sizeof(std::uint64_t) - 1) / sizeof(std::uint64_t); }
+
+  std::vector<std::uint64_t> words_;  // for the alignment of elements
+  std::size_t size_ = 0;              // in use [byte]
+  std::size_t count_ = 0;
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,88 @@
+/// The errors of a device in one controller configuration, in the order in which they act, and what is kept of them for
+/// one robot.
+///
+/// Threads  the chain is const after it is configured; states of different robots may be used at the same time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "swarmanoid_space/error_models/error_model.hpp"
+#include "swarmanoid_space/error_models/error_model_description.hpp"
+
+namespace swarmanoid {
+
+/// The description of a device's fields. @throws ConfigError if REGISTER_DEVICE does not stand below its struct
+const DeviceType& requireDeviceType(const std::string& type, const SourceLocation& location);
+
+/// Checks errors of a device as ErrorChain::add does. @throws ConfigError
+void checkErrors(const std::string& device, const std::vector<ErrorModelDescription>& errors);
+
+/// What the errors of one robot's device keep from tick to tick.
+struct ErrorState {
+  static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};
+
+  std::uint64_t tick = kNoTick;         ///< of the last call
+  std::uint64_t first_tick = kNoTick;   ///< of the first one
+  std::vector<RandomStream> streams;    ///< of the aliases, then of each <error>
+  std::vector<double> memory;           ///< of the numbers of all errors, one after the other
+  std::vector<double> memory_before;    ///< the same after the tick before
+  std::vector<FieldHistory> histories;  ///< by error
+  std::vector<ElementBuffer> elements;  ///< by span of the device
+};
+
+class ErrorChain {
+ public:
+  /// @param device must outlive the chain
+  explicit ErrorChain(const DeviceType& device);
+
+  /// Adds an error that a parameter of the device means. Aliases come before all that is added with `add`, and share
+  /// the device's own random stream.
+  void addAlias(const std::string& kind, const std::string& field, const std::string& parameter, double value);
+  /// @throws ConfigError if the kind is unknown, the field is, or they do not suit each other
+  void add(const ErrorModelDescription& description);
+
+  bool isEmpty() const { return entries_.empty(); }
+  bool hasListed() const { return entries_.size() > alias_count_; }
+
+  /// Makes the state for a new robot; everything that ticks need is allocated here.
+  /// @param most_elements of a span; room is made for so many
+  ErrorState makeState(std::uint64_t seed, std::string_view entity, std::size_t most_elements) const;
+
+  /// Disturbs a device in place. Spans afterwards point to the state. Sensors' numbers are then brought back within the
+  /// ranges of their fields; commands are limited by their actuator.
+  void apply(void* device, ErrorState& state, std::uint64_t tick) const { apply(device, state, tick, 0); }
+  /// The same without the aliases.
+  void applyListed(void* device, ErrorState& state, std::uint64_t tick) const {
+    apply(device, state, tick, alias_count_);
+  }
+
+ private:
+  struct Entry {
+    std::unique_ptr<const ErrorModel> model;
+    FieldSelection fields;
+    std::uint64_t from_tick = 0;
+    std::string stream;        // what identifies it among the device's; "" for aliases
+    std::size_t stream_index;  // in ErrorState::streams
+    std::size_t memory_begin;  // in ErrorState::memory
+    std::size_t memory_size;   // 0 for errors of whole fields
+  };
+
+  Entry& append(const ErrorKind& kind, const Configuration& parameters, FieldSelection fields);
+  void useSpans(const FieldSelection& fields);
+  void limit(const FieldSelection& fields);
+  void apply(void* device, ErrorState& state, std::uint64_t tick, std::size_t first_entry) const;
+
+  const DeviceType& device_;
+  std::vector<SpanPlace> spans_;
+  std::vector<char> is_span_used_;
+  std::vector<Entry> entries_;
+  std::size_t alias_count_ = 0;
+  std::size_t memory_size_ = 0;
+  FieldSelection limited_;  // the numbers that errors change, each once
+};
+
+}  // namespace swarmanoid

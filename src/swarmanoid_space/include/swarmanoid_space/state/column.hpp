@@ -1,0 +1,193 @@
+/// The columns of the space: one value, or one list of values, an entity.
+///
+/// A column is declared once, as a member of the part of the space that it belongs to, with its name, its writer, what
+/// records it and its default. It enters itself into the list of columns, and whatever concerns all columns goes over
+/// that list: a new entity gets the defaults in each of them, nothing of a deleted one stays, hashes and recordings
+/// visit them in the order of declaration. To add a column is to write its one line.
+///
+/// Threads  columns are made, and rows come and go, only at a tick boundary; values of different entities may be
+///          written at the same time, by the phase that writes the column.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <type_traits>
+#include <vector>
+
+#include "swarmanoid_interface/span.hpp"
+#include "swarmanoid_space/state/row.hpp"
+#include "swarmanoid_space/state/state_visitor.hpp"
+
+namespace swarmanoid {
+
+/// The phase in which the values of a column change.
+enum class Writer { kBetweenTicks, kControl, kActuate, kMove, kConnect, kIndex };
+
+/// Who visits the values of a column.
+enum class Visits {
+  kNone,        ///< nobody: they are no state, or have no name outside the process
+  kRecordings,  ///< recordings, to compare runs by: they follow from other state, or have no effect on it
+  kHash         ///< recordings and the hash of the state
+};
+
+struct ColumnInfo {
+  const char* name;  ///< of the field, or of the group of fields, in recordings
+  Writer writer;
+  Visits visits = Visits::kNone;
+};
+
+class Columns;
+
+class ColumnBase {
+ public:
+  ColumnBase(const ColumnBase&) = delete;
+  ColumnBase& operator=(const ColumnBase&) = delete;
+
+  const ColumnInfo& info() const { return info_; }
+  virtual void resize(std::size_t row_count) = 0;
+  /// Gives the row its default. @param model of its entity; null: there is none any more
+  virtual void reset(Row row, const EntityModel* model) = 0;
+  virtual void visit(StateVisitor& visitor, const CellOwner& owner) const = 0;
+
+ protected:
+  ColumnBase(Columns& columns, const ColumnInfo& info);
+  virtual ~ColumnBase();
+
+ private:
+  Columns& columns_;
+  ColumnInfo info_;
+};
+
+/// The list of the columns of one space, in the order in which they were made.
+class Columns {
+ public:
+  /// Rows below `row_count` exist in all columns.
+  void resize(std::size_t row_count);
+  std::size_t rowCount() const { return row_count_; }
+  void reset(Row row, const EntityModel* model);
+  /// Visits the values of an entity: those in the hash, and the others if the visitor wants detail.
+  void visit(StateVisitor& visitor, const CellOwner& owner) const;
+  const std::vector<ColumnBase*>& all() const { return columns_; }
+
+ private:
+  friend class ColumnBase;
+
+  std::vector<ColumnBase*> columns_;
+  std::size_t row_count_ = 0;
+};
+
+namespace detail {
+
+template <class Value, class = void>
+struct HasVisitCell : std::false_type {};
+template <class Value>
+struct HasVisitCell<Value,
+                    std::void_t<decltype(visitCell(std::declval<StateVisitor&>(), "", std::declval<const CellOwner&>(),
+                                                   std::declval<const Value&>()))>> : std::true_type {};
+
+/// @pre a function `visitCell` for values of the type is declared before the column, if anybody visits it
+template <class Value>
+void visitIfNamed(StateVisitor& visitor, const ColumnInfo& info, const CellOwner& owner, const Value& value) {
+  if constexpr (HasVisitCell<Value>::value) {
+    visitCell(visitor, info.name, owner, value);
+  } else {
+    SWARMANOID_EXPECTS(info.visits == Visits::kNone);
+  }
+}
+
+}  // namespace detail
+
+/// One value an entity.
+template <class Value>
+class Column final : public ColumnBase, public ByRow<Value> {
+ public:
+  Column(Columns& columns, const ColumnInfo& info, Value initial = Value{})
+      : ColumnBase(columns, info), initial_(std::move(initial)) {
+    Column::resize(columns.rowCount());
+  }
+
+  void resize(std::size_t row_count) override {
+    if constexpr (std::is_copy_constructible_v<Value>) {
+      ByRow<Value>::resize(row_count, initial_);
+    } else {
+      ByRow<Value>::resize(row_count);
+    }
+  }
+  void reset(Row row, const EntityModel* /*model*/) override {
+    if constexpr (std::is_copy_assignable_v<Value>) {
+      (*this)[row] = initial_;
+    } else {
+      (*this)[row] = Value{};
+    }
+  }
+  void visit(StateVisitor& visitor, const CellOwner& owner) const override {
+    detail::visitIfNamed(visitor, info(), owner, (*this)[owner.row]);
+  }
+
+ private:
+  Value initial_;
+};
+
+/// A list of values an entity, as many as its model says.
+template <class Value>
+class ListColumn final : public ColumnBase {
+ public:
+  using CountOf = std::size_t (*)(const EntityModel& model);
+
+  ListColumn(Columns& columns, const ColumnInfo& info, CountOf count_of)
+      : ColumnBase(columns, info), count_of_(count_of) {
+    places_.resize(columns.rowCount());
+  }
+
+  /// @pre the row exists. Valid until an entity is added.
+  Span<Value> operator[](Row row) { return {values_.data() + places_[row].first, places_[row].count}; }
+  Span<const Value> operator[](Row row) const { return {values_.data() + places_[row].first, places_[row].count}; }
+
+  void resize(std::size_t row_count) override {
+    places_.resize(row_count);
+    if (row_count == 0) {
+      values_.clear();
+      holes_.clear();
+    }
+  }
+  void reset(Row row, const EntityModel* model) override {
+    Place& place = places_[row];
+    if (place.count > 0) {
+      holes_[place.count].push_back(place.first);
+    }
+    place = findPlace(model == nullptr ? 0 : count_of_(*model));
+    std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, Value{});
+  }
+  void visit(StateVisitor& visitor, const CellOwner& owner) const override {
+    detail::visitIfNamed(visitor, info(), owner, (*this)[owner.row]);
+  }
+
+ private:
+  struct Place {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  Place findPlace(std::size_t count) {
+    Place place{0, count};
+    if (count == 0) {
+      return place;
+    }
+    std::vector<std::size_t>& holes = holes_[count];
+    if (holes.empty()) {
+      place.first = values_.size();
+      values_.resize(values_.size() + count);
+    } else {
+      place.first = holes.back();
+      holes.pop_back();
+    }
+    return place;
+  }
+
+  CountOf count_of_;
+  ByRow<Place> places_;
+  std::vector<Value> values_;                              // of all entities
+  std::map<std::size_t, std::vector<std::size_t>> holes_;  // first values of places that are free, by their size
+};
+
+}  // namespace swarmanoid

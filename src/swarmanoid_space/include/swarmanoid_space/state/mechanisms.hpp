@@ -1,0 +1,43 @@
+/// What actuators command the mechanisms of a robot to do. Engines read nothing else of a robot's commands; what
+/// mechanisms do stands in the joints, the structural tree and the attachments of the space.
+///
+/// Phase  written in `actuate`, and when the actuator is added to its robot: from then on the mechanism is commanded.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace swarmanoid {
+
+/// Angular velocities of the wheels [rad/s].
+struct WheelsCommand {
+  bool is_driven = false;  ///< false: the robot has no actuator for them, and nothing drives or brakes it
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// In the frame that has the robot's heading and stands upright.
+struct FlightCommand {
+  bool is_driven = false;
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
+  double yaw_rate = 0.0;                             ///< [rad/s]
+};
+
+struct JointCommand {
+  enum class Mode {
+    kNone,    ///< the robot has no actuator for it
+    kAngle,   ///< turns to the angle `value` [rad], and holds it
+    kSpeed,   ///< turns at the speed `value` [rad/s]
+    kPassive  ///< the motor is off: forces turn it
+  };
+
+  Mode mode = Mode::kNone;
+  double value = 0.0;
+};
+
+struct HolderCommand {
+  bool is_commanded = false;   ///< false: the robot has no actuator for it
+  bool holds = false;          ///< takes hold of what it reaches, or keeps it; false: lets go
+  double winding_speed = 0.0;  ///< of a rope: positive shortens it [m/s]
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,173 @@
+#include "swarmanoid_space/error_models/error_chain.hpp"
+
+#include <algorithm>
+
+namespace swarmanoid {
+namespace {
+
+bool contains(const std::vector<NumberPlace>& numbers, const NumberPlace& wanted) {
+  return std::any_of(numbers.begin(), numbers.end(),
+                     [&](const NumberPlace& known) { return known.offset == wanted.offset; });
+}
+
+}  // namespace
+
+const DeviceType& requireDeviceType(const std::string& type, const SourceLocation& location) {
+  const DeviceType* device = findDeviceType(type);
+  if (device == nullptr) {
+    throw ConfigError(location, "found an error of '" + type + "', allowed: of a device with REGISTER_DEVICE");
+  }
+  return *device;
+}
+
+void checkErrors(const std::string& device, const std::vector<ErrorModelDescription>& errors) {
+  for (const ErrorModelDescription& error : errors) {
+    ErrorChain(requireDeviceType(device, error.location)).add(error);
+  }
+}
+
+ErrorChain::ErrorChain(const DeviceType& device)
+    : device_(device), spans_(spansOf(device)), is_span_used_(spans_.size(), 0) {}
+
+void ErrorChain::addAlias(const std::string& kind, const std::string& field, const std::string& parameter,
+                          double value) {
+  SWARMANOID_EXPECTS(!hasListed());
+  const ErrorKind* found = findErrorKind(kind);
+  SWARMANOID_EXPECTS(found != nullptr);
+  Configuration parameters("error", "", {});
+  for (const Parameter& known : found->description.parameters) {
+    parameters.set(known.name, known.name == parameter ? numberText(value) : known.value.value_or(""));
+  }
+  Entry& entry = append(*found, parameters, selectFields(device_, field, found->subject, kind, {}));
+  entry.stream_index = 0;
+  ++alias_count_;
+}
+
+void ErrorChain::add(const ErrorModelDescription& description) {
+  const ErrorKind* found = findErrorKind(description.kind);
+  if (found == nullptr) {
+    throw ConfigError(description.location, unknownName("the error kind", description.kind, errorKindNames()));
+  }
+  Entry& entry =
+      append(*found, description.parameters,
+             selectFields(device_, description.field, found->subject, description.kind, description.field_location));
+  entry.from_tick = description.from_tick;
+  // an <error> keeps its numbers whatever stands before or behind it, but for one of the same kind and field
+  const std::string name = device_.type + " error " + description.kind + " " + description.field;
+  const auto is_same = [&](const Entry& other) { return other.stream.rfind(name + " #", 0) == 0; };
+  entry.stream = name + " #" + std::to_string(std::count_if(entries_.begin(), entries_.end(), is_same));
+  entry.stream_index = entries_.size() - alias_count_;
+}
+
+ErrorChain::Entry& ErrorChain::append(const ErrorKind& kind, const Configuration& parameters, FieldSelection fields) {
+  const bool changes_numbers = kind.subject == ErrorSubject::kNumbers;
+  const std::size_t memory_size = changes_numbers ? fields.numberCount() : 0;
+  Entry entry{kind.make(parameters), std::move(fields), 0, "", 0, memory_size_, memory_size};
+  memory_size_ += memory_size;
+  useSpans(entry.fields);
+  if (changes_numbers) {
+    limit(entry.fields);
+  }
+  entries_.push_back(std::move(entry));
+  return entries_.back();
+}
+
+void ErrorChain::useSpans(const FieldSelection& fields) {
+  for (const std::size_t span : fields.spans) {
+    is_span_used_[span] = 1;
+  }
+  for (const FieldSelection::Elements& elements : fields.elements) {
+    is_span_used_[elements.span] = 1;
+  }
+}
+
+void ErrorChain::limit(const FieldSelection& fields) {
+  if (device_.kind == DeviceKind::kActuator) {
+    return;
+  }
+  for (const NumberPlace& place : fields.numbers) {
+    if (!contains(limited_.numbers, place)) {
+      limited_.numbers.push_back(place);
+    }
+  }
+  for (const FieldSelection::Elements& elements : fields.elements) {
+    auto known = std::find_if(limited_.elements.begin(), limited_.elements.end(),
+                              [&](const FieldSelection::Elements& other) { return other.span == elements.span; });
+    if (known == limited_.elements.end()) {
+      known = limited_.elements.insert(known, {elements.span, elements.size, {}});
+    }
+    for (const NumberPlace& place : elements.numbers) {
+      if (!contains(known->numbers, place)) {
+        known->numbers.push_back(place);
+      }
+    }
+  }
+}
+
+ErrorState ErrorChain::makeState(std::uint64_t seed, std::string_view entity, std::size_t most_elements) const {
+  const std::shared_ptr<void> resting = device_.make();
+  ErrorState state;
+  state.streams.emplace_back(seed, entity, device_.type);
+  state.memory.resize(memory_size_);
+  for (const Entry& entry : entries_) {
+    if (!entry.stream.empty()) {
+      state.streams.emplace_back(seed, entity, entry.stream);
+    }
+    RandomStream& random = state.streams[entry.stream_index];
+    random.startTick(0);
+    for (std::size_t i = 0; i < entry.memory_size; ++i) {
+      state.memory[entry.memory_begin + i] = entry.model->firstMemory(random);
+    }
+    state.histories.emplace_back(entry.fields, entry.model->historySlots(),
+                                 static_cast<const std::byte*>(resting.get()), spans_, most_elements);
+  }
+  state.memory_before = state.memory;
+  state.elements.resize(spans_.size());
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    if (is_span_used_[i] != 0) {
+      state.elements[i].reserve(most_elements * spans_[i].access.element_size);
+    }
+  }
+  return state;
+}
+
+void ErrorChain::apply(void* device, ErrorState& state, std::uint64_t tick, std::size_t first_entry) const {
+  // a tick that is made once more starts from what was kept after the tick before
+  const bool is_again = tick == state.tick;
+  const std::vector<double>& from = is_again ? state.memory_before : state.memory;
+  std::copy(from.begin(), from.end(), (is_again ? state.memory : state.memory_before).begin());
+  state.tick = tick;
+  state.first_tick = std::min(state.first_tick, tick);
+  ErrorStep step;
+  step.tick = tick;
+  step.spans = &spans_;
+  step.device = {static_cast<std::byte*>(device), &state.elements};
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    if (is_span_used_[i] != 0) {
+      state.elements[i].assign(spans_[i].access.bytes(step.device.fields + spans_[i].offset),
+                               spans_[i].access.element_size);
+    }
+  }
+  for (RandomStream& stream : state.streams) {
+    stream.startTick(tick);
+  }
+  for (std::size_t i = first_entry; i < entries_.size(); ++i) {
+    const Entry& entry = entries_[i];
+    step.first_tick = std::max(entry.from_tick, state.first_tick);
+    step.fields = &entry.fields;
+    step.random = &state.streams[entry.stream_index];
+    step.memory = state.memory.data() + entry.memory_begin;
+    step.history = &state.histories[i];
+    entry.model->apply(step);
+  }
+  forEachNumber(limited_, step.device, [](const NumberPlace& place, std::byte* bytes, std::size_t /*index*/) {
+    place.writeLimited(bytes, place.read(bytes));
+  });
+  for (std::size_t i = 0; i < spans_.size(); ++i) {
+    if (is_span_used_[i] != 0) {
+      spans_[i].access.set(step.device.fields + spans_[i].offset, state.elements[i].bytes(), state.elements[i].count());
+    }
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,31 @@
+// A wrong scale: the same in each tick, or one that changes with each.
+#include "swarmanoid_space/error_models/error_model.hpp"
+
+namespace swarmanoid {
+namespace {
+
+class Factor final : public NumberError<Factor> {
+ public:
+  static ErrorKindDescription describe() {
+    return {"factor",
+            "Multiplies with a draw from the normal distribution, in each tick another.",
+            {errorParameter("mean", {-1e9, 1e9}, "Mean of the factor.", "1"),
+             errorParameter("deviation", {0.0, 1e9}, "Standard deviation of the factor.", "0")}};
+  }
+
+  explicit Factor(const Configuration& parameters)
+      : mean_(parameters.number("mean")), deviation_(parameters.number("deviation")) {}
+
+  double disturb(double value, double& /*memory*/, RandomStream& random) const {
+    return value * random.gaussian(mean_, deviation_);
+  }
+
+ private:
+  double mean_;
+  double deviation_;
+};
+
+}  // namespace
+}  // namespace swarmanoid
+
+REGISTER_ERROR_MODEL(swarmanoid::Factor)

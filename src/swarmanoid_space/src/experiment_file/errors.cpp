@@ -1,0 +1,83 @@
+// <error> in a sensor or an actuator.
+#include <map>
+
+#include "door.hpp"
+#include "reader.hpp"
+#include "swarmanoid_space/error_models/error_chain.hpp"
+
+namespace swarmanoid::experiment {
+namespace {
+
+/// The kind's own parameters, which are attributes.
+Configuration readErrorParameters(const XmlElement& element, const ErrorKind& kind) {
+  Configuration parameters("error", "", element.location());
+  for (const Parameter& parameter : kind.description.parameters) {
+    const auto text = element.attribute(parameter.name.c_str());
+    if (!text && !parameter.value) {
+      element.refuse("<error> of the kind '" + kind.description.name + "' needs the attribute " + parameter.name +
+                     "=\"...\"");
+    }
+    const SourceLocation location = element.attributeLocation(parameter.name.c_str());
+    checkValue(parameter, text.value_or(parameter.value.value_or("")), location);
+    parameters.add(Configuration(parameter.name, text.value_or(parameter.value.value_or("")), location));
+  }
+  return parameters;
+}
+
+ErrorModelDescription readError(const XmlElement& element) {
+  if (const std::vector<XmlElement> children = element.children(); !children.empty()) {
+    children.front().refuse("found <" + children.front().name() + "> in <error>, allowed: only attributes");
+  }
+  if (!element.text().empty()) {
+    element.refuse("found the text '" + element.text() + "' in <error>, allowed: only attributes");
+  }
+  ErrorModelDescription error;
+  error.location = element.location();
+  error.field_location = element.attributeLocation("field");
+  error.kind = element.requireAttribute("kind");
+  const ErrorKind* kind = findErrorKind(error.kind);
+  if (kind == nullptr) {
+    throw ConfigError(element.attributeLocation("kind"), unknownName("the error kind", error.kind, errorKindNames()));
+  }
+  std::vector<std::string> allowed{"kind", "id", "field", "from_tick"};
+  for (const Parameter& parameter : kind->description.parameters) {
+    allowed.push_back(parameter.name);
+  }
+  element.allowAttributes(allowed);
+  error.field = element.attribute("field").value_or("");
+  if (const auto text = element.attribute("from_tick")) {
+    const SourceLocation location = element.attributeLocation("from_tick");
+    error.from_tick = static_cast<std::uint64_t>(parseInteger(*text, "from_tick", location, kTickRange));
+  }
+  error.parameters = readErrorParameters(element, *kind);
+  return error;
+}
+
+}  // namespace
+
+std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device) {
+  std::vector<ErrorModelDescription> errors;
+  std::map<std::string, SourceLocation> ids;
+  for (const XmlElement& child : element.children()) {
+    if (child.name() != "error") {
+      continue;
+    }
+    errors.push_back(readError(child));
+    if (const auto id = child.attribute("id")) {
+      if (!door::isName(*id)) {
+        throw ConfigError(child.attributeLocation("id"), "id: found '" + *id + "', allowed: " + door::kNamesAllowed);
+      }
+      const auto [known, is_new] = ids.emplace(*id, child.location());
+      if (!is_new) {
+        throw ConfigError(child.attributeLocation("id"),
+                          "the error id '" + *id + "' is taken already, in " + known->second.toString());
+      }
+    }
+    if (!device.empty()) {
+      checkErrors(device, {errors.back()});
+    }
+  }
+  return errors;
+}
+
+}  // namespace swarmanoid::experiment

@@ -1,0 +1,182 @@
+#include "robot_description.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "../xml/xml_document.hpp"
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using Kind = EntityModel::Holder::Kind;
+
+std::string nameOf(const xmlNode& element) { return characters(element.name); }
+
+std::vector<const xmlNode*> elementsOf(const xmlNode& parent) {
+  std::vector<const xmlNode*> result;
+  for (const xmlNode* child = parent.children; child != nullptr; child = child->next) {
+    if (child->type == XML_ELEMENT_NODE) {
+      result.push_back(child);
+    }
+  }
+  return result;
+}
+
+std::string attributeOf(const xmlNode& element, const char* name) {
+  const xmlAttr* attribute = xmlHasProp(&element, xmlCharacters(name));
+  return attribute == nullptr ? "" : textIn(attribute->children);
+}
+
+class Reader {
+ public:
+  Reader(const xmlDoc& document, const std::string& file) : robot_(*xmlDocGetRootElement(&document)), file_(file) {
+    for (const xmlNode* element : elementsOf(robot_)) {
+      if (nameOf(*element) == "link") {
+        links_.push_back(attributeOf(*element, "name"));
+      } else if (nameOf(*element) == "joint") {
+        joints_.push_back(attributeOf(*element, "name"));
+      }
+    }
+  }
+
+  RobotDescription read() {
+    const xmlNode* root = nullptr;
+    for (const xmlNode* element : elementsOf(robot_)) {
+      if (nameOf(*element) == "swarmanoid") {
+        if (root != nullptr) {
+          fail(*element, "found a second <swarmanoid>, allowed: one");
+        }
+        root = element;
+      }
+    }
+    if (root == nullptr) {
+      throw ConfigError({file_}, "found no <swarmanoid> in <robot>, allowed: one, which says what the robot can do");
+    }
+    allowAttributes(*root, {"title", "summary"});
+    result_.title = require(*root, "title");
+    if (std::any_of(result_.title.begin(), result_.title.end(), [](unsigned char c) { return std::isspace(c) != 0; })) {
+      fail(*root, "title: found '" + result_.title + "', allowed: one word");
+    }
+    result_.summary = require(*root, "summary");
+    for (const xmlNode* element : elementsOf(*root)) {
+      readElement(*element);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[noreturn]] void fail(const xmlNode& element, const std::string& message) const {
+    throw ConfigError({file_, lineOf(&element)}, message);
+  }
+
+  void allowAttributes(const xmlNode& element, const std::vector<std::string>& names) const {
+    for (const xmlAttr* attribute = element.properties; attribute != nullptr; attribute = attribute->next) {
+      const std::string name = characters(attribute->name);
+      if (std::find(names.begin(), names.end(), name) == names.end()) {
+        fail(element, unknownName("attribute", name, names) + " (in <" + nameOf(element) + ">)");
+      }
+    }
+  }
+
+  std::string require(const xmlNode& element, const char* attribute) const {
+    std::string value = attributeOf(element, attribute);
+    if (value.empty()) {
+      fail(element, "<" + nameOf(element) + "> needs the attribute " + attribute + "=\"...\"");
+    }
+    return value;
+  }
+
+  /// @param known what the URDF has
+  std::string requireKnown(const xmlNode& element, const char* attribute, const std::string& what,
+                           const std::vector<std::string>& known) const {
+    std::string value = require(element, attribute);
+    if (std::find(known.begin(), known.end(), value) == known.end()) {
+      fail(element, unknownName("the " + what, value, known) + " (in <" + nameOf(element) + ">)");
+    }
+    return value;
+  }
+
+  void refuseSecond(const xmlNode& element, bool is_second) const {
+    if (is_second) {
+      fail(element, "found a second <" + nameOf(element) + "> in <swarmanoid>, allowed: one");
+    }
+  }
+
+  void readElement(const xmlNode& element) {
+    const std::string name = nameOf(element);
+    if (name == "wheels") {
+      refuseSecond(element, result_.wheels.has_value());
+      allowAttributes(element, {"left", "right"});
+      result_.wheels = RobotDescription::Wheels{requireKnown(element, "left", "joint", joints_),
+                                                requireKnown(element, "right", "joint", joints_)};
+    } else if (name == "gripper") {
+      const auto is_gripper = [](const EntityModel::Holder& holder) { return holder.kind == Kind::kGripper; };
+      refuseSecond(element, std::any_of(result_.holders.begin(), result_.holders.end(), is_gripper));
+      readHolder(element, Kind::kGripper);
+    } else if (name == "suction") {
+      readHolder(element, Kind::kSuction);
+    } else if (name == "magnet") {
+      readHolder(element, Kind::kMagnet);
+    } else if (name == "rope") {
+      readHolder(element, Kind::kRope);
+    } else if (name == "gripping_strip") {
+      refuseSecond(element, !result_.gripping_strip.empty());
+      allowAttributes(element, {"link"});
+      result_.gripping_strip = requireKnown(element, "link", "link", links_);
+    } else if (name == "leds") {
+      refuseSecond(element, !result_.leds.empty());
+      allowAttributes(element, {"links"});
+      result_.leds = require(element, "links");
+    } else if (name == "device") {
+      readDevice(element);
+    } else {
+      const std::vector<std::string> known{"wheels", "gripper",        "suction", "magnet",
+                                           "rope",   "gripping_strip", "leds",    "device"};
+      fail(element, unknownName("tag", name, known) + " (in <swarmanoid>)");
+    }
+  }
+
+  void readHolder(const xmlNode& element, Kind kind) {
+    const bool is_rope = kind == Kind::kRope;
+    allowAttributes(element, is_rope ? std::vector<std::string>{"name", "link", "length"}
+                                     : std::vector<std::string>{"name", "link"});
+    EntityModel::Holder holder;
+    holder.name = require(element, "name");
+    holder.kind = kind;
+    holder.mount = requireKnown(element, "link", "link", links_);
+    if (is_rope) {
+      holder.rope_length =
+          parseNumber(require(element, "length"), "length", {file_, lineOf(&element)}, limits::kLength);
+    }
+    const auto has_name = [&](const EntityModel::Holder& other) { return other.name == holder.name; };
+    if (std::any_of(result_.holders.begin(), result_.holders.end(), has_name)) {
+      fail(element, "found a second holder of the name '" + holder.name + "', allowed: one");
+    }
+    result_.holders.push_back(holder);
+  }
+
+  void readDevice(const xmlNode& element) {
+    allowAttributes(element, {"type"});
+    const std::string type = require(element, "type");
+    if (std::find(result_.devices.begin(), result_.devices.end(), type) != result_.devices.end()) {
+      fail(element, "found a second device '" + type + "', allowed: one");
+    }
+    result_.devices.push_back(type);
+  }
+
+  const xmlNode& robot_;
+  const std::string& file_;
+  std::vector<std::string> links_;
+  std::vector<std::string> joints_;
+  RobotDescription result_;
+};
+
+}  // namespace
+
+RobotDescription readRobotDescription(const xmlDoc& document, const std::string& file) {
+  return Reader(document, file).read();
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,152 @@
+#include "robot_files.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "../xml/xml_document.hpp"
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kManifest = "package.xml";
+
+/// Finds the packages below a folder as catkin does: what is below a package is part of it.
+void findPackages(const fs::path& folder, std::vector<fs::path>& packages) {
+  std::error_code ignored;
+  if (fs::exists(folder / "CATKIN_IGNORE", ignored)) {
+    return;
+  }
+  if (fs::exists(folder / kManifest, ignored)) {
+    packages.push_back(folder);
+    return;
+  }
+  for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.is_directory(ignored) && !entry.is_symlink(ignored) && entry.path().filename().string()[0] != '.') {
+      findPackages(entry.path(), packages);
+    }
+  }
+}
+
+/// The source folders of a devel space, which it names in a file; none if it is an install space.
+std::vector<fs::path> sourceFolders(const fs::path& prefix) {
+  std::vector<fs::path> folders;
+  std::ifstream file(prefix / ".catkin");
+  for (std::string folder; std::getline(file, folder, ';');) {
+    folder.erase(folder.find_last_not_of("\r\n") + 1);
+    folders.emplace_back(folder);
+  }
+  return folders;
+}
+
+std::vector<fs::path> packagesOf(const fs::path& share) {
+  std::vector<fs::path> packages;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(share, ignored)) {
+    if (fs::exists(entry.path() / kManifest, ignored)) {
+      packages.push_back(entry.path());
+    }
+  }
+  for (const fs::path& folder : sourceFolders(share.parent_path())) {
+    if (!folder.empty()) {
+      findPackages(folder, packages);
+    }
+  }
+  std::sort(packages.begin(), packages.end());
+  return packages;
+}
+
+const xmlNode* childOf(const xmlNode* parent, const char* name) {
+  const xmlNode* child = parent == nullptr ? nullptr : parent->children;
+  while (child != nullptr && xmlStrEqual(child->name, xmlCharacters(name)) == 0) {
+    child = child->next;
+  }
+  return child;
+}
+
+class Search {
+ public:
+  void look(const fs::path& package) {
+    const std::string file = (package / kManifest).string();
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    if (text.str().find("<swarmanoid") == std::string::npos) {
+      return;  // of hundreds of packages few have robots: the others are not worth parsing
+    }
+    try {
+      readManifest(package, file, text.str());
+    } catch (const ConfigError& error) {
+      found_.problems.emplace_back(error.what());
+    }
+  }
+
+  RobotFiles take() {
+    std::sort(found_.robots.begin(), found_.robots.end(), [](const RobotFile& a, const RobotFile& b) {
+      return std::tie(a.type, a.file) < std::tie(b.type, b.file);
+    });
+    return std::move(found_);
+  }
+
+ private:
+  void readManifest(const fs::path& package, const std::string& file, const std::string& text) {
+    const XmlDocument document = parseXml(text, file, XmlNamespaces::kAllowed);
+    const xmlNode* root = xmlDocGetRootElement(document.get());
+    const xmlNode* name = childOf(root, "name");
+    const xmlNode* element = childOf(childOf(root, "export"), "swarmanoid");
+    if (name == nullptr || element == nullptr || !packages_.insert(textIn(name->children)).second) {
+      return;
+    }
+    const xmlAttr* attribute = xmlHasProp(element, xmlCharacters("robots"));
+    if (attribute == nullptr) {
+      throw ConfigError({file, lineOf(element)}, "<swarmanoid> needs the attribute robots=\"${prefix}/...\"");
+    }
+    const std::string value = textIn(attribute->children);
+    std::string folder = value;
+    const std::string prefix = "${prefix}";
+    if (const auto place = folder.find(prefix); place != std::string::npos) {
+      folder.replace(place, prefix.size(), package.string());
+    }
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored)) {
+      throw ConfigError({file, lineOf(element)},
+                        "robots: found '" + value + "', allowed: a folder, such as ${prefix}/urdf");
+    }
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == ".urdf") {
+        found_.robots.push_back({entry.path().stem().string(), entry.path().string(), textIn(name->children)});
+      }
+    }
+  }
+
+  std::set<std::string> packages_;  // names
+  RobotFiles found_;
+};
+
+}  // namespace
+
+RobotFiles findRobotFiles(const std::vector<std::string>& share_folders) {
+  Search search;
+  std::set<fs::path> known;
+  for (const std::string& share : share_folders) {
+    if (known.insert(fs::path(share)).second) {
+      for (const fs::path& package : packagesOf(share)) {
+        search.look(package);
+      }
+    }
+  }
+  return search.take();
+}
+
+const RobotFiles& robotFiles() {
+  static const RobotFiles files = findRobotFiles(shareFolders());
+  return files;
+}
+
+}  // namespace swarmanoid

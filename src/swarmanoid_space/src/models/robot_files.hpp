@@ -1,0 +1,31 @@
+/// Finds the robots of this installation: packages say in their package.xml where the descriptions of theirs are,
+///
+///     <export><swarmanoid robots="${prefix}/urdf"/></export>
+///
+/// and each <type>.urdf in that folder is a robot type. Packages are searched in share/ of every prefix, and in the
+/// source folders of those prefixes that are devel spaces. A package is taken from the first prefix that has it.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace swarmanoid {
+
+struct RobotFile {
+  std::string type;
+  std::string file;
+  std::string package;
+};
+
+struct RobotFiles {
+  std::vector<RobotFile> robots;      ///< sorted by type; a type may be there twice, which is for the caller to refuse
+  std::vector<std::string> problems;  ///< packages whose robots cannot be found: "package.xml:12: found ..."
+};
+
+/// Searched once a process. Thread-safe.
+const RobotFiles& robotFiles();
+
+/// @param share_folders those of the prefixes, most important first
+RobotFiles findRobotFiles(const std::vector<std::string>& share_folders);
+
+}  // namespace swarmanoid

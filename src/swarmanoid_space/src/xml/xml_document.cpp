@@ -1,0 +1,203 @@
+#include "xml_document.hpp"
+
+#include <libxml/SAX2.h>
+#include <libxml/parser.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+namespace {
+
+constexpr int kMostAttributes = 1000;
+constexpr int kMostNested = 200;
+
+struct ContextDeleter {
+  void operator()(xmlParserCtxt* context) const { xmlFreeParserCtxt(context); }
+};
+
+/// The first mistake that was found; hung on the parser.
+struct Findings {
+  struct Mistake {
+    std::string message;
+    int line = 0;
+  };
+
+  XmlNamespaces namespaces = XmlNamespaces::kRefused;
+  std::optional<Mistake> first;
+};
+
+bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+
+xmlParserCtxt* parserOf(void* context) { return static_cast<xmlParserCtxt*>(context); }
+Findings& findingsOf(void* context) { return *static_cast<Findings*>(parserOf(context)->_private); }
+
+void refuse(void* context, const std::string& message, int line) {
+  Findings& findings = findingsOf(context);
+  if (!findings.first) {
+    findings.first = Findings::Mistake{message, line};
+  }
+  xmlStopParser(parserOf(context));
+}
+
+/// What helps where a sign of XML stands for itself.
+std::string allowedInstead(int code) {
+  const bool is_about_signs = code == XML_ERR_NAME_REQUIRED || code == XML_ERR_ENTITYREF_SEMICOL_MISSING ||
+                              code == XML_ERR_UNDECLARED_ENTITY || code == XML_ERR_LT_IN_ATTRIBUTE;
+  return is_about_signs ? ", allowed: &amp; and &lt; for the signs & and <" : "";
+}
+
+/// Newer versions of the library hand over a pointer to a constant error.
+template <class Error>
+void onError(void* context, Error error) {
+  if (error->level != XML_ERR_FATAL || findingsOf(context).first) {
+    return;  // what comes after the first mistake follows from it
+  }
+  std::string message = std::string("found no well-formed XML: ") + error->message;
+  message.erase(message.find_last_not_of('\n') + 1);
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  message += allowedInstead(error->code);
+  if (error->code == XML_ERR_INVALID_CHAR && xmlCheckUTF8(parserOf(context)->input->cur) == 0) {
+    message = "found bytes that are no text in UTF-8, allowed: UTF-8";
+  }
+  findingsOf(context).first = Findings::Mistake{message, error->line};
+}
+
+/// The library's own count of lines ends at 65535, and means the end of a tag.
+void keepLine(xmlNode* node, int line) { node->psvi = reinterpret_cast<void*>(static_cast<std::intptr_t>(line)); }
+
+/// The parser stands at the end of the tag, in which a '<' can only be the first character.
+int lineOfTag(const xmlParserInput& input) {
+  int line = input.line;
+  for (const xmlChar* at = input.cur; at > input.base && *at != '<'; --at) {
+    line -= *at == '\n' ? 1 : 0;
+  }
+  return line;
+}
+
+void onElement(void* context, const xmlChar* name, const xmlChar* prefix, const xmlChar* uri, int namespace_count,
+               const xmlChar** namespaces, int attribute_count, int defaulted_count, const xmlChar** attributes) {
+  const int line = lineOfTag(*parserOf(context)->input);
+  if (parserOf(context)->nodeNr >= kMostNested) {
+    return refuse(context, "found elements nested more than " + std::to_string(kMostNested) + " deep, allowed: fewer",
+                  line);
+  }
+  bool has_namespace = prefix != nullptr || namespace_count > 0;
+  constexpr int kPointers = 5;  // of an attribute: name, prefix, URI, begin and end of the value
+  for (int i = 0; i < attribute_count; ++i) {
+    has_namespace = has_namespace || attributes[kPointers * i + 1] != nullptr;
+  }
+  if (has_namespace && findingsOf(context).namespaces == XmlNamespaces::kRefused) {
+    return refuse(context,
+                  "found a name with a colon, or a namespace, in the tag of <" + std::string(characters(name)) +
+                      ">, allowed: neither",
+                  line);
+  }
+  xmlSAX2StartElementNs(context, name, prefix, uri, namespace_count, namespaces, attribute_count, defaulted_count,
+                        attributes);
+  if (xmlNode* node = parserOf(context)->node) {
+    keepLine(node, line);
+  }
+}
+
+void onText(void* context, const xmlChar* text, int length) {
+  const xmlParserInput& input = *parserOf(context)->input;
+  const xmlNode* parent = parserOf(context)->node;
+  const auto last_is_text = [&] { return parent->last != nullptr && parent->last->type == XML_TEXT_NODE; };
+  const char* end = characters(text) + length;
+  const char* word = std::find_if_not(characters(text), end, isSpace);
+  if (parent == nullptr || (word == end && *input.cur == '<' && !last_is_text())) {
+    return;  // white space between tags would be half of the tree
+  }
+  xmlSAX2Characters(context, text, length);
+  // one node takes all pieces of a text
+  if (word != end && last_is_text() && lineOf(parent->last) == 0) {
+    keepLine(parent->last, input.line - static_cast<int>(std::count(word, end, '\n')));
+  }
+}
+
+void onDocumentType(void* context, const xmlChar* /*name*/, const xmlChar* /*external*/, const xmlChar* /*system*/) {
+  refuse(context, "found '<!DOCTYPE', allowed: elements and comments <!-- ... -->", parserOf(context)->input->line);
+}
+
+void onProcessingInstruction(void* context, const xmlChar* target, const xmlChar* /*data*/) {
+  if (xmlDocGetRootElement(parserOf(context)->myDoc) != nullptr) {
+    refuse(context, "found '<?" + std::string(characters(target)) + "', allowed: elements and comments <!-- ... -->",
+           parserOf(context)->input->line);
+  }
+}
+
+[[noreturn]] void refuseAt(std::size_t place, const std::string& message, const std::string& text,
+                           const std::string& file) {
+  const auto end = text.begin() + static_cast<std::ptrdiff_t>(place);
+  throw ConfigError({file, 1 + static_cast<int>(std::count(text.begin(), end, '\n'))}, message);
+}
+
+/// The library ends at a zero byte as if the file did, and takes the square of a tag's attributes in time.
+void checkForTheLibrary(const std::string& text, const std::string& file) {
+  if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    throw ConfigError({file}, "found a text of " + std::to_string(text.size()) + " characters, allowed: fewer");
+  }
+  int attributes = 0;
+  char before = '\0';  // but for white space
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\0') {
+      refuseAt(i, "found a zero byte, allowed: text", text, file);
+    }
+    const bool begins_value = before == '=' && (text[i] == '"' || text[i] == '\'');
+    attributes = text[i] == '<' ? 0 : attributes + (begins_value ? 1 : 0);
+    if (attributes > kMostAttributes) {
+      refuseAt(i, "found a tag with more than " + std::to_string(kMostAttributes) + " attributes, allowed: fewer", text,
+               file);
+    }
+    before = isSpace(text[i]) ? before : text[i];
+  }
+}
+
+}  // namespace
+
+XmlDocument parseXml(const std::string& text, const std::string& file, XmlNamespaces namespaces) {
+  [[maybe_unused]] static const bool is_initialised = (xmlInitParser(), true);
+  checkForTheLibrary(text, file);
+  const std::unique_ptr<xmlParserCtxt, ContextDeleter> context(xmlNewParserCtxt());
+  if (context == nullptr) {
+    throw std::bad_alloc();
+  }
+  Findings findings;
+  findings.namespaces = namespaces;
+  context->_private = &findings;
+  xmlSAXHandler& handler = *context->sax;
+  handler.serror = onError;
+  handler.startElementNs = onElement;
+  handler.characters = onText;
+  handler.ignorableWhitespace = onText;
+  handler.internalSubset = onDocumentType;
+  handler.processingInstruction = onProcessingInstruction;
+  XmlDocument document(xmlCtxtReadMemory(context.get(), text.data(), static_cast<int>(text.size()), nullptr, nullptr,
+                                         XML_PARSE_NONET | XML_PARSE_NOCDATA | XML_PARSE_IGNORE_ENC));
+  if (findings.first) {
+    throw ConfigError({file, findings.first->line}, findings.first->message);
+  }
+  if (document == nullptr || xmlDocGetRootElement(document.get()) == nullptr) {
+    throw ConfigError({file}, "found no well-formed XML");
+  }
+  return document;
+}
+
+int lineOf(const xmlNode* node) { return static_cast<int>(reinterpret_cast<std::intptr_t>(node->psvi)); }
+
+std::string textIn(const xmlNode* first_child) {
+  std::string text;
+  for (const xmlNode* node = first_child; node != nullptr; node = node->next) {
+    if (node->type == XML_TEXT_NODE) {
+      text += characters(node->content);
+    }
+  }
+  return text;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,93 @@
+/// Devices with all sorts of fields, and errors of theirs as an experiment file would describe them.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_space/error_models/error_model.hpp"
+#include "swarmanoid_space/error_models/error_model_description.hpp"
+
+namespace swarmanoid::test {
+
+struct Echo {
+  float distance = 0.0F;
+  float strength = 0.0F;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Echo& echo) {
+  visit(echo.distance, {"distance", "m"});
+  visit(echo.strength, {"strength"});
+}
+
+struct Probe {
+  static constexpr const char* kType = "probe_of_a_test";
+  enum class Mode : std::uint8_t { kOff, kOn };
+
+  double free = -1.0;
+  std::array<float, 4> value{0.5F, 0.5F, 0.5F, 0.5F};
+  double heading = 0.0;
+  std::uint8_t level = 0;
+  bool on = false;
+  Mode mode = Mode::kOff;
+  Span<const Echo> echoes;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Probe& probe) {
+  visit(probe.free, {"free"});
+  visit(probe.value, {"value", "", "", {0.0, 1.0}});
+  visit(probe.heading, {"heading", "rad", "", {-M_PI, M_PI}, true});
+  visit(probe.level, {"level"});
+  visit(probe.on, {"on"});
+  visit(probe.mode, {"mode"});
+  visit(probe.echoes, {"echoes"});
+}
+REGISTER_DEVICE(Probe, kSensor, "All sorts of fields.")
+
+struct ProbeCommand {
+  static constexpr const char* kType = "probe_command_of_a_test";
+  double amount = 0.0;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, ProbeCommand& command) {
+  visit(command.amount, {"amount", "", "", {-1.0, 1.0}});
+}
+REGISTER_DEVICE(ProbeCommand, kActuator, "A command with a range.")
+
+struct ProbeSwitch {
+  static constexpr const char* kType = "probe_switch_of_a_test";
+  bool on = false;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, ProbeSwitch& probe) {
+  visit(probe.on, {"on"});
+}
+REGISTER_DEVICE(ProbeSwitch, kSensor, "No number.")
+
+inline const DeviceType& probeType() { return *findDeviceType(Probe::kType); }
+
+/// An <error> of the kind in line 3 of a file, its field in line 4 and its parameters in line 5.
+inline ErrorModelDescription error(const std::string& kind, const std::string& field,
+                                   const std::map<std::string, std::string>& given) {
+  ErrorModelDescription description;
+  description.kind = kind;
+  description.field = field;
+  description.location = {"file.xml", 3};
+  description.field_location = {"file.xml", 4};
+  description.parameters = Configuration("error", "", {"file.xml", 5});
+  if (const ErrorKind* known = findErrorKind(kind)) {
+    for (const Parameter& parameter : known->description.parameters) {
+      const auto value = given.find(parameter.name);
+      description.parameters.set(parameter.name, value == given.end() ? parameter.value.value_or("") : value->second);
+    }
+  }
+  return description;
+}
+
+}  // namespace swarmanoid::test
