@@ -11,12 +11,12 @@
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kSpeed = 0.05;    // m/s
-constexpr double kTurnRate = 0.5;  // rad/s
-constexpr double kNear = 0.15;     // a reading
-constexpr double kBearing = 0.4;   // rad, allowed error: sensors may be few
+constexpr double kDriveSpeed = 0.05;    // m/s
+constexpr double kDriveTurnRate = 0.5;  // rad/s
+constexpr double kNearReading = 0.15;   // a reading
+constexpr double kBearingError = 0.4;   // rad, allowed error: sensors may be few
 
-double strongest(const Bench& bench) {
+double strongestReading(const Bench& bench) {
   double level = 0.0;
   for (const ProximityReading& reading : bench.sensor<Proximity>()->sensors) {
     level = std::max(level, static_cast<double>(reading.value));
@@ -25,7 +25,7 @@ double strongest(const Bench& bench) {
 }
 
 Stage turn(Bench& bench, double angle) {
-  const double rate = std::copysign(kTurnRate, angle);
+  const double rate = std::copysign(kDriveTurnRate, angle);
   return {"turning", angle / rate, nullptr, [&bench, rate] { bench.actuator<DifferentialDrive>()->drive(0.0, rate); },
           nullptr,   nullptr};
 }
@@ -33,7 +33,7 @@ Stage turn(Bench& bench, double angle) {
 Stage expectWall(Bench& bench, const std::string& where, double bearing) {
   return settle(bench, [&bench, where, bearing] {
     bench.expectAngle("bearing of the wall " + where, ObstacleVector(*bench.sensor<Proximity>()).bearing(), bearing,
-                      kBearing);
+                      kBearingError);
   });
 }
 
@@ -45,24 +45,25 @@ std::vector<Check> driveChecks(Bench& bench) {
               {},
               {}};
   check.stages.push_back(settle(bench, [&bench] {
-    bench.expectNear("away from everything the strongest reading", strongest(bench), 0.0, kNear / 3.0, "");
+    bench.expectNear("away from everything the strongest reading", strongestReading(bench), 0.0, kNearReading / 3.0,
+                     "");
   }));
   check.stages.push_back(turn(bench, -M_PI / 2.0));
-  check.stages.push_back({"driving to the wall until something is near", 1.5 * way / kSpeed, nullptr,
-                          [&bench] { bench.actuator<DifferentialDrive>()->drive(kSpeed, 0.0); },
-                          [&bench] { return strongest(bench) > kNear; },
+  check.stages.push_back({"driving to the wall until something is near", 1.5 * way / kDriveSpeed, nullptr,
+                          [&bench] { bench.actuator<DifferentialDrive>()->drive(kDriveSpeed, 0.0); },
+                          [&bench] { return strongestReading(bench) > kNearReading; },
                           [&bench, way](double took) {
                             // the robot's radius and its sensors' range, which are not known here, are part of the way
-                            bench.expectNear("way to the wall", kSpeed * took, 0.65 * way, 0.35 * way, "m");
+                            bench.expectNear("way to the wall", kDriveSpeed * took, 0.65 * way, 0.35 * way, "m");
                           }});
   check.stages.push_back(expectWall(bench, "ahead", 0.0));
   check.stages.push_back(turn(bench, M_PI / 2.0));
   check.stages.push_back(expectWall(bench, "to the right", -M_PI / 2.0));
   check.stages.push_back(turn(bench, M_PI / 2.0));
   check.stages.push_back(expectWall(bench, "behind", M_PI));
-  check.stages.push_back({"driving away from the wall", 2.0 * way / kSpeed, nullptr,
-                          [&bench] { bench.actuator<DifferentialDrive>()->drive(kSpeed, 0.0); },
-                          [&bench] { return strongest(bench) < kNear / 3.0; }, nullptr});
+  check.stages.push_back({"driving away from the wall", 2.0 * way / kDriveSpeed, nullptr,
+                          [&bench] { bench.actuator<DifferentialDrive>()->drive(kDriveSpeed, 0.0); },
+                          [&bench] { return strongestReading(bench) < kNearReading / 3.0; }, nullptr});
   return {check};
 }
 
