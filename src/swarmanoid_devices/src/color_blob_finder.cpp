@@ -46,8 +46,11 @@ class Finder {
     std::array<Eigen::Vector3d, LedSet{}.size()> points;
     LedSet lit;
     const std::size_t count = std::min(model.led_positions.size(), lit.size());
+    const Span<const Color> leds = space_.leds[row];
+    const Color own = space_.entities.color[row];
+    const auto color_of = [&](std::size_t led) { return model.is_robot ? leds[led] : own; };
     for (std::size_t k = 0; k < count; ++k) {
-      if (colorOf(row, k).isLit()) {
+      if (color_of(k).isLit()) {
         points[k] = pose.toWorld(model.led_positions[k]);
         lit[k] = view_.inView(points[k]);
       }
@@ -59,7 +62,7 @@ class Finder {
     const LedSet seen = lit & ~hiddenLeds(model, space_.joints[row], eye, lit);
     for (std::size_t k = 0; k < count; ++k) {
       if (seen[k]) {
-        look(points[k], colorOf(row, k), row);
+        look(points[k], color_of(k), row);
       }
     }
   }
@@ -80,11 +83,6 @@ class Finder {
   }
 
  private:
-  /// Returns the colour of a robot's LED, or the colour of another entity.
-  Color colorOf(Row row, std::size_t led) const {
-    return space_.entities.model[row]->is_robot ? space_.leds[row][led] : space_.entities.color[row];
-  }
-
   const Space& space_;
   const BlobView& view_;
   std::vector<Found>& found_;
