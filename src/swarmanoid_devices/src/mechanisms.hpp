@@ -41,18 +41,4 @@ std::array<int, count> indicesOf(const std::array<const char*, count>& names, co
   throw ConfigError({}, "found the device '" + device + "' on a " + model.type + ", allowed: on robots with " + part);
 }
 
-/// Commands a holder of the robot, if it has one of that name.
-inline void command(Space& space, Row row, const std::string& name, bool holds, double winding_speed = 0.0) {
-  const int index = space.entities.model[row]->findHolder(name);
-  if (index >= 0) {
-    space.holder_commands[row][static_cast<std::size_t>(index)] = {true, holds, winding_speed};
-  }
-}
-
-/// What a holder of the robot holds on to; nothing if it has none of that name.
-inline Attachment attachmentOf(const Space& space, Row row, const std::string& name) {
-  const int index = space.entities.model[row]->findHolder(name);
-  return index < 0 ? Attachment{} : space.attachments.of(row, static_cast<std::size_t>(index));
-}
-
 }  // namespace swarmanoid::devices

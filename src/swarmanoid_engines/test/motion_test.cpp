@@ -131,7 +131,11 @@ TEST(MotionTest, WhatHasNoDriveStandsStill) {
   const Row robot = world.add(footbotModel(), flatPose(1.0, 1.0));
   const Row prey = world.addPrey(0.1, 0.1, 2.0, 2.0);
   const Row block = world.addBlock({0.2, 0.2, 0.2}, {3.0, 3.0, 0.1}, 0.4);
-  const ByRow<Pose> before = world.space.entities.pose;
+  const ByRow<Pose>& now = world.space.entities.pose;
+  RowMap<Pose> before;
+  for (const Row row : world.space.entities.order) {
+    before.fit(row) = now[row];
+  }
   world.step(10);
   for (const Row row : {robot, prey, block}) {
     EXPECT_EQ(world.pose(row).position, before[row].position);

@@ -1,32 +1,29 @@
 // Gripper: the engine that moves the robot computes the gripping; this device only passes the command on.
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 
-#include "mechanisms.hpp"
-#include "swarmanoid_space/actuator.hpp"
+#include "holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class FootbotGripperActuator final : public ActuatorOf<FootbotGripper> {
+class FootbotGripperActuator final : public HolderActuator<FootbotGripperActuator, FootbotGripper> {
  public:
+  static constexpr std::array<const char*, 1> kHolders{"gripper"};
+
   static PluginDescription describe() {
     PluginDescription description;
     description.label = FootbotGripper::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.mechanisms = {holder("gripper")};
+    description.mechanisms = {holder(kHolders[0])};
     description.implementation_aliases = {"dummy_footbot_gripper"};
     description.summary = "Closes the gripper on what it reaches, or opens it.";
     description.robots = {"footbot"};
     return description;
   }
 
-  void configure(const Configuration&) override {}
-
  protected:
-  void apply(Space& space, BasicActuatorInstance<FootbotGripper>& instance) override {
-    command(space, instance.row, "gripper", instance.actuation->closed);
-  }
+  void apply(Space& space, Instance& instance) override { command(space, instance, 0, instance.actuation->closed); }
 };
 
 }  // namespace

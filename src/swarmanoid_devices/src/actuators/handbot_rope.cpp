@@ -4,21 +4,22 @@
 
 #include <algorithm>
 
-#include "mechanisms.hpp"
+#include "holders.hpp"
 #include "parameters.hpp"
-#include "swarmanoid_space/actuator.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class HandbotRopeActuator final : public ActuatorOf<HandbotRope> {
+class HandbotRopeActuator final : public HolderActuator<HandbotRopeActuator, HandbotRope> {
  public:
+  static constexpr std::array<const char*, 1> kHolders{"rope"};
+
   static PluginDescription describe() {
     PluginDescription description;
     description.label = HandbotRope::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.mechanisms = {holder("rope")};
+    description.mechanisms = {holder(kHolders[0])};
     description.summary = "Shoots the rope, winds it in and out, lets it go.";
     description.robots = {"handbot"};
     description.parameters = {number("max_speed", "m/s", numberText(HandbotRope::kUsualFastest), {0.0, 2.0},
@@ -34,13 +35,13 @@ class HandbotRopeActuator final : public ActuatorOf<HandbotRope> {
   }
 
  protected:
-  void limit(const Space& /*space*/, BasicActuatorInstance<HandbotRope>& instance) override {
+  void limit(const Space& /*space*/, Instance& instance) override {
     double& speed = instance.actuation->winding_speed;
     speed = std::clamp(speed, -max_speed_, max_speed_);
   }
 
-  void apply(Space& space, BasicActuatorInstance<HandbotRope>& instance) override {
-    command(space, instance.row, "rope", instance.actuation->shot, instance.actuation->winding_speed);
+  void apply(Space& space, Instance& instance) override {
+    command(space, instance, 0, instance.actuation->shot, instance.actuation->winding_speed);
   }
 
  private:

@@ -1,14 +1,15 @@
 // The magnet's contact switch.
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 
-#include "mechanisms.hpp"
-#include "swarmanoid_space/sensor.hpp"
+#include "holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class EyebotMagnetStateSensor final : public SensorOf<EyebotMagnetState> {
+class EyebotMagnetStateSensor final : public HolderSensor<EyebotMagnetStateSensor, EyebotMagnetState> {
  public:
+  static constexpr std::array<const char*, 1> kHolders{"magnet"};
+
   static PluginDescription describe() {
     PluginDescription description;
     description.label = EyebotMagnetState::kType;
@@ -19,11 +20,9 @@ class EyebotMagnetStateSensor final : public SensorOf<EyebotMagnetState> {
     return description;
   }
 
-  void configure(const Configuration&) override {}
-
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      instances_[k].readings->attached = attachmentOf(space, instances_[k].row, "magnet").held != kNoRow;
+      instances_[k].readings->attached = attachmentOf(space, instances_[k], 0).held != kNoRow;
     }
   }
 };

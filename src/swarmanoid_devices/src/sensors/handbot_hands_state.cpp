@@ -1,14 +1,15 @@
 // The docking sensors of the hands.
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 
-#include "mechanisms.hpp"
-#include "swarmanoid_space/sensor.hpp"
+#include "holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class HandbotHandsStateSensor final : public SensorOf<HandbotHandsState> {
+class HandbotHandsStateSensor final : public HolderSensor<HandbotHandsStateSensor, HandbotHandsState, 2> {
  public:
+  static constexpr std::array<const char*, 2> kHolders{"left hand", "right hand"};
+
   static PluginDescription describe() {
     PluginDescription description;
     description.label = HandbotHandsState::kType;
@@ -19,13 +20,10 @@ class HandbotHandsStateSensor final : public SensorOf<HandbotHandsState> {
     return description;
   }
 
-  void configure(const Configuration&) override {}
-
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      const Row row = instances_[k].row;
-      const Attachment left = attachmentOf(space, row, "left hand");
-      const Attachment right = attachmentOf(space, row, "right hand");
+      const Attachment left = attachmentOf(space, instances_[k], 0);
+      const Attachment right = attachmentOf(space, instances_[k], 1);
       instances_[k].readings->left = {left.held != kNoRow, left.force};
       instances_[k].readings->right = {right.held != kNoRow, right.force};
     }

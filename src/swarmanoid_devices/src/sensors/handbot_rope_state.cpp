@@ -1,14 +1,15 @@
 // The rope's encoder and tension sensor.
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
-#include "mechanisms.hpp"
-#include "swarmanoid_space/sensor.hpp"
+#include "holders.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class HandbotRopeStateSensor final : public SensorOf<HandbotRopeState> {
+class HandbotRopeStateSensor final : public HolderSensor<HandbotRopeStateSensor, HandbotRopeState> {
  public:
+  static constexpr std::array<const char*, 1> kHolders{"rope"};
+
   static PluginDescription describe() {
     PluginDescription description;
     description.label = HandbotRopeState::kType;
@@ -19,11 +20,9 @@ class HandbotRopeStateSensor final : public SensorOf<HandbotRopeState> {
     return description;
   }
 
-  void configure(const Configuration&) override {}
-
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
-      const Attachment rope = attachmentOf(space, instances_[k].row, "rope");
+      const Attachment rope = attachmentOf(space, instances_[k], 0);
       *instances_[k].readings = {rope.held != kNoRow, rope.length, rope.force};
     }
   }

@@ -158,8 +158,8 @@ void Body::restoreState() {
 }
 
 void readCommands(const Space& space, Body& body) {
-  body.wheels = space.wheels[body.row];
-  body.velocity = space.flight[body.row];
+  body.wheels_command = space.wheels[body.row];
+  body.flight_command = space.flight[body.row];
   const Span<const JointCommand> joints = space.joint_commands[body.row];
   for (std::size_t i = 0; i < body.links.size(); ++i) {
     body.links[i].command = joints[i];
@@ -211,7 +211,6 @@ std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role
     body->posed_->shapes = model.shapes;
     body->posed_->measureShapes();
   }
-  readCommands(space, *body);
   return body;
 }
 

@@ -114,8 +114,8 @@ struct Body {
   bool is_seen_elsewhere = false;  ///< a mirror; rays hit the entity in the engine that moves it
 
   // Its commands, of the tick under way.
-  WheelsCommand wheels;
-  FlightCommand velocity;
+  WheelsCommand wheels_command;
+  FlightCommand flight_command;
   int gripper = -1;  ///< index of the holder; -1: it has none that is commanded
 
   Treels treels;

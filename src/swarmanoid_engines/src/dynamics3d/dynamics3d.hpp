@@ -132,7 +132,7 @@ class Dynamics3d final : public Engine {
   unsigned long seed_ = 0;  // of this world, in ODE
   dWorldID world_ = nullptr;
   Contacts contacts_;
-  ByRow<std::unique_ptr<Body>> by_row_;
+  RowMap<std::unique_ptr<Body>> by_row_;
   std::vector<Body*> order_;        // by entity number
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
   int settling_ = 0;                // steps that are left until what was put down stands

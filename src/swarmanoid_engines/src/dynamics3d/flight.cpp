@@ -62,8 +62,8 @@ Eigen::Matrix3d attitude(const Vector3d& up, double heading) {
 }  // namespace
 
 void fly(Body& robot, double gravity, double step) {
-  SWARMANOID_EXPECTS(robot.velocity.is_driven);
-  const FlightCommand& command = robot.velocity;
+  SWARMANOID_EXPECTS(robot.flight_command.is_driven);
+  const FlightCommand& command = robot.flight_command;
   const Vector3d centre = toVector(dBodyGetPosition(robot.rigid));
   const Vector3d speed = toVector(dBodyGetLinearVel(robot.rigid));
   const Vector3d turning = toVector(dBodyGetAngularVel(robot.rigid));

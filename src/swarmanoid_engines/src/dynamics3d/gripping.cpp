@@ -81,7 +81,7 @@ void Dynamics3d::grip(Space& space, Body& robot, Body& object) {
 void Dynamics3d::joinGripper(Body& robot, Body& object) {
   robot.grip = Grip{};
   robot.grip.holder = robot.rigid;
-  if (!robot.turret.is_commanded) {
+  if (!robot.turret.isCommanded()) {
     join(robot.grip, object);
     return;
   }

@@ -73,7 +73,7 @@ void Dynamics3d::stepOnce(double step) {
         recorded_treels_->push_back(body->treels);
       }
     }
-    if (body->velocity.is_driven && !hangsByMagnet(*body)) {
+    if (body->flight_command.is_driven && !hangsByMagnet(*body)) {
       fly(*body, settings_.gravity, step);
     }
     driveLinks(*body);
@@ -196,7 +196,7 @@ void Dynamics3d::finishTick(Space& space) {
         readLinks(*body, space.joints[body->row]);
         body->poseShapes(space.joints[body->row]);
       }
-      if (body->turret.is_commanded) {
+      if (body->turret.isCommanded()) {
         space.joints[body->row][body->turret.joint] = body->turret.state;
         body->poseShapes(space.joints[body->row]);
       }

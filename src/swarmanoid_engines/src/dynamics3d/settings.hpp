@@ -19,7 +19,7 @@ struct Settings {
   double suction_strength = 30.0;  ///< force that pulls a hand off what it holds [N]
   double rope_strength = 80.0;     ///< force that pulls a rope's magnet off [N]
   double rope_drag = 0.0;          ///< of a body that hangs on a rope, across it [N s/m]
-  double magnet_strength = 60.0;   ///< force that pulls an eyebot's magnet off [N]
+  double magnet_strength = 60.0;   ///< force that pulls a robot's magnet off [N]
 };
 
 /// Steps that are longer let bodies sink into each other, and through the ground.

@@ -22,7 +22,7 @@ void takeSpeed(Body& robot, const Twist& twist) {
 void followCommand(Body& robot, double step) {
   const double radius = robot.model->wheels->radius;
   const double most = kTreelAcceleration * step;
-  const double wanted[2] = {robot.wheels.left * radius, robot.wheels.right * radius};
+  const double wanted[2] = {robot.wheels_command.left * radius, robot.wheels_command.right * radius};
   for (int side = 0; side < 2; ++side) {
     double& speed = robot.treels.rim_speed[side];
     speed += std::clamp(wanted[side] - speed, -most, most);

@@ -75,7 +75,6 @@ void findTurret(Body& body, const Space& space) {
   turret.joint = turretJoint(*body.model);
   if (turret.joint >= 0 && body.is_dynamic) {
     turret.command = space.joint_commands[body.row][static_cast<std::size_t>(turret.joint)];
-    turret.is_commanded = turret.command.mode != JointCommand::Mode::kNone;
   }
 }
 
@@ -100,7 +99,7 @@ Eigen::Vector3d gripperTip(const Body& robot) {
 }
 
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
-  SWARMANOID_EXPECTS(robot.turret.is_commanded);
+  SWARMANOID_EXPECTS(robot.turret.isCommanded());
   const Pose pose = robot.currentPose();
   // angle and rate of ODE's hinges are those of the first body against the second
   const Eigen::Vector3d down = pose.orientation * -Eigen::Vector3d::UnitZ();
@@ -113,7 +112,7 @@ dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
 }
 
 void driveTurret(Body& robot, const Contacts& contacts, double step) {
-  if (!robot.turret.is_commanded) {
+  if (!robot.turret.isCommanded()) {
     return;
   }
   const dJointID hinge = hingeOf(robot);
@@ -129,7 +128,7 @@ void driveTurret(Body& robot, const Contacts& contacts, double step) {
 }
 
 void readTurret(Body& robot) {
-  const dJointID hinge = !robot.turret.is_commanded ? nullptr : hingeOf(robot);
+  const dJointID hinge = !robot.turret.isCommanded() ? nullptr : hingeOf(robot);
   if (hinge == nullptr) {
     return;
   }

@@ -16,11 +16,12 @@ struct Body;
 class Contacts;
 
 struct Turret {
-  bool is_commanded = false;
   JointCommand command;  ///< of this tick
   int joint = -1;        ///< of the model; -1: it has no turret
   JointState state;
   double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
+
+  bool isCommanded() const { return command.mode != JointCommand::Mode::kNone; }
 };
 
 /// Looks for the robot's turret, and for the command of its motor.

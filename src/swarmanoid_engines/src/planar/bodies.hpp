@@ -171,7 +171,7 @@ class Bodies {
   std::vector<Circle> circles_;       // by body
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
-  ByRow<BodyIndex> index_of_row_;
+  RowMap<BodyIndex> index_of_row_;
   std::vector<Large> large_;
   std::vector<Turret> turrets_;
   OwnProjection tried_;                     // scratch of modelAt

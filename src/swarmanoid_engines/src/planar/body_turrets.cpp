@@ -45,9 +45,10 @@ Turret* Bodies::findTurret(BodyIndex index) { return const_cast<Turret*>(std::as
 
 const PlanarModel& Bodies::modelAt(const Turret& turret, double angle) {
   const BodyDetails& record = details(turret.body);
-  tried_.joints.assign(record.entity->joints.size(), JointState{});
   if (record.own) {
     tried_.joints = record.own->joints;
+  } else {
+    tried_.joints.assign(record.entity->joints.size(), JointState{});
   }
   tried_.joints[static_cast<std::size_t>(turret.joint)].angle = angle;
   projectModel(*record.entity, plane_, record.base, tried_.model, tried_.joints);

@@ -161,7 +161,7 @@ void ErrorChain::apply(void* device, ErrorState& state, std::uint64_t tick, std:
     entry.model->apply(step);
   }
   forEachNumber(limited_, step.device, [](const NumberPlace& place, std::byte* bytes, std::size_t /*index*/) {
-    place.writeLimited(bytes, place.read(bytes));
+    place.limit(bytes);
   });
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     if (is_span_used_[i] != 0) {

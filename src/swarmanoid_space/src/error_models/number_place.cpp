@@ -57,21 +57,21 @@ std::size_t NumberPlace::size() const {
   return withType(type, [](auto number) { return sizeof number; });
 }
 
-double NumberPlace::read(const std::byte* fields) const {
+double NumberPlace::readWhole(const std::byte* fields) const {
   return withType(type, [&](auto number) {
     std::memcpy(&number, fields + offset, sizeof number);
     return static_cast<double>(number);
   });
 }
 
-void NumberPlace::write(std::byte* fields, double value) const {
+void NumberPlace::writeWhole(std::byte* fields, double value) const {
   withType(type, [&](auto number) {
     number = nearest<decltype(number)>(value);
     std::memcpy(fields + offset, &number, sizeof number);
   });
 }
 
-void NumberPlace::writeLimited(std::byte* fields, double value) const {
+void NumberPlace::bringWithin(std::byte* fields, double value) const {
   write(fields, wraps ? wrapAngle(value) : std::clamp(value, range.minimum, range.maximum));
   const double written = read(fields);
   if (written < range.minimum || written > range.maximum) {

@@ -10,8 +10,7 @@ namespace {
 
 bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orientation.coeffs().allFinite(); }
 
-/// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity are as their last one left
-/// them.
+/// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity have the default.
 bool areAllFinite(const ByRow<Pose>& poses) {
   Eigen::Array3d positions = Eigen::Array3d::Zero();
   Eigen::Array4d orientations = Eigen::Array4d::Zero();

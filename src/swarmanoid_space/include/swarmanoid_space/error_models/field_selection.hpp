@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -30,11 +32,46 @@ struct NumberPlace {
   bool wraps = false;  ///< as FieldInfo::wraps
 
   std::size_t size() const;  ///< [byte]
-  double read(const std::byte* fields) const;
+  double read(const std::byte* fields) const {
+    return type == Type::kF4   ? readReal<float>(fields)
+           : type == Type::kF8 ? readReal<double>(fields)
+                               : readWhole(fields);
+  }
   /// Writes the nearest number that the type has: whole numbers are rounded, and nothing becomes infinite.
-  void write(std::byte* fields, double value) const;
-  /// Writes the number within the bounds of its field: wrapped if it is such an angle, else limited.
-  void writeLimited(std::byte* fields, double value) const;
+  void write(std::byte* fields, double value) const {
+    if (type == Type::kF4) {
+      writeReal<float>(fields, value);
+    } else if (type == Type::kF8) {
+      writeReal<double>(fields, value);
+    } else {
+      writeWhole(fields, value);
+    }
+  }
+  /// Brings the number within the bounds of its field: wrapped if it is such an angle, else limited.
+  void limit(std::byte* fields) const {
+    const double value = read(fields);
+    if (wraps || !(value >= range.minimum && value <= range.maximum)) {
+      bringWithin(fields, value);
+    }
+  }
+
+ private:
+  // Nearly all fields are real numbers, and each of them passes here in each tick: these are inline.
+  template <class Real>
+  double readReal(const std::byte* fields) const {
+    Real real;
+    std::memcpy(&real, fields + offset, sizeof real);
+    return static_cast<double>(real);
+  }
+  template <class Real>
+  void writeReal(std::byte* fields, double value) const {
+    constexpr auto kMost = static_cast<double>(std::numeric_limits<Real>::max());
+    const Real real = static_cast<Real>(value >= kMost ? kMost : value <= -kMost ? -kMost : value);
+    std::memcpy(fields + offset, &real, sizeof real);
+  }
+  double readWhole(const std::byte* fields) const;
+  void writeWhole(std::byte* fields, double value) const;
+  void bringWithin(std::byte* fields, double value) const;
 };
 
 /// A span of a device.

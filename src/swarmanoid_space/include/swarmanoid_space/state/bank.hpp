@@ -60,7 +60,7 @@ class Bank final : public BankBase {
 
   std::vector<std::unique_ptr<Device[]>> chunks_;
   std::vector<Device*> holes_;
-  ByRow<Device*> slot_of_row_;
+  RowMap<Device*> slot_of_row_;
 };
 
 /// The banks of one purpose (readings, commands or actuation), by device type.

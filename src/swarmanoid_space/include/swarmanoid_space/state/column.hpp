@@ -9,9 +9,10 @@
 ///          written at the same time, by the phase that writes the column.
 #pragma once
 
-#include <functional>
+#include <algorithm>
 #include <map>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/span.hpp"
@@ -108,9 +109,9 @@ class Column final : public ColumnBase, public ByRow<Value> {
 
   void resize(std::size_t row_count) override {
     if constexpr (std::is_copy_constructible_v<Value>) {
-      ByRow<Value>::resize(row_count, initial_);
+      this->values_.resize(row_count, initial_);
     } else {
-      ByRow<Value>::resize(row_count);
+      this->values_.resize(row_count);
     }
   }
   void reset(Row row, const EntityModel* /*model*/) override {
@@ -185,7 +186,7 @@ class ListColumn final : public ColumnBase {
   }
 
   CountOf count_of_;
-  ByRow<Place> places_;
+  RowMap<Place> places_;
   std::vector<Value> values_;                              // of all entities
   std::map<std::size_t, std::vector<std::size_t>> holes_;  // first values of places that are free, by their size
 };

@@ -24,8 +24,7 @@ constexpr EntityNumber kNoEntity{0};
 constexpr std::size_t toIndex(Row row) { return static_cast<std::size_t>(row); }
 constexpr Row rowAt(std::size_t index) { return static_cast<Row>(index); }
 
-/// One value a row, for whoever keeps something of their own by entity. Rows beyond the last that was written to do not
-/// exist until `fit` makes them.
+/// One value a row. Which rows exist is decided by those who derive from it.
 template <class Value>
 class ByRow {
  public:
@@ -40,26 +39,6 @@ class ByRow {
   }
 
   bool has(Row row) const { return row != kNoRow && toIndex(row) < values_.size(); }
-  /// Makes rows up to this one exist. @return the value of the row
-  Value& fit(Row row) {
-    if (!has(row)) {
-      values_.resize(toIndex(row) + 1);
-    }
-    return values_[toIndex(row)];
-  }
-  /// The same; rows that are new get the value.
-  Value& fit(Row row, const Value& value) {
-    if (!has(row)) {
-      values_.resize(toIndex(row) + 1, value);
-    }
-    return values_[toIndex(row)];
-  }
-  /// Rows below `count` exist, and no others.
-  void resize(std::size_t count) { values_.resize(count); }
-  /// The same; rows that are new get the value.
-  void resize(std::size_t count, const Value& value) { values_.resize(count, value); }
-  std::size_t size() const { return values_.size(); }
-  void clear() { values_.clear(); }
 
   // All values by row, those of rows without an entity among them.
   auto begin() { return values_.begin(); }
@@ -67,8 +46,28 @@ class ByRow {
   auto begin() const { return values_.begin(); }
   auto end() const { return values_.end(); }
 
- private:
+ protected:
+  ByRow() = default;
+
   std::vector<Value> values_;
+};
+
+/// For whoever keeps something of their own by entity: rows beyond the last that was written to do not exist until
+/// `fit` makes them.
+template <class Value>
+class RowMap : public ByRow<Value> {
+ public:
+  /// Makes rows up to this one exist; those that are new get the value. @return the value of the row
+  template <class... Initial>
+  Value& fit(Row row, const Initial&... initial) {
+    if (!this->has(row)) {
+      this->values_.resize(toIndex(row) + 1, initial...);
+    }
+    return this->values_[toIndex(row)];
+  }
+  /// Rows below `count` exist, and no others.
+  void resize(std::size_t count) { this->values_.resize(count); }
+  void clear() { this->values_.clear(); }
 };
 
 }  // namespace swarmanoid

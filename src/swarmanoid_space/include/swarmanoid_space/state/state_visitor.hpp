@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <string_view>
+#include <type_traits>
 
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/span.hpp"
@@ -55,8 +56,9 @@ struct CellOwner {
 inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, Row value) {
   visitor.entity({name}, value);
 }
-inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, char value) {
-  visitor.number({name}, value);
+template <class Number, class = std::enable_if_t<std::is_arithmetic_v<Number>>>
+void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, Number value) {
+  visitor.number({name}, static_cast<double>(value));
 }
 inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, const Color& value) {
   visitor.colors({name}, Span<const Color>(&value, 1));

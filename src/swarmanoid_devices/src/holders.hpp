@@ -1,0 +1,72 @@
+/// The family of devices that work with holders of a robot (EntityModel::Holder): grippers, hands, magnets, ropes.
+/// Which holders of the model they are is looked up once, when a robot is added.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "mechanisms.hpp"
+#include "swarmanoid_space/actuator.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+
+/// An instance with the indices of `count` holders in the model; -1 for those that it does not have.
+template <class Instance, std::size_t count>
+struct WithHolders : Instance {
+  std::array<int, count> holders{};
+};
+
+template <std::size_t count>
+std::array<int, count> holdersOf(const EntityModel& model, const std::array<const char*, count>& names) {
+  std::array<int, count> holders{};
+  for (std::size_t i = 0; i < count; ++i) {
+    holders[i] = model.findHolder(names[i]);
+  }
+  return holders;
+}
+
+/// `Derived` has `static constexpr std::array<const char*, count> kHolders`, the names of its holders.
+template <class Derived, class Device, std::size_t count = 1>
+class HolderActuator : public ActuatorOf<Device, WithHolders<BasicActuatorInstance<Device>, count>> {
+ public:
+  using Instance = WithHolders<BasicActuatorInstance<Device>, count>;
+
+  void configure(const Configuration&) override {}
+
+ protected:
+  void prepareInstance(const Space& space, Instance& instance) override {
+    instance.holders = holdersOf(*space.entities.model[instance.row], Derived::kHolders);
+  }
+
+  /// @param winding_speed of a rope [m/s]
+  static void command(Space& space, const Instance& instance, std::size_t which, bool holds,
+                      double winding_speed = 0.0) {
+    const int holder = instance.holders[which];
+    if (holder >= 0) {
+      space.holder_commands[instance.row][static_cast<std::size_t>(holder)] = {true, holds, winding_speed};
+    }
+  }
+};
+
+/// The same of sensors.
+template <class Derived, class Device, std::size_t count = 1>
+class HolderSensor : public SensorOf<Device, WithHolders<BasicSensorInstance<Device>, count>> {
+ public:
+  using Instance = WithHolders<BasicSensorInstance<Device>, count>;
+
+  void configure(const Configuration&) override {}
+
+ protected:
+  void prepareInstance(const Space& space, Instance& instance) override {
+    instance.holders = holdersOf(*space.entities.model[instance.row], Derived::kHolders);
+  }
+
+  /// @return an attachment to nothing if the robot does not have the holder
+  static Attachment attachmentOf(const Space& space, const Instance& instance, std::size_t which) {
+    const int holder = instance.holders[which];
+    return holder < 0 ? Attachment{} : space.attachments.of(instance.row, static_cast<std::size_t>(holder));
+  }
+};
+
+}  // namespace swarmanoid::devices
