@@ -4,9 +4,11 @@
 #include <cmath>
 
 #include "mock_bench.hpp"
+#include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -33,22 +35,27 @@ void fields(Visitor& visit, Fan& fan) {
 REGISTER_DEVICE(Fan, kActuator, "Makes wind.")
 
 struct RoverArm {
-  static constexpr const char* kType = "rover_arm";
+  static constexpr const char* kType = "manipulator_of_a_test";
+  static constexpr const char* kRobot = "rover";
   double angle = 0.0;
 };
 template <class Visitor>
 void fields(Visitor& visit, RoverArm& arm) {
   visit(arm.angle, {"angle", "rad"});
 }
-REGISTER_DEVICE(RoverArm, kActuator, "Belongs to a rover by its name.")
+REGISTER_DEVICE(RoverArm, kActuator, "An arm that only rovers have.")
 
 TEST(MockDevices, AreThoseOfTheRobotsTypeAndOthersThatAreNamed) {
   EXPECT_EQ((std::vector<std::string>{"eyebot_camera", "eyebot_laser", "eyebot_leds", "eyebot_magnet",
                                       "eyebot_magnet_state", "eyebot_velocity"}),
             devicesOf("eyebot", {}, kHere));
-  EXPECT_EQ((std::vector<std::string>{"rover_arm", "thermometer_of_a_test"}),
+  EXPECT_EQ((std::vector<std::string>{"manipulator_of_a_test", "thermometer_of_a_test"}),
             devicesOf("rover", {"thermometer_of_a_test"}, kHere));
   EXPECT_EQ((std::vector<std::string>{"fan_of_a_test"}), devicesOf("epuck", {"fan_of_a_test"}, kHere));
+  EXPECT_EQ((std::vector<std::string>{"fan_of_a_test"}), devicesOf("fan", {"fan_of_a_test"}, kHere))
+      << "its name begins with the type, which does not make it the type's";
+  EXPECT_EQ((std::vector<std::string>{"fan_of_a_test"}), devicesOf("", {"fan_of_a_test"}, kHere))
+      << "devices of any robot are not those of a robot without a type";
 }
 
 TEST(MockDevices, ThatAreNotKnownAreRefused) {
@@ -61,17 +68,20 @@ TEST(MockDevices, ThatAreNotKnownAreRefused) {
     return "";
   };
   EXPECT_EQ(
-      "/m: type: found 'footboot', allowed: eyebot, footbot, handbot, or any other type whose devices are named "
+      "/m: type: found 'footboot', allowed: eyebot, footbot, handbot, rover, or any other type whose devices are named "
       "(devices); did you mean 'footbot'?",
       refusal("footboot", {}));
+  EXPECT_EQ(0U, refusal("", {}).find("/m: type: found '', allowed: eyebot, ")) << refusal("", {});
   const std::string unknown = refusal("epuck", {"fan_of_a_tset"});
   EXPECT_EQ(0U, unknown.find("/m: devices: found 'fan_of_a_tset', allowed: differential_drive, ")) << unknown;
   EXPECT_NE(std::string::npos, unknown.find("did you mean 'fan_of_a_test'?")) << unknown;
 }
 
-TEST(MockDevices, OfTheRobotsAreNotGeneric) {
-  for (const DeviceType* type : deviceTypes()) {
-    EXPECT_TRUE(type->robot.empty() || findMockDevice(type->type) != nullptr) << type->type;
+TEST(MockDevices, OfTheSuitesRobotsAreNotGeneric) {
+  for (const char* robot : {"eyebot", "footbot", "handbot"}) {
+    for (const std::string& device : devicesOf(robot, {}, kHere)) {
+      EXPECT_NE(nullptr, findMockDevice(device)) << device;
+    }
   }
 }
 
@@ -100,6 +110,54 @@ TEST(MockDevices, ActThenTheRobotMovesThenTheySense) {
   bench.command<FootbotWheels>().drive(0.3, 0.0);
   bench.robot->advance(0.2);
   EXPECT_NEAR(std::pow(0.45, 3.0), bench.reading<FootbotProximity>().value[0], 1e-6) << "0.055 m away";
+}
+
+/// Along an arc: with speed v and turn rate w around a point v / w to the left.
+TEST(MockDifferentialDrive, MovesAnyRobotAsCommanded) {
+  Bench bench(std::vector<std::string>{"differential_drive"});
+  Pose start;
+  start.position = {0.3, -0.2, 0.0};
+  start.yaw = 0.7;
+  bench.robot->place(start);
+  bench.command<DifferentialDrive>().drive(0.2, 0.5);
+  bench.advance(1.0);
+  const Pose& pose = bench.robot->state().pose;
+  EXPECT_NEAR(1.2, pose.yaw, 1e-9);
+  EXPECT_NEAR(0.3 + 0.4 * (std::sin(1.2) - std::sin(0.7)), pose.position.x(), 1e-9);
+  EXPECT_NEAR(-0.2 - 0.4 * (std::cos(1.2) - std::cos(0.7)), pose.position.y(), 1e-9);
+  bench.robot->place(start);
+  bench.command<DifferentialDrive>().drive(-2.0, 0.0);
+  bench.advance(0.5);
+  EXPECT_NEAR(0.3 - std::cos(0.7), pose.position.x(), 1e-9) << "backwards, as fast as it is commanded";
+  EXPECT_NEAR(-0.2 - std::sin(0.7), pose.position.y(), 1e-9);
+  EXPECT_NEAR(0.7, pose.yaw, 1e-12);
+}
+
+/// Five sensors on a ring of 5 cm, before a wall 8 cm ahead of where the robot would look with yaw 0: a sensor that
+/// looks in direction a is 0.08 / cos(a) - 0.05 away from it.
+TEST(MockProximity, FeelsAWallFromARingOfAnySize) {
+  World world;
+  world.ring = {5, 0.05};
+  world.walls.push_back({{0.08, -1.0}, {0.08, 1.0}});
+  Bench bench(std::vector<std::string>{"proximity"}, world);
+  Pose start;
+  start.yaw = 0.3;
+  bench.robot->place(start);
+  const Proximity& proximity = bench.reading<Proximity>();
+  ASSERT_EQ(5U, proximity.sensors.size());
+  const double angles[] = {0.0, 0.4 * M_PI, 0.8 * M_PI, -0.8 * M_PI, -0.4 * M_PI};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(angles[i], proximity.sensors[i].angle, 1e-6) << i;
+  }
+  const auto closeness = [](double direction) { return 1.0 - (0.08 / std::cos(direction) - 0.05) / 0.1; };
+  EXPECT_NEAR(std::pow(closeness(0.3), 3.0), proximity.sensors[0].value, 1e-6) << "0.034 m away";
+  EXPECT_EQ(0.0F, proximity.sensors[1].value) << "it looks past the end of the wall";
+  EXPECT_EQ(0.0F, proximity.sensors[2].value);
+  EXPECT_EQ(0.0F, proximity.sensors[3].value);
+  EXPECT_NEAR(std::pow(closeness(0.3 - 0.4 * M_PI), 3.0), proximity.sensors[4].value, 1e-6) << "0.089 m away";
+  start.position.x() = 0.04;
+  bench.robot->place(start);
+  EXPECT_EQ(1.0F, proximity.sensors[0].value) << "the wall is within the ring";
 }
 
 TEST(MockDriversWatchdog, StopsWhatHasHadNoCommandForTooLong) {
@@ -140,6 +198,34 @@ TEST(MockWorld, IsReadFromParametersAndRefusesOthers) {
   EXPECT_EQ(0.2, robot->state().pose.position.y());
   values.set("ceilin", "2");
   EXPECT_THROW(makeMockRobot({FootbotProximity::kType}, values), ConfigError);
+}
+
+TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
+  const auto ringOf = [](const std::string& sensors, const std::string& radius) {
+    Configuration values("world", "", {"/w", 0});
+    Configuration& ring = values.add(Configuration("ring", "", {"/w", 0}));
+    ring.set("sensors", sensors);
+    ring.set("radius", radius);
+    return readWorld(values).ring;
+  };
+  EXPECT_EQ(8U, readWorld(Configuration("world", "", {"/w", 0})).ring.sensors) << "the usual ones";
+  EXPECT_EQ(64U, ringOf("64", "0.07").sensors);
+  EXPECT_EQ(0.07, ringOf("64", "0.07").radius);
+  EXPECT_THROW(ringOf("0", "0.07"), ConfigError);
+  EXPECT_THROW(ringOf("65", "0.07"), ConfigError);
+  EXPECT_THROW(ringOf("5", "-0.01"), ConfigError);
+  Configuration values("world", "", {"/w", 0});
+  values.add(Configuration("ring", "", {"/w", 0})).set("sensors", "3");
+  const auto robot = makeMockRobot({Proximity::kType}, values);
+  EXPECT_EQ(3U, static_cast<const Proximity*>(robot->devices()[0].value.get())->sensors.size());
+  values.set("rings", "2");
+  std::string refusal;
+  try {
+    makeMockRobot({Proximity::kType}, values);
+  } catch (const ConfigError& error) {
+    refusal = error.what();
+  }
+  EXPECT_NE(std::string::npos, refusal.find("did you mean 'ring'?")) << refusal;
 }
 
 }  // namespace

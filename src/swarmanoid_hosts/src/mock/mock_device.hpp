@@ -54,8 +54,8 @@ struct MockDeviceRegistration {
 
 }  // namespace swarmanoid::mock
 
-/// @param Mock a class with a constructor that takes the device and the state, in which it may set what is usual at the
-/// start: it is called once, before the parameters of the world's file are applied
+/// @param Mock a class with a constructor that takes the device and the state. It is called once: the world is read by
+/// then, and the robot is placed where `start` and `start_yaw` say afterwards, so it may set the usual pose.
 #define REGISTER_MOCK_DEVICE(Device, Mock)                                                                         \
   static const ::swarmanoid::mock::MockDeviceRegistration SWARMANOID_CONCATENATE(mock_registration_, __COUNTER__)( \
       Device::kType,                                                                                               \

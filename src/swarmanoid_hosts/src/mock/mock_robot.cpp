@@ -81,7 +81,7 @@ std::vector<std::string> devicesOf(const std::string& robot_type, const std::vec
                                    const SourceLocation& location) {
   std::vector<std::string> devices;
   for (const DeviceType* type : deviceTypes()) {
-    if (type->robot == robot_type || type->type.rfind(robot_type + "_", 0) == 0) {
+    if (!robot_type.empty() && type->robot == robot_type) {
       devices.push_back(type->type);
     }
   }
@@ -107,7 +107,7 @@ std::unique_ptr<MockRobot> makeMockRobot(const std::vector<std::string>& devices
   Pose start = robot->state().pose;
   start.position = values.vector3("start", start.position);
   start.yaw = values.angle("start_yaw", 0.0);
-  values.refuseUnread({"walls", "beacons", "ceiling", "hands", "start", "start_yaw"});
+  values.refuseUnread({"walls", "beacons", "ceiling", "hands", "ring", "start", "start_yaw"});
   robot->place(start);
   return robot;
 }

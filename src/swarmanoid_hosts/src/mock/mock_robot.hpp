@@ -45,8 +45,8 @@ class MockRobot {
   std::vector<Device> devices_;
 };
 
-/// Returns the devices of a mock robot of that type: those that only robots of that type have, or whose names begin
-/// with the type and "_", and `others`.
+/// Returns the devices of a mock robot of that type: those that only robots of that type have, and `others`. A robot of
+/// no type, "", has the others only.
 /// @throws ConfigError at `location` for a device that is not known, and for a type without any device
 std::vector<std::string> devicesOf(const std::string& robot_type, const std::vector<std::string>& others,
                                    const SourceLocation& location);
