@@ -180,6 +180,11 @@ TEST(DeviceTypeTest, NumbersHaveTheirPlaces) {
   EXPECT_EQ("blobs[].distance", camera.fields[distance.field].name);
   EXPECT_TRUE(camera.fields[camera.numbers[0].elements[3].field].wraps);
   EXPECT_FALSE(camera.fields[distance.field].wraps);
+  const DeviceType& proximity = *findDeviceType("proximity");
+  ASSERT_EQ(2U, proximity.numbers[0].elements.size());
+  EXPECT_EQ("sensors[].angle", proximity.fields[proximity.numbers[0].elements[1].field].name);
+  EXPECT_TRUE(proximity.fields[proximity.numbers[0].elements[1].field].wraps);
+  EXPECT_FALSE(proximity.fields[proximity.numbers[0].elements[0].field].wraps);
 }
 
 TEST(DeviceTypeTest, SpansAreReadAndSetAsBytes) {

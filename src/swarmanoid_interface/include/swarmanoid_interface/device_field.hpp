@@ -252,7 +252,8 @@ class FieldLister {
 
 }  // namespace detail
 
-/// Brings the numbers of a command into the ranges that its fields have; spans and whole numbers stay as they are.
+/// Brings the numbers of a command into the ranges that its fields have: what is outside becomes the nearer bound, an
+/// angle that wraps (FieldInfo::wraps) too. Spans and whole numbers stay as they are, and so does NaN.
 template <class Device>
 void limitToRanges(Device& device) {
   detail::RangeLimiter limiter;
