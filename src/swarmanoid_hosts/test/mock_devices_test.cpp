@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "mock_bench.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
@@ -83,6 +85,18 @@ TEST(MockDevices, OfTheSuitesRobotsAreNotGeneric) {
       EXPECT_NE(nullptr, findMockDevice(device)) << device;
     }
   }
+}
+
+/// Drivers publish what people see: the colours of LEDs, on whichever robot.
+TEST(MockDevices, AreShownIfPeopleSeeThem) {
+  const Bench bench(std::vector<std::string>{"eyebot_leds", "footbot_leds", "footbot_wheels", "leds"});
+  std::vector<std::string> shown;
+  for (const MockRobot::Device& device : bench.robot->devices()) {
+    if (device.mock->isShown()) {
+      shown.push_back(device.type->type);
+    }
+  }
+  EXPECT_EQ((std::vector<std::string>{"eyebot_leds", "footbot_leds", "leds"}), shown);
 }
 
 TEST(MockDevices, WithoutAMockOfTheirOwnRestAndStop) {

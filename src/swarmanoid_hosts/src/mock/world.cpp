@@ -72,4 +72,9 @@ double distanceToWall(const World& world, const Eigen::Vector2d& from, double di
   return nearest;
 }
 
+float closenessOfWall(const World& world, const Pose& pose, double angle, double radius) {
+  const double distance = distanceToWall(world, pose.position.head<2>(), pose.yaw + angle) - radius;
+  return Proximity::response(std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0));
+}
+
 }  // namespace swarmanoid::mock

@@ -23,14 +23,14 @@ struct Pose {
 
 /// An upright wall of sufficient height, from one point of the ground to another.
 struct Wall {
-  Eigen::Vector2d from;
-  Eigen::Vector2d to;
+  Eigen::Vector2d from;  ///< in the world [m]
+  Eigen::Vector2d to;    ///< likewise [m]
 };
 
 /// An object that a camera sees.
 struct Beacon {
   std::string name;
-  Eigen::Vector3d at;
+  Eigen::Vector3d at;  ///< in the world [m]
   Color color;
   bool can_be_gripped = false;
 };
@@ -63,5 +63,10 @@ World readWorld(const Configuration& values);
 /// Returns the distance from a point along a direction of the ground to the nearest wall. @return infinity if there is
 /// none [m]
 double distanceToWall(const World& world, const Eigen::Vector2d& from, double direction);
+
+/// Returns what an infrared sensor that looks outwards from a ring around the robot's axis reads of the walls, by
+/// Proximity::response: 0 with nothing in range, 1 at contact. @param angle of the sensor in the robot's frame [rad]
+/// @param radius of the ring [m]
+float closenessOfWall(const World& world, const Pose& pose, double angle, double radius);
 
 }  // namespace swarmanoid::mock

@@ -1,10 +1,7 @@
 // A footbot's infrared ring feels the walls of the world.
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 
-#include <algorithm>
-
 #include "../mock_device.hpp"
-#include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -15,11 +12,8 @@ class MockFootbotProximity final : public MockDevice {
 
   void sense(const MockState& state) override {
     for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
-      const double direction = state.pose.yaw + FootbotProximity::angle(i);
-      const double distance =
-          distanceToWall(state.world, state.pose.position.head<2>(), direction) - FootbotProximity::kRingRadius;
-      const double fraction = std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0);
-      readings_.value[i] = Proximity::response(fraction);
+      readings_.value[i] =
+          closenessOfWall(state.world, state.pose, FootbotProximity::angle(i), FootbotProximity::kRingRadius);
     }
   }
 

@@ -1,7 +1,6 @@
 // The infrared sensors of any robot feel the walls of the world, from a ring that the world's values describe.
 #include "swarmanoid_interface/devices/proximity.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -20,10 +19,7 @@ class MockProximity final : public MockDevice {
     sensors_.resize(ring.sensors);
     for (std::size_t i = 0; i < ring.sensors; ++i) {
       const double angle = wrapAngle(2.0 * M_PI * static_cast<double>(i) / static_cast<double>(ring.sensors));
-      const double distance =
-          distanceToWall(state.world, state.pose.position.head<2>(), state.pose.yaw + angle) - ring.radius;
-      const double fraction = std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0);
-      sensors_[i] = {Proximity::response(fraction), static_cast<float>(angle)};
+      sensors_[i] = {closenessOfWall(state.world, state.pose, angle, ring.radius), static_cast<float>(angle)};
     }
     readings_.sensors = sensors_;
   }
