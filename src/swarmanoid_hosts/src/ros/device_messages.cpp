@@ -63,4 +63,11 @@ void refuseUnlessZero(const char* name, double value) {
   }
 }
 
+void refuseUnlessForWheels(const geometry_msgs::Twist& velocity) {
+  refuseUnlessZero("linear.y", velocity.linear.y);
+  refuseUnlessZero("linear.z", velocity.linear.z);
+  refuseUnlessZero("angular.x", velocity.angular.x);
+  refuseUnlessZero("angular.y", velocity.angular.y);
+}
+
 }  // namespace swarmanoid

@@ -192,6 +192,7 @@ TEST(DeviceMessages, BadOnesAreRefusedAndChangeNothing) {
   geometry_msgs::Twist twist;
   twist.linear.y = 0.5;
   EXPECT_EQ("found linear.y 0.500000, allowed: 0, this robot cannot do it", (refusalOf(twist, FootbotWheels{1, 2})));
+  EXPECT_EQ("found linear.y 0.500000, allowed: 0, this robot cannot do it", (refusalOf(twist, DifferentialDrive{})));
   EXPECT_EQ("", (refusalOf(twist, EyebotVelocity{})));
   twist.linear.z = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ("found a number that is not finite, allowed: finite numbers", (refusalOf(twist, EyebotVelocity{})));

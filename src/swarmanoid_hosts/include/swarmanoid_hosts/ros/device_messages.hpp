@@ -3,6 +3,7 @@
 /// Functions that read a message throw std::runtime_error, whose text gives what was found and what is allowed.
 #pragma once
 
+#include <geometry_msgs/Twist.h>
 #include <sensor_msgs/JointState.h>
 #include <std_msgs/ColorRGBA.h>
 #include <swarmanoid_msgs/LedArray.h>
@@ -37,5 +38,7 @@ JointValues jointOf(const sensor_msgs::JointState& message, const std::string& n
 
 /// Refuses fields of a message that a robot cannot carry out.
 void refuseUnlessZero(const char* name, double value);
+/// Refuses a velocity that two wheels cannot carry out: all but linear.x and angular.z must be 0.
+void refuseUnlessForWheels(const geometry_msgs::Twist& velocity);
 
 }  // namespace swarmanoid

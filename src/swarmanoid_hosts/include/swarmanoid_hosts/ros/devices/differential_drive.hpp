@@ -16,10 +16,7 @@ inline void toMessage(const DifferentialDrive& command, geometry_msgs::Twist& me
 
 /// Reads linear.x and angular.z; the others must be 0, for two wheels cannot carry them out.
 inline void fromMessage(const geometry_msgs::Twist& message, DifferentialDrive& command) {
-  refuseUnlessZero("linear.y", message.linear.y);
-  refuseUnlessZero("linear.z", message.linear.z);
-  refuseUnlessZero("angular.x", message.angular.x);
-  refuseUnlessZero("angular.y", message.angular.y);
+  refuseUnlessForWheels(message);
   command.drive(message.linear.x, message.angular.z);
 }
 

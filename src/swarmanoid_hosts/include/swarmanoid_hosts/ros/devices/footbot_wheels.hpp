@@ -27,10 +27,7 @@ inline void toMessage(const FootbotWheels& command, geometry_msgs::Twist& messag
 
 /// Reads linear.x and angular.z; the others must be 0, for a footbot cannot carry them out.
 inline void fromMessage(const geometry_msgs::Twist& message, FootbotWheels& command) {
-  refuseUnlessZero("linear.y", message.linear.y);
-  refuseUnlessZero("linear.z", message.linear.z);
-  refuseUnlessZero("angular.x", message.angular.x);
-  refuseUnlessZero("angular.y", message.angular.y);
+  refuseUnlessForWheels(message);
   command.drive(message.linear.x, message.angular.z);
 }
 
