@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <string>
+#include <utility>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/devices/color_blob_camera.hpp"
@@ -192,7 +194,6 @@ TEST(DeviceMessages, BadOnesAreRefusedAndChangeNothing) {
   geometry_msgs::Twist twist;
   twist.linear.y = 0.5;
   EXPECT_EQ("found linear.y 0.500000, allowed: 0, this robot cannot do it", (refusalOf(twist, FootbotWheels{1, 2})));
-  EXPECT_EQ("found linear.y 0.500000, allowed: 0, this robot cannot do it", (refusalOf(twist, DifferentialDrive{})));
   EXPECT_EQ("", (refusalOf(twist, EyebotVelocity{})));
   twist.linear.z = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ("found a number that is not finite, allowed: finite numbers", (refusalOf(twist, EyebotVelocity{})));
@@ -217,6 +218,21 @@ TEST(DeviceMessages, BadOnesAreRefusedAndChangeNothing) {
       (refusalOf(joints, HandbotArms{})));
   EXPECT_EQ("found 2 joints and at least 0 values, expected joint 'turret' with position, velocity and effort",
             (refusalOf(joints, FootbotTurretState{})));
+}
+
+TEST(DeviceMessages, TwoWheelsRefuseEachMotionThatTheyCannotCarryOut) {
+  geometry_msgs::Twist left, up, roll, pitch;
+  left.linear.y = 0.5;
+  up.linear.z = 0.5;
+  roll.angular.x = 0.5;
+  pitch.angular.y = 0.5;
+  const std::pair<const char*, geometry_msgs::Twist> motions[] = {
+      {"linear.y", left}, {"linear.z", up}, {"angular.x", roll}, {"angular.y", pitch}};
+  for (const auto& [name, twist] : motions) {
+    const std::string expected = "found " + std::string(name) + " 0.500000, allowed: 0, this robot cannot do it";
+    EXPECT_EQ(expected, (refusalOf(twist, FootbotWheels{1, 2})));
+    EXPECT_EQ(expected, (refusalOf(twist, DifferentialDrive{0.1, 0.2})));
+  }
 }
 
 TEST(DeviceTopics, EveryDeviceHasOne) {
