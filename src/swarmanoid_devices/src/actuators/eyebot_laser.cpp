@@ -38,8 +38,7 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
 
  protected:
   void limit(const Space& /*space*/, BasicActuatorInstance<EyebotLaser>& instance) override {
-    EyebotLaser& laser = *instance.actuation;
-    laser.tilt = std::clamp(laser.tilt, -EyebotLaser::kMaxTilt, EyebotLaser::kMaxTilt);
+    limitToRanges(*instance.actuation);
   }
 
  private:
