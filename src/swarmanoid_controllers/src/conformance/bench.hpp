@@ -92,6 +92,7 @@ class Bench {
   std::string failure_;
 };
 
+/// Returns the direction of a place in the robot's frame [rad], counter-clockwise from ahead, in [-pi, pi].
 double bearingOf(const Eigen::Vector2d& place);
 std::string withUnit(double value, const char* unit);
 

@@ -26,6 +26,12 @@ struct DeviceChecks {
 /// Returns the checks of all devices, sorted by device.
 const std::vector<DeviceChecks>& deviceChecks();
 
+/// A DeviceChecks::rest: commands what the device does at rest.
+template <class Device>
+void restAtOnce(const Bench& bench) {
+  *bench.actuator<Device>() = Device{};
+}
+
 struct ChecksRegistration {
   explicit ChecksRegistration(DeviceChecks checks);
 };

@@ -67,9 +67,7 @@ std::vector<Check> driveChecks(Bench& bench) {
   return {check};
 }
 
-void restDrive(const Bench& bench) { *bench.actuator<DifferentialDrive>() = DifferentialDrive{}; }
-
-const ChecksRegistration drive_checks({DifferentialDrive::kType, driveChecks, nullptr, restDrive});
+const ChecksRegistration drive_checks({DifferentialDrive::kType, driveChecks, nullptr, restAtOnce<DifferentialDrive>});
 
 }  // namespace
 }  // namespace swarmanoid::conformance

@@ -101,9 +101,8 @@ std::vector<Check> velocityChecks(Bench& bench) { return {velocity(bench), yaw(b
 
 void usualFlight(Surroundings& usual) { usual.settling_time = 2.0; }
 
-void restInTheAir(const Bench& bench) { *bench.actuator<EyebotVelocity>() = EyebotVelocity{}; }
-
-const ChecksRegistration velocity_checks({EyebotVelocity::kType, velocityChecks, usualFlight, restInTheAir});
+const ChecksRegistration velocity_checks({EyebotVelocity::kType, velocityChecks, usualFlight,
+                                          restAtOnce<EyebotVelocity>});
 
 }  // namespace
 }  // namespace swarmanoid::conformance

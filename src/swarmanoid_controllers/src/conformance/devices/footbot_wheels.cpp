@@ -48,9 +48,7 @@ Check wheelsLeft(Bench& bench) {
 
 std::vector<Check> wheelsChecks(Bench& bench) { return {wheelsAhead(bench), wheelsLeft(bench)}; }
 
-void restWheels(const Bench& bench) { bench.actuator<FootbotWheels>()->drive(0.0, 0.0); }
-
-const ChecksRegistration wheels_checks({FootbotWheels::kType, wheelsChecks, nullptr, restWheels});
+const ChecksRegistration wheels_checks({FootbotWheels::kType, wheelsChecks, nullptr, restAtOnce<FootbotWheels>});
 
 }  // namespace
 }  // namespace swarmanoid::conformance

@@ -8,9 +8,7 @@ namespace {
 
 std::vector<Check> noChecks(Bench& /*bench*/) { return {}; }
 
-void restAnyWheels(const Bench& bench) { *bench.actuator<Wheels>() = Wheels{}; }
-
-const ChecksRegistration any_wheels_checks({Wheels::kType, noChecks, nullptr, restAnyWheels});
+const ChecksRegistration any_wheels_checks({Wheels::kType, noChecks, nullptr, restAtOnce<Wheels>});
 
 }  // namespace
 }  // namespace swarmanoid::conformance
