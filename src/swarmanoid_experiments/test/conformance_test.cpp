@@ -183,11 +183,6 @@ TEST_P(MistakeTest, IsFoundAndNamed) {
   EXPECT_EQ(expected, verdictsOf(*simulation));
 }
 
-template <class Device, class Change>
-Miswiring wire(Change change) {
-  return {Device::kType, [change](void* device) mutable { change(*static_cast<Device*>(device)); }};
-}
-
 /// @param change what becomes of each blob
 template <class Camera, class Change>
 Miswiring wireCamera(Change change) {

@@ -17,6 +17,12 @@ struct Miswiring {
   std::function<void(void*)> change;  ///< what becomes of the device
 };
 
+/// @param change takes the device by reference
+template <class Device, class Change>
+Miswiring wire(Change change) {
+  return {Device::kType, [change](void* device) mutable { change(*static_cast<Device*>(device)); }};
+}
+
 class MiswiredRobot {
  public:
   /// @pre the robot's source is remote
