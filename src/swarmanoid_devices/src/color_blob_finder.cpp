@@ -62,16 +62,19 @@ class Finder {
     const LedSet seen = lit & ~hiddenLeds(model, space_.joints[row], eye, lit);
     for (std::size_t k = 0; k < count; ++k) {
       if (seen[k]) {
-        look(points[k], color_of(k), row);
+        see(points[k], color_of(k), row);
       }
     }
   }
 
   /// @return whether the point is in sight
   bool look(const Eigen::Vector3d& point, Color color, Row owner) {
-    if (!view_.inView(point)) {
-      return false;
-    }
+    return view_.inView(point) && see(point, color, owner);
+  }
+
+ private:
+  /// @pre the point is in view @return whether nothing hides it
+  bool see(const Eigen::Vector3d& point, Color color, Row owner) {
     const RayHit hit = space_.castRay({view_.position, point}, view_.self, owner);
     if (hit.fraction < 1.0 - kOwnSurface) {
       return false;
@@ -82,7 +85,6 @@ class Finder {
     return true;
   }
 
- private:
   const Space& space_;
   const BlobView& view_;
   std::vector<Found>& found_;

@@ -1,5 +1,7 @@
 #include "device_topics.hpp"
 
+#include <algorithm>
+
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
@@ -68,7 +70,7 @@ void DeviceTopics::addLeds(const Space& space, Row row) {
       {handle_.advertise<swarmanoid_msgs::LedArray>("leds/state", 1, kLatched),
        [this, shown = std::vector<Color>()](const ros::Publisher& publisher, const Space& seen, Row owner) mutable {
          const Span<const Color> ring = seen.leds[owner];
-         if (std::vector<Color>(ring.begin(), ring.end()) == shown) {
+         if (std::equal(ring.begin(), ring.end(), shown.begin(), shown.end())) {
            return;
          }
          shown.assign(ring.begin(), ring.end());
