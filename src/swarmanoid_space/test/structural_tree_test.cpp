@@ -31,7 +31,7 @@ TEST_F(StructuralTreeTest, AtFirstEverybodyIsAStructureOfItsOwn) {
 }
 
 TEST_F(StructuralTreeTest, TheRootIsTheGrippedObject) {
-  // footbots 1 and 2 grip prey 0_r, footbot 3 grips footbot 1 (thesis 3.4)
+  // footbots 1 and 2 grip prey 0, footbot 3 grips footbot 1 (thesis 3.4)
   EXPECT_TRUE(tree.connect(1_r, 0_r));
   EXPECT_TRUE(tree.connect(2_r, 0_r));
   EXPECT_TRUE(tree.connect(3_r, 1_r));

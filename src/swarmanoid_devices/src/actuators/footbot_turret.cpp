@@ -40,7 +40,7 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
   void prepareInstance(const Space& space, TurretInstance& instance) override {
     const EntityModel& model = *space.entities.model[instance.row];
     instance.joint = model.findJoint("turret");
-    // engines refuse a footbot without a turret
+    // engines refuse a robot without a turret, of whatever type; a robot in no engine is asked by none
     instance.max_speed = instance.joint < 0 ? 0.0 : model.joints[static_cast<std::size_t>(instance.joint)].max_speed;
   }
 

@@ -1,5 +1,5 @@
 // By the Minkowski Portal Refinement of libccd. Its variant of the algorithm of Gilbert, Johnson and Keerthi is no
-// match: of spheres that sink into each other by 10 um it calls four in ten apart.
+// match: it calls some spheres apart that sink into each other by 10 um.
 #include "dynamics3d/convex_overlap.hpp"
 
 #include <ccd/ccd.h>

@@ -1,6 +1,6 @@
-/// The moving parts of a robot that devices work with and engines simulate. A robot's description says which it has;
-/// a device names those that it needs; an engine accepts or refuses them. So engines know no devices, and devices no
-/// engines.
+/// The moving parts of a robot that devices work with and engines simulate. A robot's description says which wheels,
+/// joints and holders it has; of flight it says nothing, so any robot may fly. A device names those that it needs; an
+/// engine accepts or refuses them. So engines know no devices, and devices no engines.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace swarmanoid {
 struct Mechanism {
   enum class Kind {
     kWheels,  ///< two driven wheels or treels: a differential drive
-    kFlight,  ///< rotors: it flies as it is commanded
+    kFlight,  ///< it flies as it is commanded
     kJoint,   ///< a joint that turns a link
     kHolder   ///< a part that holds on to other entities: a gripper, a hand with suction, a magnet, a rope
   };

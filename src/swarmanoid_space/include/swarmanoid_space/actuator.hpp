@@ -5,7 +5,8 @@
 /// Phases   configure, add, remove, stop: between phases. actuate: the phase of this name. afterMove: in `connect`.
 /// Noise    drawn from the instance's own stream.
 /// Errors   those of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
-///          parameter of the actuator mean such an error.
+///          parameter of the actuator mean such an error, which draws from a stream of the same name as the instance's
+///          own: the numbers are the same, so an actuator that draws itself should have no aliases that draw.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
 /// REGISTER_ACTUATOR. Beside the struct stands its descriptor (swarmanoid_interface/device_type.hpp), for the check of

@@ -5,7 +5,8 @@
 /// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
 /// Errors   those of <error> elements act on what `sense` has filled in, which stays as it is. addErrorAlias makes a
-///          parameter of the sensor mean such an error.
+///          parameter of the sensor mean such an error, which draws from a stream of the same name as the instance's
+///          own: the numbers are the same, so a sensor that draws itself should have no aliases that draw.
 ///
 /// To add a sensor: write its struct and descriptor in an interface header, derive from SensorOf<Struct>, end with
 /// REGISTER_SENSOR.

@@ -51,7 +51,7 @@ class RobotType final : public EntityType {
   std::string name_;
 };
 
-/// @return "" where the description is wrong: whoever uses the robot is told
+/// @return "" where the description is wrong; robotModel says what is wrong to whoever uses the robot
 std::string summaryOf(const RobotFile& robot) {
   try {
     std::ostringstream text;

@@ -3,7 +3,8 @@
 ///     <export><swarmanoid robots="${prefix}/urdf"/></export>
 ///
 /// and each <type>.urdf in that folder is a robot type. Packages are searched in share/ of every prefix, and in the
-/// source folders of those prefixes that are devel spaces. A package is taken from the first prefix that has it.
+/// source folders of those prefixes that are devel spaces. A package that is there more than once is taken from the
+/// first prefix where its package.xml has that element.
 #pragma once
 
 #include <string>
