@@ -46,6 +46,22 @@ World crowd(int threads) {
   return world;
 }
 
+/// Of the next ticks: the hash of the state holds no readings, the deep one does.
+struct RunHashes {
+  std::vector<std::uint64_t> state;
+  std::vector<std::uint64_t> deep;
+};
+
+RunHashes runHashesOf(Simulation& simulation, int ticks) {
+  RunHashes hashes;
+  for (int i = 0; i < ticks; ++i) {
+    simulation.tick();
+    hashes.state.push_back(simulation.stateHash());
+    hashes.deep.push_back(deepHash(simulation.space()));
+  }
+  return hashes;
+}
+
 const char* const kManyErrors =
     "<error kind=\"factor_spread\" deviation=\"0.1\"/><error kind=\"random_walk\" deviation=\"0.05\"/>"
     "<error kind=\"latency\" ticks=\"3\"/><error kind=\"drop_out\" probability=\"0.2\"/>"
@@ -97,16 +113,24 @@ TEST(ErrorExperimentTest, OverridesReachAnErrorByItsTagOrItsId) {
 }
 
 TEST(ErrorExperimentTest, AResetAndAnyNumberOfThreadsGiveTheSameBits) {
-  auto fresh = started(withErrors(crowd(1), kManyErrors, "<error kind=\"gaussian\" deviation=\"0.2\"/>"));
-  const auto expected = hashesOf(*fresh, 90);
+  const char* const noisy = "<error kind=\"gaussian\" deviation=\"0.2\"/>";
+  auto fresh = started(withErrors(crowd(1), kManyErrors, noisy));
+  const RunHashes expected = runHashesOf(*fresh, 90);
   for (const int threads : {1, 4}) {
-    auto used = started(withErrors(crowd(threads), kManyErrors, "<error kind=\"gaussian\" deviation=\"0.2\"/>"));
-    EXPECT_EQ(hashesOf(*used, 90), expected);
-    used->reset();
-    EXPECT_EQ(hashesOf(*used, 90), expected);
+    auto used = started(withErrors(crowd(threads), kManyErrors, noisy));
+    for (const char* run : {"first", "after a reset"}) {
+      const RunHashes hashes = runHashesOf(*used, 90);
+      EXPECT_EQ(hashes.state, expected.state) << threads << " threads, " << run;
+      EXPECT_EQ(hashes.deep, expected.deep) << threads << " threads, " << run;
+      used->reset();
+    }
   }
   auto without = started(crowd(1).xml());
-  EXPECT_NE(hashesOf(*without, 90), expected);
+  EXPECT_NE(runHashesOf(*without, 90).state, expected.state);
+  auto without_noise = started(withErrors(crowd(1), kManyErrors, ""));
+  const RunHashes of_commands = runHashesOf(*without_noise, 90);
+  EXPECT_EQ(of_commands.state, expected.state) << "this controller does not read the sensor";
+  EXPECT_NE(of_commands.deep, expected.deep);
 }
 
 TEST(ErrorExperimentTest, ATickWithErrorsAllocatesNothing) {
