@@ -2,6 +2,7 @@
 // chosen that prey, or if there is no choice.
 #include <string>
 
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid {
@@ -32,7 +33,7 @@ class RetrievalMonitor final : public Observer {
     for (const FloorPatch& patch : context.experiment->arena.floor_patches) {
       known.push_back(patch.id);
     }
-    if (std::find(known.begin(), known.end(), nest_) == known.end()) {
+    if (!contains(known, nest_)) {
       throw ConfigError(parameters.location(), "nest: found '" + nest_ + "', allowed: the id of a floor patch (" +
                                                    joinNames(known) + ")" + didYouMean(nest_, known));
     }

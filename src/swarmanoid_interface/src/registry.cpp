@@ -4,16 +4,10 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
-namespace {
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-}  // namespace
 
 const char* toString(PluginKind kind) {
   switch (kind) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 
 namespace swarmanoid::conformance {
@@ -18,10 +19,6 @@ std::vector<DeviceChecks>& registered() {
 bool concerns(const Bench& bench, const std::string& device) {
   const DeviceType* type = findDeviceType(device);
   return bench.isListed(device) || (type != nullptr && type->robot == bench.robotType());
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace

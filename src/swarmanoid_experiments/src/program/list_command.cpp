@@ -1,11 +1,11 @@
 // `swarmanoid list` and `swarmanoid schema`: the names that may be used in an experiment file.
-#include <algorithm>
 #include <iostream>
 #include <map>
 #include <sstream>
 
 #include "commands.hpp"
 #include "standard_output.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -151,7 +151,7 @@ void write(const PluginDescription& description, const DeclaredLibrary& origin, 
 std::vector<std::string> headings() {
   std::vector<std::string> names{"experiment"};
   for (const ExperimentTag& tag : experimentTags()) {
-    if (std::find(names.begin(), names.end(), tag.heading) == names.end()) {
+    if (!contains(names, tag.heading)) {
       names.push_back(tag.heading);
     }
   }
@@ -185,7 +185,7 @@ void writeHeading(const std::string& heading, const Origins& origins, std::ostre
 ExitCode list(const std::string& heading) {
   const std::vector<std::string> allowed = headings();
   const bool all = heading.empty();
-  if (!all && std::find(allowed.begin(), allowed.end(), heading) == allowed.end()) {
+  if (!all && !contains(allowed, heading)) {
     throw ConfigError({"list", 0},
                       "found '" + heading + "', allowed: " + joinNames(allowed) + didYouMean(heading, allowed));
   }

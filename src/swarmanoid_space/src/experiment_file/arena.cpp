@@ -1,9 +1,9 @@
 // <arena>: what stands where.
-#include <algorithm>
 #include <cmath>
 
 #include "door.hpp"
 #include "reader.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -88,7 +88,7 @@ void readDistribute(const XmlElement& element, Reader& reader) {
 
   std::vector<EntityDescription> prototypes;
   for (const XmlElement& child : element.children()) {
-    if (std::find(entity_tags.begin(), entity_tags.end(), child.name()) != entity_tags.end()) {
+    if (contains(entity_tags, child.name())) {
       prototypes.push_back(readEntity(child, true, reader));
     }
   }

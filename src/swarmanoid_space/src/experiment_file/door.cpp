@@ -6,6 +6,7 @@
 #include <set>
 
 #include "parameter_table.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -62,10 +63,6 @@ void checkValues(const EntityDescription& entity, const PluginDescription& type)
   }
 }
 
-bool isAmong(const std::string& name, const std::vector<std::string>& names) {
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 void checkDevices(const SourceLocation& location, const EntityDescription& entity, const EntityModel& model,
                   PluginKind kind, const std::vector<DeviceDescription>& devices) {
   for (const DeviceDescription& device : devices) {
@@ -74,7 +71,7 @@ void checkDevices(const SourceLocation& location, const EntityDescription& entit
       continue;  // its library is not loaded: `swarmanoid validate --no-libraries`
     }
     const auto& robots = entry->description.robots;
-    const bool is_carried = robots.empty() || isAmong(entity.type, robots) || isAmong(device.type, model.devices);
+    const bool is_carried = robots.empty() || contains(robots, entity.type) || contains(model.devices, device.type);
     if (!is_carried) {
       throw ConfigError(location, "controller '" + entity.controller + "' uses the " + toString(kind) + " '" +
                                       device.type + "', which a " + entity.type +

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid {
@@ -16,7 +17,7 @@ std::vector<std::string> installedExperiments() {
   for (const std::string& folder : shareFolders()) {
     for (const auto& entry : fs::directory_iterator(fs::path(folder) / "swarmanoid_experiments/experiments", ignored)) {
       const std::string name = entry.path().stem().string();
-      if (entry.path().extension() == ".xml" && std::find(names.begin(), names.end(), name) == names.end()) {
+      if (entry.path().extension() == ".xml" && !contains(names, name)) {
         names.push_back(name);
       }
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "reader.hpp"
+#include "swarmanoid_interface/contains.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -72,9 +73,7 @@ bool isAttribute(const xmlNode* element, const std::string& name) {
   if (xmlHasProp(element, xmlCharacters(name.c_str())) != nullptr) {
     return true;
   }
-  const auto among = [&name](const std::vector<std::string>& names) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+  const auto among = [&name](const std::vector<std::string>& names) { return contains(names, name); };
   const xmlNode* root = xmlDocGetRootElement(element->doc);
   const std::string parent_tag = element == root ? "" : nameOf(element->parent);
   if (hasTag(element, "arena") && element->parent == root) {

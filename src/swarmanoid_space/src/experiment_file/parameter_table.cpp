@@ -1,6 +1,6 @@
 #include "parameter_table.hpp"
 
-#include <algorithm>
+#include "swarmanoid_interface/contains.hpp"
 
 namespace swarmanoid::experiment {
 
@@ -27,7 +27,7 @@ void checkValue(const Parameter& parameter, const std::string& text, const Sourc
       parseColorOrThrow(text, parameter.name, location);
       break;
     case Parameter::Type::kChoice:
-      if (std::find(parameter.choices.begin(), parameter.choices.end(), text) == parameter.choices.end()) {
+      if (!contains(parameter.choices, text)) {
         throw ConfigError(location, parameter.name + ": " + unknownName("the value", text, parameter.choices));
       }
       break;

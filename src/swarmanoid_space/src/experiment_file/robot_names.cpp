@@ -1,6 +1,5 @@
 // Which robots an experiment has, and which of them a list of names means.
-#include <algorithm>
-
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 
 namespace swarmanoid {
@@ -32,7 +31,7 @@ std::vector<std::string> chooseRobots(const std::vector<std::string>& words, con
     return {};
   }
   for (const std::string& robot : words) {
-    if (std::find(names.begin(), names.end(), robot) == names.end()) {
+    if (!contains(names, robot)) {
       throw ConfigError({experiment.file, 0}, parameter + ": found '" + robot + "', allowed: all, none, " +
                                                   joinNames(names) + didYouMean(robot, names));
     }

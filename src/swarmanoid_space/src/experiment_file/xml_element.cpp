@@ -1,7 +1,8 @@
 #include "xml_element.hpp"
 
-#include <algorithm>
 #include <set>
+
+#include "swarmanoid_interface/contains.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -10,10 +11,6 @@ std::string trimmed(const std::string& text) {
   constexpr const char* kSpace = " \t\r\n";
   const auto first = text.find_first_not_of(kSpace);
   return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
-bool contains(const std::vector<std::string>& names, const std::string& name) {
-  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace

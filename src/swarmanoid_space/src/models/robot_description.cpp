@@ -5,6 +5,7 @@
 
 #include "../xml/xml_document.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
@@ -74,7 +75,7 @@ class Reader {
   void allowAttributes(const xmlNode& element, const std::vector<std::string>& names) const {
     for (const xmlAttr* attribute = element.properties; attribute != nullptr; attribute = attribute->next) {
       const std::string name = characters(attribute->name);
-      if (std::find(names.begin(), names.end(), name) == names.end()) {
+      if (!contains(names, name)) {
         fail(element, unknownName("attribute", name, names) + " (in <" + nameOf(element) + ">)");
       }
     }
@@ -92,7 +93,7 @@ class Reader {
   std::string requireKnown(const xmlNode& element, const char* attribute, const std::string& what,
                            const std::vector<std::string>& known) const {
     std::string value = require(element, attribute);
-    if (std::find(known.begin(), known.end(), value) == known.end()) {
+    if (!contains(known, value)) {
       fail(element, unknownName("the " + what, value, known) + " (in <" + nameOf(element) + ">)");
     }
     return value;
@@ -160,7 +161,7 @@ class Reader {
   void readDevice(const xmlNode& element) {
     allowAttributes(element, {"type"});
     const std::string type = require(element, "type");
-    if (std::find(result_.devices.begin(), result_.devices.end(), type) != result_.devices.end()) {
+    if (contains(result_.devices, type)) {
       fail(element, "found a second device '" + type + "', allowed: one");
     }
     result_.devices.push_back(type);

@@ -3,13 +3,13 @@
 
 #include <ros/node_handle.h>
 
-#include <algorithm>
 #include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid {
@@ -65,7 +65,7 @@ class ParameterReader {
 
   std::string choice(const std::string& name, const std::vector<std::string>& allowed) {
     std::string found = text(name, allowed.front());
-    if (std::find(allowed.begin(), allowed.end(), found) == allowed.end()) {
+    if (!contains(allowed, found)) {
       throw ConfigError(location(), "~" + name + ": found '" + found + "', allowed: " + joinNames(allowed));
     }
     return found;
@@ -91,8 +91,7 @@ class ParameterReader {
       }
       const std::string own_name = name.substr(prefix.size());
       const bool is_part = own_name.rfind("engines/", 0) == 0 || own_name.rfind("controllers/", 0) == 0;
-      if (!is_part && own_name != "diagnostic_period" &&
-          std::find(known_.begin(), known_.end(), own_name) == known_.end()) {
+      if (!is_part && own_name != "diagnostic_period" && !contains(known_, own_name)) {
         throw ConfigError(location(), "found the parameter '" + own_name + "', allowed: " + joinNames(known_) +
                                           didYouMean(own_name, known_));
       }

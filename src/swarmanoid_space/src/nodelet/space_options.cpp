@@ -2,11 +2,11 @@
 
 #include <ros/node_handle.h>
 
-#include <algorithm>
 #include <ctime>
 #include <filesystem>
 
 #include "parameter_reader.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/experiment_file/override_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -112,7 +112,7 @@ Experiment readExperiment(const SpaceOptions& options) {
 std::vector<std::string> robotsWithTopics(const SpaceOptions& options, const Experiment& experiment) {
   std::vector<std::string> chosen = chooseRobots(options.device_topics, "~device_topics", experiment);
   for (const std::string& robot : robotNames(experiment, CommandSource::kTopics)) {
-    if (std::find(chosen.begin(), chosen.end(), robot) == chosen.end()) {
+    if (!contains(chosen, robot)) {
       chosen.push_back(robot);
     }
   }

@@ -1,10 +1,10 @@
 #include "controller_recorder.hpp"
 
-#include <algorithm>
 #include <sstream>
 
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/frame_parts.hpp"
 #include "swarmanoid_space/lockstep/controller_frames.hpp"
 
@@ -47,9 +47,7 @@ ControllerRecorder::ControllerRecorder(const std::string& robots, const Experime
   }
 }
 
-bool ControllerRecorder::isWanted(const std::string& robot) const {
-  return all_ || std::find(names_.begin(), names_.end(), robot) != names_.end();
-}
+bool ControllerRecorder::isWanted(const std::string& robot) const { return all_ || contains(names_, robot); }
 
 void ControllerRecorder::record(const Space& space, BagWriter& bag) {
   if (names_.empty()) {
