@@ -1,6 +1,4 @@
 // "path=value" from the command line, put into the document before it is read.
-#include <algorithm>
-
 #include "reader.hpp"
 #include "swarmanoid_interface/contains.hpp"
 
@@ -11,26 +9,21 @@ namespace {
   throw ConfigError({"--set " + change.path, 0}, message);
 }
 
-std::string nameOf(const xmlNode* element) { return characters(element->name); }
-
 bool hasTag(const xmlNode* element, const std::string& tag) {
-  const std::string name = nameOf(element);
+  const std::string name = nameOf(*element);
   const auto american = [](const std::string& word) { return word == "visualisations" ? "visualizations" : word; };
   return american(name) == american(tag);
 }
 
-std::string idOf(const xmlNode* element) {
-  const xmlAttr* id = xmlHasProp(element, xmlCharacters("id"));
-  return id == nullptr ? "" : textIn(id->children);
-}
+std::string idOf(const xmlNode* element) { return attributeOf(*element, "id").value_or(""); }
 
 /// The element's children; an entity in <distribute> is found as if it stood beside the others.
 std::vector<xmlNode*> childrenOf(xmlNode* parent) {
   std::vector<xmlNode*> children;
-  for (xmlNode* child = xmlFirstElementChild(parent); child != nullptr; child = xmlNextElementSibling(child)) {
+  for (xmlNode* child : elementsOf(*parent)) {
     children.push_back(child);
     if (hasTag(child, "distribute")) {
-      for (xmlNode* inner = xmlFirstElementChild(child); inner != nullptr; inner = xmlNextElementSibling(inner)) {
+      for (xmlNode* inner : elementsOf(*child)) {
         if (!idOf(inner).empty()) {
           children.push_back(inner);
         }
@@ -54,7 +47,7 @@ xmlNode* findChild(xmlNode* parent, const std::string& name, const Override& cha
     }
   }
   if (count > 1) {
-    refuse(change, "found " + std::to_string(count) + " <" + name + "> in <" + nameOf(parent) +
+    refuse(change, "found " + std::to_string(count) + " <" + name + "> in <" + nameOf(*parent) +
                        ">, allowed: a tag that stands there once, or an id");
   }
   return found;
@@ -63,19 +56,19 @@ xmlNode* findChild(xmlNode* parent, const std::string& name, const Override& cha
 std::vector<std::string> namesIn(xmlNode* parent) {
   std::vector<std::string> names;
   for (xmlNode* child : childrenOf(parent)) {
-    names.push_back(idOf(child).empty() ? nameOf(child) : idOf(child));
+    names.push_back(idOf(child).empty() ? nameOf(*child) : idOf(child));
   }
   return names;
 }
 
 /// Whether a value of that name belongs into an attribute, even if the file does not give it.
 bool isAttribute(const xmlNode* element, const std::string& name) {
-  if (xmlHasProp(element, xmlCharacters(name.c_str())) != nullptr) {
+  if (attributeOf(*element, name.c_str())) {
     return true;
   }
   const auto among = [&name](const std::vector<std::string>& names) { return contains(names, name); };
   const xmlNode* root = xmlDocGetRootElement(element->doc);
-  const std::string parent_tag = element == root ? "" : nameOf(element->parent);
+  const std::string parent_tag = element == root ? "" : nameOf(*element->parent);
   if (hasTag(element, "arena") && element->parent == root) {
     return among(attributesOf("arena"));
   }
@@ -90,8 +83,8 @@ bool isAttribute(const xmlNode* element, const std::string& name) {
   }
   if (parent_tag == "handover") {
     const std::vector<std::string> rules = tagsIn("arena_physics/handover");
-    const bool is_rule = std::find(rules.begin(), rules.end(), nameOf(element)) != rules.end();
-    return is_rule && among(attributesOf("arena_physics/handover/" + nameOf(element)));
+    const bool is_rule = contains(rules, nameOf(*element));
+    return is_rule && among(attributesOf("arena_physics/handover/" + nameOf(*element)));
   }
   if (hasTag(element, "controller") && parent_tag != "controllers") {
     return among(attributesOf("arena/*/controller"));
@@ -129,7 +122,7 @@ OverrideMarks& marksOf(xmlNode* element, std::deque<OverrideMarks>& all) {
 
 void apply(xmlNode* root, const Override& change, std::deque<OverrideMarks>& marks) {
   const std::vector<std::string> parts = split(change.path);
-  if (parts.size() < 2 || std::find(parts.begin(), parts.end(), "") != parts.end()) {
+  if (parts.size() < 2 || contains(parts, "")) {
     refuse(change, "allowed: section.name, such as framework.maxclock");
   }
   const xmlChar* value = xmlCharacters(change.value.c_str());
@@ -140,7 +133,7 @@ void apply(xmlNode* root, const Override& change, std::deque<OverrideMarks>& mar
   for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
     xmlNode* child = findChild(element, parts[i], change);
     if (child == nullptr) {
-      refuse(change, unknownName("no tag or id", parts[i], namesIn(element)) + " (in <" + nameOf(element) + ">)");
+      refuse(change, unknownName("no tag or id", parts[i], namesIn(element)) + " (in <" + nameOf(*element) + ">)");
     }
     element = child;
   }
@@ -154,7 +147,7 @@ void apply(xmlNode* root, const Override& change, std::deque<OverrideMarks>& mar
   if (target == nullptr) {
     target = xmlNewChild(element, nullptr, xmlCharacters(last.c_str()), nullptr);
   } else if (xmlFirstElementChild(target) != nullptr) {
-    refuse(change, "found <" + nameOf(target) + ">, which holds elements, allowed: the path of a value");
+    refuse(change, "found <" + nameOf(*target) + ">, which holds elements, allowed: the path of a value");
   }
   xmlNodeSetContent(target, nullptr);
   xmlNodeAddContent(target, value);  // as it stands there, while xmlNodeSetContent would look for entities in it

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <iomanip>
 
-#include "../xml/xml_document.hpp"
+#include "../xml/xml_node.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 
 namespace swarmanoid::experiment {

@@ -44,8 +44,8 @@ std::string XmlElement::text() const {
 }
 
 std::optional<std::string> XmlElement::attribute(const char* name) const {
-  const xmlAttr* entry = xmlHasProp(element_, xmlCharacters(name));
-  return entry == nullptr ? std::nullopt : std::optional<std::string>(trimmed(textIn(entry->children)));
+  const std::optional<std::string> text = attributeOf(*element_, name);
+  return text ? std::optional<std::string>(trimmed(*text)) : std::nullopt;
 }
 
 std::string XmlElement::requireAttribute(const char* attribute_name) const {
@@ -59,7 +59,7 @@ std::string XmlElement::requireAttribute(const char* attribute_name) const {
 
 std::vector<XmlElement> XmlElement::children() const {
   std::vector<XmlElement> result;
-  for (xmlNode* child = xmlFirstElementChild(element_); child != nullptr; child = xmlNextElementSibling(child)) {
+  for (xmlNode* child : elementsOf(*element_)) {
     result.emplace_back(child, file_);
   }
   return result;
@@ -67,8 +67,8 @@ std::vector<XmlElement> XmlElement::children() const {
 
 std::optional<XmlElement> XmlElement::child(const char* child_name) const {
   std::optional<XmlElement> found;
-  for (xmlNode* child = xmlFirstElementChild(element_); child != nullptr; child = xmlNextElementSibling(child)) {
-    if (xmlStrEqual(child->name, xmlCharacters(child_name)) != 0) {
+  for (xmlNode* child : elementsOf(*element_)) {
+    if (nameOf(*child) == child_name) {
       const XmlElement entry(child, file_);
       if (found) {
         entry.refuse("found a second <" + entry.name() + "> in <" + name() + ">, allowed: one");

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "../xml/xml_document.hpp"
+#include "../xml/xml_node.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 
 namespace swarmanoid::experiment {
@@ -21,7 +22,7 @@ class XmlElement {
  public:
   XmlElement(xmlNode* element, const std::string* file) : element_(element), file_(file) {}
 
-  std::string name() const { return characters(element_->name); }
+  std::string name() const { return nameOf(*element_); }
   /// Where it stands; for what an override has set, the override.
   SourceLocation location() const;
   /// The same for one attribute.

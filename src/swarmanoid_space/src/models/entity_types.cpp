@@ -1,9 +1,7 @@
 // The entity types of <arena>: the robots that packages bring, and what else stands in an arena.
 #include <array>
-#include <fstream>
 #include <map>
 #include <mutex>
-#include <sstream>
 #include <string>
 
 #include "../xml/xml_document.hpp"
@@ -54,9 +52,8 @@ class RobotType final : public EntityType {
 /// @return "" where the description is wrong; robotModel says what is wrong to whoever uses the robot
 std::string summaryOf(const RobotFile& robot) {
   try {
-    std::ostringstream text;
-    text << std::ifstream(robot.file, std::ios::binary).rdbuf();
-    return readRobotDescription(*parseXml(text.str(), robot.file, XmlNamespaces::kAllowed), robot.file).summary;
+    const XmlDocument document = parseXml(readTextFile(robot.file), robot.file, XmlNamespaces::kAllowed);
+    return readRobotDescription(*document, robot.file).summary;
   } catch (const ConfigError&) {
     return "";
   }

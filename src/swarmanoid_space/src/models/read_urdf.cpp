@@ -3,9 +3,7 @@
 #include <console_bridge/console.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <fstream>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -43,15 +41,6 @@ class ErrorListener : public console_bridge::OutputHandler {
   std::string errors_;
 };
 
-std::string readText(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  PlainTextStream text;
-  if (!(text << stream.rdbuf())) {
-    throw ConfigError({file}, "the file cannot be read, or is empty");
-  }
-  return text.str();
-}
-
 }  // namespace
 
 void UrdfFile::fail(const std::string& message) const { throw ConfigError({file}, message); }
@@ -60,7 +49,7 @@ UrdfFile readUrdf(const std::string& file) {
   static std::mutex one_listener;
   UrdfFile result;
   result.file = file;
-  result.text = readText(file);
+  result.text = readTextFile(file);
   result.document = parseXml(result.text, file,
                              XmlNamespaces::kAllowed);  // urdfdom's own parser says neither what is wrong nor where
   const std::lock_guard<std::mutex> lock(one_listener);

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "../xml/xml_document.hpp"
+#include "../xml/xml_node.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -13,31 +14,14 @@ namespace {
 
 using Kind = EntityModel::Holder::Kind;
 
-std::string nameOf(const xmlNode& element) { return characters(element.name); }
-
-std::vector<const xmlNode*> elementsOf(const xmlNode& parent) {
-  std::vector<const xmlNode*> result;
-  for (const xmlNode* child = parent.children; child != nullptr; child = child->next) {
-    if (child->type == XML_ELEMENT_NODE) {
-      result.push_back(child);
-    }
-  }
-  return result;
-}
-
-std::string attributeOf(const xmlNode& element, const char* name) {
-  const xmlAttr* attribute = xmlHasProp(&element, xmlCharacters(name));
-  return attribute == nullptr ? "" : textIn(attribute->children);
-}
-
 class Reader {
  public:
   Reader(const xmlDoc& document, const std::string& file) : robot_(*xmlDocGetRootElement(&document)), file_(file) {
     for (const xmlNode* element : elementsOf(robot_)) {
       if (nameOf(*element) == "link") {
-        links_.push_back(attributeOf(*element, "name"));
+        links_.push_back(attributeOf(*element, "name").value_or(""));
       } else if (nameOf(*element) == "joint") {
-        joints_.push_back(attributeOf(*element, "name"));
+        joints_.push_back(attributeOf(*element, "name").value_or(""));
       }
     }
   }
@@ -82,7 +66,7 @@ class Reader {
   }
 
   std::string require(const xmlNode& element, const char* attribute) const {
-    std::string value = attributeOf(element, attribute);
+    std::string value = attributeOf(element, attribute).value_or("");
     if (value.empty()) {
       fail(element, "<" + nameOf(element) + "> needs the attribute " + attribute + "=\"...\"");
     }

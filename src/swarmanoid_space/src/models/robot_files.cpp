@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <tuple>
 
 #include "../xml/xml_document.hpp"
+#include "../xml/xml_node.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
@@ -63,12 +65,16 @@ std::vector<fs::path> packagesOf(const fs::path& share) {
   return packages;
 }
 
+/// The first child element of that name; null if there is none, or no parent.
 const xmlNode* childOf(const xmlNode* parent, const char* name) {
-  const xmlNode* child = parent == nullptr ? nullptr : parent->children;
-  while (child != nullptr && xmlStrEqual(child->name, xmlCharacters(name)) == 0) {
-    child = child->next;
+  if (parent != nullptr) {
+    for (const xmlNode* child : elementsOf(*parent)) {
+      if (nameOf(*child) == name) {
+        return child;
+      }
+    }
   }
-  return child;
+  return nullptr;
 }
 
 class Search {
@@ -103,12 +109,11 @@ class Search {
     if (name == nullptr || element == nullptr || !packages_.insert(textIn(name->children)).second) {
       return;
     }
-    const xmlAttr* attribute = xmlHasProp(element, xmlCharacters("robots"));
-    if (attribute == nullptr) {
+    const std::optional<std::string> value = attributeOf(*element, "robots");
+    if (!value) {
       throw ConfigError({file, lineOf(element)}, "<swarmanoid> needs the attribute robots=\"${prefix}/...\"");
     }
-    const std::string value = textIn(attribute->children);
-    std::string folder = value;
+    std::string folder = *value;
     const std::string prefix = "${prefix}";
     if (const auto place = folder.find(prefix); place != std::string::npos) {
       folder.replace(place, prefix.size(), package.string());
@@ -116,7 +121,7 @@ class Search {
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) {
       throw ConfigError({file, lineOf(element)},
-                        "robots: found '" + value + "', allowed: a folder, such as ${prefix}/urdf");
+                        "robots: found '" + *value + "', allowed: a folder, such as ${prefix}/urdf");
     }
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
       if (entry.path().extension() == ".urdf") {

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <fstream>
 #include <limits>
 #include <optional>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
+#include "xml_node.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -188,16 +191,15 @@ XmlDocument parseXml(const std::string& text, const std::string& file, XmlNamesp
   return document;
 }
 
-int lineOf(const xmlNode* node) { return static_cast<int>(reinterpret_cast<std::intptr_t>(node->psvi)); }
-
-std::string textIn(const xmlNode* first_child) {
-  std::string text;
-  for (const xmlNode* node = first_child; node != nullptr; node = node->next) {
-    if (node->type == XML_TEXT_NODE) {
-      text += characters(node->content);
-    }
+std::string readTextFile(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  PlainTextStream text;
+  if (!(text << stream.rdbuf())) {
+    throw ConfigError({file}, "the file cannot be read, or is empty");
   }
-  return text;
+  return text.str();
 }
+
+int lineOf(const xmlNode* node) { return static_cast<int>(reinterpret_cast<std::intptr_t>(node->psvi)); }
 
 }  // namespace swarmanoid

@@ -27,14 +27,10 @@ enum class XmlNamespaces {
 /// MB)
 XmlDocument parseXml(const std::string& text, const std::string& file, XmlNamespaces namespaces);
 
+/// The text of a file, for parseXml. @throws ConfigError if it cannot be read, or is empty
+std::string readTextFile(const std::string& file);
+
 /// Where an element begins, or the text of a text node but for white space; 0 for what was not in the file.
 int lineOf(const xmlNode* node);
-
-/// The text that stands in an element or attribute itself, given the first of its children.
-std::string textIn(const xmlNode* first_child);
-
-/// libxml2's strings are of bytes without a sign; null stays null.
-inline const char* characters(const xmlChar* text) { return reinterpret_cast<const char*>(text); }
-inline const xmlChar* xmlCharacters(const char* text) { return reinterpret_cast<const xmlChar*>(text); }
 
 }  // namespace swarmanoid
