@@ -1,7 +1,4 @@
 // <error> in a sensor or an actuator.
-#include <map>
-
-#include "door.hpp"
 #include "reader.hpp"
 #include "swarmanoid_space/error_models/error_chain.hpp"
 
@@ -57,21 +54,14 @@ ErrorModelDescription readError(const XmlElement& element) {
 
 std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device) {
   std::vector<ErrorModelDescription> errors;
-  std::map<std::string, SourceLocation> ids;
+  TakenIds ids;
   for (const XmlElement& child : element.children()) {
     if (child.name() != "error") {
       continue;
     }
     errors.push_back(readError(child));
     if (const auto id = child.attribute("id")) {
-      if (!door::isName(*id)) {
-        throw ConfigError(child.attributeLocation("id"), "id: found '" + *id + "', allowed: " + door::kNamesAllowed);
-      }
-      const auto [known, is_new] = ids.emplace(*id, child.location());
-      if (!is_new) {
-        throw ConfigError(child.attributeLocation("id"),
-                          "the error id '" + *id + "' is taken already, in " + known->second.toString());
-      }
+      takeId("error", *id, child, ids);
     }
     if (!device.empty()) {
       checkErrors(device, {errors.back()});

@@ -29,22 +29,26 @@ std::size_t numberOf(const std::string& name, const std::string& prefix) {
   return is_written_so ? number : 0;
 }
 
-}  // namespace
-
-void Reader::refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
-                         const XmlElement& element) {
+[[noreturn]] void refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
+                              const XmlElement& element) {
   throw ConfigError(element.attributeLocation("id"),
                     "the " + kind + " id '" + id + "' is taken already, in " + by.toString());
 }
 
-void Reader::takeId(const std::string& kind, const std::string& id, const XmlElement& element) {
+}  // namespace
+
+void takeId(const std::string& kind, const std::string& id, const XmlElement& element, TakenIds& taken) {
   if (!door::isName(id)) {
     throw ConfigError(element.attributeLocation("id"), "id: found '" + id + "', allowed: " + door::kNamesAllowed);
   }
-  const auto [known, is_new] = ids.emplace(kind + " " + id, element.location());
+  const auto [known, is_new] = taken.emplace(kind + " " + id, element.location());
   if (!is_new) {
     refuseTaken(kind, id, known->second, element);
   }
+}
+
+void Reader::takeId(const std::string& kind, const std::string& id, const XmlElement& element) {
+  experiment::takeId(kind, id, element, ids);
   const std::size_t underline = id.rfind('_');
   const auto group =
       kind == "entity" && underline != std::string::npos ? groups.find(id.substr(0, underline)) : groups.end();

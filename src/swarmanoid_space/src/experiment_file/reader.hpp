@@ -14,11 +14,17 @@
 
 namespace swarmanoid::experiment {
 
+/// Ids that are taken, by kind and id, and where.
+using TakenIds = std::map<std::string, SourceLocation>;
+
+/// Takes an id. @throws ConfigError if it is no name, or is taken within its kind ("controller", "entity", "engine",
+/// ...)
+void takeId(const std::string& kind, const std::string& id, const XmlElement& element, TakenIds& taken);
+
 /// The experiment under construction, and what its parts must not collide with.
 struct Reader {
   Experiment experiment;
-  std::map<std::string, SourceLocation>
-      ids;  ///< of controllers, entities, patches, engines, handovers, visualisations, by kind
+  TakenIds ids;  ///< of controllers, entities, patches, engines, handovers, visualisations
   /// Ids prefix_1 to prefix_count, which are taken by entities of a distribution.
   struct Group {
     std::size_t count = 0;
@@ -30,7 +36,7 @@ struct Reader {
   std::set<std::string> unloaded;       ///< libraries that were named, if it does not load them
   std::deque<Registry::Entry> unknown;  ///< stand for what is in these
 
-  /// @throws ConfigError if it is no name, or is taken within its kind ("controller", "entity", "engine", ...)
+  /// As experiment::takeId; an entity's id may not be among the numbered ones either.
   void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
   /// Likewise the entities' ids prefix_1, prefix_2, ..., however many.
   void takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element);
@@ -44,10 +50,6 @@ struct Reader {
   /// The registry's entry for a tag; loads `library` first if it is not empty.
   /// @throws ConfigError naming what there is
   const Registry::Entry& requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library);
-
- private:
-  [[noreturn]] static void refuseTaken(const std::string& kind, const std::string& id, const SourceLocation& by,
-                                       const XmlElement& element);
 };
 
 /// Names that there are, found fast however many they are.
