@@ -1,6 +1,6 @@
 // <error> in a sensor or an actuator.
 #include "reader.hpp"
-#include "swarmanoid_space/error_models/error_chain.hpp"
+#include "swarmanoid_space/error_models/device_errors.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -64,7 +64,7 @@ std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const s
       takeId("error", *id, child, ids);
     }
     if (!device.empty()) {
-      checkErrors(device, {errors.back()});
+      DeviceErrors(device.c_str()).add({errors.back()});  // refuses what does not suit the device
     }
   }
   return errors;
