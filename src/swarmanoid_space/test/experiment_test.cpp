@@ -1,104 +1,15 @@
-// Experiment files without the suite's plugins: controllers, devices, engines and visualisations made up for the test.
+// What is read from an experiment file: each section of it, with defaults.
 #include "swarmanoid_space/experiment_file/experiment.hpp"
-
-#include <gtest/gtest.h>
 
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
+#include "experiment_fixture.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
-#include "swarmanoid_interface/registry.hpp"
 
-namespace swarmanoid {
+namespace swarmanoid::test {
 namespace {
-
-Parameter parameter(const std::string& name, Parameter::Type type, std::optional<std::string> value, Range range = {}) {
-  return makeParameter(name, type, "", std::move(value), range, "");
-}
-
-void add(PluginKind kind, const std::string& label, const std::string& implementation,
-         const std::vector<Parameter>& parameters, const std::vector<std::string>& label_aliases = {},
-         const std::vector<std::string>& implementation_aliases = {}) {
-  PluginDescription description;
-  description.label = label;
-  description.implementation = implementation;
-  description.parameters = parameters;
-  description.label_aliases = label_aliases;
-  description.implementation_aliases = implementation_aliases;
-  const bool is_device = kind == PluginKind::kSensor || kind == PluginKind::kActuator;
-  description.robots = is_device ? std::vector<std::string>{"footbot"} : std::vector<std::string>{};
-  Registry::instance().add(kind, description, [] { return std::shared_ptr<void>(); });
-}
-
-const char* const kFile = R"(<ahss-config>
-  <framework>
-    <clocktick>12.5</clocktick>
-    <maxclock><!-- ticks -->500</maxclock>
-  </framework>
-  <controllers>
-    <wander id="slow">
-      <actuators><wheels/></actuators>
-      <sensors>
-        <eye><implementation> old_eye </implementation><range>2</range></eye>
-      </sensors>
-      <parameters shy="true"><speed>0.5</speed><![CDATA[ ]]></parameters>
-    </wander>
-  </controllers>
-  <arena size="10,9,3" optimization="3D">
-    <footbot id="fb">
-      <position>9, 8, 0</position>
-      <orientation>0, 0, 90</orientation>
-      <controller>slow</controller>
-    </footbot>
-    <floor_patch id="nest"><position>1, 1, 0</position><size>2, 1</size><color>1,2,3</color></floor_patch>
-    <distribute quantity="3">
-      <minimum>0, 0, 0</minimum>
-      <maximum>1, 1, 0</maximum>
-      <cylindric_prey id="prey"><radius>0.1</radius><height>0.2</height></cylindric_prey>
-    </distribute>
-  </arena>
-  <engines>
-    <old_plane id="ground"/>
-    <plane id="sky"><height>1e0</height></plane>
-  </engines>
-  <arena_physics>
-    <engine id="ground"><entity id="prey"/><entity id="fb" role="mirror"/></engine>
-    <engine id="sky"><entity id="fb" role="move"/></engine>
-  </arena_physics>
-  <visualizations>
-    <table id="t"/>
-  </visualizations>
-</ahss-config>
-)";
-
-class ExperimentTest : public testing::Test {
- protected:
-  static void SetUpTestSuite() {
-    using Type = Parameter::Type;
-    add(PluginKind::kController, "wander", "", {});
-    add(PluginKind::kActuator, "wheels", "default", {parameter("noise", Type::kNumber, "0", {0.0, 1.0})});
-    add(PluginKind::kSensor, "eye", "blobs", {parameter("range", Type::kNumber, "1", {0.0, 9.0})}, {"pie"},
-        {"old_eye"});
-    add(PluginKind::kSensor, "eye", "pixels", {parameter("width", Type::kInteger, std::nullopt, {1.0, 4096.0})});
-    add(PluginKind::kSensor, "sonar", "default", {parameter("error", Type::kNumber, "0")});
-    add(PluginKind::kEngine, "plane", "", {parameter("height", Type::kNumber, "0")}, {"old_plane"});
-    add(PluginKind::kObserver, "table", "", {parameter("file", Type::kText, "")});
-  }
-
-  static Experiment parse(const std::vector<Override>& overrides = {}) {
-    return parseExperiment(kFile, "folder/some.xml", overrides);
-  }
-
-  static std::string refusal(const std::vector<Override>& overrides, const std::string& text = kFile) {
-    try {
-      parseExperiment(text, "some.xml", overrides);
-    } catch (const ConfigError& error) {
-      return error.what();
-    }
-    return "(accepted)";
-  }
-};
 
 TEST_F(ExperimentTest, ReadsFrameworkWithDefaults) {
   const Experiment experiment = parse();
@@ -213,148 +124,6 @@ TEST_F(ExperimentTest, ReadsFiles) {
   EXPECT_THROW(readExperiment(folder.path().string()), ConfigError);
 }
 
-TEST_F(ExperimentTest, RefusesWhatIsNoExperiment) {
-  EXPECT_EQ(refusal({}, ""), "some.xml: found an empty file, allowed: an <ahss-config> element");
-  EXPECT_EQ(refusal({}, "<!-- nothing -->"), "some.xml:1: found no well-formed XML: Start tag expected, '<' not found");
-  EXPECT_EQ(refusal({}, std::string("<ahss-config>\n\0</ahss-config>", 29)),
-            "some.xml:2: found a zero byte, allowed: text");
-  EXPECT_EQ(refusal({}, "<?xml version='1.0' encoding='ISO-8859-1'?>\n<ahss-config>\xE9</ahss-config>"),
-            "some.xml:2: found bytes that are no text in UTF-8, allowed: UTF-8");
-}
-
-std::string repeated(const std::string& text, int count) {
-  std::string result;
-  for (int i = 0; i < count; ++i) {
-    result += text;
-  }
-  return result;
-}
-
-TEST_F(ExperimentTest, RefusesWhatWouldTakeTimeOrMemoryWithoutBounds) {
-  EXPECT_EQ(refusal({}, "<ahss-config>\n" + repeated("<a>", 20000)),
-            "some.xml:2: found elements nested more than 200 deep, allowed: fewer");
-  EXPECT_EQ(refusal({}, "<ahss-config>\n<" + std::string(60000, 'a') + "/></ahss-config>"),
-            "some.xml:2: found no well-formed XML: Name too long: NCName");
-  EXPECT_EQ(refusal({}, "<ahss-config>\n&#" + std::string(30000, '7') + ";</ahss-config>"),
-            "some.xml:2: found no well-formed XML: xmlParseCharRef: character reference out of bounds");
-  // entities of entities of entities: the document type that would hold them is refused
-  EXPECT_EQ(refusal({}, "<!DOCTYPE a [<!ENTITY b 'c'><!ENTITY d '&b;&b;'>]><ahss-config>&d;</ahss-config>"),
-            "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
-  EXPECT_EQ(refusal({}, "<!DOCTYPE a SYSTEM '/etc/passwd'><ahss-config/>"),
-            "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
-}
-
-TEST_F(ExperimentTest, CountsLinesHoweverManyTheyAreAndWhereverATagEnds) {
-  const std::string text =
-      "<ahss-config>" + repeated("\n", 70000) + "<framework\n  speed='1'\n/>\n<arena/></ahss-config>";
-  EXPECT_EQ(refusal({}, text), "some.xml:70001: found attribute 'speed', allowed: none (in <framework>)");
-  EXPECT_EQ(refusal({}, "<ahss-config>" + repeated("\n", 70000) + "text &amp; text\n\n<arena/></ahss-config>"),
-            "some.xml:70001: found the text 'text & text' in <ahss-config>, allowed: only elements");
-}
-
-TEST_F(ExperimentTest, ReadsReferencesAndSectionsOfCharacters) {
-  std::string text = kFile;
-  const auto read = [&](const std::string& maxclock) {
-    std::string changed = text;
-    changed.replace(changed.find("500"), 3, maxclock);
-    return parseExperiment(changed, "some.xml").framework.max_clock;
-  };
-  EXPECT_EQ(read("2&#" + std::string(30000, '0') + "48;"), 20U);
-  EXPECT_EQ(read("&#x33;<![CDATA[4]]>5"), 345U);
-}
-
-TEST_F(ExperimentTest, ValuesOfOverridesStandForThemselves) {
-  for (const char* value : {"a&amp;b", "<b>", "&#48;", "\xC3\xA9"}) {
-    EXPECT_EQ(parse({{"visualisations.t.file", value}}).visualisations[0].parameters.text("file"), value);
-    EXPECT_EQ(refusal({{"arena.bounded", value}}),
-              "--set arena.bounded: bounded: found '" + std::string(value) + "', allowed: true, false");
-  }
-  EXPECT_EQ(refusal({{"visualisations.t.file", "\xE9"}}),
-            "--set visualisations.t.file: found bytes that are no text in UTF-8, allowed: UTF-8");
-}
-
-TEST_F(ExperimentTest, OverridesReplaceValues) {
-  EXPECT_EQ(parse({{"framework.maxclock", "7"}}).framework.max_clock, 7U) << "the comment before it is no part of it";
-  EXPECT_EQ(parse({{"framework.random_seed", "9"}}).framework.seed, 9U) << "not in the file";
-  EXPECT_EQ(parse({{"controllers.slow.parameters.speed", "2"}}).controllers[0].parameters.number("speed"), 2.0);
-  EXPECT_FALSE(parse({{"controllers.slow.parameters.shy", "false"}}).controllers[0].parameters.boolean("shy"));
-  EXPECT_EQ(parse({{"controllers.wander.actuators.wheels.noise", "1"}})
-                .controllers[0]
-                .actuators[0]
-                .parameters.number("noise"),
-            1.0);
-  EXPECT_EQ(parse({{"engines.sky.height", "3"}}).engines[1].parameters.number("height"), 3.0);
-  EXPECT_EQ(parse({{"visualisations.t.file", "x"}}).visualisations[0].parameters.text("file"), "x")
-      << "either spelling of the section";
-  EXPECT_EQ(parse({{"framework.maxclock", "7"}, {"framework.maxclock", "8"}}).framework.max_clock, 8U);
-}
-
-TEST_F(ExperimentTest, OverridesReplaceAttributes) {
-  const Experiment experiment = parse({{"arena.bounded", "true"},
-                                       {"arena.size", "10,9,5"},
-                                       {"arena.distribute.quantity", "8"},
-                                       {"arena.distribute.layout", "grid"},
-                                       {"arena.prey.radius", "0.2"},
-                                       {"arena_physics.ground.prey.role", "mirror"}});
-  EXPECT_TRUE(experiment.arena.bounded);
-  EXPECT_EQ(experiment.arena.size, Eigen::Vector3d(10, 9, 5));
-  EXPECT_EQ(experiment.arena.entities[1].distribution->quantity, 8U);
-  EXPECT_EQ(experiment.arena.entities[1].distribution->layout, Distribution::Layout::kGrid);
-  EXPECT_EQ(experiment.arena.entities[1].parameters.number("radius"), 0.2);
-  EXPECT_EQ(experiment.mappings[0].members[0].role, Role::kMirror);
-}
-
-TEST_F(ExperimentTest, OverridesReachRulesForHandover) {
-  std::string text = kFile;
-  text.insert(text.find("  </arena_physics>"),
-              "<handover id=\"climb\" entity=\"fb\" to=\"sky\"><attached/></handover>"
-              "<handover id=\"lost\" entity=\"fb\" to=\"ground\"><debug key=\"state\">lost</debug></handover>"
-              "<handover id=\"up\" entity=\"prey\" to=\"sky\">"
-              "<inside><minimum>1,1,0</minimum><maximum>2,2,1</maximum></inside></handover>");
-  const auto rules = [&](const std::string& path, const std::string& value) {
-    return parseExperiment(text, "some.xml", {{path, value}}).handovers;
-  };
-  EXPECT_EQ(rules("arena_physics.climb.to", "ground")[0].engine, "ground");
-  EXPECT_EQ(rules("arena_physics.climb.attached.as", "gripped")[0].end, HandoverDescription::End::kGripped);
-  EXPECT_EQ(rules("arena_physics.lost.debug", "found")[1].value, "found");
-  EXPECT_EQ(rules("arena_physics.lost.debug.key", "mind")[1].key, "mind");
-  EXPECT_EQ(rules("arena_physics.up.inside.maximum", "3,3,1")[2].maximum, Eigen::Vector3d(3, 3, 1));
-  EXPECT_EQ(refusal({{"arena_physics.climb.attached.as", "hand"}}, text),
-            "--set arena_physics.climb.attached.as: as: found the value 'hand', allowed: gripper, gripped");
-  EXPECT_EQ(refusal({{"arena_physics.up.to", "sly"}}, text),
-            "--set arena_physics.up.to: found the engine 'sly', allowed: ground, sky; did you mean 'sky'?");
-}
-
-TEST_F(ExperimentTest, MistakesInOverridesNameTheOverride) {
-  EXPECT_EQ(refusal({{"framework.maxclock", "many"}}),
-            "--set framework.maxclock: maxclock: found 'many', allowed: a whole number from 1 to 1e+15");
-  EXPECT_EQ(refusal({{"arena.bounded", "yes"}}), "--set arena.bounded: bounded: found 'yes', allowed: true, false");
-  EXPECT_EQ(refusal({{"arena.size", "1,1"}}),
-            "--set arena.size: size: found '1,1', allowed: 3 numbers separated by commas, each from 0.1 to 10000");
-  EXPECT_EQ(refusal({{"arena.fb.controller", "fast"}}),
-            "--set arena.fb.controller: controller of a footbot: found the id 'fast', allowed: slow");
-  EXPECT_EQ(refusal({{"framework.speed", "1"}}),
-            "--set framework.speed: found tag 'speed', allowed: clocktick, maxclock, controller_path, random_seed, "
-            "threads, real_time_factor (in <framework>)");
-  EXPECT_EQ(refusal({{"engines.ground.depth", "1"}}),
-            "--set engines.ground.depth: found tag 'depth', allowed: height (in <old_plane>)");
-}
-
-TEST_F(ExperimentTest, RefusesOverridesThatLeadNowhereOrToMoreThanOnePlace) {
-  EXPECT_EQ(refusal({{"controllers.slwo.parameters.speed", "1"}}),
-            "--set controllers.slwo.parameters.speed: found no tag or id 'slwo', allowed: slow; did you mean 'slow'? "
-            "(in <controllers>)");
-  EXPECT_EQ(refusal({{"arena_physics.engine.fb.role", "move"}}),
-            "--set arena_physics.engine.fb.role: found 2 <engine> in <arena_physics>, allowed: a tag that stands there "
-            "once, or an id");
-  EXPECT_EQ(refusal({{"arena.fb", "1"}}),
-            "--set arena.fb: found <footbot>, which holds elements, allowed: the path of a value");
-  for (const char* path : {"maxclock", "", ".", "framework.", "framework..maxclock"}) {
-    EXPECT_EQ(refusal({{path, "1"}}),
-              "--set " + std::string(path) + ": allowed: section.name, such as framework.maxclock");
-  }
-}
-
 TEST(FloorPatchTest, DiscAndRectangle) {
   FloorPatch disc;
   disc.position = {1, 1, 0};
@@ -374,4 +143,4 @@ TEST(FloorPatchTest, DiscAndRectangle) {
 }
 
 }  // namespace
-}  // namespace swarmanoid
+}  // namespace swarmanoid::test

@@ -1,0 +1,62 @@
+// Experiment files as text: what is no XML, or would take time and memory without bounds; lines; references.
+#include <string>
+
+#include "experiment_fixture.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+class ExperimentTextTest : public ExperimentTest {};
+
+TEST_F(ExperimentTextTest, RefusesWhatIsNoExperiment) {
+  EXPECT_EQ(refusal({}, ""), "some.xml: found an empty file, allowed: an <ahss-config> element");
+  EXPECT_EQ(refusal({}, "<!-- nothing -->"), "some.xml:1: found no well-formed XML: Start tag expected, '<' not found");
+  EXPECT_EQ(refusal({}, std::string("<ahss-config>\n\0</ahss-config>", 29)),
+            "some.xml:2: found a zero byte, allowed: text");
+  EXPECT_EQ(refusal({}, "<?xml version='1.0' encoding='ISO-8859-1'?>\n<ahss-config>\xE9</ahss-config>"),
+            "some.xml:2: found bytes that are no text in UTF-8, allowed: UTF-8");
+}
+
+std::string repeated(const std::string& text, int count) {
+  std::string result;
+  for (int i = 0; i < count; ++i) {
+    result += text;
+  }
+  return result;
+}
+
+TEST_F(ExperimentTextTest, RefusesWhatWouldTakeTimeOrMemoryWithoutBounds) {
+  EXPECT_EQ(refusal({}, "<ahss-config>\n" + repeated("<a>", 20000)),
+            "some.xml:2: found elements nested more than 200 deep, allowed: fewer");
+  EXPECT_EQ(refusal({}, "<ahss-config>\n<" + std::string(60000, 'a') + "/></ahss-config>"),
+            "some.xml:2: found no well-formed XML: Name too long: NCName");
+  EXPECT_EQ(refusal({}, "<ahss-config>\n&#" + std::string(30000, '7') + ";</ahss-config>"),
+            "some.xml:2: found no well-formed XML: xmlParseCharRef: character reference out of bounds");
+  // entities of entities of entities: the document type that would hold them is refused
+  EXPECT_EQ(refusal({}, "<!DOCTYPE a [<!ENTITY b 'c'><!ENTITY d '&b;&b;'>]><ahss-config>&d;</ahss-config>"),
+            "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
+  EXPECT_EQ(refusal({}, "<!DOCTYPE a SYSTEM '/etc/passwd'><ahss-config/>"),
+            "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
+}
+
+TEST_F(ExperimentTextTest, CountsLinesHoweverManyTheyAreAndWhereverATagEnds) {
+  const std::string text =
+      "<ahss-config>" + repeated("\n", 70000) + "<framework\n  speed='1'\n/>\n<arena/></ahss-config>";
+  EXPECT_EQ(refusal({}, text), "some.xml:70001: found attribute 'speed', allowed: none (in <framework>)");
+  EXPECT_EQ(refusal({}, "<ahss-config>" + repeated("\n", 70000) + "text &amp; text\n\n<arena/></ahss-config>"),
+            "some.xml:70001: found the text 'text & text' in <ahss-config>, allowed: only elements");
+}
+
+TEST_F(ExperimentTextTest, ReadsReferencesAndSectionsOfCharacters) {
+  std::string text = kFile;
+  const auto read = [&](const std::string& maxclock) {
+    std::string changed = text;
+    changed.replace(changed.find("500"), 3, maxclock);
+    return parseExperiment(changed, "some.xml").framework.max_clock;
+  };
+  EXPECT_EQ(read("2&#" + std::string(30000, '0') + "48;"), 20U);
+  EXPECT_EQ(read("&#x33;<![CDATA[4]]>5"), 345U);
+}
+
+}  // namespace
+}  // namespace swarmanoid::test
