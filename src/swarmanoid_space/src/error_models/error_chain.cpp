@@ -5,9 +5,14 @@
 namespace swarmanoid {
 namespace {
 
-bool contains(const std::vector<NumberPlace>& numbers, const NumberPlace& wanted) {
-  return std::any_of(numbers.begin(), numbers.end(),
-                     [&](const NumberPlace& known) { return known.offset == wanted.offset; });
+/// Adds the numbers that have bounds, each once.
+void addBounded(const std::vector<NumberPlace>& numbers, std::vector<NumberPlace>& known) {
+  for (const NumberPlace& place : numbers) {
+    const auto is_same = [&](const NumberPlace& other) { return other.offset == place.offset; };
+    if (place.isBounded() && std::none_of(known.begin(), known.end(), is_same)) {
+      known.push_back(place);
+    }
+  }
 }
 
 }  // namespace
@@ -85,21 +90,16 @@ void ErrorChain::limit(const FieldSelection& fields) {
   if (device_.kind == DeviceKind::kActuator) {
     return;
   }
-  for (const NumberPlace& place : fields.numbers) {
-    if (!contains(limited_.numbers, place)) {
-      limited_.numbers.push_back(place);
-    }
-  }
+  addBounded(fields.numbers, limited_.numbers);
   for (const FieldSelection::Elements& elements : fields.elements) {
     auto known = std::find_if(limited_.elements.begin(), limited_.elements.end(),
                               [&](const FieldSelection::Elements& other) { return other.span == elements.span; });
     if (known == limited_.elements.end()) {
       known = limited_.elements.insert(known, {elements.span, elements.size, {}});
     }
-    for (const NumberPlace& place : elements.numbers) {
-      if (!contains(known->numbers, place)) {
-        known->numbers.push_back(place);
-      }
+    addBounded(elements.numbers, known->numbers);
+    if (known->numbers.empty()) {
+      limited_.elements.erase(known);
     }
   }
 }
@@ -160,9 +160,8 @@ void ErrorChain::apply(void* device, ErrorState& state, std::uint64_t tick, std:
     step.history = &state.histories[i];
     entry.model->apply(step);
   }
-  forEachNumber(limited_, step.device, [](const NumberPlace& place, std::byte* bytes, std::size_t /*index*/) {
-    place.limit(bytes);
-  });
+  forEachNumber(limited_, step.device,
+                [](const NumberPlace& place, std::byte* bytes, std::size_t /*index*/) { place.limit(bytes); });
   for (std::size_t i = 0; i < spans_.size(); ++i) {
     if (is_span_used_[i] != 0) {
       spans_[i].access.set(step.device.fields + spans_[i].offset, state.elements[i].bytes(), state.elements[i].count());

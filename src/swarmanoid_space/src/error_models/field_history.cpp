@@ -1,19 +1,20 @@
 #include "swarmanoid_space/error_models/field_history.hpp"
 
+#include <cstring>
+
 namespace swarmanoid {
 
 FieldHistory::FieldHistory(const FieldSelection& fields, std::size_t slots, const std::byte* resting,
-                           const std::vector<SpanPlace>& spans, std::size_t most_elements)
-    : slots_(slots) {
-  for (const NumberPlace& place : fields.numbers) {
-    slot_size_ += place.size();
+                           const std::vector<SpanPlace>& spans, std::size_t most_elements) {
+  for (const FieldSelection::Block& block : fields.blocks) {
+    slot_size_ += block.size;
   }
   numbers_.resize(slots * slot_size_);
   std::byte* to = numbers_.data();
   for (std::size_t slot = 0; slot < slots; ++slot) {
-    for (const NumberPlace& place : fields.numbers) {
-      std::memcpy(to, resting + place.offset, place.size());
-      to += place.size();
+    for (const FieldSelection::Block& block : fields.blocks) {
+      std::memcpy(to, resting + block.offset, block.size);
+      to += block.size;
     }
   }
   elements_.resize(slots * fields.spans.size());
@@ -25,9 +26,9 @@ FieldHistory::FieldHistory(const FieldSelection& fields, std::size_t slots, cons
 void FieldHistory::keep(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
                         const DisturbedDevice& device) {
   std::byte* to = numbers_.data() + slot * slot_size_;
-  for (const NumberPlace& place : fields.numbers) {
-    std::memcpy(to, device.fields + place.offset, place.size());
-    to += place.size();
+  for (const FieldSelection::Block& block : fields.blocks) {
+    std::memcpy(to, device.fields + block.offset, block.size);
+    to += block.size;
   }
   for (std::size_t i = 0; i < fields.spans.size(); ++i) {
     const std::size_t span = fields.spans[i];
@@ -38,9 +39,9 @@ void FieldHistory::keep(std::size_t slot, const FieldSelection& fields, const st
 void FieldHistory::restore(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
                            const DisturbedDevice& device) const {
   const std::byte* from = numbers_.data() + slot * slot_size_;
-  for (const NumberPlace& place : fields.numbers) {
-    std::memcpy(device.fields + place.offset, from, place.size());
-    from += place.size();
+  for (const FieldSelection::Block& block : fields.blocks) {
+    std::memcpy(device.fields + block.offset, from, block.size);
+    from += block.size;
   }
   for (std::size_t i = 0; i < fields.spans.size(); ++i) {
     const std::size_t span = fields.spans[i];

@@ -1,7 +1,6 @@
 #include "swarmanoid_space/error_models/field_selection.hpp"
 
 #include <algorithm>
-#include <map>
 
 namespace swarmanoid {
 namespace {
@@ -23,13 +22,21 @@ bool isMeant(const std::string& pattern, const std::string& name) {
   return pattern.empty() || at == name.size() || name[at] == '.' || name[at] == '[';
 }
 
-NumberPlace placeOf(const DeviceNumber& number, const DeviceType& device) {
-  using Type = NumberPlace::Type;
-  static const std::map<std::string, Type> types{
-      {"f4", Type::kF4}, {"f8", Type::kF8}, {"b1", Type::kB1}, {"u1", Type::kU1}, {"u2", Type::kU2}, {"u4", Type::kU4},
-      {"u8", Type::kU8}, {"i1", Type::kI1}, {"i2", Type::kI2}, {"i4", Type::kI4}, {"i8", Type::kI8}};
-  const FieldDescription& field = device.fields[number.field];
-  return {number.offset, types.at(number.type), field.range, field.wraps};
+std::vector<FieldSelection::Block> blocksOf(const std::vector<NumberPlace>& numbers) {
+  std::vector<FieldSelection::Block> sorted;
+  for (const NumberPlace& place : numbers) {
+    sorted.push_back({place.offset, place.size()});
+  }
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.offset < b.offset; });
+  std::vector<FieldSelection::Block> blocks;
+  for (const FieldSelection::Block& block : sorted) {
+    if (!blocks.empty() && blocks.back().offset + blocks.back().size == block.offset) {
+      blocks.back().size += block.size;
+    } else {
+      blocks.push_back(block);
+    }
+  }
+  return blocks;
 }
 
 /// Walks through a device and sorts what is meant into what suits and what does not.
@@ -45,7 +52,7 @@ class Selector {
       } else {
         const bool suits = subject_ == ErrorSubject::kWholeFields || number.kind == DeviceNumber::Kind::kNumber;
         if (look(number.name, nameOf(number), suits, number.kind)) {
-          selection.numbers.push_back(placeOf(number, device_));
+          selection.numbers.push_back(placeOf(number, device_.fields[number.field]));
         }
       }
     }
@@ -67,7 +74,7 @@ class Selector {
       // who names the whole span does not name its elements
       const bool is_of_span = !takes_numbers && isMeant(field_, span.name);
       if (!is_of_span && look(span.name + "[]." + number.name, nameOf(number), suits, number.kind, true)) {
-        elements.numbers.push_back(placeOf(number, device_));
+        elements.numbers.push_back(placeOf(number, device_.fields[number.field]));
       }
     }
     if (!elements.numbers.empty()) {
@@ -130,6 +137,7 @@ FieldSelection selectFields(const DeviceType& device, const std::string& field, 
   Selector selector(device, field, subject);
   selector.select();
   if (!selector.selection.isEmpty()) {
+    selector.selection.blocks = blocksOf(selector.selection.numbers);
     return std::move(selector.selection);
   }
   if (selector.suitable.empty()) {

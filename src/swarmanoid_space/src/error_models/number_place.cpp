@@ -1,10 +1,9 @@
-#include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
+#include "swarmanoid_space/error_models/number_place.hpp"
 
-#include "swarmanoid_interface/angle.hpp"
-#include "swarmanoid_space/error_models/field_selection.hpp"
+#include <cmath>
+#include <map>
+#include <string>
+#include <type_traits>
 
 namespace swarmanoid {
 namespace {
@@ -51,6 +50,25 @@ Number nearest(double value) {
   return static_cast<Number>(std::is_floating_point_v<Number> ? value : std::nearbyint(value));
 }
 
+/// The least and the greatest number of a type within bounds; infinite bounds stay.
+template <class Number>
+Range boundsIn(const Range& range) {
+  if constexpr (std::is_floating_point_v<Number>) {
+    constexpr Number kInfinite = std::numeric_limits<Number>::infinity();
+    auto minimum = static_cast<Number>(range.minimum);
+    auto maximum = static_cast<Number>(range.maximum);
+    if (static_cast<double>(minimum) < range.minimum) {
+      minimum = std::nextafter(minimum, kInfinite);
+    }
+    if (static_cast<double>(maximum) > range.maximum) {
+      maximum = std::nextafter(maximum, -kInfinite);
+    }
+    return {static_cast<double>(minimum), static_cast<double>(maximum)};
+  } else {
+    return {std::ceil(range.minimum), std::floor(range.maximum)};
+  }
+}
+
 }  // namespace
 
 std::size_t NumberPlace::size() const {
@@ -71,14 +89,15 @@ void NumberPlace::writeWhole(std::byte* fields, double value) const {
   });
 }
 
-void NumberPlace::bringWithin(std::byte* fields, double value) const {
-  write(fields, wraps ? wrapAngle(value) : std::clamp(value, range.minimum, range.maximum));
-  const double written = read(fields);
-  if (written < range.minimum || written > range.maximum) {
-    // single precision has rounded it out of the range again
-    const auto inward = std::nextafter(static_cast<float>(written), 0.0F);
-    write(fields, static_cast<double>(inward));
-  }
+NumberPlace placeOf(const DeviceNumber& number, const FieldDescription& field) {
+  using Type = NumberPlace::Type;
+  static const std::map<std::string, Type> types{
+      {"f4", Type::kF4}, {"f8", Type::kF8}, {"b1", Type::kB1}, {"u1", Type::kU1}, {"u2", Type::kU2}, {"u4", Type::kU4},
+      {"u8", Type::kU8}, {"i1", Type::kI1}, {"i2", Type::kI2}, {"i4", Type::kI4}, {"i8", Type::kI8}};
+  const Range range = field.wraps ? Range{-M_PI, M_PI} : field.range;
+  NumberPlace place{number.offset, types.at(number.type), field.wraps, {}};
+  place.range = withType(place.type, [&](auto type) { return boundsIn<decltype(type)>(range); });
+  return place;
 }
 
 }  // namespace swarmanoid

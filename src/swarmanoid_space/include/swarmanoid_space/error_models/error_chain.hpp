@@ -45,7 +45,6 @@ class ErrorChain {
   /// @throws ConfigError if the kind is unknown, the field is, or they do not suit each other
   void add(const ErrorModelDescription& description);
 
-  bool isEmpty() const { return entries_.empty(); }
   bool hasListed() const { return entries_.size() > alias_count_; }
 
   /// Makes the state for a new robot; everything that ticks need is allocated here.

@@ -25,10 +25,7 @@ class FieldHistory {
   void restore(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
                const DisturbedDevice& device) const;
 
-  std::size_t slotCount() const { return slots_; }
-
  private:
-  std::size_t slots_ = 0;
   std::size_t slot_size_ = 0;  // of the numbers [byte]
   std::vector<std::byte> numbers_;
   std::vector<ElementBuffer> elements_;  // slot by slot, in each span by span

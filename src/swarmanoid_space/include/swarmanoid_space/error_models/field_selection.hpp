@@ -4,15 +4,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <limits>
 #include <string>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_space/error_models/element_buffer.hpp"
+#include "swarmanoid_space/error_models/number_place.hpp"
 
 namespace swarmanoid {
 
@@ -22,58 +20,6 @@ struct DisturbedDevice {
   std::vector<ElementBuffer>* elements = nullptr;
 };
 
-/// A number in a struct of bytes.
-struct NumberPlace {
-  enum class Type : std::uint8_t { kF4, kF8, kB1, kU1, kU2, kU4, kU8, kI1, kI2, kI4, kI8 };
-
-  std::size_t offset = 0;  ///< from the beginning of the device or of the element [byte]
-  Type type = Type::kF8;
-  Range range;         ///< of its field
-  bool wraps = false;  ///< as FieldInfo::wraps
-
-  std::size_t size() const;  ///< [byte]
-  double read(const std::byte* fields) const {
-    return type == Type::kF4   ? readReal<float>(fields)
-           : type == Type::kF8 ? readReal<double>(fields)
-                               : readWhole(fields);
-  }
-  /// Writes the nearest number that the type has: whole numbers are rounded, and nothing becomes infinite.
-  void write(std::byte* fields, double value) const {
-    if (type == Type::kF4) {
-      writeReal<float>(fields, value);
-    } else if (type == Type::kF8) {
-      writeReal<double>(fields, value);
-    } else {
-      writeWhole(fields, value);
-    }
-  }
-  /// Brings the number within the bounds of its field: wrapped if it is such an angle, else limited.
-  void limit(std::byte* fields) const {
-    const double value = read(fields);
-    if (wraps || !(value >= range.minimum && value <= range.maximum)) {
-      bringWithin(fields, value);
-    }
-  }
-
- private:
-  // Nearly all fields are real numbers, and each of them passes here in each tick: these are inline.
-  template <class Real>
-  double readReal(const std::byte* fields) const {
-    Real real;
-    std::memcpy(&real, fields + offset, sizeof real);
-    return static_cast<double>(real);
-  }
-  template <class Real>
-  void writeReal(std::byte* fields, double value) const {
-    constexpr auto kMost = static_cast<double>(std::numeric_limits<Real>::max());
-    const Real real = static_cast<Real>(value >= kMost ? kMost : value <= -kMost ? -kMost : value);
-    std::memcpy(fields + offset, &real, sizeof real);
-  }
-  double readWhole(const std::byte* fields) const;
-  void writeWhole(std::byte* fields, double value) const;
-  void bringWithin(std::byte* fields, double value) const;
-};
-
 /// A span of a device.
 struct SpanPlace {
   std::size_t offset = 0;  ///< from the beginning of the device [byte]
@@ -81,6 +27,11 @@ struct SpanPlace {
 };
 
 struct FieldSelection {
+  /// Bytes of the device that lie side by side.
+  struct Block {
+    std::size_t offset = 0;  ///< from the beginning of the device [byte]
+    std::size_t size = 0;    ///< [byte]
+  };
   struct Elements {
     std::size_t span = 0;  ///< index among the device's spans
     std::size_t size = 0;  ///< of an element [byte]
@@ -88,6 +39,7 @@ struct FieldSelection {
   };
 
   std::vector<NumberPlace> numbers;  ///< outside of spans
+  std::vector<Block> blocks;         ///< the bytes of `numbers`, in as few blocks as they fill without a gap
   std::vector<Elements> elements;    ///< numbers in the elements of spans
   std::vector<std::size_t> spans;    ///< whole spans, by index among the device's spans
 

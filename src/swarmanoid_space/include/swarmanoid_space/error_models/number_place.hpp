@@ -1,0 +1,77 @@
+/// Where a number of a device lies, and how to read, write and limit it in any instance of the device.
+///
+/// Units    those of its field, as the device's descriptor gives them.
+/// Threads  const after it is made; the bytes belong to one robot, and one thread at a time works on them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/device_field.hpp"
+
+namespace swarmanoid {
+
+/// A number in a struct of bytes.
+struct NumberPlace {
+  enum class Type : std::uint8_t { kF4, kF8, kB1, kU1, kU2, kU4, kU8, kI1, kI2, kI4, kI8 };
+
+  std::size_t offset = 0;  ///< from the beginning of the device or of the element [byte]
+  Type type = Type::kF8;
+  bool wraps = false;  ///< an angle, which is kept from -pi to pi
+  /// The bounds of its field, or the numbers next to them inside if the type does not have the bounds themselves:
+  /// single precision has no 0.7, and what is stored for it is less than that.
+  Range range;
+
+  std::size_t size() const;  ///< [byte]
+  /// Whether there are numbers that `limit` changes.
+  bool isBounded() const { return range.minimum > -kInfinity || range.maximum < kInfinity; }
+
+  double read(const std::byte* fields) const {
+    return type == Type::kF4   ? readReal<float>(fields)
+           : type == Type::kF8 ? readReal<double>(fields)
+                               : readWhole(fields);
+  }
+  /// Writes the nearest number that the type has: whole numbers are rounded, and nothing becomes infinite.
+  void write(std::byte* fields, double value) const {
+    if (type == Type::kF4) {
+      writeReal<float>(fields, value);
+    } else if (type == Type::kF8) {
+      writeReal<double>(fields, value);
+    } else {
+      writeWhole(fields, value);
+    }
+  }
+  /// Brings the number within the bounds of its field: wrapped if it is such an angle, else limited. NaN stays.
+  void limit(std::byte* fields) const {
+    const double value = read(fields);
+    if (!range.contains(value)) {
+      write(fields, std::clamp(wraps ? wrapAngle(value) : value, range.minimum, range.maximum));
+    }
+  }
+
+ private:
+  // Nearly all fields are real numbers, and each of them passes here in each tick: these are inline.
+  template <class Real>
+  double readReal(const std::byte* fields) const {
+    Real real;
+    std::memcpy(&real, fields + offset, sizeof real);
+    return static_cast<double>(real);
+  }
+  template <class Real>
+  void writeReal(std::byte* fields, double value) const {
+    constexpr auto kMost = static_cast<double>(std::numeric_limits<Real>::max());
+    const Real real = static_cast<Real>(value >= kMost ? kMost : value <= -kMost ? -kMost : value);
+    std::memcpy(fields + offset, &real, sizeof real);
+  }
+  double readWhole(const std::byte* fields) const;
+  void writeWhole(std::byte* fields, double value) const;
+};
+
+/// @param number of a device or of an element, not a span @param field its description
+NumberPlace placeOf(const DeviceNumber& number, const FieldDescription& field);
+
+}  // namespace swarmanoid
