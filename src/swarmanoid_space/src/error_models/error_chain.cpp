@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "swarmanoid_interface/expects.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -31,8 +33,7 @@ void checkErrors(const std::string& device, const std::vector<ErrorModelDescript
   }
 }
 
-ErrorChain::ErrorChain(const DeviceType& device)
-    : device_(device), spans_(spansOf(device)), is_span_used_(spans_.size(), 0) {}
+ErrorChain::ErrorChain(const DeviceType& device) : device_(device), spans_(spansOf(device)) {}
 
 void ErrorChain::addAlias(const std::string& kind, const std::string& field, const std::string& parameter,
                           double value) {
@@ -65,12 +66,11 @@ void ErrorChain::add(const ErrorModelDescription& description) {
 }
 
 ErrorChain::Entry& ErrorChain::append(const ErrorKind& kind, const Configuration& parameters, FieldSelection fields) {
-  const bool changes_numbers = kind.subject == ErrorSubject::kNumbers;
-  const std::size_t memory_size = changes_numbers ? fields.numberCount() : 0;
-  Entry entry{kind.make(parameters), std::move(fields), 0, "", 0, memory_size_, memory_size};
-  memory_size_ += memory_size;
+  Entry entry{kind.make(parameters), std::move(fields), 0, "", 0, memory_size_, 0};
+  entry.memory_size = entry.model->keepsMemory() ? entry.fields.numberCount() : 0;
+  memory_size_ += entry.memory_size;
   useSpans(entry.fields);
-  if (changes_numbers) {
+  if (kind.subject == ErrorSubject::kNumbers) {
     limit(entry.fields);
   }
   entries_.push_back(std::move(entry));
@@ -78,11 +78,16 @@ ErrorChain::Entry& ErrorChain::append(const ErrorKind& kind, const Configuration
 }
 
 void ErrorChain::useSpans(const FieldSelection& fields) {
+  const auto use = [&](std::size_t span) {
+    if (std::find(used_spans_.begin(), used_spans_.end(), span) == used_spans_.end()) {
+      used_spans_.push_back(span);
+    }
+  };
   for (const std::size_t span : fields.spans) {
-    is_span_used_[span] = 1;
+    use(span);
   }
   for (const FieldSelection::Elements& elements : fields.elements) {
-    is_span_used_[elements.span] = 1;
+    use(elements.span);
   }
 }
 
@@ -123,49 +128,64 @@ ErrorState ErrorChain::makeState(std::uint64_t seed, std::string_view entity, st
   }
   state.memory_before = state.memory;
   state.elements.resize(spans_.size());
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    if (is_span_used_[i] != 0) {
-      state.elements[i].reserve(most_elements * spans_[i].access.element_size);
-    }
+  for (const std::size_t span : used_spans_) {
+    state.elements[span].reserve(most_elements * spans_[span].access.element_size);
   }
   return state;
 }
 
-void ErrorChain::apply(void* device, ErrorState& state, std::uint64_t tick, std::size_t first_entry) const {
-  // a tick that is made once more starts from what was kept after the tick before
-  const bool is_again = tick == state.tick;
-  const std::vector<double>& from = is_again ? state.memory_before : state.memory;
-  std::copy(from.begin(), from.end(), (is_again ? state.memory : state.memory_before).begin());
+void ErrorChain::startTick(ErrorState& state, std::uint64_t tick) const {
+  if (memory_size_ > 0) {
+    // a tick that is made once more starts from what was kept after the tick before
+    const bool is_again = tick == state.tick;
+    const std::vector<double>& from = is_again ? state.memory_before : state.memory;
+    std::copy(from.begin(), from.end(), (is_again ? state.memory : state.memory_before).begin());
+  }
   state.tick = tick;
   state.first_tick = std::min(state.first_tick, tick);
+  for (RandomStream& stream : state.streams) {
+    stream.startTick(tick);
+  }
+}
+
+void ErrorChain::takeElements(const std::byte* device, ErrorState& state) const {
+  for (const std::size_t span : used_spans_) {
+    const SpanPlace& place = spans_[span];
+    state.elements[span].assign(place.access.bytes(device + place.offset), place.access.element_size);
+  }
+}
+
+void ErrorChain::deliverElements(std::byte* device, ErrorState& state) const {
+  for (const std::size_t span : used_spans_) {
+    const SpanPlace& place = spans_[span];
+    place.access.set(device + place.offset, state.elements[span].bytes(), state.elements[span].count());
+  }
+}
+
+void ErrorChain::apply(void* device, ErrorState& state, std::uint64_t tick, std::size_t first_entry) const {
+  SWARMANOID_EXPECTS(state.histories.size() == entries_.size());
+  startTick(state, tick);
   ErrorStep step;
   step.tick = tick;
   step.spans = &spans_;
   step.device = {static_cast<std::byte*>(device), &state.elements};
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    if (is_span_used_[i] != 0) {
-      state.elements[i].assign(spans_[i].access.bytes(step.device.fields + spans_[i].offset),
-                               spans_[i].access.element_size);
-    }
+  if (!used_spans_.empty()) {
+    takeElements(step.device.fields, state);
   }
-  for (RandomStream& stream : state.streams) {
-    stream.startTick(tick);
-  }
-  for (std::size_t i = first_entry; i < entries_.size(); ++i) {
-    const Entry& entry = entries_[i];
-    step.first_tick = std::max(entry.from_tick, state.first_tick);
-    step.fields = &entry.fields;
-    step.random = &state.streams[entry.stream_index];
-    step.memory = state.memory.data() + entry.memory_begin;
-    step.history = &state.histories[i];
-    entry.model->apply(step);
+  FieldHistory* history = state.histories.data() + first_entry;
+  const Entry* const end = entries_.data() + entries_.size();
+  for (const Entry* entry = entries_.data() + first_entry; entry != end; ++entry, ++history) {
+    step.first_tick = std::max(entry->from_tick, state.first_tick);
+    step.fields = &entry->fields;
+    step.random = &state.streams[entry->stream_index];
+    step.memory = state.memory.data() + entry->memory_begin;
+    step.history = history;
+    entry->model->apply(step);
   }
   forEachNumber(limited_, step.device,
                 [](const NumberPlace& place, std::byte* bytes, std::size_t /*index*/) { place.limit(bytes); });
-  for (std::size_t i = 0; i < spans_.size(); ++i) {
-    if (is_span_used_[i] != 0) {
-      spans_[i].access.set(step.device.fields + spans_[i].offset, state.elements[i].bytes(), state.elements[i].count());
-    }
+  if (!used_spans_.empty()) {
+    deliverElements(step.device.fields, state);
   }
 }
 

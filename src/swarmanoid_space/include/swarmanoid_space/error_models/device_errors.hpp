@@ -1,41 +1,57 @@
-/// The errors of one sensor or actuator object: none, until one is added.
+/// The errors of one sensor or actuator object: none, until one is added. What has none spends nothing but a branch.
+///
+/// Units, phases, threads and repeats are those of ErrorChain: errors are added while the device is configured, and
+/// afterwards the object is only read, by all threads at once, each with states of other robots.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/error_models/error_chain.hpp"
 
 namespace swarmanoid {
 
 class DeviceErrors {
  public:
+  /// @param type Device::kType: the text must outlive the object
   explicit DeviceErrors(const char* type) : type_(type) {}
 
   bool isEmpty() const { return chain_ == nullptr; }
+  /// Whether there are errors besides the aliases.
   bool hasListed() const { return chain_ != nullptr && chain_->hasListed(); }
 
-  /// @throws ConfigError
+  /// Adds the <error> elements of an experiment file, in their order.
+  /// @throws ConfigError if they do not suit the device, or REGISTER_DEVICE does not stand below its struct; those
+  /// before stay added
   void add(const std::vector<ErrorModelDescription>& errors) {
     for (const ErrorModelDescription& error : errors) {
       require(error.location).add(error);
     }
   }
-  /// Adds nothing if the value is 0.
+  /// Adds an error that a parameter of the device means (ErrorChain::addAlias), or nothing if the value is 0.
+  /// @pre nothing was added with `add`, and the kind is known @throws ConfigError if the field is not, or does not suit
   void addAlias(const std::string& kind, const std::string& field, const std::string& parameter, double value) {
     if (value != 0.0) {
       require({}).addAlias(kind, field, parameter, value);
     }
   }
 
-  /// These are as those of ErrorChain. @pre it is not empty
+  // The rest is as in ErrorChain. @pre it is not empty
+
   ErrorState makeState(std::uint64_t seed, std::string_view entity, std::size_t most_elements) const {
+    SWARMANOID_EXPECTS(!isEmpty());
     return chain_->makeState(seed, entity, most_elements);
   }
-  void apply(void* device, ErrorState& state, std::uint64_t tick) const { chain_->apply(device, state, tick); }
+  void apply(void* device, ErrorState& state, std::uint64_t tick) const {
+    SWARMANOID_EXPECTS(!isEmpty());
+    chain_->apply(device, state, tick);
+  }
   void applyListed(void* device, ErrorState& state, std::uint64_t tick) const {
+    SWARMANOID_EXPECTS(!isEmpty());
     chain_->applyListed(device, state, tick);
   }
 

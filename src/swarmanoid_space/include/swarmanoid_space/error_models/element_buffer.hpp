@@ -1,6 +1,7 @@
 /// The elements of a span, copied as bytes to a place of their own.
 ///
-/// Threads  as its owner. It allocates only when it is given more than ever before.
+/// Threads  one at a time: it belongs to the state of one robot's device. It allocates only when it is given more than
+///          ever before.
 #pragma once
 
 #include <cstddef>
@@ -17,7 +18,7 @@ class ElementBuffer {
   /// Makes room for so many bytes.
   void reserve(std::size_t bytes) { words_.resize(wordsOf(bytes)); }
 
-  /// @param size of an element [byte]
+  /// Copies elements. @param elements as bytes; may be its own @param size of an element [byte] @pre size > 0
   void assign(Span<const std::byte> elements, std::size_t size) {
     if (words_.size() < wordsOf(elements.size())) {
       reserve(elements.size());

@@ -1,7 +1,15 @@
 /// The errors of a device in one controller configuration, in the order in which they act, and what is kept of them for
 /// one robot.
 ///
-/// Threads  the chain is const after it is configured; states of different robots may be used at the same time.
+/// Phases   add, addAlias: while the device is configured. makeState: when a robot comes, between ticks. apply: in
+/// `sense`
+///          and `actuate`.
+/// Threads  the chain is const after it is configured; states of different robots may be used at the same time. apply
+///          allocates nothing unless a span is longer than ever before, and does not lock, log or throw.
+/// Repeats  what an <error> draws depends on the seed, the robot's name, the device, the kind, the field and the tick,
+/// not
+///          on the errors beside it. A tick may be made again: each error starts from what it kept after the tick
+///          before.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +26,7 @@ namespace swarmanoid {
 /// The description of a device's fields. @throws ConfigError if REGISTER_DEVICE does not stand below its struct
 const DeviceType& requireDeviceType(const std::string& type, const SourceLocation& location);
 
-/// Checks errors of a device as ErrorChain::add does. @throws ConfigError
+/// Checks errors of a device as ErrorChain::add does. @throws ConfigError as that and requireDeviceType do
 void checkErrors(const std::string& device, const std::vector<ErrorModelDescription>& errors);
 
 /// What the errors of one robot's device keep from tick to tick.
@@ -27,7 +35,7 @@ struct ErrorState {
 
   std::uint64_t tick = kNoTick;         ///< of the last call
   std::uint64_t first_tick = kNoTick;   ///< of the first one
-  std::vector<RandomStream> streams;    ///< of the aliases, then of each <error>
+  std::vector<RandomStream> streams;    ///< one for all aliases, then one for each <error>
   std::vector<double> memory;           ///< of the numbers of all errors, one after the other
   std::vector<double> memory_before;    ///< the same after the tick before
   std::vector<FieldHistory> histories;  ///< by error
@@ -39,20 +47,26 @@ class ErrorChain {
   /// @param device must outlive the chain
   explicit ErrorChain(const DeviceType& device);
 
-  /// Adds an error that a parameter of the device means. Aliases come before all that is added with `add`, and share
-  /// the device's own random stream.
+  /// Adds an error that a parameter of the device means. Aliases act before all that is added with `add`, and share the
+  /// device's own random stream.
+  /// @param kind a known one @param field as in selectFields @param parameter of the kind, which gets the value; the
+  /// others have their defaults
+  /// @pre nothing was added with `add` @throws ConfigError if the field is unknown or does not suit
   void addAlias(const std::string& kind, const std::string& field, const std::string& parameter, double value);
   /// @throws ConfigError if the kind is unknown, the field is, or they do not suit each other
   void add(const ErrorModelDescription& description);
 
+  /// Whether there are errors besides the aliases.
   bool hasListed() const { return entries_.size() > alias_count_; }
 
   /// Makes the state for a new robot; everything that ticks need is allocated here.
-  /// @param most_elements of a span; room is made for so many
+  /// @param seed of the experiment @param entity name of the robot @param most_elements of a span; room is made for so
+  /// many
   ErrorState makeState(std::uint64_t seed, std::string_view entity, std::size_t most_elements) const;
 
   /// Disturbs a device in place. Spans afterwards point to the state. Sensors' numbers are then brought back within the
-  /// ranges of their fields; commands are limited by their actuator.
+  /// bounds of their fields; commands are limited by their actuator.
+  /// @param device an instance of the device's struct @param state of this chain, made after the last error was added
   void apply(void* device, ErrorState& state, std::uint64_t tick) const { apply(device, state, tick, 0); }
   /// The same without the aliases.
   void applyListed(void* device, ErrorState& state, std::uint64_t tick) const {
@@ -67,21 +81,24 @@ class ErrorChain {
     std::string stream;        // what identifies it among the device's; "" for aliases
     std::size_t stream_index;  // in ErrorState::streams
     std::size_t memory_begin;  // in ErrorState::memory
-    std::size_t memory_size;   // 0 for errors of whole fields
+    std::size_t memory_size;   // 0 if the model keeps no memory
   };
 
   Entry& append(const ErrorKind& kind, const Configuration& parameters, FieldSelection fields);
   void useSpans(const FieldSelection& fields);
   void limit(const FieldSelection& fields);
+  void startTick(ErrorState& state, std::uint64_t tick) const;
+  void takeElements(const std::byte* device, ErrorState& state) const;
+  void deliverElements(std::byte* device, ErrorState& state) const;
   void apply(void* device, ErrorState& state, std::uint64_t tick, std::size_t first_entry) const;
 
   const DeviceType& device_;
   std::vector<SpanPlace> spans_;
-  std::vector<char> is_span_used_;
+  std::vector<std::size_t> used_spans_;  // those that errors act on or in, by index in spans_
   std::vector<Entry> entries_;
   std::size_t alias_count_ = 0;
   std::size_t memory_size_ = 0;
-  FieldSelection limited_;  // the numbers that errors change, each once
+  FieldSelection limited_;  // the numbers that errors change and that have bounds, each once
 };
 
 }  // namespace swarmanoid

@@ -1,8 +1,12 @@
 /// The base classes of error models: what one <error> of an experiment file does to the readings of a sensor or to the
 /// commands of an actuator.
 ///
-/// Phases   made and `prepare`: between ticks. apply: in `sense` and `actuate`.
-/// Threads  apply is called at once for different robots. No allocation, lock, log or throw in it.
+/// Units    numbers are in the unit of their field, and so are the parameters of a kind. Time is counted in ticks.
+/// Phases   making a model, firstMemory: between ticks. apply: in `sense` and `actuate`.
+/// Threads  kinds register while a library loads (one thread), and are only read afterwards. apply is called at once
+/// for
+///          different robots. No allocation, lock, log or throw in it.
+/// Errors   the constructor of a kind throws ConfigError at the parameter that does not suit.
 /// Repeats  apply may be called again in the same tick, and then has the same effect; what it keeps from tick to tick
 ///          is in ErrorStep, never in the model.
 ///
@@ -15,6 +19,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -28,13 +34,16 @@ namespace swarmanoid {
 /// One robot's device in one tick, and what an error model keeps for it.
 struct ErrorStep {
   std::uint64_t tick = 0;
-  std::uint64_t first_tick =
-      0;  ///< in which it acts on this robot: the <error>'s `from_tick`, or a later robot's first
+  /// The first tick in which the error acts on this robot: `from_tick` of the <error>, or the robot's own first tick if
+  /// that is later.
+  std::uint64_t first_tick = 0;
   const FieldSelection* fields = nullptr;
   const std::vector<SpanPlace>* spans = nullptr;  ///< of the device
   DisturbedDevice device;
-  RandomStream* random = nullptr;   ///< of this <error> and robot, at the start of the tick's sequence
-  double* memory = nullptr;         ///< one for each number, as it was after the last tick
+  /// Of this <error> and robot, at the start of the tick's sequence. Errors that parameters of the device mean draw
+  /// from one stream, each after those before it.
+  RandomStream* random = nullptr;
+  double* memory = nullptr;         ///< one for each number, as it was after the last tick; none without keepsMemory
   FieldHistory* history = nullptr;  ///< with as many slots as historySlots
 
   bool isActive() const { return tick >= first_tick; }
@@ -46,7 +55,10 @@ class ErrorModel {
  public:
   virtual ~ErrorModel() = default;
 
-  /// Draws what stays the same for the whole run. @param memory of one number of one robot
+  /// Whether a double is kept for each number from tick to tick.
+  virtual bool keepsMemory() const { return false; }
+  /// Draws what stays the same for the whole run. Called once for each number of each robot, if memory is kept.
+  /// @param random of this <error> and robot @return the memory of the number before its first tick
   virtual double firstMemory(RandomStream& /*random*/) const { return 0.0; }
   /// Number of moments of which the fields are kept.
   virtual std::size_t historySlots() const { return 0; }
@@ -54,22 +66,43 @@ class ErrorModel {
   virtual void apply(const ErrorStep& step) const = 0;
 };
 
-/// An error model that changes number by number. `Kind` has a const function
+namespace detail {
+
+template <class Kind, class = void>
+struct KeepsMemory : std::false_type {};
+template <class Kind>
+struct KeepsMemory<Kind, std::void_t<decltype(std::declval<const Kind&>().disturb(
+                             0.0, std::declval<double&>(), std::declval<RandomStream&>()))>> : std::true_type {};
+
+}  // namespace detail
+
+/// An error model that changes number by number. `Kind` has one of these const functions, which returns the number with
+/// its error:
+///     double disturb(double value, RandomStream& random) const
 ///     double disturb(double value, double& memory, RandomStream& random) const
-/// that returns the number with its error. `memory` is 0 or firstMemory at first, and belongs to the number; the
-/// elements of a span share that of their field.
+/// `memory` is firstMemory at first, and belongs to the number; the elements of a span share that of their field.
 template <class Kind>
 class NumberError : public ErrorModel {
  public:
   static constexpr ErrorSubject kSubject = ErrorSubject::kNumbers;
 
+  bool keepsMemory() const override { return detail::KeepsMemory<Kind>::value; }
+
   void apply(const ErrorStep& step) const override {
     if (!step.isActive()) {
       return;
     }
-    const Kind& kind = static_cast<const Kind&>(*this);
-    forEachNumber(*step.fields, step.device, [&](const NumberPlace& place, std::byte* bytes, std::size_t index) {
-      place.write(bytes, kind.disturb(place.read(bytes), step.memory[index], *step.random));
+    // copies, so that the compiler need not expect that writing a number changes them
+    const auto& kind = static_cast<const Kind&>(*this);
+    double* const memory = step.memory;
+    RandomStream* const random = step.random;
+    forEachNumber(*step.fields, step.device, [=, &kind](const NumberPlace& place, std::byte* bytes, std::size_t index) {
+      if constexpr (detail::KeepsMemory<Kind>::value) {
+        place.write(bytes, kind.disturb(place.read(bytes), memory[index], *random));
+      } else {
+        static_cast<void>(memory), static_cast<void>(index);
+        place.write(bytes, kind.disturb(place.read(bytes), *random));
+      }
     });
   }
 };
@@ -90,21 +123,23 @@ struct ErrorKindDescription {
 struct ErrorKind {
   ErrorKindDescription description;
   ErrorSubject subject = ErrorSubject::kNumbers;
-  /// @throws ConfigError
+  /// @param parameters of the kind, all of them @throws ConfigError if they do not suit each other
   std::function<std::unique_ptr<const ErrorModel>(const Configuration& parameters)> make;
 };
 
-/// All kinds by name.
+/// Returns all kinds, sorted by name. They live as long as the process.
 std::vector<const ErrorKind*> errorKinds();
 /// @return null if there is none
 const ErrorKind* findErrorKind(const std::string& name);
+/// Returns the names of all kinds, sorted.
 std::vector<std::string> errorKindNames();
 
-/// A parameter of a kind: a number.
+/// Makes the description of a parameter of a kind: a number in the unit of the field, or without one.
+/// @param value the default; without one the parameter must be given
 Parameter errorParameter(const std::string& name, Range range, const std::string& description,
                          std::optional<std::string> value = {});
 
-/// Registers a kind while the library loads.
+/// Registers a kind while the library loads. The first kind of a name stays; a second one of that name is ignored.
 struct ErrorKindRegistration {
   explicit ErrorKindRegistration(ErrorKind kind);
 };

@@ -1,6 +1,8 @@
 /// Values of fields of one robot's device at several moments, one slot a moment.
 ///
-/// Threads  as its owner. All slots are allocated when it is made; spans may need more when they are longer than ever.
+/// All slots are allocated when it is made. Only a span that is longer than ever before allocates afterwards.
+///
+/// Threads  one at a time: it belongs to the state of one robot's device.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +16,13 @@ class FieldHistory {
  public:
   FieldHistory() = default;
   /// All slots hold the values of a device at rest, with empty spans.
-  /// @param resting the struct @param spans of the device @param most_elements room for so many in each span
+  /// @param fields the whole fields that are kept, the same in each later call @param slots number of moments
+  /// @param resting the struct of a device at rest @param spans of the device, the same in each later call
+  /// @param most_elements room for so many in each span
   FieldHistory(const FieldSelection& fields, std::size_t slots, const std::byte* resting,
                const std::vector<SpanPlace>& spans, std::size_t most_elements);
 
-  /// Copies the fields to a slot.
+  /// Copies the fields to a slot. @pre the slot is below the number of slots; likewise for `restore`
   void keep(std::size_t slot, const FieldSelection& fields, const std::vector<SpanPlace>& spans,
             const DisturbedDevice& device);
   /// Copies a slot to the fields.

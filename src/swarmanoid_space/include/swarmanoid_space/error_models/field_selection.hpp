@@ -14,10 +14,10 @@
 
 namespace swarmanoid {
 
-/// The device of one robot while errors act on it. Elements of spans lie in buffers of the robot, by span.
+/// The device of one robot while errors act on it. It owns nothing.
 struct DisturbedDevice {
-  std::byte* fields = nullptr;  ///< the struct
-  std::vector<ElementBuffer>* elements = nullptr;
+  std::byte* fields = nullptr;                     ///< the struct
+  std::vector<ElementBuffer>* elements = nullptr;  ///< of its spans, by span; filled are those that errors act on
 };
 
 /// A span of a device.
@@ -67,7 +67,7 @@ FieldSelection selectFields(const DeviceType& device, const std::string& field, 
 /// Calls `visit(place, bytes, index)` for each number: `bytes` is the struct that it lies in, `index` counts numbers,
 /// the same for that number of all elements of a span.
 template <class Visit>
-void forEachNumber(const FieldSelection& selection, const DisturbedDevice& device, Visit visit) {
+void forEachNumber(const FieldSelection& selection, DisturbedDevice device, Visit visit) {
   std::size_t index = 0;
   for (const NumberPlace& place : selection.numbers) {
     visit(place, device.fields, index++);

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -37,19 +38,15 @@ struct NumberPlace {
   }
   /// Writes the nearest number that the type has: whole numbers are rounded, and nothing becomes infinite.
   void write(std::byte* fields, double value) const {
-    if (type == Type::kF4) {
-      writeReal<float>(fields, value);
-    } else if (type == Type::kF8) {
-      writeReal<double>(fields, value);
-    } else {
-      writeWhole(fields, value);
-    }
+    const double most = type == Type::kF4 ? mostOf<float>() : mostOf<double>();
+    store(fields, std::abs(value) < most ? value : std::clamp(value, -most, most));
   }
   /// Brings the number within the bounds of its field: wrapped if it is such an angle, else limited. NaN stays.
   void limit(std::byte* fields) const {
     const double value = read(fields);
     if (!range.contains(value)) {
-      write(fields, std::clamp(wraps ? wrapAngle(value) : value, range.minimum, range.maximum));
+      // the type has what lies within the bounds, so nothing can become infinite
+      store(fields, std::clamp(wraps ? wrapAngle(value) : value, range.minimum, range.maximum));
     }
   }
 
@@ -62,10 +59,22 @@ struct NumberPlace {
     return static_cast<double>(real);
   }
   template <class Real>
-  void writeReal(std::byte* fields, double value) const {
-    constexpr auto kMost = static_cast<double>(std::numeric_limits<Real>::max());
-    const Real real = static_cast<Real>(value >= kMost ? kMost : value <= -kMost ? -kMost : value);
+  void storeReal(std::byte* fields, double value) const {
+    const Real real = static_cast<Real>(value);
     std::memcpy(fields + offset, &real, sizeof real);
+  }
+  template <class Real>
+  static constexpr double mostOf() {
+    return static_cast<double>(std::numeric_limits<Real>::max());
+  }
+  void store(std::byte* fields, double value) const {
+    if (type == Type::kF4) {
+      storeReal<float>(fields, value);
+    } else if (type == Type::kF8) {
+      storeReal<double>(fields, value);
+    } else {
+      writeWhole(fields, value);
+    }
   }
   double readWhole(const std::byte* fields) const;
   void writeWhole(std::byte* fields, double value) const;

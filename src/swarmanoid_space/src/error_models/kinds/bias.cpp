@@ -12,7 +12,7 @@ class Bias final : public NumberError<Bias> {
 
   explicit Bias(const Configuration& parameters) : offset_(parameters.number("offset")) {}
 
-  double disturb(double value, double& /*memory*/, RandomStream& /*random*/) const { return value + offset_; }
+  double disturb(double value, RandomStream& /*random*/) const { return value + offset_; }
 
  private:
   double offset_;

@@ -16,9 +16,7 @@ class Factor final : public NumberError<Factor> {
   explicit Factor(const Configuration& parameters)
       : mean_(parameters.number("mean")), deviation_(parameters.number("deviation")) {}
 
-  double disturb(double value, double& /*memory*/, RandomStream& random) const {
-    return value * random.gaussian(mean_, deviation_);
-  }
+  double disturb(double value, RandomStream& random) const { return value * random.gaussian(mean_, deviation_); }
 
  private:
   double mean_;

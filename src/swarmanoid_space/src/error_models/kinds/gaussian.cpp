@@ -14,9 +14,7 @@ class Gaussian final : public NumberError<Gaussian> {
 
   explicit Gaussian(const Configuration& parameters) : deviation_(parameters.number("deviation")) {}
 
-  double disturb(double value, double& /*memory*/, RandomStream& random) const {
-    return value + random.gaussian(0.0, deviation_);
-  }
+  double disturb(double value, RandomStream& random) const { return value + random.gaussian(0.0, deviation_); }
 
  private:
   double deviation_;

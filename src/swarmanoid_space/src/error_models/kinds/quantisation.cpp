@@ -11,14 +11,12 @@ class Quantisation final : public NumberError<Quantisation> {
   static ErrorKindDescription describe() {
     return {"quantisation",
             "Rounds to the nearest multiple of a step.",
-            {errorParameter("step", {1e-9, 1e9}, "Distance of two values that can be told apart.")}};
+            {errorParameter("step", {1e-9, 1e9}, "Distance between neighbouring values.")}};
   }
 
   explicit Quantisation(const Configuration& parameters) : step_(parameters.number("step")) {}
 
-  double disturb(double value, double& /*memory*/, RandomStream& /*random*/) const {
-    return step_ * std::round(value / step_);
-  }
+  double disturb(double value, RandomStream& /*random*/) const { return step_ * std::round(value / step_); }
 
  private:
   double step_;

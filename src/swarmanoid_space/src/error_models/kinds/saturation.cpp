@@ -24,9 +24,7 @@ class Saturation final : public NumberError<Saturation> {
     }
   }
 
-  double disturb(double value, double& /*memory*/, RandomStream& /*random*/) const {
-    return std::clamp(value, minimum_, maximum_);
-  }
+  double disturb(double value, RandomStream& /*random*/) const { return std::clamp(value, minimum_, maximum_); }
 
  private:
   double minimum_;

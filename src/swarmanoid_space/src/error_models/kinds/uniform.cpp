@@ -14,9 +14,7 @@ class Uniform final : public NumberError<Uniform> {
 
   explicit Uniform(const Configuration& parameters) : half_width_(parameters.number("half_width")) {}
 
-  double disturb(double value, double& /*memory*/, RandomStream& random) const {
-    return value + random.uniform(-half_width_, half_width_);
-  }
+  double disturb(double value, RandomStream& random) const { return value + random.uniform(-half_width_, half_width_); }
 
  private:
   double half_width_;
