@@ -152,7 +152,7 @@ void SwarmanoidHardware::write(const ros::Time& time, const ros::Duration&) {
   std_msgs::Header header;
   header.stamp = time;
   for (const Output& output : outputs_) {
-    output.topic->publish(output.publisher, output.device, header);
+    output.topic->publish(output.publisher, *output.topic, output.device, header);
   }
 }
 

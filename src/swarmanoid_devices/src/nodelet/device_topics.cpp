@@ -27,7 +27,7 @@ void DeviceTopics::addReadings(const Space& space, Row row, const DeviceTopic& d
                        }
                        if (const void* readings = seen.readings.find(device.device, reader)) {
                          header.stamp = stampOf(seen);
-                         device.publish(publisher, readings, header);
+                         device.publish(publisher, device, readings, header);
                        }
                      }});
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/number_type.hpp"
 
 namespace swarmanoid::replay {
 namespace {
@@ -26,19 +27,12 @@ Field numberField(ByteReader& in) {
   return field;
 }
 
-Field readNumber(const std::string& kind, ByteReader& in) {
-  using Reader = Field (*)(ByteReader&);
-  static const std::pair<const char*, Reader> kReaders[] = {
-      {"f4", numberField<float>},         {"f8", numberField<double>},        {"b1", numberField<bool>},
-      {"u1", numberField<std::uint8_t>},  {"u2", numberField<std::uint16_t>}, {"u4", numberField<std::uint32_t>},
-      {"u8", numberField<std::uint64_t>}, {"i1", numberField<std::int8_t>},   {"i2", numberField<std::int16_t>},
-      {"i4", numberField<std::int32_t>},  {"i8", numberField<std::int64_t>}};
-  for (const auto& [name, read] : kReaders) {
-    if (kind == name) {
-      return read(in);
-    }
+Field readNumber(const std::string& type, ByteReader& in) {
+  Field field;
+  if (!withNumberType(type, [&](auto number) { field = numberField<decltype(number)>(in); })) {
+    throw ByteError("found the field '" + type + "', which is none that is known here");
   }
-  throw ByteError("found the field '" + kind + "', which is none that is known here");
+  return field;
 }
 
 /// Returns the position after the bracket that closes the one at `open`.

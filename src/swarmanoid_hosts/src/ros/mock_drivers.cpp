@@ -150,7 +150,7 @@ class Drivers {
     header.stamp = ros::Time::now();
     for (const Output& output : sensors_) {
       header.frame_id = name_ + "/" + output.topic->frame;
-      output.topic->publish(output.publisher, output.reading, header);
+      output.topic->publish(output.publisher, *output.topic, output.reading, header);
     }
     header.frame_id = name_ + "/base_link";
     for (Shown& shown : shown_) {
@@ -165,7 +165,7 @@ class Drivers {
     shown.device->type->write(shown.device->value.get(), out);
     if (state != shown.last) {
       shown.last = state;
-      shown.topic.publish(shown.publisher, shown.device->value.get(), header);
+      shown.topic.publish(shown.publisher, shown.topic, shown.device->value.get(), header);
     }
   }
 

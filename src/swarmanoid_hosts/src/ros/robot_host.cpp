@@ -136,7 +136,7 @@ void RobotHost::publish() {
   std::size_t i = 0;
   for (const RobotLoop::Actuator& actuator : loop_->actuators()) {
     const Output& output = outputs_[i++];
-    output.topic->publish(output.publisher, actuator.command.data.get(), header);
+    output.topic->publish(output.publisher, *output.topic, actuator.command.data.get(), header);
   }
 }
 

@@ -18,6 +18,9 @@
 ///
 /// The headers in devices/ define the suite's topics; a source of a library that is linked with swarmanoid_hosts_ros
 /// includes the header of a further topic. A device may have more than one topic; the first is the main one.
+///
+/// A device that registers no topic has one all the same, of its fields by name (device_fields.hpp): a sensor
+/// `<type>`, in frame base_link; an actuator `<type>/command`.
 #pragma once
 
 #include <ros/node_handle.h>
@@ -51,18 +54,19 @@ struct DeviceTopic {
   /// Does the same; whoever subscribes later gets the last message.
   ros::Publisher (*advertiseLatched)(ros::NodeHandle& robot, const DeviceTopic& topic) = nullptr;
   /// @param header stamp, and for readings the frame; it is left out if the message has no header
-  void (*publish)(const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) = nullptr;
+  void (*publish)(const ros::Publisher& publisher, const DeviceTopic& topic, const void* device,
+                  const std_msgs::Header& header) = nullptr;
   /// Writes each message that comes to `device`, whose variable parts are stored in `parts`, and then calls `receive`,
   /// on the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
   ros::Subscriber (*subscribe)(ros::NodeHandle& robot, const DeviceTopic& topic, void* device, VariableParts& parts,
                                Receiver receive) = nullptr;
 };
 
-/// Returns the topics of a device in the order of registration. @return empty if it has none
+/// Returns the topics of a device in the order of registration. @return empty if there is no such device
 std::vector<const DeviceTopic*> topicsOf(const std::string& device);
-/// @return null if it has none
+/// @return null if there is no such device
 const DeviceTopic* mainTopicOf(const std::string& device);
-/// Returns all topics, sorted by device, then in the order of registration.
+/// Returns the topics of all devices, sorted by device, then in the order of registration.
 std::vector<const DeviceTopic*> deviceTopics();
 /// Registers a topic while a library loads; the first one of a device and name stays.
 void registerDeviceTopic(DeviceTopic topic);
@@ -101,11 +105,11 @@ void receive(const Message& message, Device& device, VariableParts& parts) {
   device = received;
 }
 
-}  // namespace detail
-
-template <class Device, class Message>
-DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, const std::string& frame = "") {
-  DeviceTopic topic{Device::kType, name, ros::message_traits::DataType<Message>::value(), frame, kind};
+/// Makes a topic of that message, which cannot be published or subscribed yet.
+template <class Message>
+DeviceTopic makeTopicOfMessage(const std::string& device, DeviceTopic::Kind kind, const std::string& name,
+                               const std::string& frame) {
+  DeviceTopic topic{device, name, ros::message_traits::DataType<Message>::value(), frame, kind};
   topic.advertise = [](ros::NodeHandle& robot, const DeviceTopic& entry) {
     constexpr std::uint32_t kQueue = 10;
     return robot.advertise<Message>(entry.name, kQueue);
@@ -114,7 +118,32 @@ DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, con
     constexpr bool kLatched = true;
     return robot.advertise<Message>(entry.name, 1, kLatched);
   };
-  topic.publish = [](const ros::Publisher& publisher, const void* device, const std_msgs::Header& header) {
+  return topic;
+}
+
+/// @param take reads a message into the device, or throws
+template <class Message, class Take>
+ros::Subscriber subscribe(ros::NodeHandle& robot, const DeviceTopic& topic, Take take, DeviceTopic::Receiver receiver) {
+  const boost::function<void(const boost::shared_ptr<const Message>&)> callback =
+      [take = std::move(take), receiver = std::move(receiver)](const boost::shared_ptr<const Message>& message) {
+        std::string problem;
+        try {
+          take(*message);
+        } catch (const std::exception& error) {
+          problem = error.what();
+        }
+        receiver(problem);
+      };
+  return robot.subscribe<Message>(topic.name, 1, callback, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+}
+
+}  // namespace detail
+
+template <class Device, class Message>
+DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, const std::string& frame = "") {
+  DeviceTopic topic = detail::makeTopicOfMessage<Message>(Device::kType, kind, name, frame);
+  topic.publish = [](const ros::Publisher& publisher, const DeviceTopic&, const void* device,
+                     const std_msgs::Header& header) {
     Message message;
     toMessage(*static_cast<const Device*>(device), message);
     if (std_msgs::Header* message_header = ros::message_traits::header(message)) {
@@ -124,17 +153,10 @@ DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, con
   };
   topic.subscribe = [](ros::NodeHandle& robot, const DeviceTopic& entry, void* device, VariableParts& parts,
                        DeviceTopic::Receiver receive) {
-    const boost::function<void(const boost::shared_ptr<const Message>&)> take =
-        [device, &parts, receive = std::move(receive)](const boost::shared_ptr<const Message>& message) {
-          std::string problem;
-          try {
-            detail::receive(*message, *static_cast<Device*>(device), parts);
-          } catch (const std::exception& error) {
-            problem = error.what();
-          }
-          receive(problem);
-        };
-    return robot.subscribe<Message>(entry.name, 1, take, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+    return detail::subscribe<Message>(
+        robot, entry,
+        [device, &parts](const Message& message) { detail::receive(message, *static_cast<Device*>(device), parts); },
+        std::move(receive));
   };
   return topic;
 }

@@ -1,0 +1,184 @@
+#include "swarmanoid_hosts/ros/device_fields.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/number_type.hpp"
+
+namespace swarmanoid {
+namespace {
+
+std::string elementName(const std::string& list, std::size_t index) {
+  return list + "[" + std::to_string(index) + "].";
+}
+
+void add(const DeviceNumber& number, const std::byte* origin, const std::string& prefix,
+         swarmanoid_msgs::DeviceFields& message) {
+  message.names.push_back(prefix + number.name);
+  withNumberType(number.type, [&](auto value) {
+    std::memcpy(&value, origin + number.offset, sizeof value);
+    message.values.push_back(static_cast<double>(value));
+  });
+}
+
+/// Returns the names that a message may have, "blobs[].bearing" for elements of lists.
+std::vector<std::string> allowedNames(const DeviceType& type) {
+  std::vector<std::string> names;
+  for (const DeviceNumber& number : type.numbers) {
+    if (number.kind != DeviceNumber::Kind::kSpan) {
+      names.push_back(number.name);
+    }
+    for (const DeviceNumber& element : number.elements) {
+      names.push_back(number.name + "[]." + element.name);
+    }
+  }
+  return names;
+}
+
+/// Puts the values of a message into the order of the device's bytes.
+class FieldReader {
+ public:
+  /// @throws std::runtime_error
+  explicit FieldReader(const swarmanoid_msgs::DeviceFields& message) {
+    if (message.names.size() != message.values.size()) {
+      throw std::runtime_error("found " + std::to_string(message.names.size()) + " names and " +
+                               std::to_string(message.values.size()) + " values, allowed: as many values as names");
+    }
+    for (std::size_t i = 0; i < message.names.size(); ++i) {
+      if (!values_.emplace(message.names[i], message.values[i]).second) {
+        throw std::runtime_error("found '" + message.names[i] + "' twice, allowed: once");
+      }
+    }
+  }
+
+  /// Takes a number of the device, or what it is now.
+  void takeNumber(const DeviceNumber& number, const std::byte* device, ByteWriter& out) {
+    const auto found = values_.find(number.name);
+    withNumberType(number.type, [&](auto value) {
+      if (found == values_.end()) {
+        std::memcpy(&value, device + number.offset, sizeof value);
+      } else {
+        value = converted<decltype(value)>(number.name, found->second);
+        values_.erase(found);
+      }
+      out.number(value);
+    });
+  }
+
+  void takeList(const DeviceNumber& list, ByteWriter& out) {
+    std::uint32_t count = 0;
+    while (hasElement(elementName(list.name, count))) {
+      ++count;
+    }
+    out.number(count);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      for (const DeviceNumber& number : list.elements) {
+        takeOfElement(number, elementName(list.name, i) + number.name, out);
+      }
+    }
+  }
+
+  /// Refuses what nobody has taken. @throws std::runtime_error
+  void refuseTheRest(const DeviceType& type) const {
+    if (!values_.empty()) {
+      const std::vector<std::string> allowed = allowedNames(type);
+      const std::string& name = values_.begin()->first;
+      throw std::runtime_error("found '" + name + "', allowed: " + joinNames(allowed) +
+                               (hasList(type) ? ", elements of lists from 0 on without a gap" : "") +
+                               didYouMean(name, allowed));
+    }
+  }
+
+ private:
+  static bool hasList(const DeviceType& type) {
+    for (const DeviceNumber& number : type.numbers) {
+      if (number.kind == DeviceNumber::Kind::kSpan) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool hasElement(const std::string& prefix) const {
+    const auto first = values_.lower_bound(prefix);
+    return first != values_.end() && first->first.compare(0, prefix.size(), prefix) == 0;
+  }
+
+  void takeOfElement(const DeviceNumber& number, const std::string& name, ByteWriter& out) {
+    const auto found = values_.find(name);
+    if (found == values_.end()) {
+      throw std::runtime_error("found no '" + name + "', expected all numbers of an element");
+    }
+    withNumberType(number.type, [&](auto type) { out.number(converted<decltype(type)>(name, found->second)); });
+    values_.erase(found);
+  }
+
+  /// @throws std::runtime_error if the type cannot hold the value
+  template <class Number>
+  static Number converted(const std::string& name, double value) {
+    if (!std::isfinite(value)) {
+      throw std::runtime_error("found a number that is not finite for '" + name + "', allowed: finite numbers");
+    }
+    using Limits = std::numeric_limits<Number>;
+    constexpr bool kIsWhole = Limits::is_integer;
+    const double minimum = static_cast<double>(Limits::lowest());
+    const double maximum = static_cast<double>(Limits::max());
+    // of 64 bits: the double nearest to the greatest number lies above it
+    const bool is_too_large =
+        kIsWhole && Limits::digits > std::numeric_limits<double>::digits ? value >= maximum : value > maximum;
+    if (value < minimum || is_too_large || (kIsWhole && value != std::nearbyint(value))) {
+      std::ostringstream problem;
+      problem.precision(std::numeric_limits<double>::max_digits10);
+      problem << "found " << value << " for '" << name << "', allowed: " << (kIsWhole ? "whole numbers" : "numbers")
+              << " from " << minimum << " to " << maximum;
+      throw std::runtime_error(problem.str());
+    }
+    return static_cast<Number>(value);
+  }
+
+  std::map<std::string, double> values_;  ///< of the message, that nobody has taken
+};
+
+}  // namespace
+
+void toMessage(const DeviceType& type, const void* device, swarmanoid_msgs::DeviceFields& message) {
+  message.names.clear();
+  message.values.clear();
+  const auto* origin = static_cast<const std::byte*>(device);
+  for (const DeviceNumber& number : type.numbers) {
+    if (number.kind != DeviceNumber::Kind::kSpan) {
+      add(number, origin, "", message);
+      continue;
+    }
+    const Span<const std::byte> bytes = number.span.bytes(origin + number.offset);
+    for (std::size_t i = 0; i * number.span.element_size < bytes.size(); ++i) {
+      for (const DeviceNumber& of_element : number.elements) {
+        add(of_element, bytes.data() + i * number.span.element_size, elementName(number.name, i), message);
+      }
+    }
+  }
+}
+
+void fromMessage(const swarmanoid_msgs::DeviceFields& message, const DeviceType& type, void* device,
+                 VariableParts& parts) {
+  FieldReader reader(message);
+  Bytes bytes;
+  ByteWriter out(bytes);
+  for (const DeviceNumber& number : type.numbers) {
+    if (number.kind == DeviceNumber::Kind::kSpan) {
+      reader.takeList(number, out);
+    } else {
+      reader.takeNumber(number, static_cast<const std::byte*>(device), out);
+    }
+  }
+  reader.refuseTheRest(type);
+  ByteReader in(Span<const std::uint8_t>(bytes.data(), bytes.size()));
+  type.read(in, device, parts);
+}
+
+}  // namespace swarmanoid
