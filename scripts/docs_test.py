@@ -7,6 +7,7 @@ in an empty folder with a clone of the repository in it. A comment before a fenc
     <!-- same as: NAME, with A as B -->  the fence is that file of the repository, with A put as B
     <!-- stays, until SERVICE is there -->  the fence is one command for a terminal of its own: it runs beside what follows, which waits
                                    for that ROS service, until it ends by itself or the page ends, when it gets a Ctrl-C
+A file is written where the page began, or below the clone: <!-- file: swarmanoid/docs/NAME -->.
 A text fence is something that the command before it prints. Fences that are whole experiments are validated.
 """
 
@@ -31,6 +32,9 @@ RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.
              "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
              "docs/how-to/run_a_controller_elsewhere.md", "docs/faq.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
+# Pages that add to the suite, and how many files each may add at most. They are followed in a copy of the tree, which is
+# built once; what was there before must stay as it is
+SUITE_PAGES = {"docs/how-to/add_a_device_to_the_suite.md": 5, "docs/how-to/add_an_implementation.md": 2}
 FENCE = re.compile(r"(?:^<!-- (?P<note>.*?) -->\n)?^```(?P<language>\w*)\n(?P<text>.*?)^```$", re.M | re.S)
 BUILD_FOLDER = ""
 
@@ -52,6 +56,18 @@ def anchors(text):
     """Names of headings as they stand in links."""
     headings = re.findall(r"^#+ (.*)$", text, re.M)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+
+
+def contents(folder):
+    """Files of a copy of the tree, but what is built."""
+    found = {}
+    for where, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if not name.startswith("build") and name != "__pycache__"]
+        for name in names:
+            path = os.path.join(where, name)
+            with open(path, "rb") as file:
+                found[os.path.relpath(path, folder)] = file.read()
+    return found
 
 
 class Newcomer:
@@ -187,11 +203,11 @@ class ListingsTest(unittest.TestCase):
         environment.update({"CMAKE_CXX_COMPILER_LAUNCHER": "ccache"} if compiler_cache() else {})
         return environment
 
-    def newcomer(self, page):
+    def newcomer(self, page, clone):
         name = os.path.basename(page).removesuffix(".md")
         folder = os.path.join(self.work, name)
         os.mkdir(folder)
-        os.symlink(self.clone, os.path.join(folder, "swarmanoid"))
+        os.symlink(clone, os.path.join(folder, "swarmanoid"))
         return Newcomer(folder, self.new_shell(name))
 
     def test_experiments_are_valid(self):
@@ -222,6 +238,20 @@ class ListingsTest(unittest.TestCase):
             with self.subTest(page=page):
                 result.result()
 
+    def test_pages_that_add_to_the_suite_can_be_followed(self):
+        copy = os.path.join(self.work, "copy")
+        shutil.copytree(REPOSITORY, copy, symlinks=True, ignore=shutil.ignore_patterns("build*", ".git", "__pycache__"))
+        before = contents(copy)
+        for page, most in SUITE_PAGES.items():
+            with self.subTest(page=page):
+                self.follow(page, copy)
+                after = contents(copy)
+                self.assertEqual([], [name for name in before if after.get(name) != before[name]], "files that changed")
+                added = sorted(set(after) - set(before))
+                self.assertTrue(0 < len(added) <= most, f"{len(added)} files, allowed: at most {most}: {added}")
+                print(f"{page}: {len(added)} new files, no other is edited", file=sys.stderr)
+                before = after
+
     @unittest.skipUnless("DOCS_TEST_LONG" in os.environ, "takes minutes: it builds the suite anew")
     def test_long_pages_can_be_followed(self):
         for page in LONG_PAGES:
@@ -241,8 +271,8 @@ class ListingsTest(unittest.TestCase):
                 self.assertEqual([], dead, printed)
                 return printed
 
-    def follow(self, page):
-        newcomer = self.newcomer(page)
+    def follow(self, page, clone=None):
+        newcomer = self.newcomer(page, clone or self.clone)
         try:
             self.follow_as(newcomer, page)
         finally:
