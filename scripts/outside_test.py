@@ -3,12 +3,14 @@
 install space of this project; and the install space by itself."""
 
 import concurrent.futures
+import contextlib
 import glob
 import json
 import math
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -22,6 +24,7 @@ PACKAGES = ("example_controller", "example_engine", "example_python_controller",
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
 ROBOTS = os.path.join(REPOSITORY, "examples/example_robot/e_pucks.xml")
 CONFORMANCE = os.path.join(REPOSITORY, "examples/example_robot/conformance.xml")
+SENSOR_ANGLES = (-0.3008, -0.8008, -math.pi / 2, -2.644, 2.6392, math.pi / 2, 0.7992, 0.2992)  # of the e-puck [rad]
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
 LAUNCH = ["roslaunch", "swarmanoid_experiments", "run.launch", "rviz:=false", "real_time_factor:=0"]
 BUILD_FOLDER = ""
@@ -136,28 +139,76 @@ class OutsideTest(unittest.TestCase):
             self.assertEqual({"e": "passed"}, verdict["metrics"], engine)
         return result["state_hash"]
 
+    @contextlib.contextmanager
+    def beside(self, command, environment):
+        """A program that runs beside the test, and gets a Ctrl-C if it is still there at the end."""
+        program = subprocess.Popen(command, env=environment, text=True, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        try:
+            yield program
+        finally:
+            if program.poll() is None:
+                program.send_signal(signal.SIGINT)
+                program.communicate(timeout=60)
+
     def check_run_under_ros(self, environment, headless_out, out):
         """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
-        launch = subprocess.Popen([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"],
-                                  env=environment, text=True, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                                  stderr=subprocess.STDOUT)
-        try:
+        with self.beside([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"], environment) as launch:
             self.wait_for_space(launch, environment)
             maps = self.maps_of_manager(launch.pid)
             for library in ("libpatrol_nodelet.so", "libface_north_nodelet.so", "libcompass.so", "libcarousel.so",
                             "libodometer.so"):
                 self.assertIn(library, maps)
-            succeed(["rosservice", "call", "/space/resume"], environment)
-            output, _ = launch.communicate(timeout=60)
-        finally:
-            if launch.poll() is None:
-                launch.terminate()
-                launch.communicate(timeout=60)
-        self.assertEqual(0, launch.returncode, output)
-        self.assertIn("finished after 69 ticks", output)
+            self.resume(launch, environment, "finished after 69 ticks")
         for name in OUTPUTS:
             with open(os.path.join(headless_out, name)) as first, open(os.path.join(out, name)) as second:
                 self.assertEqual(first.read(), second.read(), name)
+
+    def check_robot_under_ros(self, environment, headless_out, out):
+        """Its devices have topics, as those of the suite's robots, and it goes the same ways."""
+        with self.beside([*LAUNCH, f"experiment:={ROBOTS}", f"out:={out}", "paused:=true", "device_topics:=all"],
+                         environment) as launch:
+            self.wait_for_space(launch, environment)
+            with self.beside(["rostopic", "echo", "-n", "1", "/b_3/proximity/angles"], environment) as echo:
+                while echo.poll() is None:  # topics of devices are there after the first tick
+                    succeed(["rosservice", "call", "/space/step", "1"], environment)
+                angles = json.loads(echo.stdout.readline())
+            self.assertEqual(len(SENSOR_ANGLES), len(angles))
+            for expected, angle in zip(SENSOR_ANGLES, angles):
+                self.assertAlmostEqual(expected, angle, places=5)
+            topics = succeed(["rostopic", "list"], environment).split()
+            for robot in (f"{pen}_{i}" for pen in "abc" for i in range(1, 6)):
+                for topic in ("proximity", "cmd_vel", "leds/command", "leds/state"):
+                    self.assertIn(f"/{robot}/{topic}", topics)
+            self.resume(launch, environment, "finished after 600 ticks")
+        with open(f"{headless_out}/e_pucks.txt") as first, open(f"{out}/e_pucks.txt") as second:
+            self.assertEqual(first.read(), second.read())
+
+    def check_mock_robot(self, environment):
+        """Its mock drivers, and its controller on them: it goes to the wall ahead, 0.3 m away, and turns before it."""
+        folder = os.path.dirname(ROBOTS)
+        drivers = ["roslaunch", "swarmanoid_hosts", "mock_robot.launch", "robot:=e", "type:=e_puck",
+                   "devices:=differential_drive leds proximity", f"world:={folder}/config/mock_world.yaml"]
+        host = ["roslaunch", "swarmanoid_hosts", "robot.launch", "robot:=e", "controller:=diffusion", "provider:=topics",
+                f"configuration:={folder}/config/diffusion.yaml"]
+        with self.beside(drivers, environment) as mock, self.beside(host, environment) as controller:
+            end = time.monotonic() + 60
+            ahead, turned = 0.0, 0.0
+            while (ahead < 0.15 or turned < 0.1) and time.monotonic() < end:
+                self.assertIsNone(mock.poll() or controller.poll(), "it has ended")
+                code, printed, _ = run(["timeout", "5", "rostopic", "echo", "-n", "1", "-p", "/e/odom/pose/pose"], environment)
+                if code == 0:
+                    values = dict(zip(*(line.split(",") for line in printed.split())))
+                    ahead = max(ahead, float(values["field.position.x"]))
+                    turned = max(turned, abs(float(values["field.orientation.z"])))
+            self.assertTrue(0.15 < ahead < 0.3 - 0.035, ahead)
+            self.assertGreater(turned, 0.1)
+
+    def resume(self, launch, environment, end):
+        succeed(["rosservice", "call", "/space/resume"], environment)
+        output, _ = launch.communicate(timeout=60)
+        self.assertEqual(0, launch.returncode, output)
+        self.assertIn(end, output)
 
     def wait_for_space(self, launch, environment):
         """Its services are there when all nodelets are."""
@@ -191,6 +242,8 @@ class OutsideTest(unittest.TestCase):
         result = self.check_run_headless(environment, headless_out)
         robots_hash = self.check_robot(environment, os.path.join(folder, "robots"))
         self.check_run_under_ros(environment, headless_out, ros_out)
+        self.check_robot_under_ros(environment, os.path.join(folder, "robots"), os.path.join(folder, "robots_ros"))
+        self.check_mock_robot(environment)
         return result["state_hash"], robots_hash
 
     def test_examples_build_and_run_against_devel_and_install_space(self):
