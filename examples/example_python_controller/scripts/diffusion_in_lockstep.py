@@ -22,14 +22,15 @@ ANGLES = [(i if i <= SENSORS // 2 else i - SENSORS) * STEP for i in range(SENSOR
 
 class Diffusion:
     def __init__(self, robot):
-        self._robot = robot
+        self._proximity = robot.sensors["footbot_proximity"]
+        self._wheels = robot.actuators["footbot_wheels"]
         self._speed = float(robot.parameters.get("speed", 0.1))  # [m/s]
         self._threshold = float(robot.parameters.get("threshold", 0.05))
         self._turn_rate = 0.0  # [rad/s], while it turns away
 
     def step(self, _time, _dt):
         x = y = 0.0
-        for value, angle in zip(self._robot.sensors["footbot_proximity"], ANGLES):
+        for value, angle in zip(self._proximity.value, ANGLES):
             if value > 0.0 and abs(angle) <= HALF_FIELD:
                 x += value * math.cos(angle)
                 y += value * math.sin(angle)
@@ -43,8 +44,8 @@ class Diffusion:
 
     def _drive(self, speed, turn_rate):
         difference = 0.5 * turn_rate * WHEEL_SEPARATION
-        wheels = self._robot.actuators["footbot_wheels"]
-        wheels[:] = [(speed - difference) / WHEEL_RADIUS, (speed + difference) / WHEEL_RADIUS]
+        self._wheels.left = (speed - difference) / WHEEL_RADIUS
+        self._wheels.right = (speed + difference) / WHEEL_RADIUS
 
 
 if __name__ == "__main__":

@@ -33,12 +33,12 @@ RobotLoop::RobotLoop(const std::string& robot, const std::string& label, RobotCo
     const DeviceType* type = requireType(device);
     Sensor& sensor = sensors_.emplace_back(Sensor{device, type, {type->make(), {}}, {}});
     robot_.provideSensor(device.type, sensor.reading.data.get());
-    description.sensors.push_back({device.type, type->layout});
+    description.sensors.push_back({device.type, type->layout, fieldNames(*type)});
   }
   for (const RobotConfiguration::Device& device : configuration_.actuators) {
     const DeviceType* type = requireType(device);
     actuators_.push_back(Actuator{device, type, {type->make(), {}}, {type->make(), {}}, false});
-    description.actuators.push_back({device.type, type->layout});
+    description.actuators.push_back({device.type, type->layout, fieldNames(*type)});
   }
   registration_.seed = configuration_.seed;
   registration_.clocktick = configuration_.period;

@@ -41,6 +41,24 @@ std::vector<std::string> robotTypesOfDevices() {
   return {robots.begin(), robots.end()};
 }
 
+std::string fieldNames(const DeviceType& device) {
+  std::string text;
+  const auto append = [&text](const std::string& name) {
+    text += (text.empty() || text.back() == '(' ? "" : " ") + name;
+  };
+  for (const DeviceNumber& number : device.numbers) {
+    append(number.name);
+    if (number.kind == DeviceNumber::Kind::kSpan) {
+      text += "(";
+      for (const DeviceNumber& element : number.elements) {
+        append(element.name);
+      }
+      text += ")";
+    }
+  }
+  return text;
+}
+
 const char* toString(DeviceKind kind) { return kind == DeviceKind::kSensor ? "sensor" : "actuator"; }
 
 }  // namespace swarmanoid

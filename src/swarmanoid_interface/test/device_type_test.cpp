@@ -163,6 +163,13 @@ TEST(DeviceTypeTest, NumbersHaveNamesInTheOrderOfTheBytes) {
             namesOf("eyebot_camera"));
 }
 
+TEST(DeviceTypeTest, NamesAreOneTextForThoseWithoutTheStruct) {
+  EXPECT_EQ(fieldNames(*findDeviceType("footbot_wheels")), "left right");
+  EXPECT_EQ(fieldNames(*findDeviceType("eyebot_velocity")), "linear[0] linear[1] linear[2] yaw_rate");
+  EXPECT_EQ(fieldNames(*findDeviceType("footbot_camera")),
+            "blobs(color.red color.green color.blue bearing distance) overflowed");
+}
+
 TEST(DeviceTypeTest, NumbersHaveTheirPlaces) {
   using Kind = DeviceNumber::Kind;
   const std::vector<DeviceNumber>& wheels = findDeviceType("footbot_wheels")->numbers;

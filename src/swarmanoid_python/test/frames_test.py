@@ -6,6 +6,7 @@ import types
 import unittest
 
 from swarmanoid_python.frames import Hosted
+from swarmanoid_python.device import Device, Names
 from swarmanoid_python.layout import Layout
 
 
@@ -31,8 +32,45 @@ class LayoutTest(unittest.TestCase):
             Layout("f8 f8").write([1, 2, 3])
 
 
-def device(kind, layout):
-    return types.SimpleNamespace(type=kind, layout=layout)
+class DeviceTest(unittest.TestCase):
+    def test_fields_are_attributes_and_values_stay_a_list(self):
+        wheels = Device([0.0, 0.0], Names("left right"))
+        wheels.right = 2.5
+        self.assertEqual([0.0, 2.5], wheels)
+        wheels[0] = -1.0
+        self.assertEqual(-1.0, wheels.left)
+        wheels.take([7.0, 8.0])
+        self.assertEqual(8.0, wheels["right"])
+
+    def test_arrays_and_fields_of_fields(self):
+        arms = Device(range(5), Names("left.elbow left.wrist value[0] value[1] value[2]"))
+        self.assertEqual([0, 1], list(arms.left))
+        self.assertEqual((1, 1), (arms.left.wrist, arms["left.wrist"]))
+        self.assertEqual(3, len(arms.value))
+        self.assertEqual((4, 4, 3), (arms.value[2], arms.value[-1], arms["value[1]"]))
+        arms.value = [9, 8, 7]
+        arms.left.elbow = 6
+        self.assertEqual([6, 1, 9, 8, 7], arms)
+        with self.assertRaisesRegex(ValueError, "found 2 values for 'value', allowed: 3"):
+            arms.value = [1, 2]
+        with self.assertRaises(IndexError):
+            arms.value[3]  # pylint: disable=pointless-statement
+
+    def test_elements_of_a_list_have_names_and_stay_tuples(self):
+        camera = Device([[], 0], Names("blobs(color.red distance) overflowed"))
+        camera.take([[(200, 1.5), (3, 0.25)], True])
+        self.assertEqual((3, 0.25), camera.blobs[1])
+        self.assertEqual((200, 1.5), (camera.blobs[0].color_red, camera.blobs[0].distance))
+        self.assertTrue(camera.overflowed)
+
+    def test_a_name_that_is_not_there_is_refused_with_those_that_are(self):
+        wheels = Device([0.0, 0.0], Names("left right"))
+        with self.assertRaisesRegex(AttributeError, "found no field 'lefft', allowed: left, right"):
+            wheels.lefft = 1.0
+
+
+def device(kind, layout, names):
+    return types.SimpleNamespace(type=kind, layout=layout, names=names)
 
 
 class Follower:
@@ -45,18 +83,18 @@ class Follower:
         self._robot = robot
 
     def step(self, time, dt):
-        (reading,) = self._robot.sensors["eye"]
+        reading = self._robot.sensors["eye"].distance
         if reading == 4.0:
             raise RuntimeError("too much")
-        self._robot.actuators["leg"][0] = 2 * reading
+        self._robot.actuators["leg"].speed = 2 * reading
         self._robot.debug("at", time)
 
 
 class HostedTest(unittest.TestCase):
     def setUp(self):
         Follower.made = 0
-        self.hosted = Hosted(types.SimpleNamespace(name="r", type="footbot", parameters=[], sensors=[device("eye", "f8")],
-                                                   actuators=[device("leg", "f8")]), Follower)
+        self.hosted = Hosted(types.SimpleNamespace(name="r", type="footbot", parameters=[], sensors=[device("eye", "f8", "distance")],
+                                                   actuators=[device("leg", "f8", "speed")]), Follower)
 
     def answer(self, reading):
         return self.hosted.answer(b"\x01" + struct.pack("<Id", 8, reading), 0, 1, 1.5, 0.1)

@@ -23,6 +23,7 @@ std::vector<swarmanoid_msgs::DeviceLayout> toMessages(const std::vector<DeviceLa
     messages.emplace_back();
     messages.back().type = device.type;
     messages.back().layout = device.layout;
+    messages.back().names = device.names;
   }
   return messages;
 }
@@ -30,7 +31,7 @@ std::vector<swarmanoid_msgs::DeviceLayout> toMessages(const std::vector<DeviceLa
 std::vector<DeviceLayout> fromMessages(const std::vector<swarmanoid_msgs::DeviceLayout>& messages) {
   std::vector<DeviceLayout> devices;
   for (const auto& message : messages) {
-    devices.push_back({message.type, message.layout});
+    devices.push_back({message.type, message.layout, message.names});
   }
   return devices;
 }

@@ -71,6 +71,10 @@ std::vector<std::string> robotTypesOfDevices();
 /// Registers a type while a library loads; the first registration of a type stays.
 void registerDeviceType(DeviceType type);
 
+/// Returns the names of the numbers in the order of the bytes, "left right"; behind that of a span stand those in its
+/// elements: "blobs(color.red distance) overflowed".
+std::string fieldNames(const DeviceType& device);
+
 /// Returns "sensor" or "actuator".
 const char* toString(DeviceKind kind);
 

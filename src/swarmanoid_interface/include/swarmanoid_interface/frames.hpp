@@ -50,6 +50,7 @@ enum class StepStatus : std::uint8_t { kNothing = 0, kStepped = 1, kFailed = 2 }
 struct DeviceLayout {
   std::string type;
   std::string layout;
+  std::string names = {};  ///< of its fields, as fieldNames has them; for those who do not have the device's struct
 };
 
 /// A robot that a participant commands.

@@ -3,6 +3,7 @@
 import struct
 import traceback
 
+from .device import Device, Names
 from .layout import Layout
 from .robot import Robot
 
@@ -24,8 +25,8 @@ class Hosted:
     def __init__(self, description, make_controller):
         self._description = description
         self._make_controller = make_controller
-        self._sensors = [(device.type, Layout(device.layout)) for device in description.sensors]
-        self._actuators = [(device.type, Layout(device.layout)) for device in description.actuators]
+        self._sensors = [(device.type, Layout(device.layout), Names(device.names)) for device in description.sensors]
+        self._actuators = [(device.type, Layout(device.layout), Names(device.names)) for device in description.actuators]
         self.drop()
 
     def drop(self):
@@ -43,8 +44,9 @@ class Hosted:
             return bytes([_NOTHING]), position
         if self._robot is None:
             self._start(seed)
-        for name, layout in self._sensors:
-            self._robot.sensors[name], end = layout.read(data, position + 4)
+        for name, layout, _ in self._sensors:
+            values, end = layout.read(data, position + 4)
+            self._robot.sensors[name].take(values)
             (length,) = struct.unpack_from("<I", data, position)
             if end != position + 4 + length:
                 raise ValueError(f"{self._description.name}, {name}: found {length} bytes, "
@@ -55,8 +57,8 @@ class Hosted:
     def _start(self, seed):
         robot = self._description
         self._robot = Robot(robot.name, robot.type, {p.name: p.value for p in robot.parameters}, seed,
-                            {name: layout.initial() for name, layout in self._sensors},
-                            {name: layout.initial() for name, layout in self._actuators})
+                            {name: Device(layout.initial(), names) for name, layout, names in self._sensors},
+                            {name: Device(layout.initial(), names) for name, layout, names in self._actuators})
 
     def _step(self, time, dt):
         if not self._failure:
@@ -71,6 +73,6 @@ class Hosted:
         return bytes([_FAILED]) + _text(self._failure)
 
     def _commands(self):
-        data = b"".join(_block(layout.write(self._robot.actuators[name])) for name, layout in self._actuators)
+        data = b"".join(_block(layout.write(self._robot.actuators[name])) for name, layout, _ in self._actuators)
         debug = self._robot.debug_values
         return data + struct.pack("<I", len(debug)) + b"".join(_text(key) + _text(value) for key, value in debug.items())

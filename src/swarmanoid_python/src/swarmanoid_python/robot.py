@@ -2,9 +2,9 @@
 
 
 class Robot:
-    """`sensors` and `actuators` by type, each a list of values in the order of the fields of the device's struct in
-    swarmanoid_interface/devices/: sensors["footbot_proximity"] has 24 numbers, actuators["footbot_wheels"] two. What is
-    written to an actuator stays until it is changed.
+    """`sensors` and `actuators` by type, each with the fields of the device's struct in swarmanoid_interface/devices/ as
+    attributes, and a list of their values: sensors["footbot_proximity"].value has 24 numbers, actuators["footbot_wheels"].left one.
+    What is written to an actuator stays until it is changed. Device objects stay the same from tick to tick.
 
     Also: name, type ("footbot"), parameters (texts by name, as in the experiment file; nested ones as outer/inner), seed.
     """

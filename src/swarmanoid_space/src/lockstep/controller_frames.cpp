@@ -15,7 +15,7 @@ std::vector<DeviceLayout> layoutsOf(const std::vector<DeviceDescription>& device
       throw std::runtime_error("device '" + device.type +
                                "' cannot travel to another process: no REGISTER_DEVICE says which fields it has");
     }
-    layouts.push_back({type->type, type->layout});
+    layouts.push_back({type->type, type->layout, fieldNames(*type)});
   }
   return layouts;
 }
