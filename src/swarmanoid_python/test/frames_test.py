@@ -6,7 +6,6 @@ import types
 import unittest
 
 from swarmanoid_python.frames import Hosted
-from swarmanoid_python.device import Device, Names
 from swarmanoid_python.layout import Layout
 
 
@@ -30,43 +29,21 @@ class LayoutTest(unittest.TestCase):
             Layout("f8 x3")
         with self.assertRaisesRegex(ValueError, "found 3 values, allowed: 2"):
             Layout("f8 f8").write([1, 2, 3])
+        with self.assertRaisesRegex(ValueError, "found 1 values, allowed: 2"):
+            Layout("f8 f8").write([1])
 
-
-class DeviceTest(unittest.TestCase):
-    def test_fields_are_attributes_and_values_stay_a_list(self):
-        wheels = Device([0.0, 0.0], Names("left right"))
-        wheels.right = 2.5
-        self.assertEqual([0.0, 2.5], wheels)
-        wheels[0] = -1.0
-        self.assertEqual(-1.0, wheels.left)
-        wheels.take([7.0, 8.0])
-        self.assertEqual(8.0, wheels["right"])
-
-    def test_arrays_and_fields_of_fields(self):
-        arms = Device(range(5), Names("left.elbow left.wrist value[0] value[1] value[2]"))
-        self.assertEqual([0, 1], list(arms.left))
-        self.assertEqual((1, 1), (arms.left.wrist, arms["left.wrist"]))
-        self.assertEqual(3, len(arms.value))
-        self.assertEqual((4, 4, 3), (arms.value[2], arms.value[-1], arms["value[1]"]))
-        arms.value = [9, 8, 7]
-        arms.left.elbow = 6
-        self.assertEqual([6, 1, 9, 8, 7], arms)
-        with self.assertRaisesRegex(ValueError, "found 2 values for 'value', allowed: 3"):
-            arms.value = [1, 2]
-        with self.assertRaises(IndexError):
-            arms.value[3]  # pylint: disable=pointless-statement
-
-    def test_elements_of_a_list_have_names_and_stay_tuples(self):
-        camera = Device([[], 0], Names("blobs(color.red distance) overflowed"))
-        camera.take([[(200, 1.5), (3, 0.25)], True])
-        self.assertEqual((3, 0.25), camera.blobs[1])
-        self.assertEqual((200, 1.5), (camera.blobs[0].color_red, camera.blobs[0].distance))
-        self.assertTrue(camera.overflowed)
-
-    def test_a_name_that_is_not_there_is_refused_with_those_that_are(self):
-        wheels = Device([0.0, 0.0], Names("left right"))
-        with self.assertRaisesRegex(AttributeError, "found no field 'lefft', allowed: left, right"):
-            wheels.lefft = 1.0
+    def test_a_value_that_does_not_fit_is_refused_with_its_name(self):
+        names = ["leds/on", "leds/red", "leds/level"]
+        layout = Layout("b1 u1 f4")
+        self.assertEqual(b"\x01\xff" + struct.pack("<f", 0.5), layout.write([True, 255, 0.5], names))
+        for values, text in (([True, 256, 0.5], "leds/red: found 256, allowed: a whole number from 0 to 255"),
+                             ([True, 2.0, 0.5], "leds/red: found 2.0, allowed: a whole number from 0 to 255"),
+                             ([True, 2, "high"], "leds/level: found 'high', allowed: a number of single precision"),
+                             ([True, 2, 1e300], "leds/level: found 1e\\+300, allowed: a number of single precision")):
+            with self.subTest(values=values), self.assertRaisesRegex(ValueError, f"^{text}$"):
+                layout.write(values, names)
+        with self.assertRaisesRegex(ValueError, "^found -129, allowed: a whole number from -128 to 127$"):
+            Layout("i1").write([-129])
 
 
 def device(kind, layout, names):
@@ -81,20 +58,22 @@ class Follower:
     def __init__(self, robot):
         Follower.made += 1
         self._robot = robot
+        self._eye = robot.sensors.eye  # the same in each tick
 
     def step(self, time, dt):
-        reading = self._robot.sensors["eye"].distance
+        reading = self._eye.distance
         if reading == 4.0:
             raise RuntimeError("too much")
-        self._robot.actuators["leg"].speed = 2 * reading
+        self._robot.actuators.leg.speed = 2 * reading if reading != 5.0 else "fast"
         self._robot.debug("at", time)
 
 
 class HostedTest(unittest.TestCase):
     def setUp(self):
         Follower.made = 0
-        self.hosted = Hosted(types.SimpleNamespace(name="r", type="footbot", parameters=[], sensors=[device("eye", "f8", "distance")],
-                                                   actuators=[device("leg", "f8", "speed")]), Follower)
+        robot = types.SimpleNamespace(name="r", type="footbot", parameters=[], sensors=[device("eye", "f8", "distance")],
+                                      actuators=[device("leg", "f8", "speed")])
+        self.hosted = Hosted(robot, Follower)
 
     def answer(self, reading):
         return self.hosted.answer(b"\x01" + struct.pack("<Id", 8, reading), 0, 1, 1.5, 0.1)
@@ -106,6 +85,14 @@ class HostedTest(unittest.TestCase):
 
     def test_a_reading_becomes_a_command(self):
         self.assertEqual((self.stepped(3.0), 13), self.answer(1.5))
+
+    def test_each_tick_has_its_reading(self):
+        self.answer(1.5)
+        self.assertEqual(self.stepped(-1.0), self.answer(-0.5)[0])
+
+    def test_a_command_that_is_no_number_is_told_with_its_name(self):
+        text = b"ValueError: leg/speed: found 'fast', allowed: a number"
+        self.assertEqual(b"\x02" + struct.pack("<I", len(text)) + text, self.answer(5.0)[0])
 
     def test_who_is_absent_does_nothing_and_starts_anew(self):
         self.answer(1.0)

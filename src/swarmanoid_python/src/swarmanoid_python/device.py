@@ -1,73 +1,61 @@
-"""Devices with their fields by name, as the space tells them: "left right", "value[0] value[1] ...", and for a list the names of
-its elements in brackets behind its own, "blobs(color.red distance) overflowed"."""
+"""Devices as controllers see them: their fields by name.
 
-import collections
-import re
+    robot.actuators.footbot_wheels.left = 2.0
+    robot.sensors.footbot_proximity.value[3]
+    robot.actuators.handbot_arms.left.elbow
+    robot.sensors.footbot_camera.blobs[0].distance
 
-_PART = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+Names may also come as text: robot.sensors["handbot_arms_state"]["joints[2].angle"]. Values are Python numbers, not
+numpy's: a float has the precision of a C++ double, so that the same arithmetic has the same result in both languages.
+`numpy.asarray` makes an array of any field that has several numbers."""
 
+import collections.abc
+import operator
 
-def _parts(name):
-    """"joints[2].angle" as ["joints", 2, "angle"]"""
-    return [word or int(index) for word, index in _PART.findall(name)]
-
-
-def _insert(tree, parts, leaf):
-    """Puts a leaf below its parts into dictionaries; those whose keys are 0, 1, 2, ... stand for arrays."""
-    for part in parts[:-1]:
-        tree = tree.setdefault(part, {})
-    tree[parts[-1]] = leaf
+from .names import Fields, UnknownName, parts
 
 
-class Names:
-    """The names of the values of one device type."""
+class View:
+    """A field with fields of its own, or an array. It has no values of its own: it sees, and writes, those of its
+    device."""
 
-    def __init__(self, text):
-        self.tree = {}      # field: place in the list of values, or what is in the field
-        self.elements = {}  # place of a list: class of its elements
-        for place, (name, inner) in enumerate(re.findall(r"([^\s()]+)(?:\(([^()]*)\))?", text)):
-            _insert(self.tree, _parts(name), place)
-            if inner:
-                self.elements[place] = collections.namedtuple(name, [re.sub(r"\W+", "_", each).strip("_") for each in inner.split()])
+    __slots__ = ("_values", "_fields")
 
-    def named(self, values):
-        """The values, in which elements of lists are tuples with names."""
-        for place, element in self.elements.items():
-            if place < len(values):
-                values[place] = [element(*each) for each in values[place]]
-        return values
-
-
-class _Field:
-    """A field with fields of its own, or an array: a view into the values of its device."""
-
-    __slots__ = ("_values", "_tree")
-
-    def __init__(self, values, tree):
+    def __init__(self, values, fields):
         object.__setattr__(self, "_values", values)
-        object.__setattr__(self, "_tree", tree)
+        object.__setattr__(self, "_fields", fields)
 
-    def _find(self, key):
-        if isinstance(key, int) and key < 0:
-            key += len(self._tree)
-        if key not in self._tree:
-            raise AttributeError(f"found no field '{key}', allowed: {', '.join(map(str, self._tree))}")
-        return self._tree[key]
+    def __reduce__(self):  # a copy keeps the values that it was made of
+        return type(self), (type(self._values)(self._values), self._fields)
 
     def _get(self, key):
-        found = self._find(key)
-        return _Field(self._values, found) if isinstance(found, dict) else self._values[found]
+        found = self._fields.find(key)
+        return View(self._values, found) if isinstance(found, Fields) else self._values[found]
 
     def _set(self, key, value):
-        found = self._find(key)
-        if not isinstance(found, dict):
+        found = self._fields.find(key)
+        if isinstance(found, Fields):
+            View(self._values, found)._fill(list(found), value)
+        else:
             self._values[found] = value
-            return
-        if len(value) != len(found):
-            raise ValueError(f"found {len(value)} values for '{key}', allowed: {len(found)}")
-        field = _Field(self._values, found)
-        for inner, each in zip(found, value):
-            field._set(inner, each)
+
+    def _fill(self, keys, values):
+        values = list(values)
+        if len(values) != len(keys):
+            raise ValueError(f"{self._fields.path}: found {len(values)} values, allowed: {len(keys)}")
+        for key, value in zip(keys, values):
+            self._set(key, value)
+
+    def _at(self, name):
+        """@return where the field of such a name is, "left.elbow" in the view of left, and its name there"""
+        found, path = self, parts(name)
+        for part in path[:-1]:
+            if not isinstance(found, (View, list)):
+                break
+            found = found._get(part) if isinstance(found, View) else found[part]
+        if not path or not isinstance(found, View):
+            raise UnknownName(f"{self._fields.path}: found no field", name, self._fields)
+        return found, path[-1]
 
     def __getattr__(self, name):
         return self._get(name)
@@ -75,62 +63,115 @@ class _Field:
     def __setattr__(self, name, value):
         self._set(name, value)
 
-    def __getitem__(self, index):
-        try:
-            return self._get(index)
-        except AttributeError as error:
-            raise IndexError(str(error)) from None
-
-    def __setitem__(self, index, value):
-        self._set(index, value)
-
-    def __len__(self):
-        return len(self._tree)
-
-    def __iter__(self):
-        return (self._get(key) for key in self._tree)
-
-    def __eq__(self, other):
-        return list(self) == list(other)
-
-    def __repr__(self):
-        return repr(list(self))
-
-
-class Device(list):
-    """The values of a device in the order in which they travel, and its fields as attributes: `wheels.left = 2.0`,
-    `proximity.value[3]`, `arms.left.elbow`, `camera.blobs[0].distance`; also by their text, `arms["left.elbow"]`."""
-
-    def __init__(self, values, names):
-        super().__init__(names.named(list(values)))
-        object.__setattr__(self, "_names", names)
-
-    def take(self, values):
-        """Replaces all values; who holds the device sees the new ones."""
-        super().__setitem__(slice(None), self._names.named(values))
-
-    def _place(self, name):
-        field = _Field(self, self._names.tree)
-        parts = _parts(name)
-        for part in parts[:-1]:
-            field = field._get(part)
-        return field, parts[-1]
-
-    def __getattr__(self, name):
-        return _Field(self, self._names.tree)._get(name)
-
-    def __setattr__(self, name, value):
-        _Field(self, self._names.tree)._set(name, value)
-
     def __getitem__(self, key):
         if isinstance(key, str):
-            field, last = self._place(key)
-            return field._get(last)
-        return super().__getitem__(key)
+            view, last = self._at(key)
+            return view._get(last)
+        if isinstance(key, slice):
+            return [self._get(each) for each in list(self._fields)[key]]
+        return self._get(self._fields.key_at(operator.index(key)))
 
     def __setitem__(self, key, value):
         if isinstance(key, str):
-            field, last = self._place(key)
-            field._set(last, value)
+            view, last = self._at(key)
+            view._set(last, value)
+        elif isinstance(key, slice):
+            self._fill(list(self._fields)[key], value)
         else:
+            self._set(self._fields.key_at(operator.index(key)), value)
+
+    def __len__(self):
+        return len(self._fields)
+
+    def __iter__(self):
+        return (self._get(key) for key in self._fields)
+
+    def __eq__(self, other):
+        return list(self) == list(other) if isinstance(other, collections.abc.Iterable) else NotImplemented
+
+    __hash__ = None
+
+    def __dir__(self):
+        return [key for key in self._fields if isinstance(key, str)]
+
+    def __repr__(self):
+        return repr(list(self)) if 0 in self._fields else \
+            "(" + ", ".join(f"{key}={self._get(key)!r}" for key in self._fields) + ")"
+
+
+class Device(View):
+    """A device, or an element of a list in one. By numbers it is the row of all its values in the order in which they
+    travel, those of fields in fields and of arrays one after the other; elements of lists cannot be written."""
+
+    __slots__ = ()
+
+    def __getitem__(self, key):
+        return super().__getitem__(key) if isinstance(key, str) else self._values[key]
+
+    def __setitem__(self, key, value):
+        if isinstance(key, slice):
+            value = list(value)
+            if len(value) != len(self._values[key]):
+                raise ValueError(f"{self._fields.path}: found {len(value)} values, allowed: {len(self._values[key])}")
+        if isinstance(key, str):
             super().__setitem__(key, value)
+        else:
+            self._values[key] = value
+
+    def __len__(self):
+        return len(self._values)
+
+    def __iter__(self):
+        return iter(self._values)
+
+    def __repr__(self):
+        return self._fields.path + super().__repr__()
+
+
+def replace_values(device, values):
+    """Puts a reading into a device; whoever holds the device sees it."""
+    values = list(values)
+    for place, fields in device._fields.lists.items():
+        values[place] = [Device(tuple(element), fields) for element in values[place]]
+    device._values[:] = values
+
+
+class Devices(collections.abc.Mapping):
+    """The sensors or the actuators of a robot by type, sensors.footbot_proximity or sensors["footbot_proximity"]. What is
+    assigned to a device are its values in the order in which they travel."""
+
+    __slots__ = ("_kind", "_devices")
+
+    def __init__(self, kind, devices):
+        """@param kind "sensor" or "actuator"; @param devices a Device by its type"""
+        object.__setattr__(self, "_kind", kind)
+        object.__setattr__(self, "_devices", dict(devices))
+
+    def __reduce__(self):
+        return type(self), (self._kind, self._devices)
+
+    def __getitem__(self, device):
+        if device not in self._devices:
+            raise UnknownName(f"found no {self._kind}", device, self._devices)
+        return self._devices[device]
+
+    def __setitem__(self, device, values):
+        self[device][:] = values
+
+    def __getattr__(self, device):
+        return self[device]
+
+    def __setattr__(self, device, values):
+        self[device] = values
+
+    def __iter__(self):
+        return iter(self._devices)
+
+    def __len__(self):
+        return len(self._devices)
+
+    def __dir__(self):
+        return list(self._devices)
+
+    def __repr__(self):
+        return f"{self._kind}s: {', '.join(self._devices) or 'none'}"

@@ -3,8 +3,9 @@
 import struct
 import traceback
 
-from .device import Device, Names
+from .device import Device, Devices, replace_values
 from .layout import Layout
+from .names import Fields
 from .robot import Robot
 
 _NOTHING, _STEPPED, _FAILED = 0, 1, 2
@@ -19,14 +20,22 @@ def _block(data):
     return struct.pack("<I", len(data)) + data
 
 
+def _layouts(devices):
+    return [(device.type, Layout(device.layout), Fields(device.type, device.names)) for device in devices]
+
+
+def _resting(kind, layouts):
+    return Devices(kind, {name: Device(layout.initial(), fields) for name, layout, fields in layouts})
+
+
 class Hosted:
     """One robot of a registration, and its controller while there is one."""
 
     def __init__(self, description, make_controller):
         self._description = description
         self._make_controller = make_controller
-        self._sensors = [(device.type, Layout(device.layout), Names(device.names)) for device in description.sensors]
-        self._actuators = [(device.type, Layout(device.layout), Names(device.names)) for device in description.actuators]
+        self._sensors = _layouts(description.sensors)
+        self._actuators = _layouts(description.actuators)
         self.drop()
 
     def drop(self):
@@ -46,19 +55,18 @@ class Hosted:
             self._start(seed)
         for name, layout, _ in self._sensors:
             values, end = layout.read(data, position + 4)
-            self._robot.sensors[name].take(values)
             (length,) = struct.unpack_from("<I", data, position)
             if end != position + 4 + length:
                 raise ValueError(f"{self._description.name}, {name}: found {length} bytes, "
                                  f"expected {end - position - 4}")
+            replace_values(self._robot.sensors[name], values)
             position = end
         return self._step(time, dt), position
 
     def _start(self, seed):
         robot = self._description
         self._robot = Robot(robot.name, robot.type, {p.name: p.value for p in robot.parameters}, seed,
-                            {name: Device(layout.initial(), names) for name, layout, names in self._sensors},
-                            {name: Device(layout.initial(), names) for name, layout, names in self._actuators})
+                            _resting("sensor", self._sensors), _resting("actuator", self._actuators))
 
     def _step(self, time, dt):
         if not self._failure:
@@ -73,6 +81,7 @@ class Hosted:
         return bytes([_FAILED]) + _text(self._failure)
 
     def _commands(self):
-        data = b"".join(_block(layout.write(self._robot.actuators[name])) for name, layout, _ in self._actuators)
+        data = b"".join(_block(layout.write(self._robot.actuators[name], fields.names))
+                        for name, layout, fields in self._actuators)
         debug = self._robot.debug_values
         return data + struct.pack("<I", len(debug)) + b"".join(_text(key) + _text(value) for key, value in debug.items())

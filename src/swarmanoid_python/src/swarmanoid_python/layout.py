@@ -7,6 +7,23 @@ import struct
 
 _LETTERS = {"f4": "f", "f8": "d", "u1": "B", "u2": "H", "u4": "I", "u8": "Q", "i1": "b", "i2": "h", "i4": "i", "i8": "q",
             "b1": "?"}
+_ALLOWED = {"f": "a number of single precision", "d": "a number", "?": "a truth value"}
+for _bits, _unsigned, _signed in (8, "B", "b"), (16, "H", "h"), (32, "I", "i"), (64, "Q", "q"):
+    _ALLOWED[_unsigned] = f"a whole number from 0 to {2 ** _bits - 1}"
+    _ALLOWED[_signed] = f"a whole number from {-2 ** (_bits - 1)} to {2 ** (_bits - 1) - 1}"
+
+
+def _pack(letters, values, names):
+    try:
+        return struct.pack(letters, *values)
+    except (struct.error, OverflowError):
+        for i, (letter, value) in enumerate(zip(letters[1:], values)):
+            try:
+                struct.pack("<" + letter, value)
+            except (struct.error, OverflowError):
+                name = names[i] + ": " if i < len(names) else ""
+                raise ValueError(f"{name}found {value!r}, allowed: {_ALLOWED[letter]}") from None
+        raise
 
 
 class Layout:
@@ -41,19 +58,24 @@ class Layout:
             values.append(elements)
         return values, position
 
-    def write(self, values):
+    def write(self, values, names=()):
+        """@param names of the values, for messages; @raise ValueError if there are too many or too few, or one does not
+        fit its field"""
+        values = list(values)
+        count = sum(len(field) - 1 if isinstance(field, str) else 1 for field in self._fields)
+        if len(values) != count:
+            raise ValueError(f"found {len(values)} values, allowed: {count}")
         data = b""
-        rest = list(values)
+        place = 0
         for field in self._fields:
             if isinstance(field, str):
-                count = len(field) - 1
-                data += struct.pack(field, *rest[:count])
-                rest = rest[count:]
+                end = place + len(field) - 1
+                data += _pack(field, values[place:end], names[place:end])
+                place = end
             else:
-                elements = rest.pop(0)
+                elements = values[place]
                 data += struct.pack("<I", len(elements)) + b"".join(field.write(element) for element in elements)
-        if rest:
-            raise ValueError(f"found {len(values)} values, allowed: {len(values) - len(rest)}")
+                place += 1
         return data
 
     def initial(self):

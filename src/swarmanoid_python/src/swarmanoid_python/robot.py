@@ -2,9 +2,18 @@
 
 
 class Robot:
-    """`sensors` and `actuators` by type, each with the fields of the device's struct in swarmanoid_interface/devices/ as
-    attributes, and a list of their values: sensors["footbot_proximity"].value has 24 numbers, actuators["footbot_wheels"].left one.
-    What is written to an actuator stays until it is changed. Device objects stay the same from tick to tick.
+    """`sensors` and `actuators` have the devices by type, and those their fields by the names of the device's struct in
+    swarmanoid_interface/devices/:
+
+        robot.sensors.footbot_proximity.value[3]           # also robot.sensors["footbot_proximity"]
+        robot.actuators.footbot_wheels.left = 2.0
+
+    Units are SI and radians; docs/reference/devices.md, and `swarmanoid list`, say those of each field, with its range and
+    meaning. `print(robot.sensors)` has the devices that there are, and `print` of a device its fields and their values; a
+    name that does not exist is an error that lists those that do. `help("swarmanoid_python.device")` has more.
+
+    Devices are the same objects in each tick: a reading is replaced in its place before each step, and what is written to
+    an actuator stays until it is changed.
 
     Also: name, type ("footbot"), parameters (texts by name, as in the experiment file; nested ones as outer/inner), seed.
     """

@@ -1,0 +1,66 @@
+"""The names of devices' fields, as the space tells them: "left right", "value[0] value[1] ...", and for a list the names
+of its elements in brackets behind its own, "blobs(color.red distance) overflowed"."""
+
+import difflib
+import re
+
+_PART = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+
+
+class UnknownName(AttributeError, KeyError):
+    """There is no device or field of that name. Both an AttributeError and a KeyError, so that `hasattr`, `in` and `get`
+    work as everywhere."""
+
+    def __init__(self, where, found, allowed):
+        allowed = [str(name) for name in allowed]
+        close = difflib.get_close_matches(str(found), allowed, 1)
+        super().__init__(f"{where} '{found}', allowed: {', '.join(allowed) or 'none'}"
+                         + (f"; did you mean '{close[0]}'?" if close else ""))
+
+    def __str__(self):  # that of KeyError puts quotes around the text
+        return self.args[0]
+
+
+def parts(name):
+    """ "joints[2].angle" as ["joints", 2, "angle"] """
+    return [word or int(index) for word, index in _PART.findall(name)]
+
+
+class Fields(dict):
+    """The fields of a device, or of one of its fields, by name, or by number if it is an array. Each is the place of its
+    value among all values of the device, or Fields again."""
+
+    def __init__(self, path, text=""):
+        """@param path for messages, "handbot_arms/left"; @param text the names of the fields"""
+        super().__init__()
+        self.path = path
+        self.names = []  # of the values, by their places: "handbot_arms/left.elbow"
+        self.lists = {}  # place of a list: Fields of one element
+        for name, inner in re.findall(r"([^\s()]+)(?:\(([^()]*)\))?", text):
+            place = len(self.names)
+            self.names.append(f"{path}/{name}")
+            self._insert(parts(name), place)
+            if inner:
+                self.lists[place] = Fields(f"{path}/{name}[]", inner)
+
+    def _insert(self, path, place):
+        first, rest = path[0], path[1:]
+        if not rest:
+            self[first] = place
+            return
+        shown = f"{self.path}[{first}]" if isinstance(first, int) else f"{self.path}/{first}"
+        if first not in self:
+            self[first] = Fields(shown)
+        self[first]._insert(rest, place)
+
+    def find(self, key):
+        if key not in self:
+            raise UnknownName(f"{self.path}: found no field", key, [f"[0] to [{len(self) - 1}]"] if 0 in self else self)
+        return self[key]
+
+    def key_at(self, index):
+        """@return the name of a field by its position; -1 is the last"""
+        keys = list(self)
+        if not -len(keys) <= index < len(keys):
+            raise IndexError(f"{self.path}: found index {index}, allowed: {-len(keys)} to {len(keys) - 1}")
+        return keys[index]

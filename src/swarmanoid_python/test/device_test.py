@@ -1,0 +1,174 @@
+#!/usr/bin/python3
+"""Devices by the names of their fields, in scenes that are worked out by hand."""
+
+import copy
+import unittest
+
+from swarmanoid_python.device import Device, Devices, replace_values
+from swarmanoid_python.names import Fields, UnknownName
+
+ARMS = "left.elbow left.wrist right.elbow right.wrist"
+
+
+def device(kind, names, values):
+    return Device(list(values), Fields(kind, names))
+
+
+class FieldsTest(unittest.TestCase):
+    def test_fields_are_attributes_and_places_in_the_row_of_values(self):
+        wheels = device("wheels", "left right", [0.0, 0.0])
+        wheels.right = 2.5
+        self.assertEqual([0.0, 2.5], wheels)
+        wheels[0] = -1.0
+        self.assertEqual(-1.0, wheels.left)
+        wheels[:] = 7.0, 8.0
+        self.assertEqual((7.0, 8.0), (wheels.left, wheels["right"]))
+        left, right = wheels
+        self.assertEqual((7.0, 8.0, 2), (left, right, len(wheels)))
+
+    def test_arrays_and_fields_of_fields_are_views(self):
+        arms = device("arms", ARMS + " value[0] value[1] value[2]", range(7))
+        left, value = arms.left, arms.value
+        replace_values(arms, range(10, 17))
+        self.assertEqual((10, 11, 13), (left.elbow, left.wrist, arms["right.wrist"]))
+        self.assertEqual([14, 15, 16], value)
+        left.elbow = 1
+        value[-1] = 2
+        arms.right = 3, 4
+        arms["value[0]"] = 5
+        self.assertEqual([1, 11, 3, 4, 5, 15, 2], arms)
+
+    def test_arrays_are_sequences(self):
+        ring = device("ring", "value[0] value[1] value[2] value[3]", [0.5, 1.5, 2.5, 3.5]).value
+        self.assertEqual((4, 3.5, 8.0), (len(ring), max(ring), sum(ring)))
+        self.assertEqual(([1.5, 2.5], [3.5, 1.5]), (ring[1:3], ring[::-2]))
+        ring[2:] = [8.0, 9.0]
+        self.assertEqual([0.5, 1.5, 8.0, 9.0], list(ring))
+        self.assertNotEqual(ring, None)
+        for index in (4, -5):
+            text = f"ring/value: found index {index}, allowed: -4 to 3"
+            with self.subTest(index=index), self.assertRaisesRegex(IndexError, text):
+                ring[index]  # pylint: disable=pointless-statement
+
+    def test_arrays_of_structs(self):
+        leds = device("leds", "ring[0].red ring[0].blue ring[1].red ring[1].blue", [0] * 4)
+        leds.ring[1].blue = 9
+        leds.ring[0] = 1, 2
+        self.assertEqual([1, 2, 0, 9], leds)
+        leds.ring = [(5, 6), (7, 8)]
+        self.assertEqual([(5, 6), (7, 8)], [(led.red, led.blue) for led in leds.ring])
+
+    def test_numpy_takes_an_array(self):
+        try:
+            import numpy  # pylint: disable=import-outside-toplevel
+        except ImportError:
+            self.skipTest("there is no numpy")
+        velocity = device("flight", "linear[0] linear[1] linear[2] yaw_rate", [0.0] * 4)
+        velocity.linear = numpy.array([1.0, 2.0, 3.0]) / 4
+        self.assertEqual([0.25, 0.5, 0.75, 0.0], velocity)
+        array = numpy.asarray(velocity.linear)
+        self.assertEqual(("float64", (3,), 1.5), (str(array.dtype), array.shape, array.sum()))
+        self.assertEqual(0.5, velocity.linear[numpy.int64(-2)])
+
+    def test_a_field_may_have_the_name_of_a_method_of_lists(self):
+        counter = device("counter", "count index values", [3, 4, 5])
+        counter.index = 6
+        self.assertEqual((3, 6, 5), (counter.count, counter.index, counter.values))
+
+    def test_a_copy_keeps_its_values(self):
+        for copied in (copy.copy, copy.deepcopy):
+            wheels = device("wheels", "left right", [1.0, 2.0])
+            before = copied(wheels)
+            wheels.left = 9.0
+            self.assertEqual((1.0, 9.0), (before.left, wheels.left))
+
+    def test_devices_say_what_they_have(self):
+        arms = device("arms", ARMS, [0.5, 1, 2, 3])
+        self.assertEqual("arms(left=(elbow=0.5, wrist=1), right=(elbow=2, wrist=3))", repr(arms))
+        self.assertEqual(["left", "right"], dir(arms))
+        self.assertEqual("ring(value=[7, 8])", repr(device("ring", "value[0] value[1]", [7, 8])))
+
+
+class ListsTest(unittest.TestCase):
+    def setUp(self):
+        self.camera = device("camera", "blobs(color.red color.blue distance) overflowed", [[], 0])
+        replace_values(self.camera, [[(200, 1, 1.5), (3, 4, 0.25)], True])
+
+    def test_elements_have_the_names_of_their_struct(self):
+        near = self.camera.blobs[1]
+        self.assertEqual((3, 4, 0.25), (near.color.red, near.color.blue, near.distance))
+        self.assertEqual(1.5, self.camera["blobs[0].distance"])
+        self.assertTrue(self.camera.overflowed)
+        replace_values(self.camera, [[], False])
+        self.assertEqual(([], False), (self.camera.blobs, self.camera.overflowed))
+
+    def test_elements_are_rows_of_values(self):
+        self.assertEqual([(200, 1, 1.5), (3, 4, 0.25)], self.camera.blobs)
+        red, blue, distance = min(self.camera.blobs, key=lambda blob: blob.distance)
+        self.assertEqual((3, 4, 0.25), (red, blue, distance))
+
+    def test_elements_are_kept_and_not_written(self):
+        first = self.camera.blobs[0]
+        replace_values(self.camera, [[(0, 0, 9.0)], False])
+        self.assertEqual(1.5, first.distance)
+        with self.assertRaises(TypeError):
+            first.distance = 2.0
+
+
+class MistakesTest(unittest.TestCase):
+    def refused(self, error, text, action):
+        with self.assertRaises(error) as raised:
+            action()
+        self.assertEqual(text, str(raised.exception))
+
+    def test_a_name_that_is_not_there_is_refused_with_those_that_are(self):
+        wheels = device("wheels", "left right", [0.0, 0.0])
+        self.refused(AttributeError, "wheels: found no field 'lefft', allowed: left, right; did you mean 'left'?",
+                     lambda: setattr(wheels, "lefft", 1.0))
+        self.refused(KeyError, "wheels: found no field 'speed', allowed: left, right", lambda: wheels["speed"])
+        arms = device("arms", ARMS, range(4))
+        self.refused(AttributeError, "arms/left: found no field 'knee', allowed: elbow, wrist", lambda: arms.left.knee)
+        self.refused(UnknownName, "arms: found no field 'left.elbow.x', allowed: left, right",
+                     lambda: arms["left.elbow.x"])
+        self.refused(UnknownName, "arms: found no field '', allowed: left, right", lambda: arms[""])
+        ring = device("ring", "value[0] value[1]", [0, 0])
+        self.refused(AttributeError, "ring/value: found no field 'x', allowed: [0] to [1]", lambda: ring.value.x)
+        self.assertFalse(hasattr(wheels, "speed"))
+
+    def test_as_many_values_as_there_are_fields(self):
+        arms = device("arms", ARMS, range(4))
+        self.refused(ValueError, "arms/left: found 3 values, allowed: 2", lambda: setattr(arms, "left", [1, 2, 3]))
+        self.refused(ValueError, "arms: found 1 values, allowed: 4", lambda: arms.__setitem__(slice(None), [1]))
+        self.assertEqual([0, 1, 2, 3], arms)
+
+
+class DevicesTest(unittest.TestCase):
+    def setUp(self):
+        self.actuators = Devices("actuator", {"wheels": device("wheels", "left right", [1.0, 2.0])})
+
+    def test_devices_are_attributes_and_items(self):
+        self.assertIs(self.actuators.wheels, self.actuators["wheels"])
+        self.assertEqual(["wheels"], list(self.actuators))
+        self.assertIn("wheels", self.actuators)
+        self.assertNotIn("leds", self.actuators)
+        self.assertEqual("actuators: wheels", repr(self.actuators))
+
+    def test_values_are_assigned_to_the_device_that_is_there(self):
+        wheels = self.actuators.wheels
+        self.actuators["wheels"] = [3.0, 4.0]
+        self.assertEqual(4.0, wheels.right)
+        self.actuators.wheels = 5.0, 6.0
+        self.assertEqual(6.0, wheels.right)
+        with self.assertRaisesRegex(ValueError, "wheels: found 3 values, allowed: 2"):
+            self.actuators.wheels = 1.0, 2.0, 3.0
+
+    def test_a_device_that_is_not_there_is_refused_with_those_that_are(self):
+        text = "found no actuator 'wheel', allowed: wheels; did you mean 'wheels'\\?"
+        for action in (lambda: self.actuators.wheel, lambda: self.actuators["wheel"],
+                       lambda: setattr(self.actuators, "wheel", [1.0, 2.0])):
+            with self.assertRaisesRegex(UnknownName, text):
+                action()
+
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
