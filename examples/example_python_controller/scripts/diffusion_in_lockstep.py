@@ -22,8 +22,8 @@ ANGLES = [(i if i <= SENSORS // 2 else i - SENSORS) * STEP for i in range(SENSOR
 
 class Diffusion:
     def __init__(self, robot):
-        self._proximity = robot.sensors["footbot_proximity"]
-        self._wheels = robot.actuators["footbot_wheels"]
+        self._proximity = robot.sensors.footbot_proximity
+        self._wheels = robot.actuators.footbot_wheels
         self._speed = float(robot.parameters.get("speed", 0.1))  # [m/s]
         self._threshold = float(robot.parameters.get("threshold", 0.05))
         self._turn_rate = 0.0  # [rad/s], while it turns away
