@@ -16,13 +16,17 @@ std::string typeName(const FieldDescription& field) {
   }
 }
 
-std::string describe(const FieldDescription& field) {
+std::string countedName(const FieldDescription& field) {
   std::string name = field.name;
   if (const std::size_t bracket = name.find("[]"); bracket != std::string::npos && field.count > 0) {
     name.insert(bracket + 1, std::to_string(field.count));
   }
+  return name;
+}
+
+std::string describe(const FieldDescription& field) {
   const bool is_bounded = field.range.minimum != -kInfinity || field.range.maximum != kInfinity;
-  return name + (field.unit.empty() ? "" : " [" + field.unit + "]") + ", " + typeName(field) +
+  return countedName(field) + (field.unit.empty() ? "" : " [" + field.unit + "]") + ", " + typeName(field) +
          (is_bounded ? ", " + field.range.toString() : "");
 }
 

@@ -59,6 +59,15 @@ std::string fieldNames(const DeviceType& device) {
   return text;
 }
 
+std::string includedAs(const std::string& file) {
+  const std::string folder = "/include/";
+  const std::size_t found = file.rfind(folder);
+  if (found != std::string::npos) {
+    return file.substr(found + folder.size());
+  }
+  return file.substr(file.rfind('/') + 1);  // without a slash npos + 1 is 0
+}
+
 const char* toString(DeviceKind kind) { return kind == DeviceKind::kSensor ? "sensor" : "actuator"; }
 
 }  // namespace swarmanoid

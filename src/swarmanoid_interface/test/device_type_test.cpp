@@ -111,6 +111,15 @@ std::size_t sizeOf(const std::string& layout) {
   return size;
 }
 
+TEST(DeviceTypeTest, SaysWhereItsStructIs) {
+  EXPECT_EQ("FootbotTurretState", findDeviceType("footbot_turret_state")->name);
+  EXPECT_EQ("swarmanoid_interface/devices/footbot_turret.hpp", findDeviceType("footbot_turret_state")->header);
+  EXPECT_EQ("Winch", findDeviceType("winch_of_a_test")->name);
+  EXPECT_EQ("device_type_test.cpp", findDeviceType("winch_of_a_test")->header);
+  EXPECT_EQ("my_package/sonar.hpp", includedAs("/home/me/include/my_package/include/my_package/sonar.hpp"));
+  EXPECT_EQ("sonar.hpp", includedAs("sonar.hpp"));
+}
+
 /// A device that is read from arbitrary bytes is written as the same bytes: no field is left out, doubled or rounded.
 TEST(DeviceTypeTest, EveryFieldGoesThereAndBack) {
   for (const DeviceType* type : deviceTypes()) {
@@ -231,6 +240,19 @@ TEST(DeviceTypeTest, FieldsAreDescribed) {
   EXPECT_EQ("value[]", ring[0].name);
   EXPECT_EQ("f4", ring[0].type);
   EXPECT_EQ(24U, ring[0].count);
+  EXPECT_EQ("value[24]", countedName(ring[0]));
+  EXPECT_EQ("joints[6].speed", countedName(joints[1]));
+  EXPECT_EQ("blobs[].color.red", countedName(camera[0]));
+}
+
+TEST(DeviceTypeTest, FieldsThatSayNothingMeanWhatTheyAreIn) {
+  const std::vector<FieldDescription>& camera = findDeviceType("footbot_camera")->fields;
+  EXPECT_EQ("of the thing that is seen", camera[2].meaning) << "blue, of a colour";
+  EXPECT_EQ("horizontal, from the camera's vertical axis", camera[4].meaning) << "its own";
+  EXPECT_EQ("more was in sight than is reported; what is farthest is left out", camera[5].meaning);
+  const std::vector<FieldDescription>& winch = findDeviceType("winch_of_a_test")->fields;
+  EXPECT_EQ("on one axle", winch[0].meaning) << "elements of an array";
+  EXPECT_EQ("", winch[1].meaning);
 }
 
 /// A device with a resting value that is not 0, and all kinds of fields.
@@ -249,7 +271,7 @@ void fields(Visitor& visit, Winch::Drum& drum) {
 }
 template <class Visitor>
 void fields(Visitor& visit, Winch& winch) {
-  visit(winch.drums, {"drums"});
+  visit(winch.drums, {"drums", "", "on one axle"});
   visit(winch.counts, {"counts"});
   visit(winch.brake, {"brake", "", "how far it is closed", {0.0, 1.0}});
 }

@@ -26,7 +26,8 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
                "The longest velocity that is flown."),
         number("max_yaw_rate", "rad/s", numberText(EyebotVelocity::kUsualFastestTurn), {0.0, 10.0},
                "The fastest turn."),
-        number("noise", "m/s", "0", {0.0, 1.0}, "Standard deviation added to each component of the velocity.")};
+        number("noise", "m/s", "0", {0.0, 1.0},
+               "Standard deviation added to each component of the velocity, also while it hovers.")};
     return description;
   }
 

@@ -15,7 +15,8 @@ class FootbotWheelsActuator final : public WheelSpeedActuator<FootbotWheels> {
     description.implementation_aliases = {"dummy_footbot_wheels"};
     description.robots = {"footbot"};
     description.parameters = {number("noise", "", "0", {0.0, 1.0},
-                                     "Standard deviation of the factor that each wheel's speed is multiplied with.")};
+                                     "Standard deviation of the factor that each wheel's speed is multiplied with; a "
+                                     "wheel that stands still has none.")};
     return description;
   }
 

@@ -32,7 +32,7 @@ namespace swarmanoid {
 struct FieldInfo {
   const char* name;          ///< the name of the member
   const char* unit = "";     ///< "rad/s"; "" for none
-  const char* meaning = "";  ///< one phrase
+  const char* meaning = "";  ///< one phrase; what a struct or a list means, its fields mean that say nothing themselves
   Range range = {};          ///< the bounds that values keep or are limited to
   bool wraps = false;        ///< an angle: what leaves its bounds at one end comes in at the other
 };
@@ -50,6 +50,8 @@ struct FieldDescription {
   bool wraps = false;        ///< an angle within one turn
 };
 
+/// Returns "value[24]", "joints[6].angle", "blobs[].bearing": the name with how many there are, if that is fixed.
+std::string countedName(const FieldDescription& field);
 /// Returns "value[24] [rad], float32, from 0 to 1"; the range stands there only if the field has one.
 std::string describe(const FieldDescription& field);
 /// Returns "float64", "bool", "uint8", ...: the name that ROS and NumPy use for the type.
@@ -176,15 +178,17 @@ class FieldLister {
 
   template <class Value>
   void operator()(Value& value, const FieldInfo& info) {
-    add(value, {outer_.number + info.name, outer_.field + info.name}, info);
+    const std::string meaning = info.meaning;
+    add(value, {outer_.number + info.name, outer_.field + info.name, meaning.empty() ? outer_.meaning : meaning}, info);
   }
   std::vector<FieldDescription> takeFields() { return std::move(fields_); }
   std::vector<DeviceNumber> takeNumbers() { return std::move(numbers_); }
 
  private:
   struct Name {
-    std::string number;  // "joints[2].angle"; relative to the element inside of a span
-    std::string field;   // "joints[].angle"
+    std::string number;   // "joints[2].angle"; relative to the element inside of a span
+    std::string field;    // "joints[].angle"
+    std::string meaning;  // of the field, or of what it is in
   };
 
   template <class Value>
@@ -199,12 +203,12 @@ class FieldLister {
     } else if constexpr (IsArray<Value>::value) {
       std::size_t i = 0;
       for (auto& element : value) {
-        add(element, {name.number + "[" + std::to_string(i++) + "]", name.field + "[]"}, info);
+        add(element, {name.number + "[" + std::to_string(i++) + "]", name.field + "[]", name.meaning}, info);
       }
     } else if constexpr (IsSpan<Value>::value) {
       addSpan(value, name);
     } else {
-      const Name outer = std::exchange(outer_, {name.number + ".", name.field + "."});
+      const Name outer = std::exchange(outer_, {name.number + ".", name.field + ".", name.meaning});
       fields(*this, value);
       outer_ = outer;
     }
@@ -216,7 +220,7 @@ class FieldLister {
                                     [&](const FieldDescription& field) { return field.name == name.field; });
     const auto field = static_cast<std::size_t>(known - fields_.begin());
     if (known == fields_.end()) {
-      fields_.push_back({name.field, numberType<Number>(), info.unit, info.meaning, info.range, 0,
+      fields_.push_back({name.field, numberType<Number>(), info.unit, name.meaning, info.range, 0,
                          static_cast<double>(value), info.wraps});
     }
     fields_[field].count += is_in_span_ ? 0 : 1;
@@ -227,7 +231,7 @@ class FieldLister {
   void addSpan(const Span<const T>& span, const Name& name) {
     T element{};
     DeviceNumber number{name.number, DeviceNumber::Kind::kSpan, "", offsetOf(&span), 0, spanAccess<T>(), {}};
-    const Name outer = std::exchange(outer_, {"", name.field + "[]."});
+    const Name outer = std::exchange(outer_, {"", name.field + "[].", name.meaning});
     const std::byte* origin = std::exchange(origin_, reinterpret_cast<const std::byte*>(&element));
     is_in_span_ = true;
     std::swap(numbers_, number.elements);

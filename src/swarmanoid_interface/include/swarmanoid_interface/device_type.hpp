@@ -58,6 +58,8 @@ struct DeviceType {
   bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
   std::string robot{};        ///< Device::kRobot: only robots of this type have the device; "": any
   bool has_own_stop = false;  ///< `stopSafely` stands beside the struct; else the safe stop is what it does at rest
+  std::string name{};         ///< of the struct
+  std::string header{};       ///< that the struct is in, as it is included
 };
 
 /// @return null if no device of that type is registered
@@ -74,6 +76,10 @@ void registerDeviceType(DeviceType type);
 /// Returns the names of the numbers in the order of the bytes, "left right"; behind that of a span stand those in its
 /// elements: "blobs(color.red distance) overflowed".
 std::string fieldNames(const DeviceType& device);
+
+/// Returns how a header is included, "my_package/sonar.hpp": what follows the last folder `include` of its path, or its
+/// name if there is no such folder.
+std::string includedAs(const std::string& file);
 
 /// Returns "sensor" or "actuator".
 const char* toString(DeviceKind kind);
@@ -148,8 +154,11 @@ constexpr bool kHasFields = detail::HasFields<Device>::value;
 
 template <class Device>
 struct DeviceRegistration {
-  DeviceRegistration(DeviceKind kind, const char* summary) {
-    registerDeviceType(detail::makeDeviceType<Device>(kind, summary));
+  DeviceRegistration(DeviceKind kind, const char* summary, const char* name, const char* file) {
+    DeviceType type = detail::makeDeviceType<Device>(kind, summary);
+    type.name = name;
+    type.header = includedAs(file);
+    registerDeviceType(std::move(type));
   }
 };
 
@@ -159,4 +168,4 @@ struct DeviceRegistration {
 /// header registers the device. @param kind kSensor or kActuator @param summary one sentence
 #define REGISTER_DEVICE(Device, kind, summary)                                           \
   inline const ::swarmanoid::DeviceRegistration<Device> device_registration_of_##Device{ \
-      ::swarmanoid::DeviceKind::kind, summary};
+      ::swarmanoid::DeviceKind::kind, summary, #Device, __FILE__};

@@ -18,9 +18,10 @@ struct ColorBlob {
 
 template <class Visitor>
 void fields(Visitor& visit, ColorBlob& blob) {
-  visit(blob.color, {"color"});
-  visit(blob.bearing, {"bearing", "rad", "direction in the robot's frame", {-M_PI, M_PI}, true});
-  visit(blob.distance, {"distance", "m", "horizontal", {0.0, kInfinity}});
+  visit(blob.color, {"color", "", "of the thing that is seen"});
+  visit(blob.bearing,
+        {"bearing", "rad", "direction in the robot's frame, counter-clockwise from ahead", {-M_PI, M_PI}, true});
+  visit(blob.distance, {"distance", "m", "horizontal, from the camera's vertical axis", {0.0, kInfinity}});
 }
 
 /// The reading of a colour-blob camera in this tick. LEDs on the far side of their own robot are hidden. Blobs come in

@@ -23,7 +23,7 @@ struct EyebotLaser {
 
 template <class Visitor>
 void fields(Visitor& visit, EyebotLaser& laser) {
-  visit(laser.on, {"on"});
+  visit(laser.on, {"on", "", "whether it shines"});
   visit(laser.pan, {"pan", "rad", "direction in the robot's frame towards which the beam is tilted"});
   visit(laser.tilt, {"tilt", "rad", "from straight down", {-EyebotLaser::kMaxTilt, EyebotLaser::kMaxTilt}});
 }

@@ -23,8 +23,9 @@ struct EyebotVelocity {
 
 template <class Visitor>
 void fields(Visitor& visit, EyebotVelocity& velocity) {
-  visit(velocity.linear, {"linear", "m/s", "velocity in the robot's frame: ahead, left, up"});
-  visit(velocity.yaw_rate, {"yaw_rate", "rad/s", "counter-clockwise seen from above"});
+  visit(velocity.linear,
+        {"linear", "m/s", "velocity in the robot's frame: ahead, left, up; cut to the length max_speed"});
+  visit(velocity.yaw_rate, {"yaw_rate", "rad/s", "counter-clockwise seen from above; cut to max_yaw_rate either way"});
 }
 /// Commands hovering, then a descent; an eyebot whose sensors report that it hangs by its magnet stays where it is.
 inline bool stopSafely(EyebotVelocity& velocity, const SafeStopMoment& moment) {

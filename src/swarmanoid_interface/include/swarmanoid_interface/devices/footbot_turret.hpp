@@ -36,8 +36,8 @@ struct FootbotTurret {
 template <class Visitor>
 void fields(Visitor& visit, FootbotTurret& turret) {
   visit(turret.mode, {"mode", "", "0: turns to an angle and holds it; 1: turns at a speed; 2: the motor is off"});
-  visit(turret.angle, {"angle", "rad", "to turn to in mode 0"});
-  visit(turret.speed, {"speed", "rad/s", "to turn at in mode 1"});
+  visit(turret.angle, {"angle", "rad", "to turn to in mode 0, in the robot's frame; modulo a turn"});
+  visit(turret.speed, {"speed", "rad/s", "to turn at in mode 1; cut to the motor's maximum"});
 }
 /// The turret holds its present angle; a passive turret stays passive.
 inline bool stopSafely(FootbotTurret& turret, const SafeStopMoment& /*moment*/) {
@@ -62,7 +62,7 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotTurretState& turret) {
   visit(turret.angle, {"angle", "rad", "of the gripper in the robot's frame", {-M_PI, M_PI}, true});
   visit(turret.speed, {"speed", "rad/s", "how fast it turns against the chassis"});
-  visit(turret.torque, {"torque", "N m", "of the motor on the turret; 0 in engines without forces"});
+  visit(turret.torque, {"torque", "N m", "of the motor on the turret; 0 without load, and in engines without forces"});
 }
 REGISTER_DEVICE(FootbotTurretState, kSensor, "The turret's encoder, and the torque of its motor.")
 

@@ -33,8 +33,9 @@ struct FootbotWheels {
 
 template <class Visitor>
 void fields(Visitor& visit, FootbotWheels& wheels) {
-  visit(wheels.left, {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead"});
-  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead"});
+  visit(wheels.left,
+        {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead; cut to the motor's maximum"});
+  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead; cut likewise"});
 }
 REGISTER_DEVICE(FootbotWheels, kActuator, "Two treels: tracks and wheels on one axle, left and right.")
 

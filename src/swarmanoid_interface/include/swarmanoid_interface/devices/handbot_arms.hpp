@@ -64,7 +64,7 @@ struct HandbotArmsState {
 template <class Visitor>
 void fields(Visitor& visit, HandbotArmsState::Joint& joint) {
   visit(joint.angle, {"angle", "rad", "left shoulder, elbow, wrist, then right"});
-  visit(joint.speed, {"speed", "rad/s"});
+  visit(joint.speed, {"speed", "rad/s", "how fast it turns"});
   visit(joint.effort, {"effort", "N m", "of motor and stops, along positive angles"});
 }
 template <class Visitor>

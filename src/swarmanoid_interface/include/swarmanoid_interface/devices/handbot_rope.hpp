@@ -23,7 +23,7 @@ struct HandbotRope {
 template <class Visitor>
 void fields(Visitor& visit, HandbotRope& rope) {
   visit(rope.shot, {"shot", "", "true: it flies up, and holds what is ferromagnetic; false: it lets go and is back"});
-  visit(rope.winding_speed, {"winding_speed", "m/s", "positive shortens the rope"});
+  visit(rope.winding_speed, {"winding_speed", "m/s", "positive shortens the rope; cut to max_speed either way"});
 }
 /// `shot` stays as it is, so that a robot that hangs by the rope does not fall.
 inline bool stopSafely(HandbotRope& rope, const SafeStopMoment& /*moment*/) {

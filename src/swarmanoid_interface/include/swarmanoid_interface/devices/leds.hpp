@@ -24,7 +24,8 @@ struct FootbotLeds {
 
 template <class Visitor>
 void fields(Visitor& visit, FootbotLeds& leds) {
-  visit(leds.ring, {"ring"});
+  visit(leds.ring,
+        {"ring", "", "LED 0 is ahead, the next ones follow counter-clockwise every 30 degrees; black is off"});
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(FootbotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
@@ -42,7 +43,8 @@ struct EyebotLeds {
 
 template <class Visitor>
 void fields(Visitor& visit, EyebotLeds& leds) {
-  visit(leds.ring, {"ring"});
+  visit(leds.ring,
+        {"ring", "", "LED 0 is ahead, the next ones follow counter-clockwise every 22.5 degrees; black is off"});
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(EyebotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }

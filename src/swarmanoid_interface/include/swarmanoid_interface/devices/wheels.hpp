@@ -21,8 +21,9 @@ struct Wheels {
 
 template <class Visitor>
 void fields(Visitor& visit, Wheels& wheels) {
-  visit(wheels.left, {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead"});
-  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead"});
+  visit(wheels.left,
+        {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead; cut to the motor's maximum"});
+  visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead; cut likewise"});
 }
 REGISTER_DEVICE(Wheels, kActuator, "Two wheels on one axle, left and right.")
 
