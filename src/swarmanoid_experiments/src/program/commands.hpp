@@ -21,6 +21,8 @@ Command addDiffCommand(CLI::App& app);
 Command addValidateCommand(CLI::App& app);
 /// `list [KIND]` lists the names that may be used in an experiment file.
 Command addListCommand(CLI::App& app);
+/// `describe [DEVICE]` prints what the code says of a device, as Markdown.
+Command addDescribeCommand(CLI::App& app);
 /// `schema` prints the XSD of experiment files.
 Command addSchemaCommand(CLI::App& app);
 

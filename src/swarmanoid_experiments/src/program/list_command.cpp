@@ -1,9 +1,9 @@
 // `swarmanoid list` and `swarmanoid schema`: the names that may be used in an experiment file.
-#include <iostream>
-#include <map>
-#include <sstream>
+#include <ostream>
 
 #include "commands.hpp"
+#include "installed_plugins.hpp"
+#include "parameter_text.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/device_type.hpp"
@@ -14,80 +14,9 @@
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/experiment_file/experiment_tags.hpp"
-#include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::program {
 namespace {
-
-constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,   PluginKind::kActuator,
-                                 PluginKind::kEngine,     PluginKind::kObserver, PluginKind::kEntity};
-
-/// Maps plugins to their libraries, if the suite does not load these by itself.
-using Origins = std::map<const Registry::Entry*, DeclaredLibrary>;
-
-std::vector<const Registry::Entry*> allEntries() {
-  std::vector<const Registry::Entry*> entries;
-  for (const PluginKind kind : kKinds) {
-    const auto more = Registry::instance().all(kind);
-    entries.insert(entries.end(), more.begin(), more.end());
-  }
-  return entries;
-}
-
-/// Loads all installed plugins. A library that cannot be loaded is a warning: the others are listed all the same.
-Origins loadPlugins() {
-  loadBuiltInPlugins();
-  Origins origins;
-  for (const Registry::Entry* entry : allEntries()) {
-    origins[entry] = {};
-  }
-  for (const DeclaredLibrary& declared : declaredLibraries()) {
-    try {
-      loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
-    } catch (const ConfigError& error) {
-      std::cerr << "swarmanoid: warning: " << error.what() << '\n';
-    }
-    for (const Registry::Entry* entry : allEntries()) {
-      origins.emplace(entry, declared);
-    }
-  }
-  for (const std::string& problem : robotProblems()) {
-    std::cerr << "swarmanoid: warning: " << problem << '\n';
-  }
-  for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
-    std::cerr << "swarmanoid: warning: " << describe(conflict) << '\n';
-  }
-  return origins;
-}
-
-/// Returns "two numbers, each from 0 to 1".
-std::string several(const std::string& numbers, const Range& range) {
-  const std::string bounds = range.toString();
-  return bounds == Range().toString() ? numbers : numbers + ", each " + bounds;
-}
-
-std::string withRange(const Parameter& parameter) {
-  switch (parameter.type) {
-    case Parameter::Type::kChoice:
-      return "one of " + joinNames(parameter.choices);
-    case Parameter::Type::kNumber:
-    case Parameter::Type::kInteger:
-    case Parameter::Type::kAngle:
-      return parameter.range.toString();
-    case Parameter::Type::kBoolean:
-      return "true, false";
-    case Parameter::Type::kColor:
-      return "a colour";
-    case Parameter::Type::kVector2:
-      return several("two numbers", parameter.range);
-    case Parameter::Type::kVector3:
-    case Parameter::Type::kAngles3:
-      return several("three numbers", parameter.range);
-    case Parameter::Type::kText:
-      return "text";
-  }
-  return "";
-}
 
 void write(const Parameter& parameter, const std::string& type, std::ostream& out) {
   const std::string left_out = parameter.value && parameter.value->empty() ? "optional" : "required";
@@ -99,17 +28,17 @@ void write(const Parameter& parameter, const std::string& type, std::ostream& ou
 void write(const ExperimentTag& tag, std::ostream& out) {
   out << "  " << (tag.name == "*" ? "each" : tag.name) << ": " << tag.summary << '\n';
   for (const ExperimentAttribute& attribute : tag.attributes) {
-    write(attribute.value, "attribute, " + (attribute.is_id ? "a name" : withRange(attribute.value)), out);
+    write(attribute.value, "attribute, " + (attribute.is_id ? "a name" : allowedValues(attribute.value)), out);
   }
   for (const Parameter& value : tag.values) {
-    write(value, withRange(value), out);
+    write(value, allowedValues(value), out);
   }
 }
 
 void write(const ErrorKind& kind, std::ostream& out) {
   out << "  kind=\"" << kind.description.name << "\": " << kind.description.summary << '\n';
   for (const Parameter& parameter : kind.description.parameters) {
-    write(parameter, "attribute, " + withRange(parameter), out);
+    write(parameter, "attribute, " + allowedValues(parameter), out);
   }
 }
 
@@ -143,7 +72,7 @@ void write(const PluginDescription& description, const DeclaredLibrary& origin, 
     writeFields(description.label, out);
   }
   for (const Parameter& parameter : description.parameters) {
-    write(parameter, withRange(parameter), out);
+    write(parameter, allowedValues(parameter), out);
   }
 }
 
@@ -189,7 +118,7 @@ ExitCode list(const std::string& heading) {
     throw ConfigError({"list", 0},
                       "found '" + heading + "', allowed: " + joinNames(allowed) + didYouMean(heading, allowed));
   }
-  const Origins origins = loadPlugins();
+  const Origins origins = loadInstalledPlugins();
   PlainTextStream out;
   for (const std::string& name : all ? allowed : std::vector<std::string>{heading}) {
     writeHeading(name, origins, out);

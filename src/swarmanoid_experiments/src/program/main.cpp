@@ -22,8 +22,8 @@ ExitCode call(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "swarmanoid " + version());
   std::vector<std::pair<CLI::App*, Command>> commands;
-  for (const auto add :
-       {addRunCommand, addLaunchCommand, addDiffCommand, addValidateCommand, addListCommand, addSchemaCommand}) {
+  for (const auto add : {addRunCommand, addLaunchCommand, addDiffCommand, addValidateCommand, addListCommand,
+                         addDescribeCommand, addSchemaCommand}) {
     Command command = add(app);
     commands.emplace_back(app.get_subcommands({}).back(), std::move(command));
   }

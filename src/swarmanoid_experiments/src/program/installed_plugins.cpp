@@ -1,0 +1,50 @@
+#include "installed_plugins.hpp"
+
+#include <iostream>
+
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
+
+namespace swarmanoid::program {
+namespace {
+
+constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,   PluginKind::kActuator,
+                                 PluginKind::kEngine,     PluginKind::kObserver, PluginKind::kEntity};
+
+}  // namespace
+
+std::vector<const Registry::Entry*> allEntries() {
+  std::vector<const Registry::Entry*> entries;
+  for (const PluginKind kind : kKinds) {
+    const auto more = Registry::instance().all(kind);
+    entries.insert(entries.end(), more.begin(), more.end());
+  }
+  return entries;
+}
+
+Origins loadInstalledPlugins() {
+  loadBuiltInPlugins();
+  Origins origins;
+  for (const Registry::Entry* entry : allEntries()) {
+    origins[entry] = {};
+  }
+  for (const DeclaredLibrary& declared : declaredLibraries()) {
+    try {
+      loadPluginLibrary(declared.library, {}, {"package " + declared.package, 0});
+    } catch (const ConfigError& error) {
+      std::cerr << "swarmanoid: warning: " << error.what() << '\n';
+    }
+    for (const Registry::Entry* entry : allEntries()) {
+      origins.emplace(entry, declared);
+    }
+  }
+  for (const std::string& problem : robotProblems()) {
+    std::cerr << "swarmanoid: warning: " << problem << '\n';
+  }
+  for (const Registry::Conflict& conflict : Registry::instance().conflicts()) {
+    std::cerr << "swarmanoid: warning: " << describe(conflict) << '\n';
+  }
+  return origins;
+}
+
+}  // namespace swarmanoid::program
