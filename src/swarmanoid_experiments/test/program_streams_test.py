@@ -37,7 +37,7 @@ class StreamsTest(ProgramTest):
     def test_a_full_device_is_an_error(self):
         world = self.world()
         for arguments in (["run", world, "--quiet"], ["validate", world], ["validate", world, "--path"], ["list"],
-                          ["list", "engine"], ["schema"], ["--version"], ["--help"], ["run", "--help"]):
+                          ["list", "engine"], ["describe"], ["schema"], ["--version"], ["--help"], ["run", "--help"]):
             self.assertEqual(self.shell(*arguments, redirection="> /dev/full"), (STOPPED, FULL), arguments)
         table = (self.folder / "table.txt").read_text()
         self.assertEqual(len(table.splitlines()), 1 + 21 * 2, "the files of the run are complete")
