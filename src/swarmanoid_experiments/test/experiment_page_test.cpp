@@ -52,13 +52,18 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
   for (const PluginKind kind :
        {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine, PluginKind::kObserver, PluginKind::kEntity}) {
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
-      expect_name(entry->description.label);
       for (const std::string& alias : entry->description.label_aliases) {
         expect_name(alias);
       }
       for (const std::string& alias : entry->description.implementation_aliases) {
         expect_name(alias);
       }
+    }
+  }
+  // each device has a page of its own for the rest
+  for (const PluginKind kind : {PluginKind::kEngine, PluginKind::kObserver, PluginKind::kEntity}) {
+    for (const Registry::Entry* entry : Registry::instance().all(kind)) {
+      expect_name(entry->description.label);
       for (const Parameter& parameter : entry->description.parameters) {
         const bool is_numbered = parameter.name.rfind("camera_view_", 0) == 0;
         expect_name(is_numbered ? parameter.name.substr(0, parameter.name.size() - 1) + "0" : parameter.name);

@@ -61,11 +61,9 @@ std::string fieldNames(const DeviceType& device) {
 
 std::string includedAs(const std::string& file) {
   const std::string folder = "/include/";
-  const std::size_t found = file.rfind(folder);
-  if (found != std::string::npos) {
-    return file.substr(found + folder.size());
-  }
-  return file.substr(file.rfind('/') + 1);  // without a slash npos + 1 is 0
+  const std::string path = "/" + file;  // relative paths may begin with that folder
+  const std::size_t found = path.rfind(folder);
+  return found == std::string::npos ? path.substr(path.rfind('/') + 1) : path.substr(found + folder.size());
 }
 
 const char* toString(DeviceKind kind) { return kind == DeviceKind::kSensor ? "sensor" : "actuator"; }

@@ -117,6 +117,7 @@ TEST(DeviceTypeTest, SaysWhereItsStructIs) {
   EXPECT_EQ("Winch", findDeviceType("winch_of_a_test")->name);
   EXPECT_EQ("device_type_test.cpp", findDeviceType("winch_of_a_test")->header);
   EXPECT_EQ("my_package/sonar.hpp", includedAs("/home/me/include/my_package/include/my_package/sonar.hpp"));
+  EXPECT_EQ("my_package/sonar.hpp", includedAs("include/my_package/sonar.hpp"));
   EXPECT_EQ("sonar.hpp", includedAs("sonar.hpp"));
 }
 
