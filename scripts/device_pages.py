@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Writes into the pages of docs/reference/devices/ what the code says of each device of the suite.
 
-A page begins with what `swarmanoid describe` prints, between two comments. Below them people write the section Law, by which
+A page begins with what `swarmanoid describe` prints of the device and its default implementation, between two comments. Below them people write the section Law, by which
 readings are made or commands carried out, and the section Topics. A device that has no page yet gets one, with an empty law."""
 
 import argparse
@@ -18,7 +18,10 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 PAGES = ROOT / "docs/reference/devices"
 BEGIN = "<!-- from the code, by scripts/device_pages.py -->\n"
 END = "<!-- by hand from here on -->\n"
-IN_COMMON = "\nFrames, units, time, noise and errors: [what holds for all devices](../devices.md).\n"
+IN_COMMON = ("\nFrames, units, time, noise and errors: [what holds for all devices](../devices.md). `swarmanoid describe {}` has "
+             "further implementations, if there are any.\n")
+IMPLEMENTATION = re.compile(r"^## Implementation .*?(?=^## |\Z)", re.M | re.S)
+DEFAULT = "- The default: an experiment that names none means this one\n"
 HEADER = re.compile(r"`((\w+)/\S+\.hpp)`$", re.M)
 LAW = re.compile(r"^## Law\n(.*?)(?=^## |\Z)", re.M | re.S)
 
@@ -36,10 +39,19 @@ def by_device(text):
     return {name: f"# {name}\n{part.rstrip()}\n" for name, part in zip(parts[::2], parts[1::2])}
 
 
+def of_default(description):
+    """Without the implementations that are not the default: who adds one need not touch a page."""
+    if len(IMPLEMENTATION.findall(description)) == 1:
+        return description
+    kept = IMPLEMENTATION.sub(lambda found: found[0].replace(DEFAULT, "") if DEFAULT in found[0] else "", description)
+    return kept.rstrip() + "\n"
+
+
 def generated(description):
     """The part of a page that is not written by hand."""
-    linked = HEADER.sub(r"[`\1`](../../../src/\2/include/\1)", description)
-    return f"{BEGIN}\n{linked}{IN_COMMON}\n{END}"
+    name = re.match(r"# (\w+)\n", description)[1]
+    linked = HEADER.sub(r"[`\1`](../../../src/\2/include/\1)", of_default(description))
+    return f"{BEGIN}\n{linked}{IN_COMMON.format(name)}\n{END}"
 
 
 def parts_of(page):

@@ -79,6 +79,16 @@ class WriterTest(unittest.TestCase):
         self.assertEqual(before.replace("a noise", "much noise"), self.page.read_text())
         self.assertEqual([], self.problems(louder))
 
+    def test_a_second_implementation_changes_no_page(self):
+        quiet = "\n## Implementation `quiet`\n\nQuiet.\n\n{}- Engines: none\n"
+        loud = "\n## Implementation `loud`\n\nLoud.\n"
+        self.rewrite(WHISTLE + quiet.format(""))
+        self.write_law()
+        default = quiet.format("- The default: an experiment that names none means this one\n")
+        for both in (default + loud, loud + default):
+            self.assertEqual([], self.problems(WHISTLE + both))
+            self.assertEqual([], self.rewrite(WHISTLE + both))
+
     def test_a_page_of_no_device_is_told_of(self):
         self.rewrite()
         self.write_law()
