@@ -3,10 +3,13 @@
 
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_space/error_models/error_chain.hpp"
 #include "swarmanoid_space/error_models/error_model.hpp"
 #include "swarmanoid_space/error_models/error_model_description.hpp"
 
@@ -70,6 +73,22 @@ void fields(Visitor& visit, ProbeSwitch& probe) {
 }
 REGISTER_DEVICE(ProbeSwitch, kSensor, "No number.")
 
+/// Numbers with bounds on one side of 0 that their types do not have: single precision stores 0.7 as less, 0.8 as more.
+struct ProbeBounds {
+  static constexpr const char* kType = "probe_bounds_of_a_test";
+  float positive = 0.75F;
+  float negative = -0.75F;
+  std::uint8_t whole = 5;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, ProbeBounds& probe) {
+  visit(probe.positive, {"positive", "", "", {0.7, 0.8}});
+  visit(probe.negative, {"negative", "", "", {-0.8, -0.7}});
+  visit(probe.whole, {"whole", "", "", {2.5, 7.5}});
+}
+REGISTER_DEVICE(ProbeBounds, kSensor, "Bounds between the numbers of a type.")
+
 inline const DeviceType& probeType() { return *findDeviceType(Probe::kType); }
 
 /// An <error> of the kind in line 3 of a file, its field in line 4 and its parameters in line 5.
@@ -89,5 +108,26 @@ inline ErrorModelDescription error(const std::string& kind, const std::string& f
   }
   return description;
 }
+
+constexpr std::size_t kDraws = 100000;
+
+/// Readings of `free` in tick after tick, of one robot whose ideal reading is `ideal(tick)`.
+template <class Ideal>
+std::vector<double> overTicks(const ErrorModelDescription& error, Ideal ideal, std::size_t ticks = kDraws) {
+  ErrorChain chain(probeType());
+  chain.add(error);
+  ErrorState state = chain.makeState(7, "robot", 0);
+  std::vector<double> delivered;
+  for (std::size_t tick = 0; tick < ticks; ++tick) {
+    Probe probe;
+    probe.free = ideal(tick);
+    chain.apply(&probe, state, tick);
+    delivered.push_back(probe.free);
+  }
+  return delivered;
+}
+
+inline double constant(std::size_t /*tick*/) { return 3.0; }
+inline double ramp(std::size_t tick) { return 0.25 * static_cast<double>(tick) + 1.0; }
 
 }  // namespace swarmanoid::test
