@@ -79,6 +79,4 @@ def make():
     robot.link("magnet", xyz=(0, 0, HEIGHT), rpy=UP)
     robot.can("magnet", name="magnet", link="magnet")
     robot.can("leds", links="led")
-    robot.carries("eyebot_velocity", "eyebot_laser", "eyebot_magnet", "eyebot_leds", "eyebot_camera",
-                  "eyebot_magnet_state")
     return robot

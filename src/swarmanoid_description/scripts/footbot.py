@@ -98,6 +98,4 @@ def make():
     robot.can("gripper", name="gripper", link="gripper_tip")
     robot.can("gripping_strip", link="gripping_strip")
     robot.can("leds", links="led")
-    robot.carries("footbot_wheels", "footbot_gripper", "footbot_turret", "footbot_leds", "footbot_proximity",
-                  "footbot_camera", "footbot_gripper_state", "footbot_turret_state")
     return robot

@@ -81,6 +81,4 @@ def make():
     robot.can("suction", name="right hand", link="right_suction")
     robot.can("rope", name="rope", link="rope_launcher", length=ROPE_LENGTH)
     robot.can("gripping_strip", link="gripping_strip")
-    robot.carries("handbot_arms", "handbot_hands", "handbot_rope", "handbot_arms_state", "handbot_hands_state",
-                  "handbot_rope_state")
     return robot

@@ -95,13 +95,9 @@ class Robot:
             self.lines.append(f'  <link name="{name}"/>')
 
     def can(self, element, **attributes):
-        """Adds to what the robot says to the suite: a mechanism, its LEDs, a device."""
+        """Adds to what the robot says to the suite: a mechanism, its LEDs."""
         values = "".join(f' {name}="{value}"' for name, value in attributes.items())
         self.abilities.append(f"    <{element}{values}/>")
-
-    def carries(self, *devices):
-        for device in devices:
-            self.can("device", type=device)
 
     def text(self):
         return "\n".join([

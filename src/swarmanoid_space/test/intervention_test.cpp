@@ -13,6 +13,7 @@ namespace {
 /// A device that no robot has a place for: preparing an instance fails.
 struct TestDevice {
   static constexpr const char* kType = "test_device";
+  static constexpr const char* kRobot = "footbot";
   bool is_on = false;
 };
 template <class Visitor>
@@ -26,7 +27,6 @@ class HomelessActuator final : public ActuatorOf<TestDevice> {
     PluginDescription description;
     description.label = TestDevice::kType;
     description.implementation = "default";
-    description.robots = {"footbot"};
     return description;
   }
   void configure(const Configuration&) override {}

@@ -18,7 +18,6 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     description.implementation = "default";
     description.is_default = true;
     description.summary = "A laser pointer that makes a red spot on what is below.";
-    description.robots = {"eyebot"};
     description.parameters = {angle("noise", "0", {0.0, 10.0}, "Standard deviation added to the beam's tilt.")};
     return description;
   }

@@ -6,7 +6,7 @@ namespace {
 
 class EyebotLedsActuator final : public LedRingActuator<EyebotLeds> {
  public:
-  static PluginDescription describe() { return describeRing("eyebot"); }
+  static PluginDescription describe() { return describeRing(); }
 };
 
 }  // namespace

@@ -17,7 +17,6 @@ class EyebotMagnetActuator final : public HolderActuator<EyebotMagnetActuator, E
     description.is_default = true;
     description.mechanisms = {holder(kHolders[0])};
     description.summary = "The magnet that holds on to ferromagnetic ceilings, on or off.";
-    description.robots = {"eyebot"};
     return description;
   }
 

@@ -20,7 +20,6 @@ class EyebotVelocityActuator final : public ActuatorOf<EyebotVelocity> {
     description.is_default = true;
     description.mechanisms = {flight()};
     description.summary = "A desired velocity in the robot's own frame, and a yaw rate.";
-    description.robots = {"eyebot"};
     description.parameters = {
         number("max_speed", "m/s", numberText(EyebotVelocity::kUsualFastest), {0.0, 5.0},
                "The longest velocity that is flown."),

@@ -18,7 +18,6 @@ class FootbotGripperActuator final : public HolderActuator<FootbotGripperActuato
     description.mechanisms = {holder(kHolders[0])};
     description.implementation_aliases = {"dummy_footbot_gripper"};
     description.summary = "Closes the gripper on what it reaches, or opens it.";
-    description.robots = {"footbot"};
     return description;
   }
 

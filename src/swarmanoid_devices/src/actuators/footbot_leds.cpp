@@ -6,7 +6,7 @@ namespace {
 
 class FootbotLedsActuator final : public LedRingActuator<FootbotLeds> {
  public:
-  static PluginDescription describe() { return describeRing("footbot"); }
+  static PluginDescription describe() { return describeRing(); }
 };
 
 }  // namespace

@@ -24,7 +24,6 @@ class FootbotTurretActuator final : public ActuatorOf<FootbotTurret, TurretInsta
     description.is_default = true;
     description.mechanisms = {joint("turret")};
     description.summary = "Turns the gripper against the chassis: to an angle, at a speed, or as it is pulled.";
-    description.robots = {"footbot"};
     description.parameters = {
         number("noise", "", "0", {0.0, 1.0}, "Standard deviation of the factor that a speed is multiplied with."),
         angle("noise_angle", "0", {0.0, 90.0}, "Standard deviation added to an angle.")};

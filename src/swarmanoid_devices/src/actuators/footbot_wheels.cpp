@@ -13,7 +13,6 @@ class FootbotWheelsActuator final : public WheelSpeedActuator<FootbotWheels> {
     PluginDescription description =
         describeDrive("Angular velocities of the two treels, limited to the motors' maximum.");
     description.implementation_aliases = {"dummy_footbot_wheels"};
-    description.robots = {"footbot"};
     description.parameters = {number("noise", "", "0", {0.0, 1.0},
                                      "Standard deviation of the factor that each wheel's speed is multiplied with; a "
                                      "wheel that stands still has none.")};

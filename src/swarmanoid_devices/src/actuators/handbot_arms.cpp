@@ -30,7 +30,6 @@ class HandbotArmsActuator final : public ActuatorOf<HandbotArms, ArmsInstance> {
     description.is_default = true;
     description.mechanisms = joints(HandbotArmsState::kNames);
     description.summary = "Angles of the joints of both arms, limited to where they stop.";
-    description.robots = {"handbot"};
     description.parameters = {angle("noise", "0", {0.0, 90.0},
                                     "Standard deviation added to each angle that is commanded, in each tick anew.")};
     return description;

@@ -17,7 +17,6 @@ class HandbotHandsActuator final : public HolderActuator<HandbotHandsActuator, H
     description.is_default = true;
     description.mechanisms = {holder(kHolders[0]), holder(kHolders[1])};
     description.summary = "Suction of each hand, on or off.";
-    description.robots = {"handbot"};
     return description;
   }
 

@@ -21,7 +21,6 @@ class HandbotRopeActuator final : public HolderActuator<HandbotRopeActuator, Han
     description.is_default = true;
     description.mechanisms = {holder(kHolders[0])};
     description.summary = "Shoots the rope, winds it in and out, lets it go.";
-    description.robots = {"handbot"};
     description.parameters = {number("max_speed", "m/s", numberText(HandbotRope::kUsualFastest), {0.0, 2.0},
                                      "The fastest winding, in and out."),
                               number("noise", "", "0", {0.0, 1.0},

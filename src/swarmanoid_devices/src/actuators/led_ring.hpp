@@ -15,13 +15,12 @@ class LedRingActuator : public ActuatorOf<Leds> {
   void configure(const Configuration&) override {}
 
  protected:
-  static PluginDescription describeRing(const std::string& robot) {
+  static PluginDescription describeRing() {
     PluginDescription description;
     description.label = Leds::kType;
     description.implementation = "default";
     description.is_default = true;
-    description.summary = "The ring of coloured LEDs of the " + robot + ".";
-    description.robots = {robot};
+    description.summary = std::string("The ring of coloured LEDs of the ") + Leds::kRobot + ".";
     return description;
   }
 

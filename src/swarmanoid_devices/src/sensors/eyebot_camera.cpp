@@ -9,7 +9,6 @@ class EyebotCameraSensor final : public ColorBlobCameraSensor<EyebotCamera> {
   static PluginDescription describe() {
     PluginDescription description = describeCamera(numberText(EyebotCamera::kUsualRange), "true");
     description.summary = "Camera looking down that reports blobs of colour.";
-    description.robots = {"eyebot"};
     description.parameters.push_back(
         angle("aperture", "45", {1.0, 85.0}, "Half the opening angle of the cone that it sees."));
     return description;

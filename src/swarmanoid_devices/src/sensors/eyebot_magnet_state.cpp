@@ -16,7 +16,6 @@ class EyebotMagnetStateSensor final : public HolderSensor<EyebotMagnetStateSenso
     description.implementation = "default";
     description.is_default = true;
     description.summary = "Whether the magnet holds on to something.";
-    description.robots = {"eyebot"};
     return description;
   }
 

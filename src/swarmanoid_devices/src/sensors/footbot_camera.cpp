@@ -11,7 +11,6 @@ class FootbotCameraSensor final : public ColorBlobCameraSensor<FootbotCamera> {
     description.label_aliases = {"pie_camera"};
     description.implementation_aliases = {"generic_pie_camera"};
     description.summary = "Omnidirectional camera that reports blobs of colour.";
-    description.robots = {"footbot"};
     return description;
   }
 };

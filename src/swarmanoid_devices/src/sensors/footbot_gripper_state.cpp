@@ -13,7 +13,6 @@ class FootbotGripperStateSensor final : public SensorOf<FootbotGripperState> {
     description.implementation = "default";
     description.is_default = true;
     description.summary = "Whether the gripper holds something.";
-    description.robots = {"footbot"};
     return description;
   }
 

@@ -14,7 +14,6 @@ class FootbotProximitySensor final : public ProximityRingSensor<FootbotProximity
     PluginDescription description =
         describeRing("24 infrared sensors around the body; a cubic polynomial of the distance.");
     description.implementation_aliases = {"generic_footbot_polynomial_proximity"};
-    description.robots = {"footbot"};
     description.parameters.push_back(
         number("noise", "", "0", {0.0, 1.0}, "Half width of the uniform noise added to each reading."));
     return description;

@@ -20,7 +20,6 @@ class FootbotTurretStateSensor final : public SensorOf<FootbotTurretState, Turre
     description.is_default = true;
     description.mechanisms = {joint("turret")};
     description.summary = "Where the turret stands, how fast it turns, and the torque of its motor.";
-    description.robots = {"footbot"};
     description.parameters = {
         angle("noise", "0", {0.0, 10.0}, "Standard deviation added to the angle."),
         number("noise_torque", "N m", "0", {0.0, 10.0}, "Standard deviation added to the torque.")};

@@ -19,7 +19,6 @@ class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsState
     description.implementation = "default";
     description.is_default = true;
     description.summary = "Angle, speed and effort of each joint of the arms.";
-    description.robots = {"handbot"};
     description.parameters = {angle("noise", "0", {0.0, 10.0}, "Standard deviation added to each angle that is read.")};
     return description;
   }

@@ -16,7 +16,6 @@ class HandbotHandsStateSensor final : public HolderSensor<HandbotHandsStateSenso
     description.implementation = "default";
     description.is_default = true;
     description.summary = "Whether each hand holds something, and the force on it.";
-    description.robots = {"handbot"};
     return description;
   }
 

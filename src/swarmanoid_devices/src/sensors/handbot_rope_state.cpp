@@ -16,7 +16,6 @@ class HandbotRopeStateSensor final : public HolderSensor<HandbotRopeStateSensor,
     description.implementation = "default";
     description.is_default = true;
     description.summary = "Whether the rope is attached, its length and its tension.";
-    description.robots = {"handbot"};
     return description;
   }
 

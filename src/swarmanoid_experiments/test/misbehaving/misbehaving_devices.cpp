@@ -12,7 +12,6 @@ namespace {
 PluginDescription describeDevice(const char* type) {
   PluginDescription description = Misdeed::describe(type);
   description.implementation = "misbehaving";
-  description.robots = {"footbot"};
   return description;
 }
 

@@ -104,6 +104,16 @@ struct HasRobot : std::false_type {};
 template <class Device>
 struct HasRobot<Device, std::void_t<decltype(Device::kRobot)>> : std::true_type {};
 
+/// @return the device's own robot; "" if every robot may have it
+template <class Device>
+std::string robotOf() {
+  if constexpr (HasRobot<Device>::value) {
+    return Device::kRobot;
+  } else {
+    return "";
+  }
+}
+
 /// Applies the device's own safe stop, or its command at rest if it has none.
 template <class Device>
 bool stop(Device& command, const SafeStopMoment& moment) {
@@ -123,9 +133,7 @@ DeviceType makeDeviceType(DeviceKind kind, const std::string& summary) {
   FieldLister lister(&device);
   fields(lister, device);
   DeviceType type{Device::kType, kind, summary, lister.takeFields(), lister.takeNumbers(), layout.text()};
-  if constexpr (HasRobot<Device>::value) {
-    type.robot = Device::kRobot;
-  }
+  type.robot = robotOf<Device>();
   type.write = [](const void* source, ByteWriter& out) {
     // the same list of fields serves reading and writing; writing changes nothing
     fields(out, *const_cast<Device*>(static_cast<const Device*>(source)));

@@ -71,7 +71,8 @@ struct PluginDescription {
   std::vector<std::string> label_aliases;           ///< other tags that mean the same (the names of the thesis)
   std::vector<std::string> implementation_aliases;  ///< likewise
   std::vector<Mechanism> mechanisms;                ///< sensors and actuators: what the robot must have for them
-  /// Devices: robot types that carry it although their description does not list it; empty: any.
+  /// Devices: robot types that carry it although their description does not list it; empty: any. Comes from kRobot of
+  /// the device's struct, if that has it.
   std::vector<std::string> robots;
   bool free_parameters = false;  ///< the plugin reads parameters of any name (controllers)
 };

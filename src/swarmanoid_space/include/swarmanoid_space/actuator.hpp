@@ -21,6 +21,7 @@
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/space.hpp"
 
@@ -73,6 +74,8 @@ class ActuatorOf : public Actuator {
                 "beside the device's struct stand its fields: swarmanoid_interface/device_type.hpp");
 
  public:
+  using DeviceStruct = Device;
+
   void takeErrors(const std::vector<ErrorModelDescription>& errors) override { errors_.add(errors); }
 
   void* add(Space& space, Row row) override {
@@ -180,9 +183,11 @@ class ActuatorOf : public Actuator {
 
 }  // namespace swarmanoid
 
-/// At the end of an actuator's source. `Class` has a static function `PluginDescription describe()`.
-#define REGISTER_ACTUATOR(Class)                                                                \
-  namespace {                                                                                   \
-  const ::swarmanoid::PluginRegistration<::swarmanoid::Actuator, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kActuator, Class::describe());      \
+/// At the end of an actuator's source. `Class` has a static function `PluginDescription describe()`; of which robot the
+/// device is, its struct says.
+#define REGISTER_ACTUATOR(Class)                                                                         \
+  namespace {                                                                                            \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Actuator, Class> SWARMANOID_CONCATENATE(          \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kActuator,                                   \
+                                  ::swarmanoid::describeDevice<Class::DeviceStruct>(Class::describe())); \
   }

@@ -21,6 +21,7 @@
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/space.hpp"
 
@@ -84,6 +85,8 @@ class SensorOf : public Sensor {
                 "beside the device's struct stand its fields: swarmanoid_interface/device_type.hpp");
 
  public:
+  using DeviceStruct = Device;
+
   void takeErrors(const std::vector<ErrorModelDescription>& errors) override {
     errors_.add(errors);
     has_errors_ = !errors_.isEmpty();
@@ -161,9 +164,11 @@ class SensorOf : public Sensor {
 
 }  // namespace swarmanoid
 
-/// At the end of a sensor's source. `Class` has a static function `PluginDescription describe()`.
-#define REGISTER_SENSOR(Class)                                                                \
-  namespace {                                                                                 \
-  const ::swarmanoid::PluginRegistration<::swarmanoid::Sensor, Class> SWARMANOID_CONCATENATE( \
-      registration_, __COUNTER__)(::swarmanoid::PluginKind::kSensor, Class::describe());      \
+/// At the end of a sensor's source. `Class` has a static function `PluginDescription describe()`; of which robot the
+/// device is, its struct says.
+#define REGISTER_SENSOR(Class)                                                                           \
+  namespace {                                                                                            \
+  const ::swarmanoid::PluginRegistration<::swarmanoid::Sensor, Class> SWARMANOID_CONCATENATE(            \
+      registration_, __COUNTER__)(::swarmanoid::PluginKind::kSensor,                                     \
+                                  ::swarmanoid::describeDevice<Class::DeviceStruct>(Class::describe())); \
   }

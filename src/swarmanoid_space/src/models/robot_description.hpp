@@ -6,7 +6,7 @@
 ///       <rope name="rope" link="rope_launcher" length="3"/>    they hold, or where a rope leaves the robot
 ///       <gripping_strip link="gripping_strip"/>                what grippers of others close on
 ///       <leds links="led"/>                                    led_0, led_1, ...
-///       <device type="footbot_proximity"/>                     devices that it carries
+///       <device type="eyebot_leds"/>                           devices of other robots that it carries
 ///     </swarmanoid>
 #pragma once
 

@@ -149,7 +149,7 @@ struct EntityModel {
 /// spheres) become shapes, all links become mounts, both placed with all joints at zero. Revolute and continuous joints
 /// become joints. The element <swarmanoid> below <robot> says which joints are wheels (continuous, axis y, with a limit
 /// of velocity; their child links' widest cylinder is the wheel), which links are holders, LEDs (`led_0`, `led_1`, ...,
-/// at most EntityModel::kMaxLeds) or a gripping strip (it is not a shape), and which devices the robot carries.
+/// at most EntityModel::kMaxLeds) or a gripping strip (it is not a shape), and which devices of others it carries.
 /// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 

@@ -1,0 +1,21 @@
+/// Completes what sensors and actuators say of themselves by what the struct of their device says.
+#pragma once
+
+#include <string>
+#include <utility>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/registry.hpp"
+
+namespace swarmanoid {
+
+/// @return the description with the robot of the device, kRobot, if the struct has one
+template <class Device>
+PluginDescription describeDevice(PluginDescription description) {
+  if (std::string robot = detail::robotOf<Device>(); !robot.empty()) {
+    description.robots = {std::move(robot)};
+  }
+  return description;
+}
+
+}  // namespace swarmanoid
