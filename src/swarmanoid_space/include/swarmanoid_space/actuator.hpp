@@ -29,6 +29,8 @@ namespace swarmanoid {
 
 class Actuator {
  public:
+  using DeviceStruct = void;  ///< ActuatorOf knows it
+
   virtual ~Actuator() = default;
 
   /// @throws ConfigError

@@ -9,6 +9,7 @@
 
 namespace swarmanoid {
 
+/// @tparam Device the struct, or void
 /// @return the description with the robot of the device, kRobot, if the struct has one
 template <class Device>
 PluginDescription describeDevice(PluginDescription description) {

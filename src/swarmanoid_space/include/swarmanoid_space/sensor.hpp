@@ -29,6 +29,8 @@ namespace swarmanoid {
 
 class Sensor {
  public:
+  using DeviceStruct = void;  ///< SensorOf knows it
+
   virtual ~Sensor() = default;
 
   /// @throws ConfigError
