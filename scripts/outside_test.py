@@ -78,6 +78,7 @@ class OutsideTest(unittest.TestCase):
         share = environment["CMAKE_PREFIX_PATH"].split(":")
         schema = [s for s in (f"{p}/share/swarmanoid_experiments/experiment.xsd" for p in share) if os.path.exists(s)]
         succeed(["xmllint", "--noout", "--schema", schema[0], EXPERIMENT], environment)
+        self.check_schema(environment, out + ".xsd")
         succeed(["swarmanoid", "validate", EXPERIMENT], environment)
         listed = succeed(["swarmanoid", "list"], environment)
         for library, package in (("patrol", "example_controller"), ("carousel", "example_engine"),
@@ -102,6 +103,27 @@ class OutsideTest(unittest.TestCase):
         self.assertAlmostEqual(4.0 + math.sin(angle), last["rider"][1], places=4)
         self.assertAlmostEqual(90.0, last["scout"][5], places=2)
         return result
+
+    def check_schema(self, environment, file):
+        """The schema of all that is installed accepts the experiments of all packages, and knows what these bring."""
+        with open(file, "w") as opened:
+            opened.write(succeed(["swarmanoid", "schema"], environment))
+        experiments = sorted(glob.glob(os.path.join(REPOSITORY, "examples/*/*.xml")))
+        experiments = [name for name in experiments if "<ahss-config>" in open(name).read()] + [EXPERIMENT]
+        self.assertIn(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml"), experiments)
+        succeed(["xmllint", "--noout", "--schema", file, *experiments], environment)
+        with open(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml")) as opened:
+            text = opened.read()
+        for old, new, refusal in (('<compass library="compass">', "<compass>", "'library' is required"),
+                                  ("<noise>2</noise>", "<noise>200</noise>", "maxInclusive"),
+                                  ("<noise>2</noise>", "<nois>2</nois>", "not expected")):
+            self.assertIn(old, text)
+            changed = file + ".xml"
+            with open(changed, "w") as opened:
+                opened.write(text.replace(old, new))
+            code, _, errors = run(["xmllint", "--noout", "--schema", file, changed], environment)
+            self.assertEqual(3, code, errors)
+            self.assertIn(refusal, errors)
 
     def check_robot(self, environment, out):
         """A robot by its description: it is listed, and diffuses in each engine without touching walls or leaving its pen."""

@@ -30,7 +30,7 @@ class Files:
     """Experiment files, mutated along their grammar."""
 
     def __init__(self):
-        schema = subprocess.run(["swarmanoid", "schema"], check=True, capture_output=True, text=True).stdout
+        schema = subprocess.run(["swarmanoid", "schema", "--suite"], check=True, capture_output=True, text=True).stdout
         self._grammar = grammar.read_grammar(schema)
         self._sources = {file.stem: file.read_text() for file in EXPERIMENTS.glob("*.xml")}
 

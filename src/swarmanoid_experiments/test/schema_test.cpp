@@ -9,7 +9,9 @@
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/error_models/error_model.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment_schema.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -27,18 +29,19 @@ fs::path writeFile(const std::string& name, const std::string& text) {
 const std::string& schema() {
   static const std::string text = [] {
     loadBuiltInPlugins();
-    return experimentSchema();
+    return suiteSchema();
   }();
   return text;
 }
 
 /// As xmllint sees it.
-bool schemaAccepts(const fs::path& file) {
-  static const fs::path schema_file = writeFile("schema.xsd", schema());
+bool schemaAccepts(const fs::path& file, const fs::path& schema_file = {}) {
+  static const fs::path suites_file = writeFile("schema.xsd", schema());
   const fs::path report = writeFile("report.txt", "");
-  const int status = std::system(
-      ("xmllint --noout --schema '" + schema_file.string() + "' '" + file.string() + "' 2>'" + report.string() + "'")
-          .c_str());
+  const int status =
+      std::system(("xmllint --noout --schema '" + (schema_file.empty() ? suites_file : schema_file).string() + "' '" +
+                   file.string() + "' 2>'" + report.string() + "'")
+                      .c_str());
   std::ifstream reason(report);
   std::string words((std::istreambuf_iterator<char>(reason)), {});
   // anything but "valid" and "not valid" means that xmllint is missing or the schema is wrong
@@ -132,6 +135,46 @@ TEST(SchemaTest, LetsThroughPluginsThatItDoesNotKnow) {
   text.insert(text.find("  </visualisations>"),
               "<my_plot id=\"plot\" library=\"my_plot\"><color>any</color></my_plot>");
   EXPECT_TRUE(schemaAccepts(writeFile("own.xml", text)));
+}
+
+TEST(SchemaTest, AsksForTheLibraryWhereAFileMustNameIt) {
+  loadBuiltInPlugins();
+  const Registry& registry = Registry::instance();
+  const auto* engine = registry.find(PluginKind::kEngine, "kinematics2d");
+  const auto* sensor = registry.find(PluginKind::kSensor, "footbot_proximity");
+  const fs::path strict = writeFile("strict.xsd", experimentSchema({{engine, "my_engine"}, {sensor, "my_sensor"}}));
+  std::string text = test::readTestData("good.xml");
+  const auto accepts = [&] { return schemaAccepts(writeFile("strict.xml", text), strict); };
+  const auto insert_library = [&](const std::string& tag, const std::string& library) {
+    ASSERT_NE(text.find("<" + tag), std::string::npos);
+    for (std::size_t at = text.find("<" + tag); at != std::string::npos; at = text.find("<" + tag, at + 1)) {
+      text.insert(at + 1 + tag.size(), " library=\"" + library + "\"");
+    }
+  };
+  EXPECT_FALSE(accepts());
+  insert_library("kinematics2d", "my_engine");
+  EXPECT_FALSE(accepts()) << "the sensor's is missing";
+  insert_library("footbot_proximity", "");
+  EXPECT_FALSE(accepts()) << "it has no name";
+  text.replace(text.find("library=\"\""), 10, "library=\"./libmine.so\"");
+  EXPECT_TRUE(accepts()) << "the file may be elsewhere";
+}
+
+TEST(SchemaTest, HasWhatLibrariesHaveBroughtSinceTheLastOne) {
+  EXPECT_EQ(schema().find("\"jitter_of_the_test\""), std::string::npos);
+  ErrorKind jitter;
+  jitter.description = {"jitter_of_the_test", "", {errorParameter("jitter_depth", {0.0, 1.0}, "")}};
+  [[maybe_unused]] const ErrorKindRegistration registration(jitter);
+  EXPECT_NE(experimentSchema().find("value=\"jitter_of_the_test\""), std::string::npos);
+  EXPECT_NE(experimentSchema().find("name=\"jitter_depth\""), std::string::npos);
+}
+
+TEST(SchemaTest, LetsThroughTagsThatMeanPluginsOfTwoKinds) {
+  EXPECT_NE(experimentSchema().find("<xs:element name=\"footbot_leds\""), std::string::npos);
+  PluginDescription controller;
+  controller.label = "footbot_leds";
+  Registry::instance().add(PluginKind::kController, controller, [] { return std::shared_ptr<void>(); });
+  EXPECT_EQ(experimentSchema().find("<xs:element name=\"footbot_leds\""), std::string::npos);
 }
 
 TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {

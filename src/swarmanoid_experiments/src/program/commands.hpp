@@ -23,7 +23,7 @@ Command addValidateCommand(CLI::App& app);
 Command addListCommand(CLI::App& app);
 /// `describe [DEVICE]` prints what the code says of a device, as Markdown.
 Command addDescribeCommand(CLI::App& app);
-/// `schema` prints the XSD of experiment files.
+/// `schema` prints the XSD of experiment files, with all that is installed.
 Command addSchemaCommand(CLI::App& app);
 
 }  // namespace swarmanoid::program

@@ -6,26 +6,21 @@
 #include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::program {
-namespace {
 
-constexpr PluginKind kKinds[] = {PluginKind::kController, PluginKind::kSensor,   PluginKind::kActuator,
-                                 PluginKind::kEngine,     PluginKind::kObserver, PluginKind::kEntity};
-
-}  // namespace
-
-std::vector<const Registry::Entry*> allEntries() {
+std::vector<const Registry::Entry*> allPlugins() {
   std::vector<const Registry::Entry*> entries;
-  for (const PluginKind kind : kKinds) {
+  for (const PluginKind kind : {PluginKind::kController, PluginKind::kSensor, PluginKind::kActuator,
+                                PluginKind::kEngine, PluginKind::kObserver, PluginKind::kEntity}) {
     const auto more = Registry::instance().all(kind);
     entries.insert(entries.end(), more.begin(), more.end());
   }
   return entries;
 }
 
-Origins loadInstalledPlugins() {
+PluginOrigins loadInstalledPlugins() {
   loadBuiltInPlugins();
-  Origins origins;
-  for (const Registry::Entry* entry : allEntries()) {
+  PluginOrigins origins;
+  for (const Registry::Entry* entry : allPlugins()) {
     origins[entry] = {};
   }
   for (const DeclaredLibrary& declared : declaredLibraries()) {
@@ -34,7 +29,7 @@ Origins loadInstalledPlugins() {
     } catch (const ConfigError& error) {
       std::cerr << "swarmanoid: warning: " << error.what() << '\n';
     }
-    for (const Registry::Entry* entry : allEntries()) {
+    for (const Registry::Entry* entry : allPlugins()) {
       origins.emplace(entry, declared);
     }
   }

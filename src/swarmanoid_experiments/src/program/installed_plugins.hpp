@@ -1,5 +1,4 @@
-/// The plugins that can be named in an experiment file: those of the suite, and those of other packages that are
-/// installed.
+/// The plugins of this installation: the suite's own, and those of the libraries that packages declare.
 #pragma once
 
 #include <map>
@@ -10,13 +9,15 @@
 
 namespace swarmanoid::program {
 
-/// Maps plugins to their libraries, if the suite does not load these by itself.
-using Origins = std::map<const Registry::Entry*, DeclaredLibrary>;
+/// Maps plugins to the libraries that experiment files name for them; `library` is "" where the suite loads it by
+/// itself.
+using PluginOrigins = std::map<const Registry::Entry*, DeclaredLibrary>;
 
-/// Returns what is registered, kind by kind.
-std::vector<const Registry::Entry*> allEntries();
+/// Returns all plugins that are loaded, by kind, label and implementation.
+std::vector<const Registry::Entry*> allPlugins();
 
-/// Loads all installed plugins. A library that cannot be loaded is a warning: the others are there all the same.
-Origins loadInstalledPlugins();
+/// Loads all installed plugins, which runs code of their libraries. What cannot be loaded, a robot that is wrong, and
+/// a plugin that is there twice are warnings on the error stream: the others are loaded all the same.
+PluginOrigins loadInstalledPlugins();
 
 }  // namespace swarmanoid::program

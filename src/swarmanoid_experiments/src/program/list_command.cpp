@@ -1,4 +1,4 @@
-// `swarmanoid list` and `swarmanoid schema`: the names that may be used in an experiment file.
+// `swarmanoid list`: the names that may be used in an experiment file.
 #include <ostream>
 
 #include "commands.hpp"
@@ -87,7 +87,7 @@ std::vector<std::string> headings() {
   return names;
 }
 
-void writeHeading(const std::string& heading, const Origins& origins, std::ostream& out) {
+void writeHeading(const std::string& heading, const PluginOrigins& origins, std::ostream& out) {
   out << heading << '\n';
   if (heading == "experiment") {
     for (const std::string& name : installedExperiments()) {
@@ -104,7 +104,7 @@ void writeHeading(const std::string& heading, const Origins& origins, std::ostre
       write(*kind, out);
     }
   }
-  for (const Registry::Entry* entry : allEntries()) {
+  for (const Registry::Entry* entry : allPlugins()) {
     if (toString(entry->kind) == heading) {
       write(entry->description, origins.at(entry), out);
     }
@@ -118,7 +118,7 @@ ExitCode list(const std::string& heading) {
     throw ConfigError({"list", 0},
                       "found '" + heading + "', allowed: " + joinNames(allowed) + didYouMean(heading, allowed));
   }
-  const Origins origins = loadInstalledPlugins();
+  const PluginOrigins origins = loadInstalledPlugins();
   PlainTextStream out;
   for (const std::string& name : all ? allowed : std::vector<std::string>{heading}) {
     writeHeading(name, origins, out);
@@ -134,15 +134,6 @@ Command addListCommand(CLI::App& app) {
   CLI::App* command = app.add_subcommand("list", "what can be named in an experiment file");
   command->add_option("kind", *heading, "one of " + joinNames(headings()) + "; else all");
   return [heading] { return list(*heading); };
-}
-
-Command addSchemaCommand(CLI::App& app) {
-  app.add_subcommand("schema", "print the XML schema (XSD) of experiment files");
-  return [] {
-    loadBuiltInPlugins();
-    print(experimentSchema());
-    return ExitCode::kFinished;
-  };
 }
 
 }  // namespace swarmanoid::program

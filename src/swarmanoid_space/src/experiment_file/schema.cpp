@@ -2,23 +2,20 @@
 //
 // Sections that name plugins let unknown tags through, since anybody's library may add one; what is known is checked,
 // wherever it stands. XML Schema finds known tags among unknown ones only if they are declared at the top.
+#include <algorithm>
+
+#include "../models/robot_files.hpp"
 #include "parameter_table.hpp"
 #include "schema_writer.hpp"
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment_file/experiment_schema.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "tags.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
 
-std::vector<std::string> tagsOf(PluginKind kind) {
-  std::vector<std::string> tags;
-  for (const Registry::Entry* entry : Registry::instance().all(kind)) {
-    const auto names = namesOf(entry->description.label, entry->description.label_aliases);
-    tags.insert(tags.end(), names.begin(), names.end());
-  }
-  return tags;
-}
+/// The entity types that the schema knows.
+using EntityTypes = std::vector<const Registry::Entry*>;
 
 void writeOpenSection(const std::string& name, SchemaWriter& out) {
   out.openElement(name, false);
@@ -26,9 +23,9 @@ void writeOpenSection(const std::string& name, SchemaWriter& out) {
   out.closeElement();
 }
 
-void writeEntities(bool is_distributed, SchemaWriter& out) {
-  for (const Registry::Entry* entry : Registry::instance().all(PluginKind::kEntity)) {
-    for (const std::string& tag : namesOf(entry->description.label, entry->description.label_aliases)) {
+void writeEntities(const EntityTypes& types, bool is_distributed, SchemaWriter& out) {
+  for (const Registry::Entry* entry : types) {
+    for (const std::string& tag : tagsOf(entry->description)) {
       out.openElement(tag, false, entry->description.summary);
       out.open("all");
       out.parameters(entityParameters(entry->description, is_distributed));
@@ -48,25 +45,25 @@ void writeEntities(bool is_distributed, SchemaWriter& out) {
   }
 }
 
-void writeDistribute(const ExperimentTag& tag, SchemaWriter& out) {
+void writeDistribute(const ExperimentTag& tag, const EntityTypes& types, SchemaWriter& out) {
   out.openElement(tag.name, true, tag.summary);
   out.open("all");
   out.parameters(tag.values);
-  writeEntities(true, out);
+  writeEntities(types, true, out);
   out.close();
   out.attributes(tag.attributes);
   out.closeElement();
 }
 
-void writeArena(SchemaWriter& out) {
+void writeArena(const EntityTypes& types, SchemaWriter& out) {
   out.openElement("arena", true);
   out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
-  writeEntities(false, out);
+  writeEntities(types, false, out);
   for (const std::string& name : tagsIn("arena")) {
     const std::string path = "arena/" + name;
     const ExperimentTag& tag = tagAt(path);
     if (name == "distribute") {
-      writeDistribute(tag, out);
+      writeDistribute(tag, types, out);
     } else {
       out.tag(tag);
     }
@@ -121,7 +118,7 @@ void writeArenaPhysics(SchemaWriter& out) {
   out.closeElement();
 }
 
-void writeIdentities(SchemaWriter& out) {
+void writeIdentities(const EntityTypes& types, SchemaWriter& out) {
   for (const char* section : {"controllers", "engines", "visualisations", "visualizations"}) {
     out.identity("unique", std::string("id_in_") + section, std::string(section) + "/*");
   }
@@ -129,16 +126,18 @@ void writeIdentities(SchemaWriter& out) {
   out.identity("unique", "engine_of_mapping", "arena_physics/engine");
   out.identity("unique", "id_of_handover", "arena_physics/handover");
   std::string bodies;
-  for (const std::string& tag : tagsOf(PluginKind::kEntity)) {
-    bodies += (bodies.empty() ? "arena/" : "|arena/") + tag;
-    bodies += "|arena/distribute/" + tag;
+  for (const Registry::Entry* entry : types) {
+    for (const std::string& tag : tagsOf(entry->description)) {
+      bodies += (bodies.empty() ? "arena/" : "|arena/") + tag;
+      bodies += "|arena/distribute/" + tag;
+    }
   }
   out.identity("key", "mapped_entity", bodies);
   out.reference("mapping", "mapped_entity", "arena_physics/engine/entity", "@id");
   out.reference("handed_over", "mapped_entity", "arena_physics/handover", "@entity");
 }
 
-void writeRoot(SchemaWriter& out) {
+void writeRoot(const EntityTypes& types, SchemaWriter& out) {
   out.openElement("ahss-config", true);
   out.open("all");
   out.openElement("framework", true);
@@ -147,15 +146,35 @@ void writeRoot(SchemaWriter& out) {
   out.close();
   out.closeElement();
   writeOpenSection("controllers", out);
-  writeArena(out);
+  writeArena(types, out);
   writeOpenSection("engines", out);
   writeArenaPhysics(out);
   writeOpenSection("visualisations", out);
   writeOpenSection("visualizations", out);
   out.close();
   out.close();
-  writeIdentities(out);
+  writeIdentities(types, out);
   out.close();
+}
+
+constexpr const char* kSuitesRobots = "swarmanoid_description";  // the package that brings them
+
+/// Whether it is a robot that only other packages bring.
+bool isOfOthers(const Registry::Entry* type) {
+  if (!makePlugin<EntityType>(*type)->isRobot()) {
+    return false;
+  }
+  const std::vector<RobotFile>& robots = robotFiles().robots;
+  const auto is_it = [&](const RobotFile& robot) { return robot.type == type->description.label; };
+  const auto is_suites = [&](const RobotFile& robot) { return is_it(robot) && robot.package == kSuitesRobots; };
+  return std::any_of(robots.begin(), robots.end(), is_it) && std::none_of(robots.begin(), robots.end(), is_suites);
+}
+
+std::string writeSchema(const EntityTypes& types, const PluginLibraries& libraries) {
+  SchemaWriter out;
+  writeRoot(types, out);
+  writePlugins(libraries, out);
+  return out.text();
 }
 
 }  // namespace
@@ -163,11 +182,14 @@ void writeRoot(SchemaWriter& out) {
 
 namespace swarmanoid {
 
-std::string experimentSchema() {
-  experiment::SchemaWriter out;
-  experiment::writeRoot(out);
-  experiment::writePlugins(out);
-  return out.text();
+std::string experimentSchema(const PluginLibraries& libraries) {
+  return experiment::writeSchema(Registry::instance().all(PluginKind::kEntity), libraries);
+}
+
+std::string suiteSchema() {
+  experiment::EntityTypes types = Registry::instance().all(PluginKind::kEntity);
+  types.erase(std::remove_if(types.begin(), types.end(), experiment::isOfOthers), types.end());
+  return experiment::writeSchema(types, {});
 }
 
 }  // namespace swarmanoid

@@ -1,15 +1,21 @@
 // The part of the schema that stands at its top: whatever plugins the registry knows.
+#include <algorithm>
+#include <map>
 #include <set>
 
+#include "../xml/xml_document.hpp"
 #include "parameter_table.hpp"
 #include "schema_writer.hpp"
 #include "tags.hpp"
 
 namespace swarmanoid::experiment {
 
-std::vector<std::string> namesOf(const std::string& name, std::vector<std::string> aliases) {
-  aliases.insert(aliases.begin(), name);
-  return aliases;
+std::vector<std::string> tagsOf(const PluginDescription& plugin) {
+  std::vector<std::string> tags = plugin.label_aliases;
+  tags.insert(tags.begin(), plugin.label);
+  const auto is_no_tag = [](const std::string& name) { return xmlValidateNCName(xmlCharacters(name.c_str()), 0) != 0; };
+  tags.erase(std::remove_if(tags.begin(), tags.end(), is_no_tag), tags.end());
+  return tags;
 }
 
 namespace {
@@ -31,7 +37,7 @@ void writeControllerParts(SchemaWriter& out) {
 /// The values that one implementation or another reads; those that not all need are optional.
 std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*>& implementations) {
   std::vector<Parameter> table;
-  std::set<std::string> names;
+  std::set<std::string> names{"implementation", "error"};  // which mean something else in a device
   for (const Registry::Entry* entry : implementations) {
     for (Parameter parameter : entry->description.parameters) {
       if (implementations.size() > 1) {
@@ -47,62 +53,135 @@ std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*
   return table;
 }
 
-void writeDevice(const std::string& tag, const std::vector<const Registry::Entry*>& implementations,
-                 SchemaWriter& out) {
+/// The attributes of a plugin's tag. @param libraries one of which an experiment file must name; none: it need not
+std::vector<ExperimentAttribute> attributesWithLibrary(const std::string& path,
+                                                       const std::set<std::string>& libraries) {
+  std::vector<ExperimentAttribute> attributes = tagAt(path).attributes;
+  for (ExperimentAttribute& attribute : attributes) {
+    if (attribute.value.name == "library" && !libraries.empty()) {
+      attribute.value.value.reset();
+    }
+  }
+  return attributes;
+}
+
+std::string summaryOf(const PluginDescription& plugin, const std::set<std::string>& libraries) {
+  std::string summary = plugin.summary;
+  for (const std::string& library : libraries) {
+    summary += (summary.empty() ? "In library=\"" : " In library=\"") + library + "\".";
+  }
+  return summary;
+}
+
+/// What stands in a device of which all values are known.
+void writeDeviceParts(const std::vector<const Registry::Entry*>& implementations, SchemaWriter& out) {
   std::vector<std::string> choices;
   for (const Registry::Entry* entry : implementations) {
-    const auto names = namesOf(entry->description.implementation, entry->description.implementation_aliases);
-    choices.insert(choices.end(), names.begin(), names.end());
+    const std::vector<std::string>& aliases = entry->description.implementation_aliases;
+    choices.push_back(entry->description.implementation);
+    choices.insert(choices.end(), aliases.begin(), aliases.end());
   }
-  out.openElement(tag, true, implementations.front()->description.summary);
   // <xs:all> cannot hold what stands there several times, so that values stand there once is left to the reader
   out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
   out.choiceElement("implementation", choices);
   out.parameters(deviceParameters(implementations));
   out.tag(tagAt("controllers/*/sensors/*/error"));
   out.close();
-  out.attributes(tagAt("controllers/*/sensors/*").attributes);  // and actuators have the same
+}
+
+void writeDevice(const std::string& tag, const std::vector<const Registry::Entry*>& implementations,
+                 const std::set<std::string>& libraries, SchemaWriter& out) {
+  out.openElement(tag, true, summaryOf(implementations.front()->description, libraries));
+  const bool is_free = std::any_of(implementations.begin(), implementations.end(),
+                                   [](const Registry::Entry* entry) { return entry->description.free_parameters; });
+  if (is_free) {
+    out.anyElements("skip");
+  } else {
+    writeDeviceParts(implementations, out);
+  }
+  out.attributes(attributesWithLibrary("controllers/*/sensors/*", libraries));  // and actuators have the same
   out.closeElement();
 }
 
-void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry& entry, SchemaWriter& out) {
-  out.openElement(tag, true, entry.description.summary);
-  out.open("all");
+void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry& entry,
+                 const std::set<std::string>& libraries, SchemaWriter& out) {
+  out.openElement(tag, true, summaryOf(entry.description, libraries));
   if (kind == PluginKind::kController) {
+    out.open("all");
     for (const char* part : {"actuators", "sensors", "parameters"}) {
       out.leaf("element", {{"ref", part}, {"minOccurs", "0"}});
     }
+    out.close();
+  } else if (entry.description.free_parameters) {
+    out.anyElements("skip");
   } else {
+    out.open("all");
     out.parameters(entry.description.parameters);
+    out.close();
   }
-  out.close();
-  out.attributes(tagAt("controllers/*").attributes);  // and engines and visualisations have the same
+  out.attributes(attributesWithLibrary("controllers/*", libraries));  // and engines and visualisations have the same
   out.closeElement();
+}
+
+/// The libraries of which an experiment file must name one. That of a controller is by default called as its tag.
+std::set<std::string> neededLibraries(PluginKind kind, const std::string& tag,
+                                      const std::vector<const Registry::Entry*>& implementations,
+                                      const PluginLibraries& libraries) {
+  std::set<std::string> needed;
+  for (const Registry::Entry* entry : implementations) {
+    const auto found = libraries.find(entry);
+    const std::string library = found == libraries.end() ? "" : found->second;
+    if (library.empty() || (kind == PluginKind::kController && library == tag)) {
+      return {};
+    }
+    needed.insert(library);
+  }
+  return needed;
+}
+
+constexpr PluginKind kKindsAtTop[] = {PluginKind::kController, PluginKind::kEngine, PluginKind::kObserver,
+                                      PluginKind::kActuator, PluginKind::kSensor};
+
+/// The kinds of plugins that a tag means.
+std::map<std::string, std::set<PluginKind>> kindsByTag() {
+  std::map<std::string, std::set<PluginKind>> kinds;
+  for (const PluginKind kind : kKindsAtTop) {
+    for (const Registry::Entry* entry : all(kind)) {
+      for (const std::string& tag : tagsOf(entry->description)) {
+        kinds[tag].insert(kind);
+      }
+    }
+  }
+  return kinds;
+}
+
+/// The plugins of a kind that have the label; several are the implementations of a device.
+std::vector<const Registry::Entry*> entriesOfLabel(PluginKind kind, const std::string& label) {
+  std::vector<const Registry::Entry*> implementations = all(kind);
+  const auto is_other = [&](const Registry::Entry* entry) { return entry->description.label != label; };
+  implementations.erase(std::remove_if(implementations.begin(), implementations.end(), is_other),
+                        implementations.end());
+  return implementations;
 }
 
 }  // namespace
 
-void writePlugins(SchemaWriter& out) {
+void writePlugins(const PluginLibraries& libraries, SchemaWriter& out) {
   writeControllerParts(out);
+  const auto kinds = kindsByTag();
   std::set<std::string> written{"ahss-config", "actuators", "sensors", "parameters"};
-  for (const PluginKind kind : {PluginKind::kController, PluginKind::kEngine, PluginKind::kObserver,
-                                PluginKind::kActuator, PluginKind::kSensor}) {
-    const bool is_device = kind == PluginKind::kActuator || kind == PluginKind::kSensor;
+  for (const PluginKind kind : kKindsAtTop) {
     for (const Registry::Entry* entry : all(kind)) {
-      std::vector<const Registry::Entry*> implementations;
-      for (const Registry::Entry* other : all(kind)) {
-        if (other->description.label == entry->description.label) {
-          implementations.push_back(other);
-        }
-      }
-      for (const std::string& tag : namesOf(entry->description.label, entry->description.label_aliases)) {
-        if (!written.insert(tag).second) {
+      const auto implementations = entriesOfLabel(kind, entry->description.label);
+      for (const std::string& tag : tagsOf(entry->description)) {
+        if (kinds.at(tag).size() > 1 || !written.insert(tag).second) {
           continue;
         }
-        if (is_device) {
-          writeDevice(tag, implementations, out);
+        const auto needed = neededLibraries(kind, tag, implementations, libraries);
+        if (kind == PluginKind::kActuator || kind == PluginKind::kSensor) {
+          writeDevice(tag, implementations, needed, out);
         } else {
-          writePlugin(kind, tag, *entry, out);
+          writePlugin(kind, tag, *entry, needed, out);
         }
       }
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/experiment_file/experiment_schema.hpp"
 #include "swarmanoid_space/experiment_file/experiment_tags.hpp"
 
 namespace swarmanoid::experiment {
@@ -68,10 +69,11 @@ class SchemaWriter {
   std::unique_ptr<xmlTextWriter, Deleter> writer_;  ///< into the text
 };
 
-/// A name and the other names of the same thing.
-std::vector<std::string> namesOf(const std::string& name, std::vector<std::string> aliases);
+/// The tags that mean a plugin: its label and the aliases. A name that XML does not allow is none of them.
+std::vector<std::string> tagsOf(const PluginDescription& plugin);
 
-/// Declares the plugins of the registry, and what stands in any controller, at the top of the schema.
-void writePlugins(SchemaWriter& out);
+/// Declares the plugins of the registry, and what stands in any controller, at the top of the schema. A tag that means
+/// plugins of several kinds is not declared, so whatever stands in it is let through.
+void writePlugins(const PluginLibraries& libraries, SchemaWriter& out);
 
 }  // namespace swarmanoid::experiment

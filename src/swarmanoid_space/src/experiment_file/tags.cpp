@@ -2,6 +2,8 @@
 #include "tags.hpp"
 
 #include <algorithm>
+#include <map>
+#include <mutex>
 #include <stdexcept>
 
 #include "swarmanoid_space/error_models/error_model.hpp"
@@ -212,8 +214,12 @@ std::vector<std::string> tagsIn(const std::string& path) {
 }  // namespace experiment
 
 const std::vector<ExperimentTag>& experimentTags() {
-  static const std::vector<ExperimentTag> tags = experiment::makeTags();
-  return tags;
+  static std::mutex mutex;
+  static std::map<std::size_t, std::vector<ExperimentTag>> tables;  // a table that has been handed out stays
+  const std::lock_guard<std::mutex> lock(mutex);
+  const std::size_t kinds = errorKinds().size();
+  const auto known = tables.find(kinds);
+  return known != tables.end() ? known->second : tables.emplace(kinds, experiment::makeTags()).first->second;
 }
 
 }  // namespace swarmanoid

@@ -223,7 +223,4 @@ std::vector<std::string> robotNames(const Experiment& experiment, std::optional<
 std::vector<std::string> chooseRobots(const std::vector<std::string>& words, const std::string& parameter,
                                       const Experiment& experiment);
 
-/// An XML schema (XSD) of all that the parser accepts, made from the same descriptions.
-std::string experimentSchema();
-
 }  // namespace swarmanoid

@@ -23,6 +23,8 @@ struct ExperimentTag {
   std::vector<Parameter> values;  ///< child elements that hold one value
 };
 
+/// A library that is loaded may bring kinds of errors, which are in what is returned from then on. Thread-safe; what
+/// was returned stays valid.
 const std::vector<ExperimentTag>& experimentTags();
 
 }  // namespace swarmanoid
