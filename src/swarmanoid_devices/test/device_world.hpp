@@ -17,12 +17,15 @@ namespace swarmanoid::test {
 using Parameters = std::map<std::string, std::string>;
 using Errors = std::vector<ErrorModelDescription>;
 
-/// Makes a device as an experiment file would configure it; parameters that are not given have their defaults.
+/// Makes a device as an experiment file would configure it; parameters that are not given have their defaults. The
+/// parameter `implementation` chooses an implementation, as its element does.
 template <class Base>
 std::shared_ptr<Base> makeDevice(PluginKind kind, const std::string& type, const Parameters& parameters,
                                  const Errors& errors = {}) {
   loadPluginLibrary("swarmanoid_devices", {}, {});
-  const Registry::Entry& entry = *Registry::instance().find(kind, type);
+  const auto implementation = parameters.find("implementation");
+  const Registry::Entry& entry =
+      *Registry::instance().find(kind, type, implementation == parameters.end() ? "" : implementation->second);
   Configuration configuration(type, "", {});
   for (const Parameter& parameter : entry.description.parameters) {
     const auto given = parameters.find(parameter.name);

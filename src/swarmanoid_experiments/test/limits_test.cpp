@@ -148,7 +148,8 @@ class World {
       const PluginDescription& device = entry->description;
       const bool is_spatial = device.label.rfind("handbot_", 0) == 0 || device.label.rfind("eyebot_magnet", 0) == 0;
       const bool is_carried = std::find(device.robots.begin(), device.robots.end(), robot) != device.robots.end();
-      if (is_carried && (!is_spatial || engine_ == "dynamics3d")) {
+      const bool is_usual = Registry::instance().find(kind, device.label) == entry;  // of several implementations
+      if (is_usual && is_carried && (!is_spatial || engine_ == "dynamics3d")) {
         text += "<" + device.label + "/>";
         add("controllers." + robot + "_idle." + section + "." + device.label, device.parameters);
       }

@@ -141,8 +141,8 @@ TEST(SchemaTest, AsksForTheLibraryWhereAFileMustNameIt) {
   loadBuiltInPlugins();
   const Registry& registry = Registry::instance();
   const auto* engine = registry.find(PluginKind::kEngine, "kinematics2d");
-  const auto* sensor = registry.find(PluginKind::kSensor, "footbot_proximity");
-  const fs::path strict = writeFile("strict.xsd", experimentSchema({{engine, "my_engine"}, {sensor, "my_sensor"}}));
+  const auto* wheels = registry.find(PluginKind::kActuator, "footbot_wheels");
+  const fs::path strict = writeFile("strict.xsd", experimentSchema({{engine, "my_engine"}, {wheels, "my_wheels"}}));
   std::string text = test::readTestData("good.xml");
   const auto accepts = [&] { return schemaAccepts(writeFile("strict.xml", text), strict); };
   const auto insert_library = [&](const std::string& tag, const std::string& library) {
@@ -153,8 +153,8 @@ TEST(SchemaTest, AsksForTheLibraryWhereAFileMustNameIt) {
   };
   EXPECT_FALSE(accepts());
   insert_library("kinematics2d", "my_engine");
-  EXPECT_FALSE(accepts()) << "the sensor's is missing";
-  insert_library("footbot_proximity", "");
+  EXPECT_FALSE(accepts()) << "that of the wheels is missing";
+  insert_library("footbot_wheels", "");
   EXPECT_FALSE(accepts()) << "it has no name";
   text.replace(text.find("library=\"\""), 10, "library=\"./libmine.so\"");
   EXPECT_TRUE(accepts()) << "the file may be elsewhere";
@@ -167,6 +167,39 @@ TEST(SchemaTest, HasWhatLibrariesHaveBroughtSinceTheLastOne) {
   [[maybe_unused]] const ErrorKindRegistration registration(jitter);
   EXPECT_NE(experimentSchema().find("value=\"jitter_of_the_test\""), std::string::npos);
   EXPECT_NE(experimentSchema().find("name=\"jitter_depth\""), std::string::npos);
+}
+
+TEST(SchemaTest, ChecksWhatAllImplementationsOfADeviceAllow) {
+  loadBuiltInPlugins();
+  std::string text = test::readTestData("good.xml");
+  const auto accepts = [](const std::string& edited, const fs::path& schema_file) {
+    return schemaAccepts(writeFile("implementations.xml", edited), schema_file);
+  };
+  const auto with_range = [&text](const std::string& implementation, const std::string& range) {
+    std::string edited = text;
+    const std::string old = "<range>0.1</range>";
+    return edited.replace(edited.find(old), old.size(),
+                          "<implementation>" + implementation + "</implementation><range>" + range + "</range>");
+  };
+  const auto add = [](const std::string& implementation, Range range) {
+    PluginDescription sensor = Registry::instance().find(PluginKind::kSensor, "footbot_proximity")->description;
+    sensor.implementation = implementation;
+    sensor.implementation_aliases.clear();
+    sensor.is_default = false;
+    sensor.parameters[0].range = range;
+    Registry::instance().add(PluginKind::kSensor, sensor, [] { return std::shared_ptr<void>(); });
+  };
+  ASSERT_EQ(Registry::instance().find(PluginKind::kSensor, "footbot_proximity")->description.parameters[0].name,
+            "range");
+  add("first_of_the_test", {0.001, 1.0});  // as the polynomial
+  const fs::path alike = writeFile("alike.xsd", experimentSchema());
+  EXPECT_TRUE(accepts(with_range("first_of_the_test", "0.2"), alike));
+  EXPECT_TRUE(accepts(with_range("polynomial", "0.2"), alike));
+  EXPECT_FALSE(accepts(with_range("second_of_the_test", "0.2"), alike));
+  EXPECT_FALSE(accepts(with_range("first_of_the_test", "2"), alike));
+  add("second_of_the_test", {0.001, 3.0});
+  const fs::path different = writeFile("different.xsd", experimentSchema());
+  EXPECT_TRUE(accepts(with_range("second_of_the_test", "2"), different)) << "it may have that range";
 }
 
 TEST(SchemaTest, LetsThroughTagsThatMeanPluginsOfTwoKinds) {

@@ -1,5 +1,5 @@
 /// What all rings of infrared proximity sensors have in common: one short ray a sensor; the response falls from 1 at
-/// contact to 0 at the range, as a cubic polynomial of the distance.
+/// contact to 0 at the range, as a cubic polynomial of the distance where an implementation states no other law.
 #pragma once
 
 #include <array>
@@ -63,10 +63,15 @@ struct ProximityInstance : BasicSensorInstance<Device> {
   bool is_clear = true;  // whether all readings are 0
 };
 
-/// `Ring` derives from this, and has `float& valueOf(Instance&, std::size_t)`.
+/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
+/// Another law than the polynomial is a `static float response(double fraction)` of its own, as the one here.
 template <class Ring, class Device, int count, class Instance = ProximityInstance<Device, count>>
 class ProximityRingSensor : public SensorOf<Device, Instance> {
  public:
+  /// @param fraction of the range at which something is: 0 at contact, 1 at the range or beyond
+  /// @return from 0 to 1; 0 at the range, which is read too where nothing is near
+  static float response(double fraction) { return Proximity::response(fraction); }
+
   void configure(const Configuration& parameters) override {
     range_ = parameters.number("range", Proximity::kUsualRange);
   }
@@ -78,11 +83,12 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
   }
 
  protected:
-  static PluginDescription describeRing(const std::string& summary) {
+  /// @param implementation its name; the polynomial is used where an experiment names none
+  static PluginDescription describeRing(const std::string& summary, const std::string& implementation = "polynomial") {
     PluginDescription description;
     description.label = Device::kType;
-    description.implementation = "polynomial";
-    description.is_default = true;
+    description.implementation = implementation;
+    description.is_default = implementation == "polynomial";
     description.summary = summary;
     description.parameters = {number("range", "m", numberText(Proximity::kUsualRange), {0.001, 1.0},
                                      "Distance at which the response has fallen to 0.")};
@@ -126,7 +132,7 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
     rays.segments = Span<const Segment>(segments.data(), size);
     space.raycast(rays, Span<RayHit>(hits.data(), size));
     for (std::size_t i = 0; i < size; ++i) {
-      Ring::valueOf(instance, i) = Proximity::response(hits[i].fraction);
+      Ring::valueOf(instance, i) = Ring::response(hits[i].fraction);
     }
   }
 

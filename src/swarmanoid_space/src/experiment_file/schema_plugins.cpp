@@ -34,19 +34,33 @@ void writeControllerParts(SchemaWriter& out) {
   out.closeElement();
 }
 
-/// The values that one implementation or another reads; those that not all need are optional.
+bool areValuesAlike(const Parameter& one, const Parameter& other) {
+  return one.type == other.type && one.range.minimum == other.range.minimum &&
+         one.range.maximum == other.range.maximum && one.choices == other.choices;
+}
+
+/// The values that one implementation or another reads. Where these differ in what they allow, only the name is sure.
 std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*>& implementations) {
   std::vector<Parameter> table;
-  std::set<std::string> names{"implementation", "error"};  // which mean something else in a device
   for (const Registry::Entry* entry : implementations) {
     for (Parameter parameter : entry->description.parameters) {
-      if (implementations.size() > 1) {
-        // implementations may differ in what they allow, so only the name is sure
-        parameter.type = Parameter::Type::kText;
-        parameter.value = parameter.value.value_or("");
+      if (parameter.name == "implementation" || parameter.name == "error") {
+        continue;  // which mean something else in a device
       }
-      if (names.insert(parameter.name).second) {
+      if (implementations.size() > 1) {
+        parameter.value = parameter.value.value_or("");  // not all may need it
+      }
+      const auto known = std::find_if(table.begin(), table.end(),
+                                      [&](const Parameter& other) { return other.name == parameter.name; });
+      if (known == table.end()) {
         table.push_back(parameter);
+        continue;
+      }
+      if (!areValuesAlike(*known, parameter)) {
+        known->type = Parameter::Type::kText;
+      }
+      if (known->value != parameter.value) {
+        known->value = "";
       }
     }
   }
@@ -155,13 +169,14 @@ std::map<std::string, std::set<PluginKind>> kindsByTag() {
   return kinds;
 }
 
-/// The plugins of a kind that have the label; several are the implementations of a device.
+/// The plugins of a kind that have the label; several are the implementations of a device, the default first.
 std::vector<const Registry::Entry*> entriesOfLabel(PluginKind kind, const std::string& label) {
-  std::vector<const Registry::Entry*> implementations = all(kind);
+  std::vector<const Registry::Entry*> entries = all(kind);
   const auto is_other = [&](const Registry::Entry* entry) { return entry->description.label != label; };
-  implementations.erase(std::remove_if(implementations.begin(), implementations.end(), is_other),
-                        implementations.end());
-  return implementations;
+  entries.erase(std::remove_if(entries.begin(), entries.end(), is_other), entries.end());
+  std::stable_partition(entries.begin(), entries.end(),
+                        [](const Registry::Entry* entry) { return entry->description.is_default; });
+  return entries;
 }
 
 }  // namespace
