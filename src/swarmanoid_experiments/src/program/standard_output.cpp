@@ -33,7 +33,7 @@ bool fillStandardStreams() {
 void print(const std::string& text) {
   std::cout.flush();  // output of users' code comes before the text
   for (std::string_view rest = text; !rest.empty();) {
-    const ssize_t written = write(output, rest.data(), rest.size());
+    const ssize_t written = ::write(output, rest.data(), rest.size());
     if (written < 0 && errno != EINTR) {
       throw std::runtime_error(std::string("standard output cannot be written: ") + std::strerror(errno));
     }
