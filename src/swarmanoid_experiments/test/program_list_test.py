@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """`swarmanoid list` names all that the schema and the reference page name, and every plugin that is installed."""
 
-import os
 import pathlib
 import re
 import unittest
@@ -81,9 +80,7 @@ class ListTest(ProgramTest):
         (declared / "broken").write_text("my_package\n")
         (self.folder / "lib").mkdir()
         (self.folder / "lib/libbroken.so").write_text("no library")
-        path = os.environ["CMAKE_PREFIX_PATH"]
-        self.addCleanup(os.environ.__setitem__, "CMAKE_PREFIX_PATH", path)
-        os.environ["CMAKE_PREFIX_PATH"] = f"{self.folder}:{path}"
+        self.put_before_prefixes()
         done = self.call("list")
         self.assertEqual((done.returncode, done.stdout), (FINISHED, before))
         lines = done.stderr.splitlines()

@@ -1,7 +1,6 @@
 #!/usr/bin/env python3
 """`swarmanoid schema` describes all that is installed, and with --suite what this project brings alone."""
 
-import os
 import pathlib
 import shutil
 import subprocess
@@ -19,12 +18,6 @@ class SchemaTest(ProgramTest):
         done = self.call("schema", *options)
         self.assertEqual((done.returncode, done.stderr), (FINISHED, ""))
         return done.stdout
-
-    def put_before_prefixes(self):
-        """Makes the test's folder a prefix, as if a workspace of somebody's were sourced."""
-        path = os.environ["CMAKE_PREFIX_PATH"]
-        self.addCleanup(os.environ.__setitem__, "CMAKE_PREFIX_PATH", path)
-        os.environ["CMAKE_PREFIX_PATH"] = f"{self.folder}:{path}"
 
     def refusal(self, schema, experiment):
         """@return what xmllint says of the text of an experiment, nothing if it is valid"""
@@ -66,7 +59,8 @@ class SchemaTest(ProgramTest):
         self.put_before_prefixes()
         done = self.call("schema")
         self.assertEqual((done.returncode, done.stdout), (FINISHED, before))
-        self.assertRegex(done.stderr, "^swarmanoid: warning: package my_package: library 'gone': found no libgone.so in ")
+        warning = "swarmanoid: warning: package my_package: library 'gone': found no libgone.so in "
+        self.assertTrue(done.stderr.startswith(warning), done.stderr)
         self.assertEqual(self.schema("--suite"), suite)
 
 

@@ -1,6 +1,7 @@
 """What the tests of the program `swarmanoid` share: a small experiment, and running the program on it."""
 
 import json
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -46,6 +47,12 @@ class ProgramTest(unittest.TestCase):
         file = self.folder / "world.xml"
         file.write_text(text.format(maxclock=maxclock, fail_at=fail_at, visualisations=visualisations))
         return str(file)
+
+    def put_before_prefixes(self):
+        """Makes the test's folder a prefix, as if a workspace of somebody's were sourced."""
+        path = os.environ["CMAKE_PREFIX_PATH"]
+        self.addCleanup(os.environ.__setitem__, "CMAKE_PREFIX_PATH", path)
+        os.environ["CMAKE_PREFIX_PATH"] = f"{self.folder}:{path}"
 
     def call(self, *arguments):
         """Runs the program to its end."""
