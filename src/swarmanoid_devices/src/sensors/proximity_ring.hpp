@@ -6,56 +6,14 @@
 #include <memory>
 #include <string>
 
-#include "mechanisms.hpp"
 #include "parameters.hpp"
+#include "ring_geometry.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid::devices {
 
-/// The positions of the sensors on a model, in its body frame. @tparam count of them, or Eigen::Dynamic
-template <int count>
-struct RingGeometry {
-  static constexpr int kMost = count == Eigen::Dynamic ? static_cast<int>(Proximity::kMostSensors) : count;
-  using Points = Eigen::Matrix<double, 3, count, 0, 3, kMost>;  // never on the heap
-
-  Points from;
-  Points direction;
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double radius = 0.0;  // of the sensors around the centre, m
-
-  std::size_t size() const { return static_cast<std::size_t>(from.cols()); }
-};
-
-/// @throws ConfigError if the model has none, or more than there may be
-template <int count>
-RingGeometry<count> ringOf(const EntityModel& model, const char* device) {
-  const auto linkOf = [](Eigen::Index i) { return "proximity_" + std::to_string(i); };
-  Eigen::Index found = 0;
-  while (model.mounts.count(linkOf(found)) > 0) {
-    ++found;
-  }
-  const bool is_right = count == Eigen::Dynamic ? found > 0 && found <= RingGeometry<count>::kMost : found >= count;
-  if (!is_right) {
-    refuseWithout(device, model,
-                  count == Eigen::Dynamic
-                      ? "links proximity_0, ... (1 to " + std::to_string(Proximity::kMostSensors) + ")"
-                      : std::to_string(count) + " links proximity_0, ...");
-  }
-  RingGeometry<count> ring;
-  if constexpr (count == Eigen::Dynamic) {
-    ring.from.resize(3, found);
-    ring.direction.resize(3, found);
-  }
-  for (Eigen::Index i = 0; i < ring.from.cols(); ++i) {
-    const Mount& mount = model.mount(linkOf(i));
-    ring.from.col(i) = mount.position;
-    ring.direction.col(i) = mount.orientation * Eigen::Vector3d::UnitX();
-  }
-  ring.centre = ring.from.rowwise().mean();
-  ring.radius = (ring.from.colwise() - ring.centre).colwise().norm().maxCoeff();
-  return ring;
-}
+static_assert(Proximity::kMostSensors == kMostRingSensors);
 
 template <class Device, int count>
 struct ProximityInstance : BasicSensorInstance<Device> {
@@ -96,12 +54,7 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
   }
 
   void prepareInstance(const Space& space, Instance& instance) override {
-    const EntityModel* model = space.entities.model[instance.row].get();
-    if (model != last_model_) {
-      last_ring_ = std::make_shared<RingGeometry<count>>(ringOf<count>(*model, Device::kType));
-      last_model_ = model;
-    }
-    instance.ring = last_ring_;
+    instance.ring = rings_.of(*space.entities.model[instance.row], Device::kType, {"proximity"});
   }
 
  private:
@@ -137,8 +90,7 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
   }
 
   double range_ = Proximity::kUsualRange;
-  const EntityModel* last_model_ = nullptr;
-  std::shared_ptr<const RingGeometry<count>> last_ring_;
+  Rings<count> rings_;
 };
 
 }  // namespace swarmanoid::devices

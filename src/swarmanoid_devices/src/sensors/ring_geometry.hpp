@@ -1,0 +1,92 @@
+/// Where the sensors of a ring sit: families of sensors around a body find their places in the robot's description.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mechanisms.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
+
+namespace swarmanoid::devices {
+
+constexpr int kMostRingSensors = 64;
+
+/// The positions of the sensors on a model, in its body frame. @tparam count of them, or Eigen::Dynamic
+template <int count>
+struct RingGeometry {
+  static constexpr int kMost = count == Eigen::Dynamic ? kMostRingSensors : count;
+  using Points = Eigen::Matrix<double, 3, count, 0, 3, kMost>;  // never on the heap
+
+  Points from;
+  Points direction;  // x axes of the links, of length 1
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double radius = 0.0;  // of the sensors around the centre, m
+
+  std::size_t size() const { return static_cast<std::size_t>(from.cols()); }
+};
+
+/// The name of the links of a ring: the first of the names that the model has.
+inline std::string ringNameOf(const EntityModel& model, const std::vector<std::string>& names) {
+  const auto is_there = [&model](const std::string& name) { return model.mounts.count(name + "_0") > 0; };
+  const auto found = std::find_if(names.begin(), names.end(), is_there);
+  return found == names.end() ? names.front() : *found;
+}
+
+/// The ring of the links <name>_0, <name>_1, ..., of the first of the names that the model has.
+/// @throws ConfigError if the model has none, or more than there may be
+template <int count>
+RingGeometry<count> ringOf(const EntityModel& model, const char* device, const std::vector<std::string>& names) {
+  const std::string name = ringNameOf(model, names);
+  const auto linkOf = [&name](Eigen::Index i) { return name + "_" + std::to_string(i); };
+  Eigen::Index found = 0;
+  while (model.mounts.count(linkOf(found)) > 0) {
+    ++found;
+  }
+  const bool is_right = count == Eigen::Dynamic ? found > 0 && found <= RingGeometry<count>::kMost : found >= count;
+  if (!is_right) {
+    std::string links = "links " + names.front() + "_0, ...";
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      links += " or " + names[i] + "_0, ...";
+    }
+    refuseWithout(device, model,
+                  count == Eigen::Dynamic ? links + " (1 to " + std::to_string(kMostRingSensors) + ")"
+                                          : std::to_string(count) + " " + links);
+  }
+  RingGeometry<count> ring;
+  if constexpr (count == Eigen::Dynamic) {
+    ring.from.resize(3, found);
+    ring.direction.resize(3, found);
+  }
+  for (Eigen::Index i = 0; i < ring.from.cols(); ++i) {
+    const Mount& mount = model.mount(linkOf(i));
+    ring.from.col(i) = mount.position;
+    ring.direction.col(i) = mount.orientation * Eigen::Vector3d::UnitX();
+  }
+  ring.centre = ring.from.rowwise().mean();
+  ring.radius = (ring.from.colwise() - ring.centre).colwise().norm().maxCoeff();
+  return ring;
+}
+
+/// The rings of the robots of one sensor; robots of one type that come one after the other share theirs.
+template <int count>
+class Rings {
+ public:
+  /// @throws ConfigError as ringOf
+  std::shared_ptr<const RingGeometry<count>> of(const EntityModel& model, const char* device,
+                                                const std::vector<std::string>& names) {
+    if (&model != last_model_) {
+      last_ring_ = std::make_shared<RingGeometry<count>>(ringOf<count>(model, device, names));
+      last_model_ = &model;
+    }
+    return last_ring_;
+  }
+
+ private:
+  const EntityModel* last_model_ = nullptr;
+  std::shared_ptr<const RingGeometry<count>> last_ring_;
+};
+
+}  // namespace swarmanoid::devices
