@@ -12,9 +12,6 @@
 namespace swarmanoid::devices {
 namespace {
 
-// A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
-constexpr double kOwnSurface = 1e-6;
-
 /// A blob, and its rank in the order defined by ColorBlobs.
 struct Found {
   ColorBlob blob;

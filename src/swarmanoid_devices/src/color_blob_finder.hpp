@@ -10,6 +10,9 @@
 
 namespace swarmanoid::devices {
 
+/// A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
+constexpr double kOwnSurface = 1e-6;
+
 /// Converts an angle to the form of ColorBlob, in (-pi, pi] [rad].
 float toBearing(double angle);
 

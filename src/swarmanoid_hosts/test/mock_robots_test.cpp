@@ -16,6 +16,7 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
@@ -251,6 +252,22 @@ TEST(MockHandbot, ClimbsItsRope) {
   bench.advance(1.0);
   EXPECT_FALSE(rope.attached);
   EXPECT_EQ(0.0, bench.robot->state().pose.position.z());
+}
+
+/// The simulator's sensor has the same law: a test of its own holds it against the same formula.
+TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
+  Bench bench(std::vector<std::string>{Light::kType}, worldWith({"lamp", {0.0, 0.535, 0.0}, colors::kWhite, false}));
+  const Light& light = bench.reading<Light>();
+  ASSERT_EQ(8U, light.sensors.size());
+  EXPECT_NEAR(M_PI / 2.0, light.sensors[2].angle, 1e-6);
+  EXPECT_NEAR(0.04F, light.sensors[2].value, 1e-6F) << "0.5 m straight ahead of it";
+  // 45 degrees aside the sensor is 0.510851 m away from the beacon, which it sees at a cosine of 0.672020
+  EXPECT_NEAR(0.0257510F, light.sensors[1].value, 1e-6F);
+  EXPECT_NEAR(0.0257510F, light.sensors[3].value, 1e-6F);
+  EXPECT_EQ(0.0F, light.sensors[0].value);
+  EXPECT_EQ(0.0F, light.sensors[6].value);
+  bench.robot->place({{0.0, -1.6, 0.0}, 0.0});
+  EXPECT_EQ(0.0F, light.sensors[2].value) << "2.1 m away";
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ struct Beacon {
 };
 
 struct World {
-  /// Of a robot whose proximity sensors are not known here: so many, evenly around its axis, the first ahead.
+  /// Of a robot whose sensors around the body are not known here: so many, evenly around its axis, the first ahead.
   struct Ring {
     std::size_t sensors = 8;
     double radius = 0.035;  ///< [m]
@@ -56,7 +56,7 @@ struct World {
 ///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there
-///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity`
+///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity` or `light`
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 

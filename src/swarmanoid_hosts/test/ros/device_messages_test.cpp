@@ -21,6 +21,7 @@
 #include "swarmanoid_hosts/ros/devices/handbot_rope.hpp"
 #include "swarmanoid_hosts/ros/devices/led_array.hpp"
 #include "swarmanoid_hosts/ros/devices/leds.hpp"
+#include "swarmanoid_hosts/ros/devices/light.hpp"
 #include "swarmanoid_hosts/ros/devices/proximity.hpp"
 #include "swarmanoid_hosts/ros/devices/wheels.hpp"
 #include "swarmanoid_interface/device_type.hpp"
@@ -109,6 +110,22 @@ TEST(DeviceMessages, KeepProximityOfAnyRobot) {
   EXPECT_EQ(bytesOf("proximity", &proximity), bytesOf("proximity", &back));
   message.angles.pop_back();
   EXPECT_EQ(refusalOf(message, proximity), "found 1 angles and 2 values, allowed: as many of both, at most 64");
+}
+
+TEST(DeviceMessages, KeepLightOfAnyRobot) {
+  const std::array<LightReading, 2> sensors{LightReading{0.125F, -0.5F}, LightReading{1.0F, 3.0F}};
+  Light light;
+  light.sensors = Span<const LightReading>(sensors.data(), sensors.size());
+  swarmanoid_msgs::LightArray message;
+  toMessage(light, message);
+  EXPECT_EQ(message.values, (std::vector<float>{0.125F, 1.0F}));
+  Light back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("light", &light), bytesOf("light", &back));
+  message.values.resize(65);
+  message.angles.resize(65);
+  EXPECT_EQ(refusalOf(message, light), "found 65 angles and 65 values, allowed: as many of both, at most 64");
 }
 
 TEST(DeviceMessages, LedsWithoutAColourAreOff) {

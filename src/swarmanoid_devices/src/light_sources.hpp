@@ -1,0 +1,32 @@
+/// What shines on the light sensors of a robot: the lit LEDs of other robots, and lamps, unless another entity, the
+/// ground or the robot that carries the LED (hiddenLeds) is in between. All rings of light sensors share it.
+///
+/// To add another kind of source is to add another loop to `illuminate`.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::devices {
+
+/// One light sensor of one robot, at this tick.
+struct IlluminatedSensor {
+  Eigen::Vector3d position;   ///< in W [m]
+  Eigen::Vector3d direction;  ///< in which it looks, in W, of length 1
+  double sum = 0.0;           ///< of the shares of light (Light::share)
+};
+
+/// The light sensors of one robot, at this tick.
+struct IlluminatedRing {
+  Row self = kNoRow;       ///< whose own LEDs do not count, and which hides nothing
+  Eigen::Vector3d centre;  ///< of a sphere that holds all sensors, in W [m]
+  double radius = 0.0;     ///< of that sphere [m]
+  double range = 0.0;      ///< beyond which a source gives no light [m]
+  Span<IlluminatedSensor> sensors;
+};
+
+/// Adds to each sensor's sum what shines on it, in the order of entity numbers and LEDs. Thread-safe.
+void illuminate(const Space& space, const IlluminatedRing& ring);
+
+}  // namespace swarmanoid::devices

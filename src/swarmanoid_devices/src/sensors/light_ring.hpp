@@ -1,0 +1,86 @@
+/// What all rings of light sensors have in common: each adds up the light of the LEDs and lamps before it, by the law
+/// of Light::share, and saturates. They sit where the links light_0, light_1, ... are, or, if the robot has none of
+/// them, proximity_0, proximity_1, ...
+///
+/// A ring of a robot of its own is its struct with `std::array<float, kCount> value`, and a class such as
+///
+///     class MyLightSensor final : public LightRingSensor<MyLightSensor, MyLight, MyLight::kCount> {
+///      public:
+///       static PluginDescription describe() { return describeRing("12 light sensors around the body.", {"my_robot"});
+///       } static float& valueOf(Instance& instance, std::size_t sensor) { return instance.readings->value[sensor]; }
+///     };
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "light_sources.hpp"
+#include "parameters.hpp"
+#include "ring_geometry.hpp"
+#include "swarmanoid_interface/devices/light.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+
+static_assert(Light::kMostSensors == kMostRingSensors);
+
+template <class Device, int count>
+struct LightInstance : BasicSensorInstance<Device> {
+  std::shared_ptr<const RingGeometry<count>> ring;
+};
+
+/// `Ring` derives from this, and has `float& valueOf(Instance&, std::size_t)`.
+template <class Ring, class Device, int count, class InstanceOfRing = LightInstance<Device, count>>
+class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
+ public:
+  using Instance = InstanceOfRing;
+
+  void configure(const Configuration& parameters) override { range_ = parameters.number("range", Light::kUsualRange); }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, this->instances_[k]);
+    }
+  }
+
+ protected:
+  /// @param robots that have the device; none: any robot may have it
+  static PluginDescription describeRing(const std::string& summary, const std::vector<std::string>& robots = {}) {
+    PluginDescription description;
+    description.label = Device::kType;
+    description.implementation = "inverse_square";
+    description.is_default = true;
+    description.summary = summary;
+    description.robots = robots;
+    description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, 100.0},
+                                     "Distance beyond which a source gives no light.")};
+    return description;
+  }
+
+  void prepareInstance(const Space& space, Instance& instance) override {
+    instance.ring = rings_.of(*space.entities.model[instance.row], Device::kType, {"light", "proximity"});
+  }
+
+ private:
+  void senseOne(const Space& space, Instance& instance) const {
+    const RingGeometry<count>& ring = *instance.ring;
+    const Pose& pose = space.entities.pose[instance.row];
+    std::array<IlluminatedSensor, RingGeometry<count>::kMost> sensors;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      sensors[i].position = pose.toWorld(ring.from.col(column));
+      sensors[i].direction = pose.orientation * ring.direction.col(column);
+    }
+    illuminate(space, {instance.row, pose.toWorld(ring.centre), ring.radius, range_, {sensors.data(), ring.size()}});
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Ring::valueOf(instance, i) = Light::response(sensors[i].sum);
+    }
+  }
+
+  double range_ = Light::kUsualRange;
+  Rings<count> rings_;
+};
+
+}  // namespace swarmanoid::devices

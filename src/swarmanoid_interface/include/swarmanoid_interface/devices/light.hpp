@@ -1,0 +1,67 @@
+/// Sensor: the light sensors of any robot, as many as it has, wherever they look. They feel the light of LEDs and
+/// lamps.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/span.hpp"
+
+namespace swarmanoid {
+
+/// The reading of one sensor.
+struct LightReading {
+  float value = 0.0F;  ///< 0 in the dark, rising to 1, where it saturates
+  float angle = 0.0F;  ///< where the sensor looks in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
+};
+
+template <class Visitor>
+void fields(Visitor& visit, LightReading& reading) {
+  visit(reading.value, {"value", "", "0 in the dark, 1 at most", {0.0, 1.0}});
+  visit(reading.angle, {"angle", "rad", "where the sensor looks in the robot's frame", {-M_PI, M_PI}, true});
+}
+
+/// Readings in the order of the sensors: that of the links light_0, light_1, ... of the robot's description, or, if it
+/// has none, of proximity_0, proximity_1, ..., since infrared sensors feel light as well.
+/// The span is valid until the next tick.
+struct Light {
+  static constexpr const char* kType = "light";
+  static constexpr std::size_t kMostSensors = 64;
+  static constexpr double kUsualRange = 2.0;         ///< beyond which a source gives no light [m]
+  static constexpr double kReferenceDistance = 0.1;  ///< at which a white LED straight ahead gives just 1 [m]
+
+  Span<const LightReading> sensors;
+
+  // The law by which all light sensors of the suite respond: the sum over the sources that nothing hides, saturated.
+
+  /// The brightness of a source: 0 for black, 1 for white, 1/3 for a pure red, green or blue.
+  static constexpr double brightness(Color color) {
+    constexpr double kWhite = 3.0 * 255.0;
+    return (color.red + color.green + color.blue) / kWhite;
+  }
+  /// What one source adds: brightness * max(0, cos(angle)) * (kReferenceDistance / distance)^2, where the angle is the
+  /// one between where the sensor looks and where the source is.
+  /// @param direction in which the sensor looks, of length 1; @param offset from the sensor to the source [m]
+  static double share(double brightness, const Eigen::Vector3d& direction, const Eigen::Vector3d& offset) {
+    const double ahead = direction.dot(offset);
+    if (ahead <= 0.0) {
+      return 0.0;
+    }
+    const double squared_distance = offset.squaredNorm();
+    const double cosine = ahead / std::sqrt(squared_distance);
+    return brightness * cosine * kReferenceDistance * kReferenceDistance / squared_distance;
+  }
+  /// What a sensor reads. @param sum of the shares
+  static float response(double sum) { return static_cast<float>(std::min(sum, 1.0)); }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Light& light) {
+  visit(light.sensors, {"sensors"});
+}
+REGISTER_DEVICE(Light, kSensor, "Light sensors around the body, as many as the robot has.")
+
+}  // namespace swarmanoid
