@@ -78,6 +78,9 @@ TEST(ConformanceChecks, OfOtherRobotsAreThoseOfTheirDevices) {
   EXPECT_EQ(Names{}, checksOf("epuck", {}));
   EXPECT_EQ(Names{"whistles"}, checksOf("epuck", {Whistle::kType}));
   EXPECT_EQ("whistles", checksOf("handbot", {Whistle::kType}).back());
+  EXPECT_EQ(Names{"imu_at_rest"}, checksOf("epuck", {"imu"}));
+  EXPECT_EQ((Names{"differential_drive", "imu_at_rest", "imu_turns"}),
+            checksOf("epuck", {"differential_drive", "imu"}));
 }
 
 TEST(ConformanceChecks, AnObserverLooksThroughTheCameraThatIsListed) {

@@ -6,6 +6,7 @@
 
 #include "mock_bench.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
@@ -16,6 +17,7 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/devices/imu.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
@@ -268,6 +270,19 @@ TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
   EXPECT_EQ(0.0F, light.sensors[6].value);
   bench.robot->place({{0.0, -1.6, 0.0}, 0.0});
   EXPECT_EQ(0.0F, light.sensors[2].value) << "2.1 m away";
+}
+
+TEST(MockRobotOfAnyType, FeelsGravityAndItsOwnTurning) {
+  Bench bench(std::vector<std::string>{Imu::kType, DifferentialDrive::kType});
+  const Imu& imu = bench.reading<Imu>();
+  EXPECT_EQ(0.0, imu.angular_velocity.norm());
+  EXPECT_EQ(Eigen::Vector3d(0.0, 0.0, 9.81), imu.linear_acceleration);
+  bench.command<DifferentialDrive>().drive(0.2, -1.5);
+  bench.advance(0.1);
+  EXPECT_EQ(Eigen::Vector3d(0.0, 0.0, -1.5), imu.angular_velocity);
+  EXPECT_NEAR(-0.3, imu.linear_acceleration.y(), 1e-12) << "speed times turn rate, to the right";
+  EXPECT_NEAR(0.0, imu.linear_acceleration.x(), 1e-12);
+  EXPECT_NEAR(9.81, imu.linear_acceleration.z(), 1e-12);
 }
 
 }  // namespace

@@ -19,6 +19,7 @@
 #include "swarmanoid_hosts/ros/devices/handbot_arms.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_hands.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_rope.hpp"
+#include "swarmanoid_hosts/ros/devices/imu.hpp"
 #include "swarmanoid_hosts/ros/devices/led_array.hpp"
 #include "swarmanoid_hosts/ros/devices/leds.hpp"
 #include "swarmanoid_hosts/ros/devices/light.hpp"
@@ -126,6 +127,27 @@ TEST(DeviceMessages, KeepLightOfAnyRobot) {
   message.values.resize(65);
   message.angles.resize(65);
   EXPECT_EQ(refusalOf(message, light), "found 65 angles and 65 values, allowed: as many of both, at most 64");
+}
+
+TEST(DeviceMessages, OfInertialUnitsSayWhatIsNotMeasured) {
+  Imu imu;
+  imu.angular_velocity = {0.1, -0.2, 0.3};
+  imu.linear_acceleration = {-1.5, 2.5, 9.0};
+  expectNothingLost<sensor_msgs::Imu>(imu);
+  sensor_msgs::Imu message;
+  toMessage(imu, message);
+  EXPECT_EQ(-1.0, message.orientation_covariance[0]);
+  EXPECT_EQ(0.3, message.angular_velocity.z);
+  EXPECT_EQ(2.5, message.linear_acceleration.y);
+  message.orientation_covariance[0] = 0.01;
+  EXPECT_EQ("", refusalOf(message, imu)) << "one that measures it too";
+}
+
+TEST(DeviceMessages, OfInertialUnitsWithoutAccelerometersAreRefused) {
+  sensor_msgs::Imu message;
+  message.linear_acceleration_covariance[0] = -1.0;
+  EXPECT_EQ("found linear_acceleration_covariance[0] = -1 (not measured), allowed: 0 or more",
+            refusalOf(message, Imu{}));
 }
 
 TEST(DeviceMessages, LedsWithoutAColourAreOff) {

@@ -1,0 +1,57 @@
+// The inertial measurement unit of any robot, from the velocities of the last two ticks.
+#include "swarmanoid_interface/devices/imu.hpp"
+
+#include <optional>
+
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+struct Instance : BasicSensorInstance<Imu> {
+  Imu::Motion before;                 // in the tick before `tick`
+  Imu::Motion last;                   // in `tick`
+  std::optional<std::uint64_t> tick;  // the last one that was sensed
+};
+
+class ImuSensor final : public SensorOf<Imu, Instance> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = Imu::kType;
+    description.implementation = "default";
+    description.is_default = true;
+    description.summary = "Gyroscopes and accelerometers at the robot's origin.";
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    const double dt = toSeconds(space.clocktick);
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, dt, instances_[k]);
+    }
+  }
+
+ private:
+  static void senseOne(const Space& space, double dt, Instance& instance) {
+    const Eigen::Quaterniond to_body = space.entities.pose[instance.row].orientation.conjugate();
+    const Twist& twist = space.entities.twist[instance.row];
+    const Imu::Motion now{to_body * twist.linear, to_body * twist.angular, to_body * Eigen::Vector3d::UnitZ()};
+    if (!instance.tick) {
+      instance.before = now;  // nothing is known of the time before the robot was there
+    } else if (*instance.tick != space.tick) {
+      instance.before = instance.last;
+    }
+    // a tick that is made again, after somebody has acted on the space, compares with the same tick before
+    instance.last = now;
+    instance.tick = space.tick;
+    *instance.readings = Imu::reading(instance.before, now, dt);
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::ImuSensor)

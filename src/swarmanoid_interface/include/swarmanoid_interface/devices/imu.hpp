@@ -1,0 +1,48 @@
+/// Sensor: the inertial measurement unit of any robot, gyroscopes and accelerometers at its origin.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid {
+
+/// Readings in the robot's own frame (x ahead, y left, z up), as REP-145 has them.
+struct Imu {
+  static constexpr const char* kType = "imu";
+  static constexpr double kGravity = 9.81;  ///< that accelerometers feel at rest [m/s2]
+
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< right-handed about x, y, z [rad/s]
+  /// What accelerometers measure: of a robot that stands still kGravity upwards, of one in free fall 0 [m/s2].
+  Eigen::Vector3d linear_acceleration{0.0, 0.0, kGravity};
+
+  /// How a robot moves and leans, in its own frame.
+  struct Motion {
+    Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of its origin [m/s]
+    Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
+    Eigen::Vector3d up = Eigen::Vector3d::UnitZ();               ///< where up is, of length 1
+  };
+
+  /// The law by which all units of the suite respond. The acceleration is that between two moments: how the velocity
+  /// changes in the robot's frame, what turning adds to it (an arc at constant speed has exactly speed * turn rate),
+  /// and gravity; what changes meanwhile counts with its mean.
+  /// @param before the motion `dt` earlier; the same as `now` if none is known @param dt greater than 0 [s]
+  static Imu reading(const Motion& before, const Motion& now, double dt) {
+    const Eigen::Vector3d velocity = 0.5 * (before.velocity + now.velocity);
+    const Eigen::Vector3d turning = 0.5 * (before.angular_velocity + now.angular_velocity);
+    const Eigen::Vector3d up = 0.5 * (before.up + now.up);
+    Imu imu;
+    imu.angular_velocity = now.angular_velocity;
+    imu.linear_acceleration = (now.velocity - before.velocity) / dt + turning.cross(velocity) + kGravity * up;
+    return imu;
+  }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Imu& imu) {
+  visit(imu.angular_velocity, {"angular_velocity", "rad/s", "right-handed about the robot's axes"});
+  visit(imu.linear_acceleration, {"linear_acceleration", "m/s2", "as accelerometers measure it: 9.81 upwards at rest"});
+}
+REGISTER_DEVICE(Imu, kSensor, "Gyroscopes and accelerometers.")
+
+}  // namespace swarmanoid
