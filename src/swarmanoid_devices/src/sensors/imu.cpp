@@ -8,13 +8,13 @@
 namespace swarmanoid::devices {
 namespace {
 
-struct Instance : BasicSensorInstance<Imu> {
+struct ImuInstance : BasicSensorInstance<Imu> {
   Imu::Motion before;                 // in the tick before `tick`
   Imu::Motion last;                   // in `tick`
   std::optional<std::uint64_t> tick;  // the last one that was sensed
 };
 
-class ImuSensor final : public SensorOf<Imu, Instance> {
+class ImuSensor final : public SensorOf<Imu, ImuInstance> {
  public:
   static PluginDescription describe() {
     PluginDescription description;
@@ -35,7 +35,7 @@ class ImuSensor final : public SensorOf<Imu, Instance> {
   }
 
  private:
-  static void senseOne(const Space& space, double dt, Instance& instance) {
+  static void senseOne(const Space& space, double dt, ImuInstance& instance) {
     const Eigen::Quaterniond to_body = space.entities.pose[instance.row].orientation.conjugate();
     const Twist& twist = space.entities.twist[instance.row];
     const Imu::Motion now{to_body * twist.linear, to_body * twist.angular, to_body * Eigen::Vector3d::UnitZ()};

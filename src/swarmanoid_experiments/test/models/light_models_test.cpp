@@ -1,0 +1,59 @@
+// The formula of docs/reference/models.md, "Sensing": light.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "model_world.hpp"
+#include "swarmanoid_interface/devices/leds.hpp"
+#include "swarmanoid_interface/devices/light.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+TEST(ModelsPageTest, LightResponse) {
+  ModelWorld world;
+  world.footbot_sensors = "<light><range>1.7</range></light>";
+  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 17.0) + robot("footbot", "other", 5.9, 4.6, 0.0, 66.0) +
+                   entity("light", "seen", 4.4, 5.8, 0.37, 0.0, "<color>90,200,10</color>") +
+                   entity("light", "hidden", 5.0, 3.7, 0.06) + block("wall", 5.0, 4.2, 0.25, "0.8,0.05,0.5") +
+                   entity("light", "far", 6.9, 5.3, 0.1);
+  world.members = "fb other wall";
+  std::vector<float> values;
+  setProgram([&](Robot& robot) {
+    if (robot.name() == "other") {
+      robot.actuator<FootbotLeds>().ring[3] = {51, 102, 51};
+      return;
+    }
+    values.clear();
+    for (const LightReading& reading : robot.sensor<Light>().sensors) {
+      values.push_back(reading.value);
+    }
+  });
+  auto simulation = world.start();
+  tick(*simulation, 2);
+  const double led = (66.0 + 90.0) * kDegree;  // towards fb
+  const struct {
+    double x, y, z, brightness;
+  } sources[] = {{4.4, 5.8, 0.37, 300.0 / 765.0},
+                 {5.9 + 0.085 * std::cos(led), 4.6 + 0.085 * std::sin(led), 0.12, 204.0 / 765.0}};
+  ASSERT_EQ(values.size(), 24U);
+  int felt = 0;
+  for (std::size_t i = 0; i < 24; ++i) {
+    const double looks = (17.0 + 15.0 * static_cast<double>(i)) * kDegree;
+    double value = 0.0;
+    for (const auto& source : sources) {
+      const double x = source.x - 5.0 - 0.085 * std::cos(looks);
+      const double y = source.y - 5.0 - 0.085 * std::sin(looks);
+      const double d = std::sqrt(x * x + y * y + (source.z - 0.06) * (source.z - 0.06));
+      value += source.brightness * std::max(0.0, (x * std::cos(looks) + y * std::sin(looks)) / d) * 0.01 / (d * d);
+    }
+    EXPECT_NEAR(values[i], value, 1e-7) << "sensor " << i;
+    felt += value > 0.0 ? 1 : 0;
+  }
+  EXPECT_GE(felt, 12);
+}
+
+}  // namespace
+}  // namespace swarmanoid::test
