@@ -157,7 +157,7 @@ class Display:
 class LinksTest(unittest.TestCase):
     def test_links_lead_somewhere(self):
         for page in pages():
-            for link in re.findall(r"\]\(([^)\s]+)\)", read(page)):
+            for link in re.findall(r"\]\(([^)\s]+)\)", FENCE.sub("", read(page))):  # a listing may be of another page
                 if re.match(r"[a-z]+:", link):
                     continue
                 with self.subTest(page=page, link=link):

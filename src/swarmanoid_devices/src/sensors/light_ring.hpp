@@ -6,15 +6,14 @@
 ///
 ///     class MyLightSensor final : public LightRingSensor<MyLightSensor, MyLight, MyLight::kCount> {
 ///      public:
-///       static PluginDescription describe() { return describeRing("12 light sensors around the body.", {"my_robot"});
-///       } static float& valueOf(Instance& instance, std::size_t sensor) { return instance.readings->value[sensor]; }
+///       static PluginDescription describe() { return describeRing("12 light sensors around the body."); }
+///       static float& valueOf(Instance& instance, std::size_t sensor) { return instance.readings->value[sensor]; }
 ///     };
 #pragma once
 
 #include <array>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "light_sources.hpp"
 #include "parameters.hpp"
@@ -46,14 +45,12 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
  protected:
-  /// @param robots that have the device; none: any robot may have it
-  static PluginDescription describeRing(const std::string& summary, const std::vector<std::string>& robots = {}) {
+  static PluginDescription describeRing(const std::string& summary) {
     PluginDescription description;
     description.label = Device::kType;
     description.implementation = "inverse_square";
     description.is_default = true;
     description.summary = summary;
-    description.robots = robots;
     description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, 100.0},
                                      "Distance beyond which a source gives no light.")};
     return description;
