@@ -8,6 +8,7 @@ import pathlib
 
 import benchmarks
 import build_time
+import devices
 import engines
 import lockstep
 import long_tests
@@ -35,6 +36,7 @@ FIGURES = {
     "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
     "start_up": lambda table, build: simulation.start_up(table),
+    "devices": devices.devices,
     "fuzzers": robustness.fuzzers,
     "sanitizers": lambda table, build: robustness.sanitizers(table),
     "coverage": lambda table, build: robustness.coverage(table),

@@ -1,0 +1,67 @@
+"""Figures of devices: what adding one takes, what is wrong with them, robots without code, and how much code there is."""
+
+import os
+import re
+import subprocess
+import sys
+
+from long_tests import last_word
+from table import ROOT
+
+CODE = ("interface", "hosts", "space", "engines")  # packages, with the mocks
+NOT_CODE = {"test", "testing", "benchmark"}
+
+
+def adding(table, build):
+    """What docs/how-to says, done in a copy of the tree."""
+    done = subprocess.run([sys.executable, ROOT / "scripts/docs_test.py", build,
+                           "ListingsTest.test_pages_that_add_to_the_suite_can_be_followed"], capture_output=True, text=True)
+    seen = [line for line in done.stderr.splitlines() if "new files" in line or line.startswith(("Ran ", "OK", "FAILED"))]
+    table.add("a ring of light sensors for the footbot and a second implementation of its proximity sensors, added to a copy of the suite "
+              "as the pages say: simulator, topic, Python, mock, schema, list, page, errors",
+              "at most 5 and 2 new files, no other edited", "; ".join(seen), done.returncode == 0)
+
+
+def errors(table, build):
+    for program, what in (("swarmanoid_space/swarmanoid_space_error_kinds_test", "each kind of error on a chosen field, 10^5 draws"),
+                          ("swarmanoid_space/swarmanoid_space_error_chain_test", "errors in a row: order, latency, streams, no allocation"),
+                          ("swarmanoid_devices/swarmanoid_devices_error_alias_test", "the devices' own noise parameters, against their old formulas"),
+                          ("swarmanoid_experiments/swarmanoid_experiments_error_experiment_test", "errors in experiments: resets, threads")):
+        done = subprocess.run([build / "devel/lib" / program], capture_output=True, text=True)
+        table.add(what, "as stated, equal bits on repeat", last_word(done.stdout), done.returncode == 0)
+
+
+def robot_without_code(table, build):
+    done = subprocess.run([sys.executable, ROOT / "scripts/outside_test.py", build,
+                           "OutsideTest.test_examples_build_and_run_against_devel_and_install_space"], capture_output=True, text=True)
+    words = [line for line in done.stderr.splitlines() if line.startswith(("Ran ", "OK", "FAILED"))]
+    table.add("an e-puck without code: diffusion in three engines, conformance test, topics under ROS, mock drivers",
+              "works, from devel and install spaces", "; ".join(words), done.returncode == 0)
+
+
+def layers(table):
+    done = subprocess.run([sys.executable, ROOT / "scripts/check_layers.py"], capture_output=True, text=True)
+    table.add("code of interface, hosts, space and engines outside folders of devices", "names no robot, includes along the arrows only",
+              (done.stdout.splitlines() or ["nothing printed"])[-1], done.returncode == 0)
+
+
+def lines_of_code():
+    """Without blank lines, comments and tests."""
+    count = 0
+    for package in CODE:
+        for folder, folders, names in os.walk(ROOT / f"src/swarmanoid_{package}"):
+            folders[:] = [name for name in folders if name not in NOT_CODE]
+            for name in names:
+                if name.endswith((".cpp", ".hpp")):
+                    with open(os.path.join(folder, name)) as file:
+                        count += sum(1 for line in file if not re.match(r"\s*($|//)", line))
+    return count
+
+
+def devices(table, build):
+    adding(table, build)
+    errors(table, build)
+    robot_without_code(table, build)
+    layers(table)
+    table.add("lines of code of interface, hosts, mocks, space and engines, without comments and tests", "reported",
+              f"{lines_of_code():,}", None)
