@@ -1,7 +1,7 @@
 /// Sensor: the inertial measurement unit of any robot, gyroscopes and accelerometers at its origin.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 #include "swarmanoid_interface/device_type.hpp"
 
