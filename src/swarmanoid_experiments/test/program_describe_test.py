@@ -53,7 +53,7 @@ class DescribeTest(ProgramTest):
     def test_an_unknown_device_is_refused(self):
         done = self.call("describe", "footbot_weels")
         self.assertEqual(BAD_INPUT, done.returncode)
-        self.assertRegex(done.stderr, r"^swarmanoid: describe: found the device 'footbot_weels', allowed: .*, wheels; "
+        self.assertRegex(done.stderr, r"^swarmanoid: describe: found the device 'footbot_weels', allowed: .*, footbot_wheels.*; "
                                       r"did you mean 'footbot_wheels'\?\n$")
 
 

@@ -161,6 +161,14 @@ TEST(ControllerHostTest, RefusesDevicesThatItDoesNotKnow) {
       "device 'footbot_wheels' of robot 'fb_1' has the fields 'f4 f4' in the space, and 'f8 f8' here; build both "
       "from the same version",
       refusalOf(registration));
+  Registration swapped = oneRobot();
+  swapped.robots[0].actuators[0].names = "right left";
+  EXPECT_EQ(
+      "device 'footbot_wheels' of robot 'fb_1' has the fields 'right left' in the space, and 'left right' here; build "
+      "both from the same version",
+      refusalOf(swapped));
+  swapped.robots[0].actuators[0].names = "left right";
+  EXPECT_EQ("", refusalOf(swapped));
 }
 
 TEST(ControllerHostTest, ControllersMayRefuseToStart) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kRadPerDeg = M_PI / 180.0;
 
-std::vector<std::string> arenaTags() {
+std::vector<std::string> childrenOfArena() {
   std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
   const std::vector<std::string> others = tagsIn("arena");
   tags.insert(tags.end(), others.begin(), others.end());
@@ -139,7 +139,7 @@ void readArena(const XmlElement& section, Reader& reader) {
   arena.bounded =
       parseBoolean(section.attribute("bounded").value_or("false"), "bounded", section.attributeLocation("bounded"));
 
-  section.allowChildren(arenaTags());
+  section.allowChildren(childrenOfArena());
   for (const XmlElement& element : section.children()) {
     if (element.name() == "distribute") {
       readDistribute(element, reader);

@@ -1,7 +1,8 @@
 /// Converts any device to swarmanoid_msgs/DeviceFields and back, by its descriptor alone: the message of devices that
 /// have none of their own.
 ///
-/// Names are those of the device's numbers: "left", "value[3]"; an element of a list is "blobs[0].bearing".
+/// Names are those of the device's numbers: "left", "value[3]"; an element of a list is "blobs[0].bearing". All numbers
+/// travel as float64, which has every value of the other types but whole numbers beyond 2^53: those are rounded.
 #pragma once
 
 #include <swarmanoid_msgs/DeviceFields.h>
