@@ -22,8 +22,8 @@
 /// A device that registers no topic has one all the same, of its fields by name (device_fields.hpp): a sensor
 /// `<type>`, in frame base_link; an actuator `<type>/command`.
 ///
-/// Threads  topics register while a library loads (one thread, while nobody looks for topics); afterwards they are looked
-/// for from any thread.
+/// Threads  topics register while a library loads (one thread, while nobody looks for topics); afterwards they are
+/// looked for from any thread.
 #pragma once
 
 #include <ros/node_handle.h>
