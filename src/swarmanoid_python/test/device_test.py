@@ -102,6 +102,41 @@ class ListsTest(unittest.TestCase):
         replace_values(self.camera, [[], False])
         self.assertEqual(([], False), (self.camera.blobs, self.camera.overflowed))
 
+    def test_elements_have_names_as_text(self):
+        self.assertIs(self.camera.blobs[1], self.camera["blobs[1]"])
+        self.assertEqual(3, self.camera["blobs[1]"]["color.red"])
+        self.assertEqual(4, self.camera["blobs[1].color"].blue)
+        self.assertEqual([(200, 1, 1.5), (3, 4, 0.25)], self.camera["blobs"])
+
+    def test_elements_are_assigned_by_text_as_they_are_by_index(self):
+        lamps = device("lamps", "spots(red level)", [[(1, 0.5), (2, 1.5)]])
+        lamps["spots[1]"] = 7, 2.5
+        self.assertEqual([(1, 0.5), (7, 2.5)], lamps.spots)
+
+    def test_elements_that_are_not_there_are_refused(self):
+        found = "camera/blobs: found "
+        camera, index, key = self.camera, IndexError, UnknownName
+        for name, error, text in (("blobs[9]", index, found + "index 9, allowed: 0 to 1; elements in the list: 2"),
+                                  ("blobs[2].distance", index,
+                                   found + "index 2, allowed: 0 to 1; elements in the list: 2"),
+                                  ("blobs.x", key, found + "no field 'x', allowed: [0] to [1]"),
+                                  ("blobs.x.distance", key, found + "no field 'x', allowed: [0] to [1]"),
+                                  ("blobs[0].size", key,
+                                   "camera/blobs[]: found no field 'size', allowed: color, distance"),
+                                  ("blobs[0][1]", key,
+                                   "camera/blobs[]: found no field '1', allowed: color, distance"),
+                                  ("overflowed[0]", key,
+                                   "camera: found no field 'overflowed[0]', allowed: blobs, overflowed; "
+                                   "did you mean 'overflowed'?")):
+            for action, values in ((camera.__getitem__, ()), (camera.__setitem__, (1,))):
+                with self.subTest(name=name), self.assertRaises(error) as raised:
+                    action(name, *values)
+                self.assertEqual(text, str(raised.exception))
+        replace_values(camera, [[], False])
+        with self.assertRaises(IndexError) as raised:
+            camera["blobs[0]"]  # pylint: disable=pointless-statement
+        self.assertEqual(found + "index 0, allowed: none; elements in the list: 0", str(raised.exception))
+
     def test_elements_are_rows_of_values(self):
         self.assertEqual([(200, 1, 1.5), (3, 4, 0.25)], self.camera.blobs)
         red, blue, distance = min(self.camera.blobs, key=lambda blob: blob.distance)
@@ -135,6 +170,35 @@ class MistakesTest(unittest.TestCase):
         self.refused(AttributeError, "ring/value: found no field 'x', allowed: [0] to [1]", lambda: ring.value.x)
         self.assertFalse(hasattr(wheels, "speed"))
 
+    def test_a_name_that_is_not_written_as_names_are_is_refused(self):
+        arms = device("arms", ARMS + " value[0] value[1]", range(6))
+        self.assertEqual(5, arms["value[1]"])
+        for name in ("left..elbow", ".left.elbow", "left.elbow.", "[left].elbow", "left]elbow", "value[00]",
+                     "value[01]", "value.[0]", "value[-1]", "value[]"):
+            for action, values in ((arms.__getitem__, ()), (arms.__setitem__, (1,))):
+                with self.subTest(name=name), self.assertRaises(UnknownName) as raised:
+                    action(name, *values)
+                text = f"arms: found no field '{name}', allowed: left, right, value"
+                self.assertEqual(text, str(raised.exception).split(";")[0])
+        self.refused(UnknownName, "arms: found no field '[left]', allowed: left, right, value; did you mean 'left'?",
+                     lambda: arms["[left]"])
+        self.refused(UnknownName, "arms/value: found no field '[00]', allowed: [0] to [1]", lambda: arms.value["[00]"])
+        self.assertEqual([0, 1, 2, 3, 4, 5], arms)
+        self.refused(ValueError,
+                     "arms: found the name 'left..elbow', allowed: names such as 'left.elbow' and 'value[0]'",
+                     lambda: Fields("arms", "left..elbow"))
+
+    def test_one_value_is_not_several(self):
+        arms = device("arms", ARMS + " value[0] value[1] value[2]", range(7))
+        self.refused(ValueError, "arms/left: found 5, allowed: 2 values", lambda: setattr(arms, "left", 5))
+        self.refused(ValueError, "arms/left: found None, allowed: 2 values", lambda: arms.__setitem__("left", None))
+        self.refused(ValueError, "arms/value: found 0.5, allowed: 2 values",
+                     lambda: arms.value.__setitem__(slice(1, 3), 0.5))
+        self.refused(ValueError, "arms: found 5, allowed: 7 values", lambda: arms.__setitem__(slice(None), 5))
+        leds = device("leds", "ring[0].red ring[0].blue ring[1].red ring[1].blue", [0] * 4)
+        self.refused(ValueError, "leds/ring[0]: found 1, allowed: 2 values", lambda: setattr(leds, "ring", [1, 2]))
+        self.assertEqual(([0, 1, 2, 3, 4, 5, 6], [0] * 4), (list(arms), list(leds)))
+
     def test_as_many_values_as_there_are_fields(self):
         arms = device("arms", ARMS, range(4))
         self.refused(ValueError, "arms/left: found 3 values, allowed: 2", lambda: setattr(arms, "left", [1, 2, 3]))
@@ -161,6 +225,11 @@ class DevicesTest(unittest.TestCase):
         self.assertEqual(6.0, wheels.right)
         with self.assertRaisesRegex(ValueError, "wheels: found 3 values, allowed: 2"):
             self.actuators.wheels = 1.0, 2.0, 3.0
+        with self.assertRaisesRegex(ValueError, "^wheels: found 5, allowed: 2 values$"):
+            self.actuators.wheels = 5
+        with self.assertRaisesRegex(ValueError, "^wheels: found 5, allowed: 2 values$"):
+            self.actuators["wheels"] = 5
+        self.assertEqual([5.0, 6.0], wheels)
 
     def test_a_device_that_is_not_there_is_refused_with_those_that_are(self):
         text = "found no actuator 'wheel', allowed: wheels; did you mean 'wheels'\\?"

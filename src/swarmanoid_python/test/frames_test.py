@@ -9,6 +9,16 @@ from swarmanoid_python.frames import Hosted
 from swarmanoid_python.layout import Layout
 
 
+class Truthful:
+    """Has a truth, as nearly everything has, and is no truth value."""
+
+    def __bool__(self):
+        return True
+
+    def __repr__(self):
+        return "Truthful"
+
+
 class LayoutTest(unittest.TestCase):
     def test_numbers_stand_one_after_the_other(self):
         data = b"\x01" + struct.pack("<d", -2.5) + struct.pack("<f", 0.5) + b"\x00"
@@ -44,6 +54,31 @@ class LayoutTest(unittest.TestCase):
                 layout.write(values, names)
         with self.assertRaisesRegex(ValueError, "^found -129, allowed: a whole number from -128 to 127$"):
             Layout("i1").write([-129])
+
+    def test_a_truth_value_is_a_bool_or_0_or_1(self):
+        layout = Layout("f4 b1")
+        for value, byte in ((True, b"\x01"), (False, b"\x00"), (1, b"\x01"), (0, b"\x00")):
+            self.assertEqual(struct.pack("<f", 0.5) + byte, layout.write([0.5, value]))
+        for value, shown in (("no", "'no'"), (None, "None"), (2, "2"), (-1, "-1"), (1.0, "1.0"), ([], "\\[\\]"),
+                             (Truthful(), "Truthful")):
+            text = f"^gripper/closed: found {shown}, allowed: True, False, 0 or 1$"
+            with self.subTest(value=value), self.assertRaisesRegex(ValueError, text):
+                layout.write([0.5, value], ["gripper/force", "gripper/closed"])
+        with self.assertRaisesRegex(ValueError, "^found 'no', allowed: True, False, 0 or 1$"):
+            Layout("(u1 b1)*").write([[(1, True), (2, "no")]])
+        with self.assertRaisesRegex(ValueError, "^gripper/force: found 'no', allowed: a number of single precision$"):
+            layout.write(["no", True], ["gripper/force", "gripper/closed"])
+
+    def test_a_truth_value_may_be_that_of_numpy(self):
+        try:
+            import numpy  # pylint: disable=import-outside-toplevel
+        except ImportError:
+            self.skipTest("there is no numpy")
+        values = [numpy.bool_(True), numpy.bool_(False), numpy.int64(1)]
+        self.assertEqual(b"\x01\x00\x01", Layout("b1 b1 b1").write(values))
+        for value in (numpy.int64(2), numpy.float64(1.0), numpy.array([True])):
+            with self.subTest(value=value), self.assertRaisesRegex(ValueError, "allowed: True, False, 0 or 1$"):
+                Layout("b1").write([value])
 
 
 def device(kind, layout, names):

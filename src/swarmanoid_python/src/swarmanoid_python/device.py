@@ -15,6 +15,27 @@ import operator
 from .names import Fields, UnknownName, parts
 
 
+def _row(path, values, count):
+    """@return the values as a list; @raise ValueError if they are not that many"""
+    try:
+        values = iter(values)
+    except TypeError:
+        raise ValueError(f"{path}: found {values!r}, allowed: {count} values") from None
+    values = list(values)
+    if len(values) != count:
+        raise ValueError(f"{path}: found {len(values)} values, allowed: {count}")
+    return values
+
+
+def _check_index(path, elements, index):
+    count = len(elements)
+    if not isinstance(index, int):
+        raise UnknownName(f"{path}: found no field", index, [f"[0] to [{count - 1}]"] if count else [])
+    if index >= count:
+        allowed = f"0 to {count - 1}" if count else "none"
+        raise IndexError(f"{path}: found index {index}, allowed: {allowed}; elements in the list: {count}")
+
+
 class View:
     """A field with fields of its own, or an array. It has no values of its own: it sees, and writes, those of its
     device."""
@@ -40,22 +61,25 @@ class View:
             self._values[found] = value
 
     def _fill(self, keys, values):
-        values = list(values)
-        if len(values) != len(keys):
-            raise ValueError(f"{self._fields.path}: found {len(values)} values, allowed: {len(keys)}")
-        for key, value in zip(keys, values):
+        for key, value in zip(keys, _row(self._fields.path, values, len(keys))):
             self._set(key, value)
 
     def _at(self, name):
-        """@return where the field of such a name is, "left.elbow" in the view of left, and its name there"""
-        found, path = self, parts(name)
-        for part in path[:-1]:
-            if not isinstance(found, (View, list)):
-                break
-            found = found._get(part) if isinstance(found, View) else found[part]
-        if not path or not isinstance(found, View):
-            raise UnknownName(f"{self._fields.path}: found no field", name, self._fields)
-        return found, path[-1]
+        """@return what holds the field of such a name, for "left.elbow" the view of left, for "blobs[0]" the list, and
+        the key of the field in it, which a list has"""
+        holder, key, shown = self, None, self._fields.path
+        for part in parts(name):
+            if key is not None:
+                holder = holder._get(key) if isinstance(holder, View) else holder[key]
+                shown += f"[{key}]" if isinstance(key, int) else f"/{key}"
+            if isinstance(holder, (list, tuple)):
+                _check_index(shown, holder, part)
+            elif not isinstance(holder, View):
+                raise self._fields.unknown(name)
+            key = part
+        if key is None:
+            raise self._fields.unknown(name)
+        return holder, key
 
     def __getattr__(self, name):
         return self._get(name)
@@ -65,16 +89,19 @@ class View:
 
     def __getitem__(self, key):
         if isinstance(key, str):
-            view, last = self._at(key)
-            return view._get(last)
+            holder, last = self._at(key)
+            return holder._get(last) if isinstance(holder, View) else holder[last]
         if isinstance(key, slice):
             return [self._get(each) for each in list(self._fields)[key]]
         return self._get(self._fields.key_at(operator.index(key)))
 
     def __setitem__(self, key, value):
         if isinstance(key, str):
-            view, last = self._at(key)
-            view._set(last, value)
+            holder, last = self._at(key)
+            if isinstance(holder, View):
+                holder._set(last, value)
+            else:
+                holder[last] = value
         elif isinstance(key, slice):
             self._fill(list(self._fields)[key], value)
         else:
@@ -110,9 +137,7 @@ class Device(View):
 
     def __setitem__(self, key, value):
         if isinstance(key, slice):
-            value = list(value)
-            if len(value) != len(self._values[key]):
-                raise ValueError(f"{self._fields.path}: found {len(value)} values, allowed: {len(self._values[key])}")
+            value = _row(self._fields.path, value, len(self._values[key]))
         if isinstance(key, str):
             super().__setitem__(key, value)
         else:

@@ -2,24 +2,43 @@
 value. swarmanoid_interface/device_type.hpp says how they are written: little-endian, without padding, a list as its
 length (4 bytes) and its elements."""
 
+import operator
 import re
 import struct
 
 _LETTERS = {"f4": "f", "f8": "d", "u1": "B", "u2": "H", "u4": "I", "u8": "Q", "i1": "b", "i2": "h", "i4": "i", "i8": "q",
             "b1": "?"}
-_ALLOWED = {"f": "a number of single precision", "d": "a number", "?": "a truth value"}
+_ALLOWED = {"f": "a number of single precision", "d": "a number", "?": "True, False, 0 or 1"}
 for _bits, _unsigned, _signed in (8, "B", "b"), (16, "H", "h"), (32, "I", "i"), (64, "Q", "q"):
     _ALLOWED[_unsigned] = f"a whole number from 0 to {2 ** _bits - 1}"
     _ALLOWED[_signed] = f"a whole number from {-2 ** (_bits - 1)} to {2 ** (_bits - 1) - 1}"
 
 
+def _is_truth_value(value):
+    kind = type(value)
+    if kind is bool or kind.__module__ == "numpy" and kind.__name__ in ("bool_", "bool"):  # numpy may not be installed
+        return True
+    try:
+        return operator.index(value) in (0, 1)
+    except TypeError:
+        return False
+
+
+def _pack_one(letter, value):
+    if letter == "?" and not _is_truth_value(value):  # struct takes the truth of anything, that of "no" is True
+        raise struct.error
+    return struct.pack("<" + letter, value)
+
+
 def _pack(letters, values, names):
     try:
+        if "?" in letters:
+            return b"".join(_pack_one(letter, value) for letter, value in zip(letters[1:], values))
         return struct.pack(letters, *values)
     except (struct.error, OverflowError):
         for i, (letter, value) in enumerate(zip(letters[1:], values)):
             try:
-                struct.pack("<" + letter, value)
+                _pack_one(letter, value)
             except (struct.error, OverflowError):
                 name = names[i] + ": " if i < len(names) else ""
                 raise ValueError(f"{name}found {value!r}, allowed: {_ALLOWED[letter]}") from None

@@ -4,7 +4,9 @@ of its elements in brackets behind its own, "blobs(color.red distance) overflowe
 import difflib
 import re
 
-_PART = re.compile(r"([^.\[\]]+)|\[(\d+)\]")
+_WORD, _INDEX = r"[^.\[\]]+", r"\[(?:0|[1-9][0-9]*)\]"
+_NAME = re.compile(rf"(?:{_WORD}|{_INDEX})(?:\.{_WORD}|{_INDEX})*")
+_PART = re.compile(r"([^.\[\]]+)|\[([0-9]+)\]")
 
 
 class UnknownName(AttributeError, KeyError):
@@ -22,7 +24,10 @@ class UnknownName(AttributeError, KeyError):
 
 
 def parts(name):
-    """ "joints[2].angle" as ["joints", 2, "angle"] """
+    """ "joints[2].angle" as ["joints", 2, "angle"]. @return nothing if it is not written as names are: "left..elbow",
+    "value[00]" """
+    if not _NAME.fullmatch(name):
+        return []
     return [word or int(index) for word, index in _PART.findall(name)]
 
 
@@ -39,7 +44,10 @@ class Fields(dict):
         for name, inner in re.findall(r"([^\s()]+)(?:\(([^()]*)\))?", text):
             place = len(self.names)
             self.names.append(f"{path}/{name}")
-            self._insert(parts(name), place)
+            path_of_name = parts(name)
+            if not path_of_name:
+                raise ValueError(f"{path}: found the name '{name}', allowed: names such as 'left.elbow' and 'value[0]'")
+            self._insert(path_of_name, place)
             if inner:
                 self.lists[place] = Fields(f"{path}/{name}[]", inner)
 
@@ -53,9 +61,13 @@ class Fields(dict):
             self[first] = Fields(shown)
         self[first]._insert(rest, place)
 
+    def unknown(self, name):
+        """@return the error that there is no field of that name"""
+        return UnknownName(f"{self.path}: found no field", name, [f"[0] to [{len(self) - 1}]"] if 0 in self else self)
+
     def find(self, key):
         if key not in self:
-            raise UnknownName(f"{self.path}: found no field", key, [f"[0] to [{len(self) - 1}]"] if 0 in self else self)
+            raise self.unknown(key)
         return self[key]
 
     def key_at(self, index):
