@@ -1,15 +1,14 @@
 /// The errors of a device in one controller configuration, in the order in which they act, and what is kept of them for
 /// one robot.
 ///
-/// Phases   add, addAlias: while the device is configured. makeState: when a robot comes, between ticks. apply: in
-/// `sense`
-///          and `actuate`.
+/// Phases   add, addAlias: while the device is configured. makeState: when a robot comes, between ticks.
+///          apply: in `sense` and `actuate`.
 /// Threads  the chain is const after it is configured; states of different robots may be used at the same time. apply
 ///          allocates nothing unless a span is longer than ever before, and does not lock, log or throw.
-/// Repeats  what an <error> draws depends on the seed, the robot's name, the device, the kind, the field and the tick,
-/// not
-///          on the errors beside it. A tick may be made again: each error starts from what it kept after the tick
-///          before.
+/// Repeats  what an <error> draws depends on the seed, the robot's name, the device, the kind, the field and the
+///          tick, not on the errors beside it, but for those of the same kind on the same field: they are numbered
+///          in the order of the file, and without the first the second draws what the first drew.
+///          A tick may be made again: each error starts from what it kept after the tick before.
 #pragma once
 
 #include <cstdint>

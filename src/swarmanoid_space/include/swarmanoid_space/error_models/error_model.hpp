@@ -3,9 +3,8 @@
 ///
 /// Units    numbers are in the unit of their field, and so are the parameters of a kind. Time is counted in ticks.
 /// Phases   making a model, firstMemory: between ticks. apply: in `sense` and `actuate`.
-/// Threads  kinds register while a library loads (one thread), and are only read afterwards. apply is called at once
-/// for
-///          different robots. No allocation, lock, log or throw in it.
+/// Threads  kinds register while a library loads (one thread), and are only read afterwards.
+///          apply is called at once for different robots. No allocation, lock, log or throw in it.
 /// Errors   the constructor of a kind throws ConfigError at the parameter that does not suit.
 /// Repeats  apply may be called again in the same tick, and then has the same effect; what it keeps from tick to tick
 ///          is in ErrorStep, never in the model.
