@@ -128,6 +128,20 @@ TEST_F(ImuTest, ATickThatIsMadeAgainReadsTheSame) {
   expectNear(next().linear_acceleration, {0.0, 0.0, kGravity}, "and from there on");
 }
 
+/// Whoever puts it elsewhere takes its velocity from it: that is no crash.
+TEST_F(ImuTest, BeingPutElsewhereIsNotFelt) {
+  set(Eigen::Quaterniond::Identity(), {0.3, 0.0, 0.0}, {0.0, 0.0, 1.4});
+  next();
+  world.space.placed[robot] = world.space.tick + 1;  // the tick to come
+  set(turned(0.3, Eigen::Vector3d::UnitY()), Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  const Eigen::Vector3d at_rest(-kGravity * std::sin(0.3), 0.0, kGravity * std::cos(0.3));
+  expectNear(next().linear_acceleration, at_rest, "put on a slope");
+  expectNear(imu.sense().linear_acceleration, at_rest, "the tick made again");
+  set(turned(0.3, Eigen::Vector3d::UnitY()), turned(0.3, Eigen::Vector3d::UnitY()) * Eigen::Vector3d(0.02, 0.0, 0.0),
+      Eigen::Vector3d::Zero());
+  expectNear(next().linear_acceleration, at_rest + Eigen::Vector3d(0.2, 0.0, 0.0), "what comes then is felt");
+}
+
 TEST_F(ImuTest, ARobotThatTakesTheRowOfAnotherBeginsAnew) {
   set(Eigen::Quaterniond::Identity(), {0.3, 0.0, 0.0}, Eigen::Vector3d::Zero());
   next();

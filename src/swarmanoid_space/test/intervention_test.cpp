@@ -137,6 +137,21 @@ TEST_F(InterventionTest, AControllerThatDoesNotStartLeavesNothingBehind) {
   EXPECT_EQ(simulation->space().commands.find<TestDevice>(Row{2}), nullptr);
 }
 
+TEST_F(InterventionTest, ItIsKnownBeforeWhichTickAnEntityWasPutWhereItIs) {
+  const Space& space = simulation->space();
+  simulation->tick();
+  simulation->tick();
+  simulation->spawn(description("footbot", "late"), {});
+  simulation->tick();
+  simulation->move("eb", {{1.0, 1.0, 2.0}, Eigen::Quaterniond::Identity()});
+  simulation->tick();
+  EXPECT_EQ(space.placed[space.entities.find("fb")], 0U);
+  EXPECT_EQ(space.placed[space.entities.find("late")], 2U);
+  EXPECT_EQ(space.placed[space.entities.find("eb")], 3U);
+  simulation->reset({}, true);
+  EXPECT_EQ(space.placed[space.entities.find("eb")], 0U);
+}
+
 TEST_F(InterventionTest, EventsTellWhatHappenedInTheNextTick) {
   simulation->spawn(description("footbot", "x", "tc"), {});
   simulation->move("x", {{4.0, 4.0, 0.0}, Eigen::Quaterniond(2.0, 0.0, 0.0, 0.0)});

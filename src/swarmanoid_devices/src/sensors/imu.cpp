@@ -39,8 +39,8 @@ class ImuSensor final : public SensorOf<Imu, ImuInstance> {
     const Eigen::Quaterniond to_body = space.entities.pose[instance.row].orientation.conjugate();
     const Twist& twist = space.entities.twist[instance.row];
     const Imu::Motion now{to_body * twist.linear, to_body * twist.angular, to_body * Eigen::Vector3d::UnitZ()};
-    if (!instance.tick) {
-      instance.before = now;  // nothing is known of the time before the robot was there
+    if (!instance.tick || space.placed[instance.row] == space.tick) {
+      instance.before = now;  // nothing is known of the time before the robot was there; a teleport is no crash
     } else if (*instance.tick != space.tick) {
       instance.before = instance.last;
     }

@@ -1,9 +1,10 @@
-// The formula of docs/reference/models.md, "Sensing": the inertial unit.
+// The formula of docs/reference/models.md, "Sensing": the inertial unit; and that unit in motions that engines make.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <iterator>
+#include <string>
 #include <vector>
 
 #include "model_world.hpp"
@@ -49,6 +50,67 @@ TEST(ModelsPageTest, InertialReading) {
     const Eigen::Vector3d expected(change.x() - turning * mean.y(), change.y() + turning * mean.x(), 9.81);
     EXPECT_NEAR((readings[k].linear_acceleration - expected).norm(), 0.0, 1e-9) << "tick " << k;
     EXPECT_NEAR((readings[k].angular_velocity - Eigen::Vector3d(0.0, 0.0, now.omega)).norm(), 0.0, 1e-9) << k;
+  }
+}
+
+/// In engines with forces the velocity is that at the end of the tick, to half a step: on an arc v omega towards the
+/// centre, which lies to the left of one that turns left.
+TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
+  constexpr double kSpeed = 0.17;  // m/s
+  for (const char* engine : {"dynamics2d", "dynamics3d"}) {
+    for (const double omega : {0.9, -0.9}) {
+      ModelWorld world;
+      world.engine = engine;
+      world.engine_parameters = "<subclock>20</subclock>";
+      world.wheels = "<differential_drive/>";
+      world.footbot_sensors = "<imu/>";
+      world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 71.0);
+      world.members = "fb";
+      constexpr int kStarting = 20;  // ticks, until it is up to speed
+      constexpr int kSteady = 20;
+      int ticks = 0;
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      double turning = 0.0;
+      setProgram([&](Robot& robot) {
+        robot.actuator<DifferentialDrive>().drive(kSpeed, omega);
+        if (ticks++ >= kStarting) {
+          sum += robot.sensor<Imu>().linear_acceleration;
+          turning += robot.sensor<Imu>().angular_velocity.z();
+        }
+      });
+      auto simulation = world.start();
+      tick(*simulation, kStarting + kSteady);
+      const Eigen::Vector3d mean = sum / kSteady;  // without what contacts shake from step to step
+      const std::string where = join(engine, ", turn rate ", omega);
+      constexpr double kAllowed = 0.05 * 0.9 * kSpeed;
+      EXPECT_NEAR(turning / kSteady, omega, 0.02 * 0.9) << where;
+      EXPECT_NEAR(mean.x(), 0.0, kAllowed) << where;
+      EXPECT_NEAR(mean.y(), omega * kSpeed, kAllowed) << where;
+      EXPECT_NEAR(mean.z(), 9.81, 0.01) << where;
+    }
+  }
+}
+
+/// Who moves a robot takes its speed from it, 3 m/s2 in a tick: what it feels is how it starts again.
+TEST(InertialEngineTest, BeingMovedFromOutsideIsNotFelt) {
+  ModelWorld world;
+  world.wheels = "<differential_drive/>";
+  world.footbot_sensors = "<imu/>";
+  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 71.0);
+  world.members = "fb";
+  std::vector<Eigen::Vector3d> readings;
+  setProgram([&](Robot& robot) {
+    readings.push_back(robot.sensor<Imu>().linear_acceleration);
+    robot.actuator<DifferentialDrive>().drive(0.3, 0.0);
+  });
+  auto simulation = world.start();
+  tick(*simulation, 3);
+  simulation->move("fb", {{8.0, 6.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()))});
+  tick(*simulation, 3);
+  const double expected[] = {0.0, 3.0, 0.0, 0.0, 3.0, 0.0};  // ahead, m/s2
+  ASSERT_EQ(readings.size(), std::size(expected));
+  for (std::size_t k = 0; k < readings.size(); ++k) {
+    EXPECT_NEAR((readings[k] - Eigen::Vector3d(expected[k], 0.0, 9.81)).norm(), 0.0, 1e-9) << "tick " << k;
   }
 }
 

@@ -95,6 +95,9 @@ class Space {
                                             {"holder_command", Writer::kActuate},
                                             [](const EntityModel& model) { return model.holders.size(); }};
 
+  /// The tick that was to come when the entity was put where it is from outside: at the start, spawned or moved. What
+  /// compares ticks has nothing to compare that one with.
+  Column<std::uint64_t> placed{entities.columns, {"placed", Writer::kBetweenTicks}};
   /// null: no engine moves the entity
   Column<Engine*> mover{entities.columns, {"engine", Writer::kConnect, Visits::kHash}};
   /// 1: the entity's origin is outside the arena

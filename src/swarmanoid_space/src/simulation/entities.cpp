@@ -48,6 +48,7 @@ Row Simulation::addEntity(const EntityDescription& entity, const std::vector<Mem
   refuseBadPlace(entity, *model, pose, memberships);
 
   const Row row = space_.entities.add(entity.id, model, pose, entity.color);
+  space_.placed[row] = space_.tick;
   try {
     if (!entity.controller.empty()) {
       giveController(row, entity);

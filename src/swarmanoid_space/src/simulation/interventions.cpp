@@ -56,6 +56,7 @@ void Simulation::move(const std::string& name, const Pose& pose) {
   space_.attachments.isolate(row);
   space_.entities.pose[row] = target;
   space_.entities.twist[row] = Twist{};
+  space_.placed[row] = space_.tick;
   for (const Membership& membership : assembly_->memberships[row]) {
     membership.engine->place(space_, row);
   }
