@@ -13,7 +13,8 @@ struct Imu {
   static constexpr double kGravity = 9.81;  ///< that accelerometers feel at rest [m/s2]
 
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< right-handed about x, y, z [rad/s]
-  /// What accelerometers measure: of a robot that stands still kGravity upwards, of one in free fall 0 [m/s2].
+  /// What accelerometers measure: of a robot that stands still kGravity upwards; of one that falls freely 0, where
+  /// gravity is kGravity [m/s2].
   Eigen::Vector3d linear_acceleration{0.0, 0.0, kGravity};
 
   /// How a robot moves and leans, in its own frame.
@@ -24,8 +25,9 @@ struct Imu {
   };
 
   /// The law by which all units of the suite respond. The acceleration is that between two moments: how the velocity
-  /// changes in the robot's frame, what turning adds to it (an arc at constant speed has exactly speed * turn rate),
-  /// and gravity; what changes meanwhile counts with its mean.
+  /// changes in the robot's frame, what turning adds to it, and gravity; what changes meanwhile counts with its mean.
+  /// From velocities at the ends of ticks an arc at constant speed has exactly speed * turn rate; from mean velocities
+  /// of ticks, as those of kinematics2d, a little less, and not straight to the centre.
   /// @param before the motion `dt` earlier; the same as `now` if none is known @param dt greater than 0 [s]
   static Imu reading(const Motion& before, const Motion& now, double dt) {
     const Eigen::Vector3d velocity = 0.5 * (before.velocity + now.velocity);
