@@ -11,6 +11,11 @@
 
 namespace swarmanoid::devices {
 
+// The names in the model of the holders that both an actuator and a sensor work with.
+inline constexpr std::array<const char*, 1> kMagnetHolder{"magnet"};
+inline constexpr std::array<const char*, 1> kRopeHolder{"rope"};
+inline constexpr std::array<const char*, 2> kHandHolders{"left hand", "right hand"};
+
 /// An instance with the indices of `count` holders in the model; -1 for those that it does not have.
 template <class Instance, std::size_t count>
 struct WithHolders : Instance {

@@ -12,7 +12,7 @@ namespace {
 
 class HandbotRopeActuator final : public HolderActuator<HandbotRopeActuator, HandbotRope> {
  public:
-  static constexpr std::array<const char*, 1> kHolders{"rope"};
+  static constexpr auto kHolders = kRopeHolder;
 
   static PluginDescription describe() {
     PluginDescription description;

@@ -8,7 +8,7 @@ namespace {
 
 class EyebotMagnetStateSensor final : public HolderSensor<EyebotMagnetStateSensor, EyebotMagnetState> {
  public:
-  static constexpr std::array<const char*, 1> kHolders{"magnet"};
+  static constexpr auto kHolders = kMagnetHolder;
 
   static PluginDescription describe() {
     PluginDescription description;

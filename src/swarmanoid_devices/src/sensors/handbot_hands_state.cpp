@@ -8,7 +8,7 @@ namespace {
 
 class HandbotHandsStateSensor final : public HolderSensor<HandbotHandsStateSensor, HandbotHandsState, 2> {
  public:
-  static constexpr std::array<const char*, 2> kHolders{"left hand", "right hand"};
+  static constexpr auto kHolders = kHandHolders;
 
   static PluginDescription describe() {
     PluginDescription description;

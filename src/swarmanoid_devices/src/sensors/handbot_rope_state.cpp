@@ -8,7 +8,7 @@ namespace {
 
 class HandbotRopeStateSensor final : public HolderSensor<HandbotRopeStateSensor, HandbotRopeState> {
  public:
-  static constexpr std::array<const char*, 1> kHolders{"rope"};
+  static constexpr auto kHolders = kRopeHolder;
 
   static PluginDescription describe() {
     PluginDescription description;
