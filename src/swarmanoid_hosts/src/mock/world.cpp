@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
@@ -21,6 +22,10 @@ double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() 
 Eigen::Vector3d Pose::toRobot(const Eigen::Vector3d& point) const { return turned(point - position, -yaw); }
 
 Eigen::Vector3d Pose::toWorld(const Eigen::Vector3d& point) const { return turned(point, yaw) + position; }
+
+double World::Ring::angle(std::size_t sensor) const {
+  return wrapAngle(2.0 * M_PI * static_cast<double>(sensor) / static_cast<double>(sensors));
+}
 
 World readWorld(const Configuration& values) {
   World world;

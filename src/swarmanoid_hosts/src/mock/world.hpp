@@ -27,7 +27,7 @@ struct Wall {
   Eigen::Vector2d to;    ///< likewise [m]
 };
 
-/// An object that a camera sees.
+/// An object that a camera sees, and that shines on light sensors as a lamp of its colour.
 struct Beacon {
   std::string name;
   Eigen::Vector3d at;  ///< in the world [m]
@@ -40,6 +40,9 @@ struct World {
   struct Ring {
     std::size_t sensors = 8;
     double radius = 0.035;  ///< [m]
+
+    /// Where a sensor looks, in the robot's frame [rad].
+    double angle(std::size_t sensor) const;
   };
 
   std::vector<Wall> walls;

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "../mock_device.hpp"
-#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -18,7 +17,7 @@ class MockLight final : public MockDevice {
     const World::Ring& ring = state.world.ring;
     sensors_.resize(ring.sensors);
     for (std::size_t i = 0; i < ring.sensors; ++i) {
-      const double angle = wrapAngle(2.0 * M_PI * static_cast<double>(i) / static_cast<double>(ring.sensors));
+      const double angle = ring.angle(i);
       const Eigen::Vector3d direction(std::cos(angle), std::sin(angle), 0.0);
       sensors_[i] = {readingOf(state, direction), static_cast<float>(angle)};
     }

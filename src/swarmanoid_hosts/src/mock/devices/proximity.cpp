@@ -1,11 +1,9 @@
 // The infrared sensors of any robot feel the walls of the world, from a ring that the world's values describe.
 #include "swarmanoid_interface/devices/proximity.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include "../mock_device.hpp"
-#include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -18,7 +16,7 @@ class MockProximity final : public MockDevice {
     const World::Ring& ring = state.world.ring;
     sensors_.resize(ring.sensors);
     for (std::size_t i = 0; i < ring.sensors; ++i) {
-      const double angle = wrapAngle(2.0 * M_PI * static_cast<double>(i) / static_cast<double>(ring.sensors));
+      const double angle = ring.angle(i);
       sensors_[i] = {closenessOfWall(state.world, state.pose, angle, ring.radius), static_cast<float>(angle)};
     }
     readings_.sensors = sensors_;
