@@ -1,0 +1,104 @@
+// What light sensors add up, they add up in the order of entity numbers: the same sources give the same bits, whichever
+// rows they have.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "device_world.hpp"
+#include "light_sources.hpp"
+#include "swarmanoid_interface/devices/light.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+constexpr int kLamps = 12;
+constexpr std::size_t kSensors = 24;
+const Eigen::Vector3d kCentre(5.0, 5.0, 0.3);
+
+/// Around the sensors, 0.5 to 1.1 m away.
+Eigen::Vector3d placeOfLamp(int lamp) {
+  const double angle = 2.4 * lamp;
+  const double way = 0.5 + 0.05 * lamp;
+  return kCentre + Eigen::Vector3d(way * std::cos(angle), way * std::sin(angle), 0.03 * lamp);
+}
+
+Color colorOfLamp(int lamp) {
+  return {static_cast<std::uint8_t>(10 + 17 * lamp), static_cast<std::uint8_t>(200 - 13 * lamp),
+          static_cast<std::uint8_t>(5 * lamp)};
+}
+
+devices::IlluminatedSensor sensor(std::size_t i) {
+  const double angle = 2.0 * M_PI * static_cast<double>(i) / static_cast<double>(kSensors);
+  devices::IlluminatedSensor sensor;
+  sensor.direction = {std::cos(angle), std::sin(angle), 0.0};
+  sensor.position = kCentre + 0.05 * sensor.direction;
+  return sensor;
+}
+
+using Sums = std::array<double, kSensors>;
+
+/// Adds the lamps, so that their numbers have their order. @param rows which they get @return the sums of the sensors
+Sums sumsIn(DeviceWorld& world, std::vector<Row>& rows) {
+  for (int lamp = 0; lamp < kLamps; ++lamp) {
+    rows.push_back(world.add(lightModel(), placeOfLamp(lamp), 0.0, colorOfLamp(lamp)));
+  }
+  world.space.index.rebuild(world.space.entities);
+  std::array<devices::IlluminatedSensor, kSensors> sensors;
+  for (std::size_t i = 0; i < kSensors; ++i) {
+    sensors[i] = sensor(i);
+  }
+  devices::illuminate(world.space, {kNoRow, kCentre, 0.05, 2.0, {sensors.data(), sensors.size()}});
+  Sums sums{};
+  for (std::size_t i = 0; i < kSensors; ++i) {
+    sums[i] = sensors[i].sum;
+  }
+  return sums;
+}
+
+double shareOf(int lamp, const devices::IlluminatedSensor& sensor) {
+  return Light::share(Light::brightness(colorOfLamp(lamp)), sensor.direction, placeOfLamp(lamp) - sensor.position);
+}
+
+TEST(LightOrderTest, SourcesAreAddedInTheOrderOfTheirNumbers) {
+  DeviceWorld world;
+  std::vector<Row> rows;
+  const Sums straight = sumsIn(world, rows);
+
+  DeviceWorld other;
+  std::vector<Row> gone;
+  for (int i = 0; i < kLamps; ++i) {
+    gone.push_back(other.add(lightModel(), {1.0, 1.0, 1.0}, 0.0, colors::kWhite));
+  }
+  // some rows are free again later than others, so those who come get them in another order
+  for (int i = 0; i < kLamps; ++i) {
+    other.remove(gone[static_cast<std::size_t>((5 * i) % kLamps)]);
+  }
+  std::vector<Row> other_rows;
+  const Sums mixed = sumsIn(other, other_rows);
+  ASSERT_NE(other_rows, rows) << "other rows for the same lamps";
+
+  int sensitive = 0;
+  for (std::size_t i = 0; i < kSensors; ++i) {
+    double by_numbers = 0.0;
+    double by_rows = 0.0;
+    for (int lamp = 0; lamp < kLamps; ++lamp) {
+      by_numbers += shareOf(lamp, sensor(i));
+    }
+    for (const Row row : rows) {
+      for (int lamp = 0; lamp < kLamps; ++lamp) {
+        by_rows += other_rows[static_cast<std::size_t>(lamp)] == row ? shareOf(lamp, sensor(i)) : 0.0;
+      }
+    }
+    EXPECT_GT(straight[i], 0.0) << "sensor " << i;
+    EXPECT_EQ(straight[i], by_numbers) << "sensor " << i;
+    EXPECT_EQ(mixed[i], by_numbers) << "sensor " << i;
+    sensitive += by_rows == by_numbers ? 0 : 1;
+  }
+  EXPECT_GT(sensitive, 0) << "the order of rows would give other bits";
+}
+
+}  // namespace
+}  // namespace swarmanoid::test
