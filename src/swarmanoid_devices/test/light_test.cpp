@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "device_world.hpp"
+#include "sensors/ring_geometry.hpp"
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 namespace swarmanoid::test {
@@ -224,6 +225,37 @@ TEST_F(LightTest, RobotsWithoutSensorsAreRefused) {
                  "found the device 'light' on a eyebot, allowed: on robots with links light_0, ... or "
                  "proximity_0, ... (1 to 64)");
   }
+}
+
+std::shared_ptr<EntityModel> footbotWithLightLinks(int count) {
+  auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
+  for (int i = 0; i < count; ++i) {
+    model->mounts["light_" + std::to_string(i)].position = {0.05, 0.0, 0.1};
+  }
+  return model;
+}
+
+/// It has 24 links proximity_0, ... too, which do not count beside a light_0.
+TEST_F(LightTest, ARefusalSaysWhichLinksWereTakenAndHowMany) {
+  const Row crowded = world.add(footbotWithLightLinks(65), {7.0, 7.0, 0.0});
+  try {
+    LightSensor light(world, crowded);
+    FAIL() << "too many";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(error.what(),
+                 "found the device 'light' on a footbot with links light_0, ... (65), allowed: 1 to 64; links of "
+                 "other names count only on robots without light_0");
+  }
+  try {
+    devices::ringOf<24>(*footbotWithLightLinks(1), "my_light", {"light", "proximity"});
+    FAIL() << "too few";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "found the device 'my_light' on a footbot with links light_0, ... (1), allowed: 24 or more; links of other "
+        "names count only on robots without light_0");
+  }
+  EXPECT_EQ(devices::ringOf<24>(*footbotWithLightLinks(0), "my_light", {"light", "proximity"}).size(), 24U);
 }
 
 TEST_F(LightTest, SensingAllocatesNothing) {

@@ -1,6 +1,6 @@
 /// What all rings of light sensors have in common: each adds up the light of the LEDs and lamps before it, by the law
-/// of Light::share, and saturates. They sit where the links light_0, light_1, ... are, or, if the robot has none of
-/// them, proximity_0, proximity_1, ...
+/// of Light::share, and saturates where an implementation states no other response. They sit where the links light_0,
+/// light_1, ... are, or, if the robot has none of them, proximity_0, proximity_1, ...
 ///
 /// A ring of a robot of its own is its struct with `std::array<float, kCount> value`, and a class such as
 ///
@@ -30,11 +30,15 @@ struct LightInstance : BasicSensorInstance<Device> {
   std::shared_ptr<const RingGeometry<count>> ring;
 };
 
-/// `Ring` derives from this, and has `float& valueOf(Instance&, std::size_t)`.
+/// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
+/// Another law than Light::response is a `static float response(double sum)` of its own, as the one here.
 template <class Ring, class Device, int count, class InstanceOfRing = LightInstance<Device, count>>
 class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
  public:
   using Instance = InstanceOfRing;
+
+  /// @param sum of the shares of light that a sensor gets @return what it reads
+  static float response(double sum) { return Light::response(sum); }
 
   void configure(const Configuration& parameters) override { range_ = parameters.number("range", Light::kUsualRange); }
 
@@ -45,11 +49,13 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
  protected:
-  static PluginDescription describeRing(const std::string& summary) {
+  /// @param implementation its name; the inverse square law is used where an experiment names none
+  static PluginDescription describeRing(const std::string& summary,
+                                        const std::string& implementation = "inverse_square") {
     PluginDescription description;
     description.label = Device::kType;
-    description.implementation = "inverse_square";
-    description.is_default = true;
+    description.implementation = implementation;
+    description.is_default = implementation == "inverse_square";
     description.summary = summary;
     description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, 100.0},
                                      "Distance beyond which a source gives no light.")};
@@ -57,7 +63,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
   void prepareInstance(const Space& space, Instance& instance) override {
-    instance.ring = rings_.of(*space.entities.model[instance.row], Device::kType, {"light", "proximity"});
+    instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"light", "proximity"});
   }
 
  private:
@@ -72,7 +78,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
     illuminate(space, {instance.row, pose.toWorld(ring.centre), ring.radius, range_, {sensors.data(), ring.size()}});
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      Ring::valueOf(instance, i) = Light::response(sensors[i].sum);
+      Ring::valueOf(instance, i) = Ring::response(sensors[i].sum);
     }
   }
 

@@ -54,7 +54,7 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
   }
 
   void prepareInstance(const Space& space, Instance& instance) override {
-    instance.ring = rings_.of(*space.entities.model[instance.row], Device::kType, {"proximity"});
+    instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"proximity"});
   }
 
  private:

@@ -35,8 +35,28 @@ inline std::string ringNameOf(const EntityModel& model, const std::vector<std::s
   return found == names.end() ? names.front() : *found;
 }
 
+/// @param names of links of which a ring may be @param chosen the first of them that the model has, or the first of all
+/// @param found how many links of that name it has @param allowed of them
+/// @throws ConfigError that says so
+[[noreturn]] inline void refuseRing(const char* device, const EntityModel& model, const std::vector<std::string>& names,
+                                    const std::string& chosen, Eigen::Index found, const std::string& allowed) {
+  if (found == 0) {
+    std::string links = "links " + names.front() + "_0, ...";
+    for (std::size_t i = 1; i < names.size(); ++i) {
+      links += " or " + names[i] + "_0, ...";
+    }
+    refuseWithout(device, model, links + " (" + allowed + ")");
+  }
+  std::string text = "found the device '" + std::string(device) + "' on a " + model.type + " with links " + chosen +
+                     "_0, ... (" + std::to_string(found) + "), allowed: " + allowed;
+  if (chosen != names.back()) {
+    text += "; links of other names count only on robots without " + chosen + "_0";
+  }
+  throw ConfigError({}, text);
+}
+
 /// The ring of the links <name>_0, <name>_1, ..., of the first of the names that the model has.
-/// @throws ConfigError if the model has none, or more than there may be
+/// @throws ConfigError if the model has none, too few, or more than there may be
 template <int count>
 RingGeometry<count> ringOf(const EntityModel& model, const char* device, const std::vector<std::string>& names) {
   const std::string name = ringNameOf(model, names);
@@ -47,13 +67,9 @@ RingGeometry<count> ringOf(const EntityModel& model, const char* device, const s
   }
   const bool is_right = count == Eigen::Dynamic ? found > 0 && found <= RingGeometry<count>::kMost : found >= count;
   if (!is_right) {
-    std::string links = "links " + names.front() + "_0, ...";
-    for (std::size_t i = 1; i < names.size(); ++i) {
-      links += " or " + names[i] + "_0, ...";
-    }
-    refuseWithout(device, model,
-                  count == Eigen::Dynamic ? links + " (1 to " + std::to_string(kMostRingSensors) + ")"
-                                          : std::to_string(count) + " " + links);
+    refuseRing(
+        device, model, names, name, found,
+        count == Eigen::Dynamic ? "1 to " + std::to_string(kMostRingSensors) : std::to_string(count) + " or more");
   }
   RingGeometry<count> ring;
   if constexpr (count == Eigen::Dynamic) {
@@ -75,17 +91,17 @@ template <int count>
 class Rings {
  public:
   /// @throws ConfigError as ringOf
-  std::shared_ptr<const RingGeometry<count>> of(const EntityModel& model, const char* device,
+  std::shared_ptr<const RingGeometry<count>> of(const std::shared_ptr<const EntityModel>& model, const char* device,
                                                 const std::vector<std::string>& names) {
-    if (&model != last_model_) {
-      last_ring_ = std::make_shared<RingGeometry<count>>(ringOf<count>(model, device, names));
-      last_model_ = &model;
+    if (model != last_model_) {
+      last_ring_ = std::make_shared<RingGeometry<count>>(ringOf<count>(*model, device, names));
+      last_model_ = model;
     }
     return last_ring_;
   }
 
  private:
-  const EntityModel* last_model_ = nullptr;
+  std::shared_ptr<const EntityModel> last_model_;  // kept, so that no other model gets its address
   std::shared_ptr<const RingGeometry<count>> last_ring_;
 };
 
