@@ -97,7 +97,8 @@ TEST_F(LightTest, ALampIsReadByAngleAndDistance) {
 TEST_F(LightTest, OneReadingIsWorkedOutByHand) {
   world.pose(robot).orientation.setIdentity();
   addLamp({4.0 + kRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // 0.5 m from sensor 0, cosine 0.8
-  const Light& light = LightSensor(world, robot).sense();
+  LightSensor sensor(world, robot);  // keeps the list of readings
+  const Light& light = sensor.sense();
   EXPECT_NEAR(light.sensors[0].value, 0.8 * 0.04 / 3.0, 1e-7);
   EXPECT_EQ(light.sensors[12].value, 0.0F) << "looks away";
 }
@@ -152,7 +153,8 @@ TEST_F(LightTest, APoleShadesSomeOfTheSensors) {
   const Eigen::Vector2d pole(4.36, 5.07);
   addLamp({lamp.x(), lamp.y(), kHeight});
   world.addPrey(pole.x(), pole.y(), colors::kBlack, 0.02);
-  const Light& light = LightSensor(world, robot).sense();
+  LightSensor sensor(world, robot);  // keeps the list of readings
+  const Light& light = sensor.sense();
   int shaded = 0;
   int lit = 0;
   for (std::size_t i = 0; i < kCount; ++i) {
@@ -202,7 +204,8 @@ TEST_F(LightTest, SensorsOfTheirOwnTakeThePlaceOfInfraredOnes) {
       Eigen::AngleAxisd(M_PI, Eigen::Vector3d::UnitZ()) * Eigen::AngleAxisd(-0.9, Eigen::Vector3d::UnitY());
   const Row own = world.add(model, {7.0, 7.0, 0.0});
   addLamp({7.1, 7.2, 0.9}, colors::kGreen);
-  const Light& light = LightSensor(world, own).sense();
+  LightSensor sensor(world, own);  // keeps the list of readings
+  const Light& light = sensor.sense();
   ASSERT_EQ(light.sensors.size(), 2U);
   const Eigen::Vector3d origin(7.0, 7.0, 0.0);
   const Eigen::Vector3d looks[] = {{std::cos(0.7), std::sin(0.7), 0.0}, {-std::cos(0.9), 0.0, std::sin(0.9)}};

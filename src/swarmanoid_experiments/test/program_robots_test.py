@@ -33,7 +33,7 @@ class RobotsTest(ProgramTest):
     def test_a_device_of_any_robot_need_not_be_listed(self):
         description = self.package / "urdf/e_puck.urdf"
         text, count = re.subn(r" *<device .*\n", "", description.read_text())
-        self.assertEqual(count, 4)
+        self.assertGreaterEqual(count, 4)
         description.write_text(text)
         done = self.call("validate", ROBOT / "e_pucks.xml")
         self.assertEqual((done.returncode, done.stderr), (FINISHED, ""))

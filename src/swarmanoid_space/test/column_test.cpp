@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <set>
 #include <string>
+#include <string_view>
 
 #include "swarmanoid_space/space.hpp"
 
@@ -40,8 +41,11 @@ class NameVisitor final : public StateVisitor {
 
  private:
   void add(const FieldName& name) {
-    names.push_back(std::string(name.group) + (name.quantity.empty() ? "" : "/") + std::string(name.member) +
-                    std::string(name.quantity));
+    std::string text(name.group);
+    for (const std::string_view part : {name.member, name.quantity}) {
+      text += part.empty() ? "" : "/" + std::string(part);
+    }
+    names.push_back(text);
   }
   bool wants_detail_;
 };
