@@ -12,6 +12,7 @@ include("${_swarmanoid_cmake}/swarmanoid_compile_options.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_declare_plugins.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_add_plugins.cmake")
 include("${_swarmanoid_cmake}/swarmanoid_include_all.cmake")
+include("${_swarmanoid_cmake}/swarmanoid_add_unit_tests.cmake")
 
 # swarmanoid_hosts has the real one
 if(NOT COMMAND swarmanoid_add_controller)

@@ -1,0 +1,15 @@
+# swarmanoid_add_unit_tests(TARGETS FOLDER [LIBRARY...]): a program of each FOLDER/*_test.cpp, so that a new test is built without
+# an entry anywhere. They are linked with the libraries; TARGETS becomes their list, ${PROJECT_NAME}_<name of the file>.
+function(swarmanoid_add_unit_tests targets folder)
+  file(GLOB _files CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${folder}/*_test.cpp)
+  set(_targets)
+  foreach(_file ${_files})
+    get_filename_component(_name ${_file} NAME_WE)
+    set(_target ${PROJECT_NAME}_${_name})
+    catkin_add_gtest(${_target} ${_file})
+    swarmanoid_compile_options(${_target})
+    target_link_libraries(${_target} ${ARGN} GTest::gtest_main)
+    list(APPEND _targets ${_target})
+  endforeach()
+  set(${targets} ${_targets} PARENT_SCOPE)
+endfunction()
