@@ -30,6 +30,11 @@ LAUNCH = ["roslaunch", "swarmanoid_experiments", "run.launch", "rviz:=false", "r
 BUILD_FOLDER = ""
 
 
+def read(name):
+    with open(name) as file:
+        return file.read()
+
+
 def walked_lines(last_tick):
     """What the odometer writes: the patrol's leg takes 20 ticks, its turn 10."""
     way_a_tick = 5.0 * 0.029 * 0.1  # wheels [rad/s], their radius [m], tick [s]
@@ -109,7 +114,7 @@ class OutsideTest(unittest.TestCase):
         with open(file, "w") as opened:
             opened.write(succeed(["swarmanoid", "schema"], environment))
         experiments = sorted(glob.glob(os.path.join(REPOSITORY, "examples/*/*.xml")))
-        experiments = [name for name in experiments if "<ahss-config>" in open(name).read()] + [EXPERIMENT]
+        experiments = [name for name in experiments if "<ahss-config>" in read(name)] + [EXPERIMENT]
         self.assertIn(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml"), experiments)
         succeed(["xmllint", "--noout", "--schema", file, *experiments], environment)
         with open(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml")) as opened:
@@ -129,7 +134,7 @@ class OutsideTest(unittest.TestCase):
         """A robot by its description: it is listed, and diffuses in each engine without touching walls or leaving its pen."""
         listed = succeed(["swarmanoid", "list", "entity"], environment)
         self.assertIn("\n  e_puck: A small wheeled robot with infrared sensors all around.\n", listed)
-        text = open(ROBOTS).read().replace("<e_puck", "<e_pick").replace("</e_puck", "</e_pick")
+        text = read(ROBOTS).replace("<e_puck", "<e_pick").replace("</e_puck", "</e_pick")
         changed = out + ".xml"
         with open(changed, "w") as file:
             file.write(text)
@@ -171,7 +176,7 @@ class OutsideTest(unittest.TestCase):
         finally:
             if program.poll() is None:
                 program.send_signal(signal.SIGINT)
-                program.communicate(timeout=60)
+            program.communicate(timeout=60)
 
     def check_run_under_ros(self, environment, headless_out, out):
         """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
@@ -213,18 +218,27 @@ class OutsideTest(unittest.TestCase):
                    "devices:=differential_drive leds proximity", f"world:={folder}/config/mock_world.yaml"]
         host = ["roslaunch", "swarmanoid_hosts", "robot.launch", "robot:=e", "controller:=diffusion", "provider:=topics",
                 f"configuration:={folder}/config/diffusion.yaml"]
-        with self.beside(drivers, environment) as mock, self.beside(host, environment) as controller:
-            end = time.monotonic() + 60
-            ahead, turned = 0.0, 0.0
-            while (ahead < 0.15 or turned < 0.1) and time.monotonic() < end:
-                self.assertIsNone(mock.poll() or controller.poll(), "it has ended")
-                code, printed, _ = run(["timeout", "5", "rostopic", "echo", "-n", "1", "-p", "/e/odom/pose/pose"], environment)
-                if code == 0:
-                    values = dict(zip(*(line.split(",") for line in printed.split())))
-                    ahead = max(ahead, float(values["field.position.x"]))
-                    turned = max(turned, abs(float(values["field.orientation.z"])))
-            self.assertTrue(0.15 < ahead < 0.3 - 0.035, ahead)
-            self.assertGreater(turned, 0.1)
+        with self.beside(drivers, environment) as mock:
+            while run(["rosservice", "type", "/e_drivers/get_loggers"], environment)[0] != 0:  # the drivers' master is there
+                self.assertIsNone(mock.poll(), "the drivers have ended")
+                time.sleep(0.2)
+            with self.beside(host, environment) as controller:
+                ahead, turned = self.watch_mock_robot(controller, environment)
+        self.assertTrue(0.15 < ahead < 0.3 - 0.035, ahead)
+        self.assertGreater(turned, 0.1)
+
+    def watch_mock_robot(self, controller, environment):
+        """@return how far ahead it went, and how far it turned (the sine of half the angle), after a minute at the latest"""
+        end = time.monotonic() + 60
+        ahead, turned = 0.0, 0.0
+        while (ahead < 0.15 or turned < 0.1) and time.monotonic() < end:
+            self.assertIsNone(controller.poll(), "the controller has ended")
+            code, printed, _ = run(["timeout", "5", "rostopic", "echo", "-n", "1", "-p", "/e/odom/pose/pose"], environment)
+            if code == 0:
+                values = dict(zip(*(line.split(",") for line in printed.split())))
+                ahead = max(ahead, float(values["field.position.x"]))
+                turned = max(turned, abs(float(values["field.orientation.z"])))
+        return ahead, turned
 
     def resume(self, launch, environment, end):
         succeed(["rosservice", "call", "/space/resume"], environment)
