@@ -238,6 +238,7 @@ class ListingsTest(unittest.TestCase):
             with self.subTest(page=page):
                 result.result()
 
+    @unittest.skipUnless("DOCS_TEST_LONG" in os.environ, "takes minutes: it builds a copy of the suite")
     def test_pages_that_add_to_the_suite_can_be_followed(self):
         copy = os.path.join(self.work, "copy")
         shutil.copytree(REPOSITORY, copy, symlinks=True, ignore=lambda folder, names: {
