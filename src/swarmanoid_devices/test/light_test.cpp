@@ -97,7 +97,7 @@ TEST_F(LightTest, ALampIsReadByAngleAndDistance) {
 TEST_F(LightTest, OneReadingIsWorkedOutByHand) {
   world.pose(robot).orientation.setIdentity();
   addLamp({4.0 + kRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // 0.5 m from sensor 0, cosine 0.8
-  LightSensor sensor(world, robot);  // keeps the list of readings
+  LightSensor sensor(world, robot);                             // keeps the list of readings
   const Light& light = sensor.sense();
   EXPECT_NEAR(light.sensors[0].value, 0.8 * 0.04 / 3.0, 1e-7);
   EXPECT_EQ(light.sensors[12].value, 0.0F) << "looks away";
