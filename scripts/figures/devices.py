@@ -17,7 +17,8 @@ def adding(table, build):
     done = subprocess.run([sys.executable, ROOT / "scripts/docs_test.py", build,
                            "ListingsTest.test_pages_that_add_to_the_suite_can_be_followed"], capture_output=True, text=True,
                           env=dict(os.environ, DOCS_TEST_LONG="1"))
-    seen = [line for line in done.stderr.splitlines() if "new files" in line or line.startswith(("Ran ", "OK", "FAILED"))]
+    seen = [line.split(" ... ")[-1] for line in done.stderr.splitlines()
+            if "new files" in line or line.startswith(("Ran ", "OK", "FAILED"))]
     table.add("a ring of light sensors for the footbot and a second implementation of its proximity sensors, added to a copy of the suite "
               "as the pages say: simulator, topic, Python, mock, schema, list, page, errors",
               "at most 5 and 2 new files, no other edited", "; ".join(seen), done.returncode == 0)
