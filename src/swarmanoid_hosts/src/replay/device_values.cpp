@@ -28,11 +28,11 @@ Field numberField(ByteReader& in) {
 }
 
 Field readNumber(const std::string& type, ByteReader& in) {
-  Field field;
-  if (!withNumberType(type, [&](auto number) { field = numberField<decltype(number)>(in); })) {
+  const std::optional<NumberType> found = findNumberType(type);
+  if (!found) {
     throw ByteError("found the field '" + type + "', which is none that is known here");
   }
-  return field;
+  return withNumberType(*found, [&](auto number) { return numberField<decltype(number)>(in); });
 }
 
 /// Returns the position after the bracket that closes the one at `open`.

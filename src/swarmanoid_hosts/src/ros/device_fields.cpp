@@ -13,6 +13,9 @@
 namespace swarmanoid {
 namespace {
 
+/// @param number of a device, not a span
+NumberType typeOf(const DeviceNumber& number) { return findNumberType(number.type).value(); }
+
 std::string elementName(const std::string& list, std::size_t index) {
   return list + "[" + std::to_string(index) + "].";
 }
@@ -20,7 +23,7 @@ std::string elementName(const std::string& list, std::size_t index) {
 void add(const DeviceNumber& number, const std::byte* origin, const std::string& prefix,
          swarmanoid_msgs::DeviceFields& message) {
   message.names.push_back(prefix + number.name);
-  withNumberType(number.type, [&](auto value) {
+  withNumberType(typeOf(number), [&](auto value) {
     std::memcpy(&value, origin + number.offset, sizeof value);
     message.values.push_back(static_cast<double>(value));
   });
@@ -59,7 +62,7 @@ class FieldReader {
   /// Takes a number of the device, or what it is now.
   void takeNumber(const DeviceNumber& number, const std::byte* device, ByteWriter& out) {
     const auto found = values_.find(number.name);
-    withNumberType(number.type, [&](auto value) {
+    withNumberType(typeOf(number), [&](auto value) {
       if (found == values_.end()) {
         std::memcpy(&value, device + number.offset, sizeof value);
       } else {
@@ -114,7 +117,7 @@ class FieldReader {
     if (found == values_.end()) {
       throw std::runtime_error("found no '" + name + "', expected all numbers of an element");
     }
-    withNumberType(number.type, [&](auto type) { out.number(converted<decltype(type)>(name, found->second)); });
+    withNumberType(typeOf(number), [&](auto type) { out.number(converted<decltype(type)>(name, found->second)); });
     values_.erase(found);
   }
 

@@ -27,12 +27,6 @@ const DeviceType& requireDeviceType(const std::string& type, const SourceLocatio
   return *device;
 }
 
-void checkErrors(const std::string& device, const std::vector<ErrorModelDescription>& errors) {
-  for (const ErrorModelDescription& error : errors) {
-    ErrorChain(requireDeviceType(device, error.location)).add(error);
-  }
-}
-
 ErrorChain::ErrorChain(const DeviceType& device) : device_(device), spans_(spansOf(device)) {}
 
 void ErrorChain::addAlias(const std::string& kind, const std::string& field, const std::string& parameter,

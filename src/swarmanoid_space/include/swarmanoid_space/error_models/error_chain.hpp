@@ -25,9 +25,6 @@ namespace swarmanoid {
 /// The description of a device's fields. @throws ConfigError if REGISTER_DEVICE does not stand below its struct
 const DeviceType& requireDeviceType(const std::string& type, const SourceLocation& location);
 
-/// Checks errors of a device as ErrorChain::add does. @throws ConfigError as that and requireDeviceType do
-void checkErrors(const std::string& device, const std::vector<ErrorModelDescription>& errors);
-
 /// What the errors of one robot's device keep from tick to tick.
 struct ErrorState {
   static constexpr std::uint64_t kNoTick = ~std::uint64_t{0};

@@ -7,21 +7,19 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <limits>
 
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/device_field.hpp"
+#include "swarmanoid_interface/number_type.hpp"
 
 namespace swarmanoid {
 
 /// A number in a struct of bytes.
 struct NumberPlace {
-  enum class Type : std::uint8_t { kF4, kF8, kB1, kU1, kU2, kU4, kU8, kI1, kI2, kI4, kI8 };
-
   std::size_t offset = 0;  ///< from the beginning of the device or of the element [byte]
-  Type type = Type::kF8;
+  NumberType type = NumberType::kF8;
   bool wraps = false;  ///< an angle, which is kept from -pi to pi
   /// The bounds of its field, or the numbers next to them inside if the type does not have the bounds themselves:
   /// single precision has no 0.7, and what is stored for it is less than that.
@@ -32,13 +30,13 @@ struct NumberPlace {
   bool isBounded() const { return range.minimum > -kInfinity || range.maximum < kInfinity; }
 
   double read(const std::byte* fields) const {
-    return type == Type::kF4   ? readReal<float>(fields)
-           : type == Type::kF8 ? readReal<double>(fields)
-                               : readWhole(fields);
+    return type == NumberType::kF4   ? readReal<float>(fields)
+           : type == NumberType::kF8 ? readReal<double>(fields)
+                                     : readWhole(fields);
   }
   /// Writes the nearest number that the type has: whole numbers are rounded, and nothing becomes infinite.
   void write(std::byte* fields, double value) const {
-    const double most = type == Type::kF4 ? mostOf<float>() : mostOf<double>();
+    const double most = type == NumberType::kF4 ? mostOf<float>() : mostOf<double>();
     store(fields, std::abs(value) < most ? value : std::clamp(value, -most, most));
   }
   /// Brings the number within the bounds of its field: wrapped if it is such an angle, else limited. NaN stays.
@@ -68,9 +66,9 @@ struct NumberPlace {
     return static_cast<double>(std::numeric_limits<Real>::max());
   }
   void store(std::byte* fields, double value) const {
-    if (type == Type::kF4) {
+    if (type == NumberType::kF4) {
       storeReal<float>(fields, value);
-    } else if (type == Type::kF8) {
+    } else if (type == NumberType::kF8) {
       storeReal<double>(fields, value);
     } else {
       writeWhole(fields, value);

@@ -1,0 +1,130 @@
+// Devices as bytes: what one process writes another one reads, to the last bit.
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <limits>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+
+namespace swarmanoid {
+namespace {
+
+Bytes bytesOf(const DeviceType& type, const void* device) {
+  Bytes bytes;
+  ByteWriter out(bytes);
+  type.write(device, out);
+  return bytes;
+}
+
+template <class Device>
+Bytes bytesOf(const Device& device) {
+  return bytesOf(*findDeviceType(Device::kType), &device);
+}
+
+std::string problemOf(const std::string& type, const Bytes& bytes) {
+  const DeviceType* found = findDeviceType(type);
+  const auto device = found->make();
+  VariableParts parts;
+  ByteReader in(bytes);
+  try {
+    found->read(in, device.get(), parts);
+  } catch (const ByteError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The size of the fixed fields that a layout names [bytes].
+std::size_t sizeOf(const std::string& layout) {
+  std::size_t size = 0;
+  for (std::size_t i = 0; i < layout.size(); ++i) {
+    if (layout[i] == '(') {
+      size += sizeof(std::uint32_t);
+      i = layout.find('*', i);
+    } else if (layout[i] >= '1' && layout[i] <= '8') {
+      size += static_cast<std::size_t>(layout[i] - '0');
+    }
+  }
+  return size;
+}
+
+/// A device that is read from arbitrary bytes is written as the same bytes: no field is left out, doubled or rounded.
+TEST(DeviceBytesTest, EveryFieldGoesThereAndBack) {
+  for (const DeviceType* type : deviceTypes()) {
+    const bool has_span = type->layout[0] == '(';
+    Bytes bytes(sizeOf(type->layout), 1);
+    for (std::size_t i = has_span ? sizeof(std::uint32_t) : 0; i < bytes.size(); ++i) {
+      const bool has_bool = type->layout.find('b') != std::string::npos || type->layout[0] == 'u';
+      bytes[i] = has_bool ? 1 : static_cast<std::uint8_t>(3 * i + 5);
+    }
+    if (has_span) {
+      std::fill_n(bytes.begin(), sizeof(std::uint32_t), std::uint8_t{0});
+    }
+    const auto device = type->make();
+    VariableParts parts;
+    ByteReader in(bytes);
+    type->read(in, device.get(), parts);
+    EXPECT_EQ(0U, in.left()) << type->type;
+    EXPECT_EQ(bytes, bytesOf(*type, device.get())) << type->type;
+  }
+}
+
+TEST(DeviceBytesTest, LayoutsNameTheFields) {
+  EXPECT_EQ("f8 f8", findDeviceType("footbot_wheels")->layout);
+  EXPECT_EQ("(u1 u1 u1 f4 f4)* b1", findDeviceType("footbot_camera")->layout);
+  EXPECT_EQ("u1 f8 f8", findDeviceType("footbot_turret")->layout);
+  EXPECT_EQ("b1 f8 f8", findDeviceType("eyebot_laser")->layout);
+}
+
+TEST(DeviceBytesTest, SpansAreReadAndSetAsBytes) {
+  const std::vector<ColorBlob> blobs{{colors::kYellow, 0.5F, 2.0F}, {colors::kRed, -3.0F, 0.25F}};
+  FootbotCamera camera;
+  camera.blobs = blobs;
+  const DeviceNumber& span = findDeviceType("footbot_camera")->numbers[0];
+  auto* place = reinterpret_cast<std::byte*>(&camera) + span.offset;
+  EXPECT_EQ(2 * sizeof(ColorBlob), span.span.bytes(place).size());
+  span.span.set(place, &blobs[1], 1);
+  ASSERT_EQ(1U, camera.blobs.size());
+  EXPECT_EQ(&blobs[1], camera.blobs.data());
+}
+
+TEST(DeviceBytesTest, NumbersKeepTheirBits) {
+  FootbotWheels wheels;
+  wheels.setAngularVelocity(-0.0, std::numeric_limits<double>::denorm_min());
+  const Bytes bytes = bytesOf(wheels);
+  EXPECT_EQ((Bytes{0, 0, 0, 0, 0, 0, 0, 0x80, 1, 0, 0, 0, 0, 0, 0, 0}), bytes);
+}
+
+TEST(DeviceBytesTest, BlobsComeWithTheirCamera) {
+  const std::vector<ColorBlob> blobs{{colors::kYellow, 0.5F, 2.0F}, {colors::kRed, -3.0F, 0.25F}};
+  FootbotCamera sent;
+  sent.blobs = blobs;
+  sent.overflowed = true;
+  const Bytes bytes = bytesOf(sent);
+  FootbotCamera received;
+  VariableParts parts;
+  const DeviceType* type = findDeviceType("footbot_camera");
+  for (int time = 0; time < 2; ++time) {
+    ByteReader in(bytes);
+    type->read(in, &received, parts);
+  }
+  ASSERT_EQ(2U, received.blobs.size());
+  EXPECT_EQ(colors::kRed, received.blobs[1].color);
+  EXPECT_EQ(-3.0F, received.blobs[1].bearing);
+  EXPECT_EQ(0.25F, received.blobs[1].distance);
+  EXPECT_TRUE(received.overflowed);
+  EXPECT_EQ(bytes, bytesOf(received));
+}
+
+TEST(DeviceBytesTest, BytesThatEndTooEarlyAreRefused) {
+  EXPECT_EQ("found 7 bytes, expected at least 8", problemOf("footbot_wheels", Bytes(7)));
+  EXPECT_EQ("found 0 bytes, expected at least 8", problemOf("footbot_wheels", Bytes(8)));
+  EXPECT_EQ("found a length of 16843009, allowed: at most 2, the bytes that are left",
+            problemOf("footbot_camera", Bytes(6, 1)));
+}
+
+}  // namespace
+}  // namespace swarmanoid
