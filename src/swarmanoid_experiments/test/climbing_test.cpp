@@ -71,7 +71,7 @@ TEST(ClimbingTest, WhoeverHangsAndIsNotCommandedAnyMoreKeepsHanging) {
   while (poseOf(*simulation, "hb").position.z() < 0.2) {
     simulation->tick();
   }
-  simulation->setCommandSource("hb", CommandSource::kNone);
+  simulation->apply(SetCommandSource{"hb", CommandSource::kNone});
   tick(*simulation, 20);
   const double height = poseOf(*simulation, "hb").position.z();
   EXPECT_GT(height, 0.2);
@@ -148,7 +148,7 @@ TEST(ClimbingTest, RopeArmsAndHandsGoFromEngineToEngine) {
     for (int i = 0; i < 2 * times; ++i) {
       const std::string target = i % 2 == 0 ? "other" : "space";
       const Kept before(*simulation);
-      simulation->handover("hb", target);
+      simulation->apply(HandOverEntity{"hb", target});
       ASSERT_EQ(moverOf(*simulation, "hb"), target);
       before.expectIn(*simulation);
       tick(*simulation);
@@ -168,7 +168,7 @@ TEST(ClimbingTest, RopeArmsAndHandsGoFromEngineToEngine) {
 TEST(ClimbingTest, WhoIsMovedFromOutsideLetsGo) {
   auto simulation = start(climbing());
   runUntil(*simulation, "descending");
-  simulation->move("hb", {{1.0, 1.0, 0.0}, Eigen::Quaterniond::Identity()});
+  simulation->apply(MoveEntity{"hb", {{1.0, 1.0, 0.0}, Eigen::Quaterniond::Identity()}});
   EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb")));
   runUntil(*simulation, "done");
   EXPECT_LT((poseOf(*simulation, "hb").position - Eigen::Vector3d(1.0, 1.0, 0.0)).norm(), 5e-3);
@@ -179,7 +179,7 @@ TEST(ClimbingTest, WhoIsMovedFromOutsideLetsGo) {
 TEST(ClimbingTest, WithoutItsCeilingItFalls) {
   auto simulation = start(climbing());
   runUntil(*simulation, "reaching");
-  simulation->remove("ceiling");
+  simulation->apply(DeleteEntity{"ceiling"});
   EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb"), kRope));
   tick(*simulation, 20);
   EXPECT_LT(poseOf(*simulation, "hb").position.z(), 0.2);
@@ -191,7 +191,7 @@ TEST(ClimbingTest, WhatTheRopeHoldsOnToMustBeThere) {
   auto simulation = start(experiment);
   runUntil(*simulation, "climbing");
   try {
-    simulation->handover("hb", "other");
+    simulation->apply(HandOverEntity{"hb", "other"});
     FAIL() << "was accepted";
   } catch (const ConfigError& error) {
     EXPECT_EQ(std::string(error.what()),
@@ -206,9 +206,9 @@ TEST(ClimbingTest, DevicesStandIdleInAPlaneUntilTheHandover) {
   auto simulation = start(experiment);
   ASSERT_EQ(moverOf(*simulation, "hb"), "ground");
   tick(*simulation, 3);
-  simulation->handover("hb", "space");
+  simulation->apply(HandOverEntity{"hb", "space"});
   tick(*simulation);
-  simulation->handover("hb", "ground");
+  simulation->apply(HandOverEntity{"hb", "ground"});
   tick(*simulation);
   EXPECT_NE(toldIn(*simulation).find("from space to ground; idle there: handbot_arms, handbot_hands, handbot_rope; "),
             std::string::npos)
@@ -216,7 +216,7 @@ TEST(ClimbingTest, DevicesStandIdleInAPlaneUntilTheHandover) {
   tick(*simulation, 30);
   EXPECT_EQ(stateOf(*simulation), "shooting");
   EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb")));
-  simulation->handover("hb", "space");
+  simulation->apply(HandOverEntity{"hb", "space"});
   expectTheBoxIsDown(*simulation);
 }
 
@@ -242,7 +242,7 @@ TEST(ClimbingTest, WhoHangsOnARopeCannotGoIntoAPlane) {
   auto simulation = start(experiment);
   runUntil(*simulation, "reaching");
   const std::uint64_t hash = simulation->stateHash();
-  EXPECT_THROW(simulation->handover("hb", "ground"), ConfigError);
+  EXPECT_THROW(simulation->apply(HandOverEntity{"hb", "ground"}), ConfigError);
   EXPECT_EQ(simulation->stateHash(), hash);
 }
 

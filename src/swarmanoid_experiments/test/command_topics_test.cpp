@@ -77,18 +77,18 @@ TEST_F(CommandTopicsTest, CommandsHoldForTheTimeOutOfSimulatedTime) {
 
 TEST_F(CommandTopicsTest, OnlyTheSourceTopicsTakesThem) {
   EXPECT_EQ("", put(2.0, 2.0));
-  simulation_->setCommandSource("fb", CommandSource::kNone);
+  simulation_->apply(SetCommandSource{"fb", CommandSource::kNone});
   EXPECT_EQ("'fb' is not commanded over topics; its command source says by whom", put(2.0, 2.0));
   EXPECT_EQ(0.0, drive(5, 2.0)) << "what came before is forgotten too";
   try {
-    simulation_->setCommandSource("fb", CommandSource::kTopics);
+    simulation_->apply(SetCommandSource{"fb", CommandSource::kTopics});
     FAIL() << "nobody listens";
   } catch (const ConfigError& error) {
     EXPECT_STREQ("'fb' cannot be commanded by topics: its devices have no topics; name it in ~device_topics",
                  error.what());
   }
   mailbox_->open("fb");
-  simulation_->setCommandSource("fb", CommandSource::kTopics);
+  simulation_->apply(SetCommandSource{"fb", CommandSource::kTopics});
   EXPECT_EQ("", put(2.0, 2.0));
   EXPECT_NEAR(1.0, drive(1, 2.0), 1e-9);
   mailbox_->close("fb");
@@ -115,9 +115,9 @@ TEST_F(CommandTopicsTest, WithoutAMailboxNobodyCommandsIt) {
   simulation.start();
   simulation.tick();
   EXPECT_EQ(1.0, poseOf(simulation, "fb").position.x());
-  simulation.setCommandSource("fb", CommandSource::kNone);
+  simulation.apply(SetCommandSource{"fb", CommandSource::kNone});
   try {
-    simulation.setCommandSource("fb", CommandSource::kTopics);
+    simulation.apply(SetCommandSource{"fb", CommandSource::kTopics});
     FAIL() << "nobody listens";
   } catch (const ConfigError& error) {
     EXPECT_STREQ("'fb' cannot be commanded by topics: nobody listens to topics here, that needs ROS", error.what());

@@ -62,19 +62,19 @@ TEST_P(DoorTest, ASpawnedEntityThatIsTwiceInAnEngineIsRefusedAsInTheFile) {
   const std::uint64_t hash = simulation->stateHash();
   const EntityDescription entity = prey({3.0, 3.0, 0.0});
   EXPECT_EQ(messageOf([&] {
-              simulation->spawn(entity, {"e", "e"});
+              simulation->apply(SpawnEntity{entity, {"e", "e"}});
             }),
             "a test: found the entity 'x' twice in the engine 'e', allowed: once");
   EXPECT_EQ(messageOf([&] {
-              simulation->spawn(entity, {"e", "other", "e"});
+              simulation->apply(SpawnEntity{entity, {"e", "other", "e"}});
             }),
             "a test: found the entity 'x' twice in the engine 'e', allowed: once");
   EXPECT_EQ(simulation->stateHash(), hash);
-  simulation->spawn(entity, {"e", "other"});
+  simulation->apply(SpawnEntity{entity, {"e", "other"}});
   for (int tick = 0; tick < 50; ++tick) {
     simulation->tick();
   }
-  simulation->remove("x");
+  simulation->apply(DeleteEntity{"x"});
   simulation->tick();
   const std::string file = fileWith(GetParam(), "", "\n<entity id=\"fb\"/>");
   EXPECT_EQ(messageOf([&] { const Simulation twice(parseExperiment(file, "twice.xml")); }),
@@ -86,15 +86,15 @@ TEST_P(DoorTest, WhatMovesComesInWithinTheArena) {
   const std::uint64_t hash = simulation->stateHash();
   const std::string allowed = "', allowed: in the arena, from 0, 0, 0 to 5, 5, 2";
   EXPECT_EQ(messageOf([&] {
-              simulation->spawn(prey({6.0, 3.0, 0.0}), {"e"});
+              simulation->apply(SpawnEntity{prey({6.0, 3.0, 0.0}), {"e"}});
             }),
             "a test: position: found '6, 3, 0" + allowed);
   EXPECT_EQ(messageOf([&] {
-              simulation->move("fb", {{1e40, 3.0, 0.0}, Eigen::Quaterniond::Identity()});
+              simulation->apply(MoveEntity{"fb", {{1e40, 3.0, 0.0}, Eigen::Quaterniond::Identity()}});
             }),
             "position: found '1e+40, 3, 0" + allowed);
   EXPECT_EQ(messageOf([&] {
-              simulation->move("fb", {{1.0, -0.1, 0.0}, Eigen::Quaterniond::Identity()});
+              simulation->apply(MoveEntity{"fb", {{1.0, -0.1, 0.0}, Eigen::Quaterniond::Identity()}});
             }),
             "position: found '1, -0.1, 0" + allowed);
   EXPECT_EQ(simulation->stateHash(), hash);
@@ -102,7 +102,7 @@ TEST_P(DoorTest, WhatMovesComesInWithinTheArena) {
       GetParam(), "\n<footbot id='out'><position>5.5,1,0</position><orientation>0,0,0</orientation></footbot>");
   EXPECT_EQ(messageOf([&] { const Simulation with(parseExperiment(outside, "out.xml")); }),
             "out.xml:5: position: found '5.5, 1, 0" + allowed);
-  simulation->move("fb", {{5.0, 5.0, 0.0}, Eigen::Quaterniond::Identity()});
+  simulation->apply(MoveEntity{"fb", {{5.0, 5.0, 0.0}, Eigen::Quaterniond::Identity()}});
   simulation->tick();
 }
 
@@ -112,7 +112,7 @@ INSTANTIATE_TEST_SUITE_P(Engines, DoorTest, testing::Values("kinematics2d", "dyn
 TEST(DoorTest, NumbersThatNoEngineCanHoldAreRefusedByTheirBounds) {
   const auto simulation = world();
   const auto refusal = [&](const NamedValues& values) {
-    return messageOf([&] { simulation->spawn(prey({3.0, 3.0, 0.0}, values), {"e"}); });
+    return messageOf([&] { simulation->apply(SpawnEntity{prey({3.0, 3.0, 0.0}, values), {"e"}}); });
   };
   EXPECT_EQ(refusal({{"radius", "1e-6"}, {"height", "0.1"}}),
             "a test: radius: found '1e-6', allowed: a number from 0.0001 to 10000");
@@ -128,11 +128,15 @@ TEST(DoorTest, NumbersThatNoEngineCanHoldAreRefusedByTheirBounds) {
             "orientation; did you mean 'height'?");
   EntityDescription block = prey({3.0, 3.0, 0.5}, {{"size", "1, 1, 1"}, {"mass", "1e-40"}});
   block.type = "block";
-  EXPECT_EQ(messageOf([&] { simulation->spawn(block, {"e"}); }),
+  EXPECT_EQ(messageOf([&] {
+              simulation->apply(SpawnEntity{block, {"e"}});
+            }),
             "a test: mass: found '1e-40', allowed: 0, or a number from 0.001 to 1000000");
   EntityDescription turned = prey({3.0, 3.0, 0.0});
   turned.angles.z() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(messageOf([&] { simulation->spawn(turned, {"e"}); }),
+  EXPECT_EQ(messageOf([&] {
+              simulation->apply(SpawnEntity{turned, {"e"}});
+            }),
             "a test: orientation: found '0, 0, nan', allowed: three finite numbers");
 }
 
@@ -140,10 +144,12 @@ TEST(DoorTest, WhatStandsMayStandAroundTheArena) {
   const auto simulation = world();
   EntityDescription wall = prey({-1.0, 2.0, 0.0}, {{"size", "1, 5, 1"}});
   wall.type = "block";
-  simulation->spawn(wall, {"e"});
+  simulation->apply(SpawnEntity{wall, {"e"}});
   wall.id = "far";
   wall.position.x() = 1e5;
-  EXPECT_EQ(messageOf([&] { simulation->spawn(wall, {"e"}); }),
+  EXPECT_EQ(messageOf([&] {
+              simulation->apply(SpawnEntity{wall, {"e"}});
+            }),
             "a test: position: found '1e+05, 2, 0', allowed: 3 numbers, each from -10000 to 10000");
 }
 
@@ -151,7 +157,9 @@ TEST(DoorTest, ANameIsOneInCodeToo) {
   const auto simulation = world();
   EntityDescription entity = prey({3.0, 3.0, 0.0});
   entity.id = "x/../y";
-  EXPECT_EQ(messageOf([&] { simulation->spawn(entity, {"e"}); }),
+  EXPECT_EQ(messageOf([&] {
+              simulation->apply(SpawnEntity{entity, {"e"}});
+            }),
             "a test: name: found 'x/../y', allowed: letters, digits and _, a letter first");
 }
 

@@ -26,7 +26,7 @@ double fallSpeed(const Simulation& simulation) { return -twistOf(simulation, "fa
 std::string messageOf(Simulation& simulation, const std::string& engine, const NamedValues& values) {
   const std::uint64_t hash = simulation.stateHash();
   try {
-    simulation.setEngineParameters(engine, values);
+    simulation.apply(SetEngineParameters{engine, values});
   } catch (const ConfigError& error) {
     EXPECT_EQ(simulation.stateHash(), hash);
     return error.what();
@@ -39,7 +39,7 @@ TEST(EngineParametersTest, ChangeWhatHappensFromTheNextTickOn) {
   tick(*simulation, 2);
   ASSERT_NEAR(fallSpeed(*simulation), 2 * 0.981, 1e-9);
   const std::uint64_t hash = simulation->stateHash();
-  simulation->setEngineParameters("deep", {{"gravity", "1.5"}});
+  simulation->apply(SetEngineParameters{"deep", {{"gravity", "1.5"}}});
   EXPECT_EQ(simulation->stateHash(), hash);
   EXPECT_EQ(simulation->engineParameters("deep").text("gravity"), "1.5");
   tick(*simulation);
@@ -51,10 +51,10 @@ TEST(EngineParametersTest, ChangeWhatHappensFromTheNextTickOn) {
 
 TEST(EngineParametersTest, TreelsWithoutFrictionDriveAgainOnceTheyHaveIt) {
   const auto simulation = started(threeEngines());
-  simulation->setEngineParameters("flat", {{"treel_friction", "0"}});
+  simulation->apply(SetEngineParameters{"flat", {{"treel_friction", "0"}}});
   tick(*simulation, 5);
   EXPECT_EQ(poseOf(*simulation, "driver").position.x(), 2.0);
-  simulation->setEngineParameters("flat", {{"treel_friction", "0.9"}});
+  simulation->apply(SetEngineParameters{"flat", {{"treel_friction", "0.9"}}});
   tick(*simulation, 10);
   EXPECT_NEAR(twistOf(*simulation, "driver").linear.x(), 5.0 * 0.029, 1e-6);
 }
@@ -68,7 +68,7 @@ TEST(EngineParametersTest, WhatSlidesInThePlaneTakesTheNewFriction) {
         "<engine id='deep'><entity id='falling'/></engine>";
     const auto simulation = started(world);
     tick(*simulation, 20);
-    simulation->setEngineParameters("flat", {{"ground_friction", friction}, {"treel_friction", "0"}});
+    simulation->apply(SetEngineParameters{"flat", {{"ground_friction", friction}, {"treel_friction", "0"}}});
     const double x = poseOf(*simulation, "prey").position.x();
     tick(*simulation, 10);
     return poseOf(*simulation, "prey").position.x() - x;
@@ -108,7 +108,7 @@ TEST(EngineParametersTest, OneBadValueAmongGoodOnesChangesNothing) {
 
 TEST(EngineParametersTest, TheValueThatItHasIsNoChange) {
   const auto simulation = started(threeEngines());
-  simulation->setEngineParameters("deep", {{"gravity", "9.810"}, {"iterations", "50"}});
+  simulation->apply(SetEngineParameters{"deep", {{"gravity", "9.810"}, {"iterations", "50"}}});
   tick(*simulation);
   EXPECT_EQ(toldIn(*simulation), "");
 }
@@ -116,8 +116,8 @@ TEST(EngineParametersTest, TheValueThatItHasIsNoChange) {
 TEST(EngineParametersTest, TheSameChangesGiveTheSameBitsAndAResetUndoesThem) {
   const auto run = [](Simulation& simulation) {
     auto hashes = hashesOf(simulation, 4);
-    simulation.setEngineParameters("deep", {{"gravity", "3"}});
-    simulation.setEngineParameters("flat", {{"treel_friction", "0.01"}, {"contact_friction", "0"}});
+    simulation.apply(SetEngineParameters{"deep", {{"gravity", "3"}}});
+    simulation.apply(SetEngineParameters{"flat", {{"treel_friction", "0.01"}, {"contact_friction", "0"}}});
     const auto later = hashesOf(simulation, 10);
     hashes.insert(hashes.end(), later.begin(), later.end());
     return hashes;

@@ -43,7 +43,7 @@ std::vector<std::uint64_t> carry(Simulation& simulation, int handovers) {
     const State footbot = stateOf(simulation, "fb");
     const State prey = stateOf(simulation, "prey");
     const char* next = kEngines[static_cast<std::size_t>(i + 1) % kEngines.size()];
-    simulation.handover("fb", next);
+    simulation.apply(HandOverEntity{"fb", next});
     EXPECT_EQ(moverOf(simulation, "fb"), next);
     EXPECT_EQ(moverOf(simulation, "prey"), next);
     for (const auto& [name, before] : {std::pair("fb", footbot), std::pair("prey", prey)}) {
@@ -75,7 +75,7 @@ TEST_P(HandoverPlaceTest, WhoStandsStaysWhereItIs) {
   tick(*simulation, 3);
   const State before = stateOf(*simulation, "fb");
   for (int i = 0; i < 50; ++i) {
-    simulation->handover("fb", i % 2 == 0 ? "forces" : "ground");
+    simulation->apply(HandOverEntity{"fb", i % 2 == 0 ? "forces" : "ground"});
     tick(*simulation, 2);
     const State after = stateOf(*simulation, "fb");
     ASSERT_LT((after.pose.position - before.pose.position).norm(), 2e-6) << "handover " << i;

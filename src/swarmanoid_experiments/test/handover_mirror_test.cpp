@@ -36,7 +36,7 @@ Row overlapIn(const Simulation& simulation, const std::string& engine_id, const 
 TEST(HandoverMirrorTest, MirrorAndMoverChangePlaces) {
   auto simulation = started(mirroredWorld("<entity id=\"fb\" role=\"mirror\"/>"));
   tick(*simulation, 10);
-  simulation->handover("fb", "twin");
+  simulation->apply(HandOverEntity{"fb", "twin"});
   EXPECT_EQ(moverOf(*simulation, "fb"), "twin");
   const double x = poseOf(*simulation, "fb").position.x();
   tick(*simulation, 10);
@@ -47,8 +47,8 @@ TEST(HandoverMirrorTest, MirrorAndMoverChangePlaces) {
   const RayHit hit = simulation->space().castRay({{2, 5, 0.1}, {9, 5, 0.1}});
   EXPECT_EQ(hit.row, fb);
   EXPECT_NEAR(7 * hit.fraction, poseOf(*simulation, "fb").position.x() - 2 - 0.085, 1e-9) << "met where it is now";
-  simulation->handover("fb", "ground");
-  simulation->handover("fb", "twin");
+  simulation->apply(HandOverEntity{"fb", "ground"});
+  simulation->apply(HandOverEntity{"fb", "twin"});
   tick(*simulation);
   EXPECT_EQ(toldIn(*simulation),
             "intervention fb handover to ground; handed_over fb from twin to ground; "
@@ -57,12 +57,12 @@ TEST(HandoverMirrorTest, MirrorAndMoverChangePlaces) {
 
 TEST(HandoverMirrorTest, AnEngineThatTheFileDoesNotNameForgetsWhatItGivesUp) {
   auto simulation = started(mirroredWorld(""));
-  simulation->handover("fb", "twin");
+  simulation->apply(HandOverEntity{"fb", "twin"});
   tick(*simulation, 5);
   const Row fb = simulation->space().entities.find("fb");
   EXPECT_EQ(overlapIn(*simulation, "twin", "fb"), fb);
   EXPECT_EQ(overlapIn(*simulation, "ground", "fb"), fb);
-  simulation->handover("fb", "ground");
+  simulation->apply(HandOverEntity{"fb", "ground"});
   EXPECT_EQ(overlapIn(*simulation, "twin", "fb"), kNoRow);
   EXPECT_EQ(overlapIn(*simulation, "ground", "fb"), fb);
 }
@@ -73,7 +73,7 @@ TEST(HandoverMirrorTest, ItCollidesWithThoseOfItsNewEngine) {
   world.entities = footbot("fb", 2, 5, 0) + prey("tb", 3, 5);
   auto in_twin = started(world);
   auto on_ground = started(world);
-  in_twin->handover("fb", "twin");
+  in_twin->apply(HandOverEntity{"fb", "twin"});
   tick(*in_twin, 150);
   tick(*on_ground, 150);
   EXPECT_LT(poseOf(*in_twin, "fb").position.x(), 3 - 0.06 - 0.085);
@@ -86,9 +86,9 @@ TEST(HandoverMirrorTest, AMirrorIsInTheWayWhereItIsAndNotWhereItWas) {
   world.drive += "<open_at>20</open_at>";
   auto simulation = started(world);
   tick(*simulation, 5);
-  simulation->handover("fb", "twin");
+  simulation->apply(HandOverEntity{"fb", "twin"});
   tick(*simulation, 16);
-  EXPECT_NO_THROW(simulation->handover("fb", "ground"));
+  EXPECT_NO_THROW(simulation->apply(HandOverEntity{"fb", "ground"}));
   EXPECT_EQ(moverOf(*simulation, "fb"), "ground");
   EXPECT_EQ(moverOf(*simulation, "prey"), "twin");
 }

@@ -34,7 +34,7 @@ TEST_P(HandoverRefusalTest, LeavesEverythingAsItWas) {
   tick(*without);
   const std::uint64_t hash = with->stateHash();
   try {
-    with->handover(GetParam().name, GetParam().engine);
+    with->apply(HandOverEntity{GetParam().name, GetParam().engine});
     FAIL() << "was accepted";
   } catch (const ConfigError& error) {
     EXPECT_EQ(std::string(error.what()), std::string(GetParam().message));
@@ -71,7 +71,7 @@ std::string refusalOnGround(Simulation& simulation, const std::string& name) {
   const std::uint64_t hash = simulation.stateHash();
   std::string message = "(accepted)";
   try {
-    simulation.handover(name, "ground");
+    simulation.apply(HandOverEntity{name, "ground"});
   } catch (const ConfigError& error) {
     message = error.what();
     EXPECT_EQ(simulation.stateHash(), hash);
@@ -100,7 +100,7 @@ TEST(HandoverDynamicsTest, GripsThatTheTargetCannotHoldAreRefused) {
   EXPECT_EQ(refusalOnGround(*simulation, "prey"),
             "cylindric_prey 'prey' cannot be handed over to engine 'ground': connected footbot 'left': is "
             "not alone in gripping 'prey', which this engine cannot hold");
-  simulation->remove("right");
+  simulation->apply(DeleteEntity{"right"});
   EXPECT_EQ(refusalOnGround(*simulation, "prey"), "(accepted)");
   EXPECT_EQ(moverOf(*simulation, "left"), "ground");
 }
@@ -111,10 +111,10 @@ TEST(HandoverTest, TheMembersOfAStructureAreNotInEachOthersWay) {
   world.physics = "<engine id=\"lift\">" + member("fb") + "</engine>";
   auto simulation = started(world);
   tick(*simulation, 10);
-  EXPECT_NO_THROW(simulation->handover("prey", "lift"));
+  EXPECT_NO_THROW(simulation->apply(HandOverEntity{"prey", "lift"}));
   EXPECT_EQ(moverOf(*simulation, "fb"), "lift");
-  simulation->handover("prey", "twin");
-  EXPECT_NO_THROW(simulation->handover("prey", "lift")) << "mirrors of the members neither";
+  simulation->apply(HandOverEntity{"prey", "twin"});
+  EXPECT_NO_THROW(simulation->apply(HandOverEntity{"prey", "lift"})) << "mirrors of the members neither";
 }
 
 TEST(HandoverTest, WhatElseIsThereIsInTheWayMoverOrMirror) {
@@ -123,11 +123,11 @@ TEST(HandoverTest, WhatElseIsThereIsInTheWayMoverOrMirror) {
   world.physics += "<engine id=\"lift\">" + member("other") + "</engine>";
   auto simulation = started(world);
   tick(*simulation);
-  EXPECT_THROW(simulation->handover("prey", "lift"), ConfigError);
-  EXPECT_NO_THROW(simulation->handover("other", "lift"));
-  EXPECT_THROW(simulation->handover("prey", "lift"), ConfigError);
-  simulation->remove("other");
-  EXPECT_NO_THROW(simulation->handover("prey", "lift"));
+  EXPECT_THROW(simulation->apply(HandOverEntity{"prey", "lift"}), ConfigError);
+  EXPECT_NO_THROW(simulation->apply(HandOverEntity{"other", "lift"}));
+  EXPECT_THROW(simulation->apply(HandOverEntity{"prey", "lift"}), ConfigError);
+  simulation->apply(DeleteEntity{"other"});
+  EXPECT_NO_THROW(simulation->apply(HandOverEntity{"prey", "lift"}));
 }
 
 }  // namespace

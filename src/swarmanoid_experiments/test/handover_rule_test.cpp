@@ -82,7 +82,7 @@ TEST(HandoverRuleTest, WhoStartsInARegionHasNotEnteredIt) {
 TEST(HandoverRuleTest, WhoIsPutIntoARegionHasEnteredIt) {
   auto simulation = lineWorld(rule("fb", "twin", box("inside", "7,4,0", "8,6,1"))).make();
   simulation->start();
-  simulation->move("fb", {{7.5, 5, 0}, Eigen::Quaterniond::Identity()});
+  simulation->apply(MoveEntity{"fb", {{7.5, 5, 0}, Eigen::Quaterniond::Identity()}});
   EXPECT_EQ(story(*simulation, 3), "1 fb from ground to twin; ");
 }
 
@@ -119,7 +119,7 @@ TEST(HandoverRuleTest, ARefusalIsReportedOnceAndTriedAgainWhileTheConditionHolds
   auto simulation = world.make();
   simulation->start();
   EXPECT_EQ(story(*simulation, 15), "10 fb to twin: overlaps 'post'; ");
-  simulation->remove("post");
+  simulation->apply(DeleteEntity{"post"});
   EXPECT_EQ(story(*simulation, 1), "16 fb from ground to twin; ");
 }
 
@@ -133,7 +133,7 @@ TEST(HandoverRuleTest, WhatIsRefusedStaysAndIsReportedAgainForEachTimeItEnters) 
   story(*without, 40);
   EXPECT_EQ(simulation->stateHash(), without->stateHash());
   for (Simulation* each : {simulation.get(), without.get()}) {
-    each->move("fb", {{1, 5, 0}, Eigen::Quaterniond::Identity()});
+    each->apply(MoveEntity{"fb", {{1, 5, 0}, Eigen::Quaterniond::Identity()}});
   }
   EXPECT_EQ(story(*simulation, 40), "50" + refused);
   story(*without, 40);
@@ -205,13 +205,13 @@ TEST(HandoverRuleTest, WatchingAllocatesNothing) {
 TEST(HandoverRuleTest, ARuleEndsWithItsEntityAndComesBackWithAReset) {
   auto simulation = lineWorld(rule("fb", "twin", box("inside", "1.255,4,0", "2,6,1"))).make();
   simulation->start();
-  simulation->remove("fb");
+  simulation->apply(DeleteEntity{"fb"});
   EntityDescription other;
   other.type = "footbot";
   other.id = "fb";
   other.controller = "drive";
   other.position = {1, 5, 0};
-  simulation->spawn(other, {"ground"});
+  simulation->apply(SpawnEntity{other, {"ground"}});
   EXPECT_EQ(story(*simulation, 50), "");
   simulation->reset();
   EXPECT_EQ(story(*simulation, 50), "26 fb from ground to twin; ");

@@ -23,7 +23,7 @@ std::vector<std::uint64_t> aThousandHandovers(Simulation& simulation) {
   std::vector<std::uint64_t> hashes;
   for (int i = 0; i < 1000; ++i) {
     simulation.tick();
-    simulation.handover("fb", i % 2 == 0 ? "twin" : "ground");
+    simulation.apply(HandOverEntity{"fb", i % 2 == 0 ? "twin" : "ground"});
     hashes.push_back(simulation.stateHash());
   }
   return hashes;
@@ -37,7 +37,7 @@ TEST(HandoverTest, AThousandWhileDrivingStraightChangeNothing) {
   auto with = started(world);
   auto without = started(world);
   for (int i = 0; i < 1000; ++i) {
-    with->handover("fb", i % 2 == 0 ? "twin" : "ground");
+    with->apply(HandOverEntity{"fb", i % 2 == 0 ? "twin" : "ground"});
     with->tick();
     without->tick();
     expectEqualToTheBit(*with, *without, "fb");
@@ -53,7 +53,7 @@ TEST(HandoverTest, AThousandWhileCarryingAPreyAlongAnArcLoseNothing) {
   for (int i = 0; i < 1000; ++i) {
     tick(*with);
     tick(*without);
-    with->handover("fb", i % 2 == 0 ? "twin" : "ground");
+    with->apply(HandOverEntity{"fb", i % 2 == 0 ? "twin" : "ground"});
     for (const char* name : {"fb", "prey"}) {
       worst = std::max(worst, (poseOf(*with, name).position - poseOf(*without, name).position).norm());
       worst = std::max(worst, poseOf(*with, name).orientation.angularDistance(poseOf(*without, name).orientation));
@@ -85,9 +85,9 @@ TEST(HandoverTest, ThereAndBackBetweenTwoTicksIsNothing) {
   const Space& space = simulation->space();
   const auto* wheels = space.commands.find<FootbotWheels>(space.entities.find("fb"));
   const std::uint64_t hash = simulation->stateHash();
-  simulation->handover("fb", "twin");
+  simulation->apply(HandOverEntity{"fb", "twin"});
   EXPECT_NE(simulation->stateHash(), hash) << "the hash knows who moves whom";
-  simulation->handover("fb", "ground");
+  simulation->apply(HandOverEntity{"fb", "ground"});
   EXPECT_EQ(simulation->stateHash(), hash);
   EXPECT_EQ(space.commands.find<FootbotWheels>(space.entities.find("fb")), wheels) << "controllers' references stay";
 }
@@ -96,7 +96,7 @@ TEST(HandoverTest, WhatIsConnectedGoesAlongWhicheverIsNamed) {
   for (const char* named : {"fb", "prey"}) {
     auto simulation = started(carrierWorld());
     tick(*simulation, 3);
-    simulation->handover(named, "twin");
+    simulation->apply(HandOverEntity{named, "twin"});
     EXPECT_EQ(moverOf(*simulation, "fb"), "twin");
     EXPECT_EQ(moverOf(*simulation, "prey"), "twin");
     tick(*simulation);
@@ -112,7 +112,7 @@ TEST(HandoverTest, WhatIsConnectedGoesAlongWhicheverIsNamed) {
 TEST(HandoverTest, WhatIsMovedThereAlreadyStaysWithoutAWord) {
   auto simulation = started(carrierWorld());
   tick(*simulation, 3);
-  simulation->handover("fb", "ground");
+  simulation->apply(HandOverEntity{"fb", "ground"});
   tick(*simulation);
   EXPECT_EQ(toldIn(*simulation), "");
 }
@@ -120,11 +120,11 @@ TEST(HandoverTest, WhatIsMovedThereAlreadyStaysWithoutAWord) {
 TEST(HandoverTest, TheNewEngineGoesOnWithTheTwistOfTheOld) {
   auto simulation = started(carrierWorld());
   tick(*simulation, 10);
-  simulation->remove("fb");  // the prey is let go in mid-motion
+  simulation->apply(DeleteEntity{"fb"});  // the prey is let go in mid-motion
   const Pose start = poseOf(*simulation, "prey");
   const Twist twist = twistOf(*simulation, "prey");
   ASSERT_GT(twist.linear.norm(), 0.05);
-  simulation->handover("prey", "ice");
+  simulation->apply(HandOverEntity{"prey", "ice"});
   EXPECT_EQ(twistOf(*simulation, "prey").linear, twist.linear);
   tick(*simulation, 10);
   EXPECT_NEAR((poseOf(*simulation, "prey").position - start.position - twist.linear).norm(), 0.0, 1e-9);
@@ -137,7 +137,7 @@ TEST(HandoverTest, WhatNobodyMovesCanBeTaken) {
   auto simulation = started(world);
   tick(*simulation, 5);
   EXPECT_EQ(poseOf(*simulation, "fb").position, Eigen::Vector3d(5, 5, 0));
-  simulation->handover("fb", "twin");
+  simulation->apply(HandOverEntity{"fb", "twin"});
   tick(*simulation);
   EXPECT_EQ(toldIn(*simulation), "intervention fb handover to twin; handed_over fb from no engine to twin; ");
   EXPECT_NE(poseOf(*simulation, "fb").position, Eigen::Vector3d(5, 5, 0));
@@ -159,7 +159,7 @@ TEST(HandoverDynamicsTest, KinematicsAndRigidBodiesTakeOverFromEachOtherWithWhat
   for (int i = 0; i < 100; ++i) {
     const Pose pose = poseOf(*simulation, "prey");
     const Twist twist = twistOf(*simulation, "prey");
-    simulation->handover("fb", i % 2 == 0 ? "solid" : "ground");
+    simulation->apply(HandOverEntity{"fb", i % 2 == 0 ? "solid" : "ground"});
     EXPECT_EQ(poseOf(*simulation, "prey").position, pose.position);
     EXPECT_EQ(twistOf(*simulation, "prey").linear, twist.linear);
     tick(*simulation, 5);
@@ -175,19 +175,19 @@ TEST(HandoverDynamicsTest, KinematicsAndRigidBodiesTakeOverFromEachOtherWithWhat
 TEST(HandoverLifeTest, WhatWasHandedOverCanBePutElsewhereDeletedAndSpawnedAnew) {
   auto simulation = started(carrierWorld());
   tick(*simulation, 5);
-  simulation->handover("fb", "twin");
-  simulation->move("fb", {{2, 2, 0}, Eigen::Quaterniond::Identity()});
+  simulation->apply(HandOverEntity{"fb", "twin"});
+  simulation->apply(MoveEntity{"fb", {{2, 2, 0}, Eigen::Quaterniond::Identity()}});
   tick(*simulation, 5);
   EXPECT_NEAR((poseOf(*simulation, "fb").position - Eigen::Vector3d(2, 2, 0)).norm(), 0.0, 0.1);
-  simulation->remove("fb");
+  simulation->apply(DeleteEntity{"fb"});
   tick(*simulation, 5);
   EntityDescription again;
   again.type = "footbot";
   again.id = "fb";
   again.controller = "drive";
   again.position = {2, 2, 0};
-  simulation->spawn(again, {"twin"});
-  simulation->handover("fb", "ground");
+  simulation->apply(SpawnEntity{again, {"twin"}});
+  simulation->apply(HandOverEntity{"fb", "ground"});
   tick(*simulation, 5);
   EXPECT_EQ(moverOf(*simulation, "fb"), "ground");
   EXPECT_EQ(moverOf(*simulation, "prey"), "twin") << "it was let go there";
@@ -198,7 +198,7 @@ TEST(HandoverLifeTest, AResetGivesEverythingBackToTheEngineOfTheFile) {
   auto used = started(carrierWorld());
   auto fresh = started(carrierWorld());
   tick(*used, 50);
-  used->handover("prey", "twin");
+  used->apply(HandOverEntity{"prey", "twin"});
   tick(*used, 50);
   used->reset();
   EXPECT_EQ(moverOf(*used, "fb"), "ground");

@@ -41,7 +41,7 @@ TEST(LockstepDisturbedTest, WhatHappensMeanwhileIsAsBetweenTicks) {
   const auto turnAround = [](Simulation& simulation) {
     Pose pose = poseOf(simulation, "fb");
     pose.orientation = Eigen::AngleAxisd(2.1, Eigen::Vector3d::UnitZ());
-    simulation.move("fb", pose);
+    simulation.apply(MoveEntity{"fb", pose});
   };
   auto expected = oneRobot("controller");
   hashesOf(*expected, 5);
@@ -64,7 +64,7 @@ TEST(LockstepDisturbedTest, NobodyWaitsForAParticipantThatHasLostItsRobot) {
   participant.is_mute = true;
   participant.join();
   EXPECT_FALSE(simulation->tick(disturbed));
-  simulation->setCommandSource("fb", CommandSource::kNone);
+  simulation->apply(SetCommandSource{"fb", CommandSource::kNone});
   EXPECT_TRUE(simulation->tick(disturbed));
   EXPECT_EQ(1U, simulation->space().tick);
 }
@@ -75,7 +75,7 @@ TEST(LockstepDisturbedTest, ALateAnswerMaySpeakOfARobotThatWasDeleted) {
   participant.is_mute = true;
   participant.join();
   EXPECT_FALSE(simulation->tick(disturbed));
-  simulation->remove("fb_2");
+  simulation->apply(DeleteEntity{"fb_2"});
   participant.answerLate();
   EXPECT_TRUE(simulation->tick());
   participant.is_mute = false;
@@ -121,7 +121,7 @@ TEST_F(WaitingThreadTest, PauseStepResetAndDeleteGetThrough) {
   EXPECT_TRUE(getsThrough([&] { thread.reset(std::nullopt, false); }));
   EXPECT_TRUE(
       getsThrough([&] { thread.look([](const Simulation& simulation) { EXPECT_EQ(0U, simulation.space().tick); }); }));
-  EXPECT_TRUE(getsThrough([&] { thread.call([](Simulation& simulation) { simulation.remove("fb"); }); }));
+  EXPECT_TRUE(getsThrough([&] { thread.call([](Simulation& simulation) { simulation.apply(DeleteEntity{"fb"}); }); }));
   while (thread.state() == SimulationThread::State::kRunning) {
     std::this_thread::sleep_for(1ms);
   }
@@ -140,7 +140,7 @@ TEST_F(WaitingThreadTest, AStepThatWaitsEndsWithAPause) {
 
 TEST_F(WaitingThreadTest, ItsRobotCanBeTakenBack) {
   EXPECT_TRUE(getsThrough([&] {
-    thread.call([](Simulation& simulation) { simulation.setCommandSource("fb", CommandSource::kController); });
+    thread.call([](Simulation& simulation) { simulation.apply(SetCommandSource{"fb", CommandSource::kController}); });
   }));
   while (thread.state() == SimulationThread::State::kRunning) {
     std::this_thread::sleep_for(1ms);

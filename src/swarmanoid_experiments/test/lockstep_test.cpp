@@ -207,24 +207,24 @@ TEST(LockstepTest, NobodyCommandsARobotWithoutASource) {
 
 TEST(LockstepTest, TheSourceChangesWhileItRuns) {
   auto simulation = oneRobot("none");
-  simulation->setCommandSource("fb", CommandSource::kController);
+  simulation->apply(SetCommandSource{"fb", CommandSource::kController});
   hashesOf(*simulation, 5);
   const double driven = xOf(*simulation);
   EXPECT_GT(driven, 1.05);
-  simulation->setCommandSource("fb", CommandSource::kRemote);
-  simulation->setCommandSource("fb", CommandSource::kRemote);
+  simulation->apply(SetCommandSource{"fb", CommandSource::kRemote});
+  simulation->apply(SetCommandSource{"fb", CommandSource::kRemote});
   FakeParticipant participant(*simulation, "a", {"fb"});
   participant.join();
   simulation->tick();
   EXPECT_EQ(std::vector<std::string>{"fb: commands from remote, no more from controller"},
             textsOf(*simulation, Event::Kind::kIntervention));
   EXPECT_GT(xOf(*simulation), driven);
-  simulation->setCommandSource("fb", CommandSource::kNone);
+  simulation->apply(SetCommandSource{"fb", CommandSource::kNone});
   const double stopped = xOf(*simulation);
   hashesOf(*simulation, 5);
   EXPECT_EQ(stopped, xOf(*simulation));
   EXPECT_EQ(1, participant.frames);
-  EXPECT_THROW(simulation->setCommandSource("wall", CommandSource::kNone), ConfigError);
+  EXPECT_THROW(simulation->apply(SetCommandSource{"wall", CommandSource::kNone}), ConfigError);
   simulation->reset();
   hashesOf(*simulation, 5);
   EXPECT_EQ(1.0, xOf(*simulation)) << "a reset puts the file's source back";
@@ -236,7 +236,7 @@ TEST(LockstepTest, ARobotMayGoAndComeBack) {
   participant.join();
   hashesOf(*simulation, 5);
   const int frames = participant.frames;
-  simulation->remove("eb");
+  simulation->apply(DeleteEntity{"eb"});
   hashesOf(*simulation, 5);
   EXPECT_EQ(frames, participant.frames);
 }

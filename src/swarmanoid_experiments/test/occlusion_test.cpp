@@ -100,12 +100,12 @@ TEST_F(OcclusionTest, BothEndsAreLookedThroughAndNothingElse) {
 TEST_F(OcclusionTest, FollowsWhatIsMovedAndForgetsWhatIsRemoved) {
   const Vector3d from(2.0, 5.0, 0.1);
   const Vector3d to(4.0, 5.0, 0.1);
-  simulation->move("prey", {{3.5, 5.0, 0.0}, Eigen::Quaterniond::Identity()});
+  simulation->apply(MoveEntity{"prey", {{3.5, 5.0, 0.0}, Eigen::Quaterniond::Identity()}});
   expectHit("prey", 1.4, from, to);
-  simulation->move("free", {{2.5, 5.0, 0.1}, Eigen::Quaterniond::Identity()});
+  simulation->apply(MoveEntity{"free", {{2.5, 5.0, 0.1}, Eigen::Quaterniond::Identity()}});
   expectHit("free", 0.4, from, to);
-  simulation->remove("free");
-  simulation->remove("prey");
+  simulation->apply(DeleteEntity{"free"});
+  simulation->apply(DeleteEntity{"prey"});
   EXPECT_EQ(closestHit(from, to).first, "");
 }
 

@@ -96,7 +96,7 @@ TEST(OverflowTest, IsForgottenByAReset) {
 TEST(OverflowTest, IsKeptWhenItsRobotIsDeleted) {
   auto simulation = crowd(1);
   simulation->tick();
-  simulation->remove("fb_1");
+  simulation->apply(DeleteEntity{"fb_1"});
   runToEnd(*simulation);
   ASSERT_EQ(simulation->space().overflows.size(), 3U);
   EXPECT_EQ(simulation->space().overflows[1].robot, "fb_1");

@@ -117,11 +117,11 @@ std::vector<std::uint64_t> lifeAndDeath(int robots) {
     before.push_back(commandOf(i));
   }
   for (int i = 2; i <= robots; i += 2) {
-    simulation->remove("fb_" + std::to_string(i));
+    simulation->apply(DeleteEntity{"fb_" + std::to_string(i)});
   }
   for (int i = 0; i < robots / 4; ++i) {
     try {
-      simulation->spawn(newcomer(i, 0.4 + 0.4 * (i % 18), 0.4 + 0.4 * (i / 18)), {"ground"});
+      simulation->apply(SpawnEntity{newcomer(i, 0.4 + 0.4 * (i % 18), 0.4 + 0.4 * (i / 18)), {"ground"}});
     } catch (const ConfigError&) {
       // somebody stands there; where is the same in every run
     }
@@ -147,14 +147,14 @@ TEST(LifeCycleTest, ManyCyclesLeaveNothingBehind) {
   simulation->start();
   const std::size_t rows = simulation->space().entities.rowCount();
   for (int i = 0; i < 1000; ++i) {
-    simulation->remove("fb_3");
+    simulation->apply(DeleteEntity{"fb_3"});
     EntityDescription again = newcomer(0, 4, 4);
     again.id = "fb_3";
     try {
-      simulation->spawn(again, {"ground"});
+      simulation->apply(SpawnEntity{again, {"ground"}});
     } catch (const ConfigError&) {
       again.position = {2, 2, 0};
-      simulation->spawn(again, {"ground"});
+      simulation->apply(SpawnEntity{again, {"ground"}});
     }
     simulation->tick();
   }
@@ -166,11 +166,11 @@ TEST(InterventionTest, WhatCannotBeIsRefusedAndNothingChanges) {
   auto simulation = busyWorld(5, 1).make();
   simulation->start();
   const std::uint64_t hash = simulation->stateHash();
-  EXPECT_THROW(simulation->remove("nobody"), ConfigError);
-  EXPECT_THROW(simulation->spawn(newcomer(1, 0.0, 0.0), {"ground"}), ConfigError);  // in the wall
-  EXPECT_THROW(simulation->spawn(newcomer(1, 4.0, 4.0), {"sky"}), ConfigError);
-  EXPECT_THROW(simulation->move("fb_1", Pose{{0, 0, 0}, Eigen::Quaterniond::Identity()}), ConfigError);
-  EXPECT_THROW(simulation->move("fb_1", Pose{{4, 4, 1}, Eigen::Quaterniond::Identity()}), ConfigError);
+  EXPECT_THROW(simulation->apply(DeleteEntity{"nobody"}), ConfigError);
+  EXPECT_THROW(simulation->apply(SpawnEntity{newcomer(1, 0.0, 0.0), {"ground"}}), ConfigError);  // in the wall
+  EXPECT_THROW(simulation->apply(SpawnEntity{newcomer(1, 4.0, 4.0), {"sky"}}), ConfigError);
+  EXPECT_THROW(simulation->apply(MoveEntity{"fb_1", Pose{{0, 0, 0}, Eigen::Quaterniond::Identity()}}), ConfigError);
+  EXPECT_THROW(simulation->apply(MoveEntity{"fb_1", Pose{{4, 4, 1}, Eigen::Quaterniond::Identity()}}), ConfigError);
   EXPECT_EQ(simulation->stateHash(), hash);
 }
 

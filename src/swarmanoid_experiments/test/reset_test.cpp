@@ -55,14 +55,14 @@ TEST(ResetTest, UndoesInterventions) {
   const auto expected = hashesOf(*fresh, 200);
   auto used = retrieval(3, 1);
   hashesOf(*used, 50);
-  used->remove("fb_2");
-  used->move("fb_1", {{4.5, 4.5, 0.0}, Eigen::Quaterniond::Identity()});
+  used->apply(DeleteEntity{"fb_2"});
+  used->apply(MoveEntity{"fb_1", {{4.5, 4.5, 0.0}, Eigen::Quaterniond::Identity()}});
   EntityDescription block;
   block.type = "block";
   block.id = "late";
   block.position = {0.3, 4.5, 0.25};
   block.parameters.set("size", "0.2,0.2,0.5");
-  used->spawn(block, {"ground"});
+  used->apply(SpawnEntity{block, {"ground"}});
   hashesOf(*used, 50);
   used->reset();
   EXPECT_EQ(hashesOf(*used, 200), expected);
@@ -117,7 +117,7 @@ TEST(ResetTest, WhoFailsInDestroyFailsInTheRunThatBegins) {
   simulation->start();
   EXPECT_TRUE(events.empty());
   hashesOf(*simulation, 10);
-  simulation->remove("gone");  // what is pending now is of the run that ends
+  simulation->apply(DeleteEntity{"gone"});  // what is pending now is of the run that ends
   simulation->reset();
   ASSERT_EQ(simulation->failures().size(), 1U);
   EXPECT_EQ(simulation->failures()[0].robot, "fb");

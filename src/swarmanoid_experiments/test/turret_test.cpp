@@ -75,7 +75,7 @@ std::vector<std::uint64_t> run(Simulation& simulation, const std::vector<std::st
   EXPECT_EQ(space.structure.grippedBy(footbot), space.entities.find("prey"));
   for (const std::string& engine : engines) {
     const JointState before = space.joints[footbot][0];
-    simulation.handover("fb", engine);
+    simulation.apply(HandOverEntity{"fb", engine});
     EXPECT_EQ(space.joints[footbot][0].angle, before.angle);
     EXPECT_EQ(space.joints[footbot][0].speed, before.speed);
     const auto next = hashesOf(simulation, 2);
@@ -108,8 +108,8 @@ TEST(TurretTest, WhatOverlapsATurnedGripperKeepsItFromBeingMovedThere) {
   // the gripper now points to the left: beside a prey on the left there is no room, on the right there is
   const Pose& prey = poseOf(*simulation, "prey");
   const auto at = [&](double y) { return Pose{prey.position + Eigen::Vector3d(0.0, y, 0.0), prey.orientation}; };
-  EXPECT_THROW(simulation->move("fb", at(-0.16)), ConfigError);
-  EXPECT_NO_THROW(simulation->move("fb", at(0.16)));
+  EXPECT_THROW(simulation->apply(MoveEntity{"fb", at(-0.16)}), ConfigError);
+  EXPECT_NO_THROW(simulation->apply(MoveEntity{"fb", at(0.16)}));
 }
 
 }  // namespace

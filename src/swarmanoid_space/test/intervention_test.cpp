@@ -85,7 +85,7 @@ class InterventionTest : public testing::Test {
     const std::size_t robots = simulation->robotCount();
     std::string message;
     try {
-      simulation->spawn(entity, {});
+      simulation->apply(SpawnEntity{entity, {}});
     } catch (const ConfigError& error) {
       message = error.what();
     }
@@ -124,10 +124,10 @@ TEST_F(InterventionTest, ANameThatIsTakenIsRefused) {
 TEST_F(InterventionTest, ADeviceThatFindsNoPlaceLeavesNothingBehind) {
   EXPECT_NE(refusal(description("footbot", "homeless", "tc")).find("nowhere"), std::string::npos);
   // the row is free again, and so are the instances: the next one gets the same slot
-  simulation->spawn(description("footbot", "next", "tc"), {});
+  simulation->apply(SpawnEntity{description("footbot", "next", "tc"), {}});
   EXPECT_EQ(simulation->robotCount(), 2U);
   simulation->tick();
-  simulation->remove("next");
+  simulation->apply(DeleteEntity{"next"});
   simulation->tick();
 }
 
@@ -141,9 +141,9 @@ TEST_F(InterventionTest, ItIsKnownBeforeWhichTickAnEntityWasPutWhereItIs) {
   const Space& space = simulation->space();
   simulation->tick();
   simulation->tick();
-  simulation->spawn(description("footbot", "late"), {});
+  simulation->apply(SpawnEntity{description("footbot", "late"), {}});
   simulation->tick();
-  simulation->move("eb", {{1.0, 1.0, 2.0}, Eigen::Quaterniond::Identity()});
+  simulation->apply(MoveEntity{"eb", {{1.0, 1.0, 2.0}, Eigen::Quaterniond::Identity()}});
   simulation->tick();
   EXPECT_EQ(space.placed[space.entities.find("fb")], 0U);
   EXPECT_EQ(space.placed[space.entities.find("late")], 2U);
@@ -153,10 +153,10 @@ TEST_F(InterventionTest, ItIsKnownBeforeWhichTickAnEntityWasPutWhereItIs) {
 }
 
 TEST_F(InterventionTest, EventsTellWhatHappenedInTheNextTick) {
-  simulation->spawn(description("footbot", "x", "tc"), {});
-  simulation->move("x", {{4.0, 4.0, 0.0}, Eigen::Quaterniond(2.0, 0.0, 0.0, 0.0)});
+  simulation->apply(SpawnEntity{description("footbot", "x", "tc"), {}});
+  simulation->apply(MoveEntity{"x", {{4.0, 4.0, 0.0}, Eigen::Quaterniond(2.0, 0.0, 0.0, 0.0)}});
   EXPECT_EQ(simulation->space().entities.pose[rowAt(2)].orientation.norm(), 1.0);
-  simulation->remove("x");
+  simulation->apply(DeleteEntity{"x"});
   simulation->tick();
   std::string told;
   for (const Event& event : simulation->space().events) {
@@ -169,7 +169,7 @@ TEST_F(InterventionTest, EventsTellWhatHappenedInTheNextTick) {
 
 TEST_F(InterventionTest, RemovingWhatIsNotThereIsRefused) {
   try {
-    simulation->remove("nobody");
+    simulation->apply(DeleteEntity{"nobody"});
     FAIL();
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(), "there is no entity 'nobody'");

@@ -123,7 +123,7 @@ TEST(SimulationThreadTest, ResetRewindsTimeWhenAskedTo) {
 TEST(SimulationThreadTest, HandsOnWhatACallThrows) {
   SimulationThread thread(test::smallWorld(), pausedAtFirst());
   EXPECT_EQ("there is no entity 'nobody'",
-            messageOf([&] { thread.call([](Simulation& simulation) { simulation.remove("nobody"); }); }));
+            messageOf([&] { thread.call([](Simulation& simulation) { simulation.apply(DeleteEntity{"nobody"}); }); }));
   EXPECT_TRUE(thread.step(1).is_complete);
 }
 

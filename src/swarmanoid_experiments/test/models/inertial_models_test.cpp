@@ -105,7 +105,8 @@ TEST(InertialEngineTest, BeingMovedFromOutsideIsNotFelt) {
   });
   auto simulation = world.start();
   tick(*simulation, 3);
-  simulation->move("fb", {{8.0, 6.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()))});
+  simulation->apply(
+      MoveEntity{"fb", {{8.0, 6.0, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(1.0, Eigen::Vector3d::UnitZ()))}});
   tick(*simulation, 3);
   const double expected[] = {0.0, 3.0, 0.0, 0.0, 3.0, 0.0};  // ahead, m/s2
   ASSERT_EQ(readings.size(), std::size(expected));

@@ -18,6 +18,7 @@
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/index/positional_index.hpp"
+#include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 #include "swarmanoid_space/state/attachments.hpp"
@@ -110,7 +111,9 @@ class Space {
   PositionalIndex index;               ///< index; as of the end of the last tick
   std::vector<LaserSpot> laser_spots;  ///< connect; by the order of actuators, then of entities
   std::vector<Event> events;           ///< of this tick, in order of happening
-  std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks
+  /// Carried out since the last tick, in that order.
+  std::vector<TakenIntervention> interventions;
+  std::vector<Overflow> overflows;  ///< sense; of the run, by their first ticks
 
   // Devices, by type (bank.hpp).
   Banks readings;   ///< sense

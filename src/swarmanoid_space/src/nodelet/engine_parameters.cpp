@@ -27,7 +27,7 @@ bool EngineParameters::set(dynamic_reconfigure::Reconfigure::Request& request,
   try {
     NamedValues values;
     thread_.call([&](Simulation& simulation) {
-      simulation.setEngineParameters(engine_, fromConfig(request.config));
+      simulation.apply(SetEngineParameters{engine_, fromConfig(request.config)});
       values = valuesOf(live_, simulation.engineParameters(engine_));
     });
     response.config = toConfig(live_, values, problem);

@@ -140,18 +140,18 @@ bool SpaceServices::reset(swarmanoid_msgs::Reset::Request& request, swarmanoid_m
 
 bool SpaceServices::spawn(swarmanoid_msgs::Spawn::Request& request, swarmanoid_msgs::Spawn::Response& response) {
   return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& specification) {
-    simulation.spawn(toDescription(specification), specification.engines);
+    simulation.apply(SpawnEntity{toDescription(specification), specification.engines});
   });
 }
 
 bool SpaceServices::remove(swarmanoid_msgs::Delete::Request& request, swarmanoid_msgs::Delete::Response& response) {
   return intervene(thread_, request.names, response,
-                   [](Simulation& simulation, const std::string& name) { simulation.remove(name); });
+                   [](Simulation& simulation, const std::string& name) { simulation.apply(DeleteEntity{name}); });
 }
 
 bool SpaceServices::move(swarmanoid_msgs::Move::Request& request, swarmanoid_msgs::Move::Response& response) {
   return intervene(thread_, request.entities, response, [](Simulation& simulation, const auto& entity) {
-    simulation.move(entity.name, fromMessage(entity.pose.header, entity.pose.pose));
+    simulation.apply(MoveEntity{entity.name, fromMessage(entity.pose.header, entity.pose.pose)});
   });
 }
 
@@ -159,7 +159,7 @@ bool SpaceServices::handover(swarmanoid_msgs::Handover::Request& request,
                              swarmanoid_msgs::Handover::Response& response) {
   return intervene(thread_, request.names, response,
                    [engine = request.engine](Simulation& simulation, const std::string& name) {
-                     simulation.handover(name, engine);
+                     simulation.apply(HandOverEntity{name, engine});
                    });
 }
 
@@ -172,7 +172,7 @@ bool SpaceServices::setCommandSource(swarmanoid_msgs::SetCommandSource::Request&
     return true;
   }
   return intervene(thread_, request.names, response, [source](Simulation& simulation, const std::string& name) {
-    simulation.setCommandSource(name, *source);
+    simulation.apply(SetCommandSource{name, *source});
   });
 }
 

@@ -80,7 +80,7 @@ TEST(MarkersTest, IdsStayTheSameAndWhatIsGoneIsDeletedOnce) {
   const MarkerArray second = markers.draw(simulation->space());
   EXPECT_EQ(inNamespace(first, "preys/0")[0].id, inNamespace(second, "preys/0")[0].id);
 
-  simulation->remove("prey");
+  simulation->apply(DeleteEntity{"prey"});
   const std::vector<Marker> gone = inNamespace(markers.draw(simulation->space()), "preys/0");
   ASSERT_EQ(1U, gone.size());
   EXPECT_EQ(Marker::DELETE, gone[0].action);

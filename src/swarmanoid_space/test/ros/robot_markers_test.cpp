@@ -70,7 +70,7 @@ TEST(RobotMarkersTest, AreLeftOutWhenTheirRobotIs) {
       robot = simulation->space().entities.name[row];
     }
   }
-  simulation->remove(robot);
+  simulation->apply(DeleteEntity{robot});
   EXPECT_LT(bodies(simulation->space()).size(), before);
 }
 

@@ -60,7 +60,7 @@ TEST(WorldStateTest, OutsideChangesAreSeenOnce) {
   OutsideChanges changes;
   EXPECT_TRUE(changes.look(simulation->space()));
   EXPECT_FALSE(changes.look(simulation->space()));
-  simulation->remove("fb_1");
+  simulation->apply(DeleteEntity{"fb_1"});
   EXPECT_TRUE(changes.look(simulation->space()));
   simulation->tick();
   EXPECT_TRUE(changes.look(simulation->space()));  // and its event

@@ -6,18 +6,17 @@
 
 #include <chrono>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "swarmanoid_interface/command_mailbox.hpp"
-#include "swarmanoid_interface/controller.hpp"
-#include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/space.hpp"
+#include "swarmanoid_space/world/controller_failure.hpp"
+#include "swarmanoid_space/world/engine_report.hpp"
+#include "swarmanoid_space/world/supplied_parts.hpp"
 
 namespace swarmanoid {
 
@@ -35,36 +34,8 @@ struct PhaseTimes {
   PhaseTimes& operator+=(const PhaseTimes& other);
 };
 
-/// Names of parameters, and values as they would stand in the experiment file.
-using NamedValues = std::vector<std::pair<std::string, std::string>>;
-
-/// A robot whose controller threw in a step (or in destroy), or commanded a number that is not finite.
-struct ControllerFailure {
-  std::string robot;
-  std::uint64_t tick = 0;
-  std::string reason;
-};
-
-/// What may be supplied from outside instead of being made from the registry, by id: the nodelets do so.
-struct SuppliedParts {
-  std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
-  std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
-  std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
-};
-
-/// The state of an engine, for diagnostics.
-struct EngineReport {
-  std::string id;
-  std::string label;
-  std::size_t moved = 0;     ///< entities that it moves
-  std::size_t mirrored = 0;  ///< entities that it keeps a mirror of
-  EngineHealth health;
-};
-
 class Lockstep;
-struct Assembly;
-struct Membership;
-struct RobotInstance;
+struct World;
 
 class Simulation {
  public:
@@ -98,13 +69,13 @@ class Simulation {
   /// `finish`, `metrics` and `success`, which the others do not miss. For a caller that ends the process then.
   void giveUp(const std::string& part);
 
-  const Experiment& experiment() const { return experiment_; }
-  const Space& space() const { return space_; }
+  const Experiment& experiment() const;
+  const Space& space() const;
   const PhaseTimes& phaseTimes() const { return phase_times_; }
-  const std::vector<ControllerFailure>& failures() const { return failures_; }
+  const std::vector<ControllerFailure>& failures() const;
   /// Robots that have a controller.
   std::size_t robotCount() const;
-  std::uint64_t stateHash() const { return swarmanoid::stateHash(space_); }
+  std::uint64_t stateHash() const { return swarmanoid::stateHash(space()); }
   Metrics metrics() const;
   /// In the order of Space::engines. Allocates.
   std::vector<EngineReport> engineReports() const;
@@ -127,72 +98,23 @@ class Simulation {
   /// Where robots' logs go; by default nowhere.
   void setLogSink(Robot::LogSink sink);
 
-  // Interventions: between ticks; they take effect at once and are events of the next tick.
-
-  /// Adds an entity to the engines named (the first moves it).
-  /// @throws ConfigError (bad place, overlap, unknown name, a controller for other robots); then nothing has changed
-  void spawn(const EntityDescription& entity, const std::vector<std::string>& engines);
-  /// @throws ConfigError if there is no such entity
-  void remove(const std::string& name);
-  /// @throws ConfigError (unknown name, bad place, overlap); then nothing has changed
-  void move(const std::string& name, const Pose& pose);
-  /// Another engine moves the entity from now on, and all that is connected to it: poses, twists, grips, devices,
-  /// commands and readings stay as they are. An engine that gives an entity up keeps a mirror of it if the experiment
-  /// file (or whoever spawned it) lists the entity there. Nothing happens if that engine moves it already.
-  /// @throws ConfigError (unknown name, or one of them is fixed, misplaced, in the way of something else or beyond what
-  /// the engine can simulate); then nothing has changed
-  void handover(const std::string& name, const std::string& engine);
-  /// Gives parameters of an engine new values, as they would stand in the experiment file. The engine works with them
-  /// from the next tick on. What is given the value that it has changes nothing and is no event.
-  /// @throws ConfigError (unknown engine or parameter, one that is not live, a bad value); then nothing has changed
-  void setEngineParameters(const std::string& engine, const NamedValues& values);
-  /// Another source commands the robot from now on. A controller in this process starts anew; a robot that nobody
-  /// commands stops, one that is commanded over topics until the first command comes; one whose commands come from
-  /// elsewhere keeps the last ones until a participant answers.
-  /// @throws ConfigError (no such robot, a controller that does not start, a device that cannot travel); then nothing
-  /// has changed
-  void setCommandSource(const std::string& robot, CommandSource source);
+  /// Between ticks: does what an intervention asks for, at once. It stands in Space::interventions, and what happens is
+  /// an event, from the next tick on; so does one that changes nothing not.
+  /// @throws ConfigError why it is refused; then nothing has changed
+  void apply(const Intervention& intervention);
   /// Back to the state before tick 0: spawned, deleted and handed over entities included, and parameters of engines as
   /// in the file. `seed` replaces the experiment's if given. Space::time_before_reset grows so that ROS time keeps
   /// rising, unless `rewind` sets it back to 0.
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:
-  void build();
-  void buildEngines();
-  void buildControllerGroups();
-  void buildEntities();
-  void buildBoundary();
-  void buildTriggers();
-  void distribute(const EntityDescription& group, const std::vector<Membership>& memberships);
   void noteFailures();
   void logNewOverflows();
-  void unbuild();
-  void restoreEngineParameters();
-  /// Its place in the experiment. @throws ConfigError if there is none
-  std::size_t engineIndex(const std::string& id) const;
-  void refuseBadPlace(const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                      const std::vector<Membership>& memberships) const;
-  Row addEntity(const EntityDescription& entity, const std::vector<Membership>& memberships);
-  void giveController(Row row, const EntityDescription& entity);
-  void destroyController(RobotInstance& instance);
-  void removeEntity(Row row);
-  void refuseUnlessReachable(const RobotInstance& instance, CommandSource source) const;
-  void offerRobots();
 
-  Experiment experiment_;
-  RunContext context_;
-  SuppliedParts supplied_;
-  Space space_;
-  std::unique_ptr<Assembly> assembly_;            // engines, robots, observers
-  std::unique_ptr<Lockstep> lockstep_;            // commands from other processes
-  std::vector<Row> faulty_;                       // scratch of `actuate`
-  std::vector<Configuration> engine_parameters_;  // as of now, in the order of Space::engines
+  std::unique_ptr<World> world_;  // the space, and all that acts on it
+  std::vector<Row> faulty_;       // scratch of `actuate`
   PhaseTimes phase_times_;
-  std::vector<ControllerFailure> failures_;
   std::size_t logged_overflows_ = 0;
-  std::vector<Event> pending_events_;
-  Robot::LogSink log_sink_;
   std::chrono::steady_clock::time_point next_flush_;
   bool is_started_ = false;
   bool finish_asked_ = false;

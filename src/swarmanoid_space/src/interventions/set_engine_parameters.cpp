@@ -1,9 +1,7 @@
-// Engines of a running experiment as seen from outside: how they are, and parameters that change live.
-#include <algorithm>
-
-#include "../assembly/assembly.hpp"
+// Parameters of engines that change while they run.
 #include "../experiment_file/parameter_table.hpp"
-#include "swarmanoid_space/simulation/simulation.hpp"
+#include "../world/engines.hpp"
+#include "carry_out.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -55,27 +53,13 @@ Configuration with(const Configuration& old, const std::string& name, const std:
 
 }  // namespace
 
-std::size_t Simulation::engineIndex(const std::string& id) const {
-  std::vector<std::string> known;
-  for (std::size_t i = 0; i < assembly_->engines.size(); ++i) {
-    if (assembly_->engines[i]->id() == id) {
-      return i;
-    }
-    known.push_back(assembly_->engines[i]->id());
-  }
-  throw ConfigError({}, "engine '" + id + "' does not exist; there are: " + joinNames(known) + didYouMean(id, known));
-}
-
-const Configuration& Simulation::engineParameters(const std::string& engine) const {
-  return engine_parameters_[engineIndex(engine)];
-}
-
-void Simulation::setEngineParameters(const std::string& engine, const NamedValues& values) {
-  const std::size_t index = engineIndex(engine);
-  const EngineDescription& description = experiment_.engines[index];
-  Configuration parameters = engine_parameters_[index];
+bool carryOut(World& world, const SetEngineParameters& intervention) {
+  const std::string& engine = intervention.engine;
+  const std::size_t index = engineIndex(world, engine);
+  const EngineDescription& description = world.experiment.engines[index];
+  Configuration parameters = world.engine_parameters[index];
   std::vector<Event> events;
-  for (const auto& [name, value] : values) {
+  for (const auto& [name, value] : intervention.values) {
     const Parameter& parameter = requireLive(description, name);
     experiment::checkValue(parameter, value, {});
     const std::string old = parameters.text(name, parameter.value.value_or(""));
@@ -86,41 +70,12 @@ void Simulation::setEngineParameters(const std::string& engine, const NamedValue
     }
   }
   if (events.empty()) {
-    return;
+    return false;
   }
-  assembly_->engines[index]->reconfigure(parameters);
-  engine_parameters_[index] = std::move(parameters);
-  pending_events_.insert(pending_events_.end(), events.begin(), events.end());
-}
-
-void Simulation::restoreEngineParameters() {
-  for (std::size_t i = 0; i < engine_parameters_.size(); ++i) {
-    engine_parameters_[i] = experiment_.engines[i].parameters;
-    assembly_->engines[i]->reconfigure(engine_parameters_[i]);
-  }
-}
-
-std::vector<EngineReport> Simulation::engineReports() const {
-  std::vector<EngineReport> reports;
-  for (std::size_t i = 0; i < assembly_->engines.size(); ++i) {
-    const Engine* engine = assembly_->engines[i].get();
-    EngineReport report;
-    report.id = engine->id();
-    report.label = experiment_.engines[i].label;
-    report.health = engine->health();
-    for (const Row row : space_.entities.order) {
-      if (!space_.entities.model[row]->is_movable) {
-        continue;
-      }
-      report.moved += space_.mover[row] == engine ? 1 : 0;
-      report.mirrored += static_cast<std::size_t>(std::count_if(
-          assembly_->memberships[row].begin(), assembly_->memberships[row].end(), [&](const Membership& membership) {
-            return membership.engine == engine && membership.role == Role::kMirror;
-          }));
-    }
-    reports.push_back(std::move(report));
-  }
-  return reports;
+  world.assembly.engines[index]->reconfigure(parameters);
+  world.engine_parameters[index] = std::move(parameters);
+  world.pending_events.insert(world.pending_events.end(), events.begin(), events.end());
+  return true;
 }
 
 }  // namespace swarmanoid

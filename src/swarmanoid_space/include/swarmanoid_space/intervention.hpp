@@ -1,0 +1,76 @@
+/// What may be done to a world from outside its robots and its physics, as values: whoever asks (services, rules,
+/// files) asks with one of these, and all are carried out by Simulation::apply.
+///
+/// Phase    between ticks; all that an intervention asks for is done, or nothing.
+/// Errors   a ConfigError says why one is refused.
+/// Records  those that changed something stand in Space::interventions, in their order, as what happened does in
+///          Space::events.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/state/entities.hpp"
+
+namespace swarmanoid {
+
+/// Names of parameters, and values as they would stand in the experiment file.
+using NamedValues = std::vector<std::pair<std::string, std::string>>;
+
+/// Adds an entity to the engines named, of which the first moves it. Refused: a bad place, an overlap, an unknown name,
+/// a controller for other robots.
+struct SpawnEntity {
+  EntityDescription entity;
+  std::vector<std::string> engines;  ///< by id; none: it is there to be seen
+};
+
+/// Takes an entity out of the world. Refused: an unknown name.
+struct DeleteEntity {
+  std::string entity;
+};
+
+/// Puts an entity elsewhere, at rest; what held it lets go. Refused: an unknown name, a bad place, an overlap.
+struct MoveEntity {
+  std::string entity;
+  Pose pose;
+};
+
+/// Another engine moves the entity from now on, and all that is connected to it: poses, twists, grips, devices,
+/// commands and readings stay as they are. An engine that gives an entity up keeps a mirror of it if the experiment
+/// file (or whoever spawned it) lists the entity there. Nothing happens if that engine moves it already. Refused: an
+/// unknown name; one of them is fixed, misplaced, in the way of something else or beyond what the engine can simulate.
+struct HandOverEntity {
+  std::string entity;
+  std::string engine;
+};
+
+/// Gives parameters of an engine new values. The engine works with them from the next tick on. What is given the value
+/// that it has changes nothing. Refused: an unknown engine or parameter, one that is not live, a bad value.
+struct SetEngineParameters {
+  std::string engine;
+  NamedValues values;
+};
+
+/// Another source commands the robot from now on. A controller in this process starts anew; a robot that nobody
+/// commands stops, one that is commanded over topics until the first command comes; one whose commands come from
+/// elsewhere keeps the last ones until a participant answers. Refused: no such robot, a controller that does not start,
+/// a device that cannot travel.
+struct SetCommandSource {
+  std::string robot;
+  CommandSource source = CommandSource::kController;
+};
+
+using Intervention =
+    std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOverEntity, SetEngineParameters, SetCommandSource>;
+
+/// An intervention that has been carried out.
+struct TakenIntervention {
+  Intervention what;
+  std::string asked_by;  ///< "rule 'foraging'"; "": from outside, by whoever runs the simulation
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,22 @@
+/// What may be supplied to a simulation from outside instead of being made from the registry.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "swarmanoid_interface/command_mailbox.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_space/engine.hpp"
+
+namespace swarmanoid {
+
+/// By id: the nodelets supply these.
+struct SuppliedParts {
+  std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
+  std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
+  std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
+};
+
+}  // namespace swarmanoid

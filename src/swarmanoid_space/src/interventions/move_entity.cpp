@@ -1,0 +1,41 @@
+#include "../experiment_file/door.hpp"
+#include "../world/entities.hpp"
+#include "../world/offers.hpp"
+#include "carry_out.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid {
+
+bool carryOut(World& world, const MoveEntity& intervention) {
+  const std::string& name = intervention.entity;
+  const Pose& pose = intervention.pose;
+  const Row row = world.space.entities.find(name);
+  if (row == kNoRow) {
+    throw ConfigError({}, "there is no entity '" + name + "'");
+  }
+  if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
+    throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
+  }
+  door::checkPosition("position", pose.position, *world.space.entities.model[row], world.experiment.arena, {});
+  Pose target = pose;
+  target.orientation.normalize();
+  EntityDescription entity;
+  entity.id = name;
+  entity.type = world.space.entities.model[row]->type;
+  refuseBadPlace(world, entity, *posedModel(world.space.entities.model[row], world.space.joints[row]), target,
+                 world.assembly.memberships[row]);
+  // what is connected would be torn apart
+  world.space.structure.isolate(row);
+  world.space.attachments.isolate(row);
+  world.space.entities.pose[row] = target;
+  world.space.entities.twist[row] = Twist{};
+  world.space.placed[row] = world.space.tick;
+  for (const Membership& membership : world.assembly.memberships[row]) {
+    membership.engine->place(world.space, row);
+  }
+  world.space.index.rebuild(world.space.entities);
+  world.pending_events.push_back({Event::Kind::kMoved, name, "", ""});
+  return true;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,52 @@
+// The source of a robot's commands: its controller here, a participant elsewhere, publishers on its topics, or none.
+#include "../world/entities.hpp"
+#include "../world/offers.hpp"
+#include "carry_out.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+
+namespace swarmanoid {
+
+bool carryOut(World& world, const SetCommandSource& intervention) {
+  const std::string& robot = intervention.robot;
+  const CommandSource source = intervention.source;
+  RobotInstance* instance = world.assembly.findRobot(world.space.entities, world.space.entities.find(robot));
+  if (instance == nullptr) {
+    throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
+  }
+  if (instance->source == source) {
+    return false;
+  }
+  std::shared_ptr<Controller> controller;
+  try {
+    if (source == CommandSource::kController) {
+      controller = startController(instance->group->make, instance->group->part, *instance->robot,
+                                   instance->group->description->parameters);
+    }
+    refuseUnlessReachable(*instance, source);
+    if (source == CommandSource::kTopics && world.supplied.commands == nullptr) {
+      throw std::runtime_error("nobody listens to topics here, that needs ROS");
+    }
+    if (source == CommandSource::kTopics && !world.supplied.commands->isOpen(robot)) {
+      throw std::runtime_error("its devices have no topics; name it in ~device_topics");
+    }
+  } catch (...) {
+    throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + describeException());
+  }
+  destroyController(world, *instance);
+  instance->controller = std::move(controller);
+  ++world.space.controllers[instance->row].starts;
+  world.pending_events.push_back(
+      {Event::Kind::kIntervention, robot, "",
+       std::string("commands from ") + toString(source) + ", no more from " + toString(instance->source)});
+  instance->source = source;
+  instance->is_commanded = false;
+  instance->stops_since.reset();
+  if (source == CommandSource::kNone || source == CommandSource::kTopics) {
+    instance->stops_since = world.space.time;
+  }
+  offerRobots(world);
+  return true;
+}
+
+}  // namespace swarmanoid

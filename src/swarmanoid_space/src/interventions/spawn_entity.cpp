@@ -1,0 +1,28 @@
+#include "../experiment_file/door.hpp"
+#include "../world/entities.hpp"
+#include "../world/offers.hpp"
+#include "carry_out.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid {
+
+bool carryOut(World& world, const SpawnEntity& intervention) {
+  const EntityDescription& entity = intervention.entity;
+  door::check(entity, world.experiment);
+  std::vector<Claim> claims;
+  for (const std::string& engine : intervention.engines) {
+    claims.push_back({engine, std::nullopt, entity.location});
+  }
+  const std::vector<Membership> memberships = membershipsOf(entity.id, claims, world.assembly.engines);
+  if (world.space.entities.size() >= limits::kMostEntities) {
+    throw ConfigError(entity.location, "found " + std::to_string(world.space.entities.size()) +
+                                           " entities in the arena already, allowed: no more");
+  }
+  addEntity(world, entity, memberships);
+  offerRobots(world);
+  world.space.index.rebuild(world.space.entities);
+  world.pending_events.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});
+  return true;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,140 @@
+// The life of a run: built, started, ended, put back.
+#include <algorithm>
+#include <exception>
+
+#include "../assembly/stopwatch.hpp"
+#include "../interventions/carry_out.hpp"
+#include "../phases/phases.hpp"
+#include "../world/build.hpp"
+#include "../world/engines.hpp"
+#include "../world/entities.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+
+Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts supplied)
+    : world_(std::make_unique<World>(std::move(experiment), std::move(context), std::move(supplied))) {
+  buildEngines(*world_);
+  build(*world_);
+  buildObservers(*world_);
+}
+
+Simulation::~Simulation() {
+  try {
+    finish();
+  } catch (...) {
+    // a recorder that cannot complete its file must not end the program; finish() called by hand reports it
+  }
+  try {
+    unbuild(*world_);
+  } catch (...) {
+    // what a plugin throws when it is let go does no harm any more
+  }
+}
+
+void Simulation::start() {
+  World& world = *world_;
+  is_started_ = true;
+  phases::index(world.space, world.space.index, world.space.outside, world.space.events);
+  world.space.events.insert(world.space.events.end(), world.pending_events.begin(), world.pending_events.end());
+  world.pending_events.clear();
+  world.space.interventions = std::move(world.pending_interventions);
+  world.pending_interventions.clear();
+  finish_asked_ = phases::show(world.space, world.assembly.observers);
+  flush();
+}
+
+void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
+  World& world = *world_;
+  world.failures.clear();
+  world.pending_events.clear();
+  world.pending_interventions.clear();
+  unbuild(world);  // controllers that fail in destroy are failures and events of the run that begins
+  logged_overflows_ = 0;
+  finish_asked_ = false;
+  finished_ = false;
+  ++world.space.run;
+  if (rewind) {
+    world.space.time_before_reset = Duration::zero();
+  } else {
+    world.space.time_before_reset +=
+        world.space.time - kEpoch + world.space.clocktick;  // one more: no stamp is used twice
+  }
+  if (seed) {
+    world.space.seed = *seed;
+    world.experiment.framework.seed = *seed;
+  }
+  restoreEngineParameters(world);
+  build(world);
+  for (ObserverInstance& observer : world.assembly.observers) {
+    observer.is_finished = false;
+    callPlugin("reset", observer.part, UserCode::kNoTick, [&] { observer->reset(); });
+  }
+  start();
+}
+
+bool Simulation::isFinished() const {
+  return finish_asked_ || finished_ || world_->space.tick >= world_->experiment.framework.max_clock;
+}
+
+namespace {
+
+/// One that cannot write its file must not keep the others from writing theirs.
+template <class Action>
+void callAll(std::vector<ObserverInstance>& observers, const char* phase, Action action) {
+  std::exception_ptr first_problem;
+  for (ObserverInstance& observer : observers) {
+    try {
+      callPlugin(phase, observer.part, UserCode::kNoTick, [&] { action(observer); });
+    } catch (...) {
+      first_problem = first_problem ? first_problem : std::current_exception();
+    }
+  }
+  if (first_problem) {
+    std::rethrow_exception(first_problem);
+  }
+}
+
+}  // namespace
+
+void Simulation::flush() {
+  next_flush_ = std::chrono::steady_clock::now() + std::chrono::seconds(1);
+  callAll(world_->assembly.observers, "flush", [](ObserverInstance& observer) { observer->flush(); });
+}
+
+void Simulation::finish() {
+  finished_ = true;
+  // a run that has not begun has nothing to complete, and may not touch the files of an older one
+  if (!is_started_) {
+    return;
+  }
+  callAll(world_->assembly.observers, "finish", [](ObserverInstance& observer) {
+    if (!observer.is_finished && !observer.is_given_up) {
+      observer.is_finished = true;  // before the call: if that does not return, the others are still to be called
+      observer->finish();
+    }
+  });
+}
+
+void Simulation::giveUp(const std::string& part) {
+  for (ObserverInstance& observer : world_->assembly.observers) {
+    observer.is_given_up = observer.is_given_up || observer.part == part;
+  }
+}
+
+void Simulation::destroyControllers() {
+  World& world = *world_;
+  for (RobotInstance& instance : world.assembly.robots) {
+    destroyController(world, instance);
+  }
+}
+
+void Simulation::apply(const Intervention& intervention) {
+  World& world = *world_;
+  if (std::visit([&](const auto& kind) { return carryOut(world, kind); }, intervention)) {
+    world.pending_interventions.push_back({intervention, ""});
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,76 @@
+// What may be known of a running simulation, and what it is told beside interventions.
+#include <algorithm>
+
+#include "../world/engines.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+
+PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
+  sense += other.sense;
+  control += other.control;
+  actuate += other.actuate;
+  move += other.move;
+  connect += other.connect;
+  index += other.index;
+  show += other.show;
+  engines.resize(std::max(engines.size(), other.engines.size()), 0.0);
+  for (std::size_t i = 0; i < other.engines.size(); ++i) {
+    engines[i] += other.engines[i];
+  }
+  return *this;
+}
+
+const Experiment& Simulation::experiment() const { return world_->experiment; }
+
+const Space& Simulation::space() const { return world_->space; }
+
+const std::vector<ControllerFailure>& Simulation::failures() const { return world_->failures; }
+
+const Configuration& Simulation::engineParameters(const std::string& engine) const {
+  return world_->engine_parameters[engineIndex(*world_, engine)];
+}
+
+std::vector<EngineReport> Simulation::engineReports() const { return reportEngines(*world_); }
+
+Lockstep& Simulation::lockstep() { return world_->lockstep; }
+
+void Simulation::interrupt() { world_->lockstep.cancel(); }
+
+void Simulation::wake() { world_->lockstep.wake(); }
+
+std::size_t Simulation::robotCount() const { return world_->assembly.robots.size(); }
+
+Metrics Simulation::metrics() const {
+  Metrics metrics;
+  for (const ObserverInstance& observer : world_->assembly.observers) {
+    if (!observer.is_given_up) {
+      observer->addMetrics(metrics);
+    }
+  }
+  return metrics;
+}
+
+std::optional<bool> Simulation::success() const {
+  std::optional<bool> result;
+  for (const ObserverInstance& observer : world_->assembly.observers) {
+    if (const auto judged = observer.is_given_up ? std::nullopt : observer->success()) {
+      result = result.value_or(true) && *judged;
+    }
+  }
+  return result;
+}
+
+void Simulation::addObserver(std::shared_ptr<Observer> observer) {
+  const std::string part = "visualisation '" + observer->id() + "'";
+  world_->assembly.observers.push_back({{std::move(observer), part}});
+}
+
+void Simulation::setLogSink(Robot::LogSink sink) {
+  world_->log_sink = std::move(sink);
+  for (RobotInstance& instance : world_->assembly.robots) {
+    instance.robot->setLogSink(world_->log_sink);
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,141 @@
+#include "entities.hpp"
+
+#include <algorithm>
+
+#include "offers.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_interface/step_controller.hpp"
+#include "swarmanoid_space/models/entity_type.hpp"
+
+namespace swarmanoid {
+namespace {
+
+[[noreturn]] void refuseStart(const ControllerDescription& controller, const std::string& robot,
+                              const std::string& why) {
+  throw ConfigError(controller.location,
+                    "controller '" + controller.id + "' of '" + robot + "' does not start: " + why);
+}
+
+void giveController(World& world, Row row, const EntityDescription& entity) {
+  ControllerGroup* group = world.assembly.findGroup(entity.controller);
+  auto robot = std::make_unique<Robot>(entity.id, entity.type, world.space.seed);
+  robot->setLogSink(world.log_sink);
+  RobotInstance& instance = world.assembly.robots.emplace_back();  // entity numbers only grow
+  instance.row = row;
+  instance.robot = robot.get();
+  instance.group = group;
+  instance.step = {"step", group->part, instance.robot->name()};
+  instance.source = entity.source;
+  instance.command_timeout = entity.command_timeout;
+  world.space.robots[row] = std::move(robot);
+  world.space.controllers[row] = {group->description, 1, StepStatus::kNothing};
+  try {
+    for (const auto& sensor : group->sensors) {
+      instance.robot->provideSensor(sensor->type(), sensor->add(world.space, row));
+    }
+    for (const auto& actuator : group->actuators) {
+      instance.robot->provideActuator(actuator->type(), actuator->add(world.space, row));
+    }
+    if (instance.source == CommandSource::kController) {
+      instance.controller = startController(group->make, group->part, *instance.robot, group->description->parameters);
+    }
+    refuseUnlessReachable(instance, instance.source);
+  } catch (const ConfigError& error) {
+    if (!error.location().file.empty()) {
+      throw;
+    }
+    refuseStart(*group->description, entity.id, describeException());
+  } catch (...) {
+    refuseStart(*group->description, entity.id, describeException());
+  }
+}
+
+}  // namespace
+
+void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                    const std::vector<Membership>& memberships) {
+  const std::vector<DeviceUse>& devices = devicesOf(world.assembly.findGroup(entity.controller));
+  for (const Membership& membership : memberships) {
+    const std::string in_engine = "' in engine '" + membership.engine->id() + "': ";
+    std::string problem = membership.engine->invalidPoseReason(model, pose);
+    if (problem.empty() && membership.role == Role::kMove) {
+      problem = unsupportedReasonOf(*membership.engine, model, devices, memberships);
+    }
+    if (!problem.empty()) {
+      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);
+    }
+    const Row other = membership.engine->overlap(model, pose, world.space.entities.find(entity.id));
+    if (other != kNoRow) {
+      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + "overlaps '" +
+                                             world.space.entities.name[other] + "'");
+    }
+  }
+}
+
+Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships) {
+  if (world.space.entities.find(entity.id) != kNoRow) {
+    throw ConfigError(entity.location, "an entity '" + entity.id + "' exists already");
+  }
+  const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, entity.type));
+  const auto model = type->makeModel(entity.parameters);
+  const Pose pose{entity.position, orientationFromAngles(entity.angles)};
+  refuseBadPlace(world, entity, *model, pose, memberships);
+
+  const Row row = world.space.entities.add(entity.id, model, pose, entity.color);
+  world.space.placed[row] = world.space.tick;
+  try {
+    if (!entity.controller.empty()) {
+      giveController(world, row, entity);
+    }
+  } catch (...) {
+    removeEntity(world, row);
+    throw;
+  }
+  for (const Membership& membership : memberships) {
+    callPlugin("add", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->add(world.space, row, membership.role); });
+    world.assembly.memberships[row].push_back(membership);
+    if (membership.role == Role::kMove) {
+      world.space.mover[row] = membership.engine;
+    }
+  }
+  if (memberships.empty()) {
+    world.space.entities_without_engine.push_back(row);
+  }
+  return row;
+}
+
+void destroyController(World& world, RobotInstance& instance) {
+  const std::string failure = endController(instance.controller, instance.group->part, *instance.robot);
+  if (!failure.empty()) {
+    world.failures.push_back({instance.robot->name(), world.space.tick, failure});
+    world.pending_events.push_back({Event::Kind::kControllerFailed, instance.robot->name(), "", failure});
+    if (world.log_sink) {
+      world.log_sink(LogLevel::kError, instance.robot->name(), "controller failed: " + failure);
+    }
+  }
+}
+
+void removeEntity(World& world, Row row) {
+  if (RobotInstance* instance = world.assembly.findRobot(world.space.entities, row)) {
+    destroyController(world, *instance);
+    for (const auto& sensor : instance->group->sensors) {
+      sensor->remove(world.space, row);
+    }
+    for (const auto& actuator : instance->group->actuators) {
+      actuator->remove(world.space, row);
+    }
+    world.assembly.robots.erase(world.assembly.robots.begin() + (instance - world.assembly.robots.data()));
+  }
+  world.space.structure.isolate(row);
+  world.space.attachments.isolate(row);
+  for (const Membership& membership : world.assembly.memberships[row]) {
+    callPlugin("remove", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->remove(world.space, row); });
+  }
+  auto& lone = world.space.entities_without_engine;
+  lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+  world.space.entities.remove(row);
+}
+
+}  // namespace swarmanoid

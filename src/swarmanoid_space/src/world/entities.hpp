@@ -1,0 +1,22 @@
+/// Adding entities to a running world and taking them out of it: decide first, then commit.
+#pragma once
+
+#include <vector>
+
+#include "world.hpp"
+
+namespace swarmanoid {
+
+/// @throws ConfigError if the entity cannot be there, in one of the engines
+void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                    const std::vector<Membership>& memberships);
+
+/// @throws ConfigError (a bad place, a name that is taken, a controller that does not start); then nothing has changed
+Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships);
+
+void removeEntity(World& world, Row row);
+
+/// What the controller throws is a failure, and an event of the next tick.
+void destroyController(World& world, RobotInstance& instance);
+
+}  // namespace swarmanoid

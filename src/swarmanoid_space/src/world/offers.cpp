@@ -1,0 +1,41 @@
+#include "offers.hpp"
+
+#include <set>
+
+#include "swarmanoid_space/lockstep/controller_frames.hpp"
+
+namespace swarmanoid {
+namespace {
+
+RemoteRobot describe(const RobotInstance& instance) {
+  return describeRobot(*instance.robot, *instance.group->description);
+}
+
+}  // namespace
+
+void refuseUnlessReachable(const RobotInstance& instance, CommandSource source) {
+  if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
+    describe(instance);
+  }
+}
+
+void offerRobots(World& world) {
+  std::vector<std::pair<RemoteRobot, std::size_t>> robots;
+  for (std::size_t i = 0; i < world.assembly.robots.size(); ++i) {
+    if (world.assembly.robots[i].source == CommandSource::kRemote) {
+      robots.emplace_back(describe(world.assembly.robots[i]), i);
+    }
+  }
+  world.lockstep.offer(robots, world.space);
+  if (world.supplied.commands != nullptr) {
+    std::set<std::string> commanded_by_topics;
+    for (const RobotInstance& instance : world.assembly.robots) {
+      if (instance.source == CommandSource::kTopics) {
+        commanded_by_topics.insert(instance.robot->name());
+      }
+    }
+    world.supplied.commands->accept(std::move(commanded_by_topics));
+  }
+}
+
+}  // namespace swarmanoid

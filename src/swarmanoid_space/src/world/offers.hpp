@@ -1,0 +1,14 @@
+/// Which robots are offered to those who command them from elsewhere: participants, and publishers on topics.
+#pragma once
+
+#include "world.hpp"
+
+namespace swarmanoid {
+
+/// @throws ConfigError if a device of the robot cannot travel to where the source is
+void refuseUnlessReachable(const RobotInstance& instance, CommandSource source);
+
+/// To be called when robots have come, gone, or changed their source.
+void offerRobots(World& world);
+
+}  // namespace swarmanoid

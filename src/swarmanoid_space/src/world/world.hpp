@@ -1,0 +1,40 @@
+/// A running world: the space, and all that acts on it. Simulation owns it, and interventions change it.
+///
+/// Threads  as Simulation.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "../assembly/assembly.hpp"
+#include "swarmanoid_space/lockstep/lockstep.hpp"
+#include "swarmanoid_space/world/controller_failure.hpp"
+#include "swarmanoid_space/world/supplied_parts.hpp"
+
+namespace swarmanoid {
+
+struct World {
+  World(Experiment experiment_of_run, RunContext context_of_run, SuppliedParts parts)
+      : experiment(std::move(experiment_of_run)),
+        context(std::move(context_of_run)),
+        supplied(std::move(parts)),
+        assembly(experiment.framework.threads, space.entities.columns) {
+    context.experiment = &experiment;
+    space.seed = experiment.framework.seed;
+  }
+
+  Experiment experiment;
+  RunContext context;
+  SuppliedParts supplied;
+  Space space;
+  Assembly assembly;                                     ///< engines, robots, observers
+  Lockstep lockstep;                                     ///< commands from other processes
+  std::vector<Configuration> engine_parameters;          ///< as of now, in the order of Space::engines
+  std::vector<Event> pending_events;                     ///< of the next tick
+  std::vector<TakenIntervention> pending_interventions;  ///< likewise
+  std::vector<ControllerFailure> failures;
+  Robot::LogSink log_sink;
+};
+
+}  // namespace swarmanoid
