@@ -23,6 +23,8 @@ const char* toString(PluginKind kind) {
       return "visualisation";
     case PluginKind::kEntity:
       return "entity";
+    case PluginKind::kRule:
+      return "rule";
   }
   return "plugin";
 }

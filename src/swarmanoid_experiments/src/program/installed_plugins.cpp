@@ -9,8 +9,7 @@ namespace swarmanoid::program {
 
 std::vector<const Registry::Entry*> allPlugins() {
   std::vector<const Registry::Entry*> entries;
-  for (const PluginKind kind : {PluginKind::kController, PluginKind::kSensor, PluginKind::kActuator,
-                                PluginKind::kEngine, PluginKind::kObserver, PluginKind::kEntity}) {
+  for (const PluginKind kind : kPluginKinds) {
     const auto more = Registry::instance().all(kind);
     entries.insert(entries.end(), more.begin(), more.end());
   }

@@ -57,7 +57,7 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
 void printProfile(const PhaseTimes& total, const Space& space) {
   const std::pair<const char*, double> phases[] = {
       {"sense", total.sense},     {"control", total.control}, {"actuate", total.actuate}, {"move", total.move},
-      {"connect", total.connect}, {"index", total.index},     {"show", total.show}};
+      {"connect", total.connect}, {"index", total.index},     {"rule", total.rule},       {"show", total.show}};
   const auto print = [&](const std::string& name, double seconds) {
     std::fprintf(stderr, "%-8s %10.3f ms, %8.3f us a tick\n", name.c_str(), seconds * 1e3,
                  space.tick > 0 ? seconds * 1e6 / static_cast<double>(space.tick) : 0.0);

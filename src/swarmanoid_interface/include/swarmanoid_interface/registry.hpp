@@ -1,10 +1,12 @@
 /// The one list of everything that can be named in an experiment file: controllers, sensors, actuators, engines,
-/// visualisations and entity types. A plugin is registered when its library is loaded; libraries are never unloaded.
+/// visualisations, rules and entity types. A plugin is registered when its library is loaded; libraries are never
+/// unloaded.
 ///
 /// Keys are strings, never C++ types, so plugins that were built separately can be registered side by side.
 /// Registration happens while a library loads (one thread); afterwards the registry is only read.
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -17,7 +19,12 @@
 
 namespace swarmanoid {
 
-enum class PluginKind { kController, kSensor, kActuator, kEngine, kObserver, kEntity };
+enum class PluginKind { kController, kSensor, kActuator, kEngine, kObserver, kEntity, kRule };
+
+/// All of them, in the order in which they are listed.
+inline constexpr std::array<PluginKind, 7> kPluginKinds{
+    PluginKind::kController, PluginKind::kSensor,   PluginKind::kActuator, PluginKind::kEngine,
+    PluginKind::kRule,       PluginKind::kObserver, PluginKind::kEntity};
 
 /// Returns "controller", "sensor", ...
 const char* toString(PluginKind kind);

@@ -9,19 +9,15 @@
 /// To add one: derive, end with REGISTER_OBSERVER.
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
-#include <variant>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/metrics.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
-
-/// Named results of a run.
-using Metrics = std::map<std::string, std::variant<bool, double, std::string>>;
 
 class OutFolder;
 

@@ -19,6 +19,7 @@
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/index/positional_index.hpp"
 #include "swarmanoid_space/intervention.hpp"
+#include "swarmanoid_space/metrics.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 #include "swarmanoid_space/state/attachments.hpp"
@@ -113,7 +114,8 @@ class Space {
   std::vector<Event> events;           ///< of this tick, in order of happening
   /// Carried out since the last tick, in that order.
   std::vector<TakenIntervention> interventions;
-  std::vector<Overflow> overflows;  ///< sense; of the run, by their first ticks
+  std::vector<const Metric*> metrics;  ///< rule; of all rules, in their order
+  std::vector<Overflow> overflows;     ///< sense; of the run, by their first ticks
 
   // Devices, by type (bank.hpp).
   Banks readings;   ///< sense

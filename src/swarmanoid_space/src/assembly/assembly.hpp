@@ -1,5 +1,5 @@
-/// All that a simulation is assembled of beside its space: threads, engines, robots, observers, and which
-/// engines hold which entities.
+/// All that a simulation is assembled of beside its space: threads, engines, robots, rules, observers, and
+/// which engines hold which entities.
 ///
 /// Threads  as Simulation.
 #pragma once
@@ -26,6 +26,7 @@ struct Assembly {
   std::vector<RobotInstance> robots;  ///< by entity number
   Column<std::vector<Membership>> memberships;
   std::vector<HandoverTrigger> triggers;  ///< by entity number, then as in the file
+  std::vector<RuleInstance> rules;        ///< as in the file
   std::vector<ObserverInstance> observers;
 
   Engine* findEngine(const std::string& id) const;

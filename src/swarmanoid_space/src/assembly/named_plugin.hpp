@@ -5,6 +5,7 @@
 #include <string>
 
 #include "swarmanoid_space/observer.hpp"
+#include "swarmanoid_space/rule.hpp"
 
 namespace swarmanoid {
 
@@ -17,6 +18,11 @@ struct Named {
   Plugin* get() const { return plugin.get(); }
   Plugin* operator->() const { return plugin.get(); }
   Plugin& operator*() const { return *plugin; }
+};
+
+/// A rule, and whether it is still to be asked.
+struct RuleInstance : Named<Rule> {
+  bool is_given_up = false;  ///< a call of it does not return
 };
 
 /// An observer of the run, and how far it has come.

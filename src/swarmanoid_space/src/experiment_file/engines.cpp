@@ -5,22 +5,11 @@
 namespace swarmanoid::experiment {
 
 void readEngines(const XmlElement& section, Reader& reader) {
-  section.allowAttributes({});
-  section.refuseText();
-  for (const XmlElement& element : section.children()) {
-    element.allowAttributes(attributesOf("engines/*"));
-    EngineDescription engine;
-    engine.location = element.location();
-    engine.id = element.requireAttribute("id");
-    engine.library = element.attribute("library").value_or("");
-    reader.takeId("engine", engine.id, element);
-    const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEngine, element, engine.library);
-    engine.label = entry.description.label;
-    engine.parameters = readPluginParameters(element, entry.description);
-    reader.experiment.engines.push_back(std::move(engine));
-    if (reader.experiment.engines.size() > limits::kMostEngines) {
-      element.refuse("found more than " + std::to_string(limits::kMostEngines) + " engines, allowed: at most as many");
-    }
+  reader.experiment.engines = readPluginUses(section, PluginKind::kEngine, reader);
+  const std::vector<EngineDescription>& engines = reader.experiment.engines;
+  if (engines.size() > limits::kMostEngines) {
+    throw ConfigError(engines[limits::kMostEngines].location,
+                      "found more than " + std::to_string(limits::kMostEngines) + " engines, allowed: at most as many");
   }
 }
 

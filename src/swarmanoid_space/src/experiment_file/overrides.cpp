@@ -93,8 +93,8 @@ bool isAttribute(const xmlNode* element, const std::string& name) {
   if (hasTag(element, "error") && section != nullptr && (hasTag(section, "sensors") || hasTag(section, "actuators"))) {
     return among(attributesOf("controllers/*/sensors/*/error"));
   }
-  const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "visualisations" ||
-                         parent_tag == "visualizations";
+  const bool is_plugin = parent_tag == "controllers" || parent_tag == "engines" || parent_tag == "rules" ||
+                         parent_tag == "visualisations" || parent_tag == "visualizations";
   const bool is_device = parent_tag == "actuators" || parent_tag == "sensors";
   // these are the same in all sections
   return (is_plugin && among(attributesOf("engines/*"))) ||

@@ -146,13 +146,17 @@ void readSections(const XmlElement& root, Reader& reader) {
   if (const auto section = root.child("arena_physics")) {
     readArenaPhysics(*section, reader);
   }
+  if (const auto section = root.child("rules")) {
+    reader.experiment.rules = readPluginUses(*section, PluginKind::kRule, reader);
+  }
   const auto visualisations = root.child("visualisations");
   const auto visualizations = root.child("visualizations");
   if (visualisations && visualizations) {
     visualizations->refuse("found <visualizations> beside <visualisations>, allowed: one of them");
   }
   if (visualisations || visualizations) {
-    readVisualisations(visualisations ? *visualisations : *visualizations, reader);
+    reader.experiment.visualisations =
+        readPluginUses(visualisations ? *visualisations : *visualizations, PluginKind::kObserver, reader);
   }
 }
 

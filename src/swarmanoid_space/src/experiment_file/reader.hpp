@@ -24,7 +24,7 @@ void takeId(const std::string& kind, const std::string& id, const XmlElement& el
 /// The experiment under construction, and what its parts must not collide with.
 struct Reader {
   Experiment experiment;
-  TakenIds ids;  ///< of controllers, entities, patches, engines, handovers, visualisations
+  TakenIds ids;  ///< of controllers, entities, patches, engines, handovers, rules, visualisations
   /// Ids prefix_1 to prefix_count, which are taken by entities of a distribution.
   struct Group {
     std::size_t count = 0;
@@ -80,7 +80,8 @@ void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
 /// @param entities, engines the ids that there are
 void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader);
-void readVisualisations(const XmlElement& section, Reader& reader);
+/// All that <engines>, <rules> or <visualisations> lists.
+std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind, Reader& reader);
 
 /// Reads all sections. The reader's experiment has its name, file and text.
 void readDocument(const XmlElement& root, Reader& reader);

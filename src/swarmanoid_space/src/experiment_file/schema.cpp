@@ -119,7 +119,7 @@ void writeArenaPhysics(SchemaWriter& out) {
 }
 
 void writeIdentities(const EntityTypes& types, SchemaWriter& out) {
-  for (const char* section : {"controllers", "engines", "visualisations", "visualizations"}) {
+  for (const char* section : {"controllers", "engines", "rules", "visualisations", "visualizations"}) {
     out.identity("unique", std::string("id_in_") + section, std::string(section) + "/*");
   }
   out.identity("unique", "id_in_arena", "arena/*|arena/distribute/*");
@@ -149,6 +149,7 @@ void writeRoot(const EntityTypes& types, SchemaWriter& out) {
   writeArena(types, out);
   writeOpenSection("engines", out);
   writeArenaPhysics(out);
+  writeOpenSection("rules", out);
   writeOpenSection("visualisations", out);
   writeOpenSection("visualizations", out);
   out.close();

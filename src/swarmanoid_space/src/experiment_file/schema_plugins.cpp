@@ -133,7 +133,8 @@ void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry&
     out.parameters(entry.description.parameters);
     out.close();
   }
-  out.attributes(attributesWithLibrary("controllers/*", libraries));  // and engines and visualisations have the same
+  out.attributes(
+      attributesWithLibrary("controllers/*", libraries));  // and engines, rules and visualisations have the same
   out.closeElement();
 }
 
@@ -153,8 +154,8 @@ std::set<std::string> neededLibraries(PluginKind kind, const std::string& tag,
   return needed;
 }
 
-constexpr PluginKind kKindsAtTop[] = {PluginKind::kController, PluginKind::kEngine, PluginKind::kObserver,
-                                      PluginKind::kActuator, PluginKind::kSensor};
+constexpr PluginKind kKindsAtTop[] = {PluginKind::kController, PluginKind::kEngine,   PluginKind::kRule,
+                                      PluginKind::kObserver,   PluginKind::kActuator, PluginKind::kSensor};
 
 /// The kinds of plugins that a tag means.
 std::map<std::string, std::set<PluginKind>> kindsByTag() {

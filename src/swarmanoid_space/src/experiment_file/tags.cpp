@@ -168,6 +168,8 @@ std::vector<ExperimentTag> makeTags() {
   append({{"", "engines", "engine", "The section: who moves entities.", {}, {}},
           {"engines", "*", "engine", "In <engines>.", pluginAttributes(), {}}});
   append(physicsTags());
+  append({{"", "rules", "rule", "The section: what acts on the world beside robots and engines.", {}, {}},
+          {"rules", "*", "rule", "In <rules>.", pluginAttributes(), {}}});
   append({{"", "visualisations", "visualisation", "The section: who looks at the run.", {}, {}},
           {"", "visualizations", "visualisation", "The same, in another spelling.", {}, {}},
           {"visualisations", "*", "visualisation", "In <visualisations>.", pluginAttributes(), {}}});

@@ -1,5 +1,7 @@
-/// Carries out interventions, a file for each kind.
+/// Carries out interventions, a file for each kind; asked.cpp is about those that rules ask for.
 #pragma once
+
+#include <string>
 
 #include "../world/world.hpp"
 #include "swarmanoid_space/intervention.hpp"
@@ -14,5 +16,12 @@ bool carryOut(World& world, const MoveEntity& intervention);
 bool carryOut(World& world, const HandOverEntity& intervention);
 bool carryOut(World& world, const SetEngineParameters& intervention);
 bool carryOut(World& world, const SetCommandSource& intervention);
+
+/// Carries out an intervention of any kind; one that changes something is recorded.
+/// @param asked_by as TakenIntervention has it @throws ConfigError if it is refused; then nothing has changed
+void take(World& world, const Intervention& intervention, const std::string& asked_by);
+
+/// All that rules have asked for. @throws std::runtime_error that names who asked for something that is refused
+void takeAsked(World& world);
 
 }  // namespace swarmanoid

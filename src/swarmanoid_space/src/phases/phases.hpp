@@ -10,6 +10,7 @@
 #include "../assembly/robot_instance.hpp"
 #include "../assembly/workers.hpp"
 #include "swarmanoid_interface/command_mailbox.hpp"
+#include "swarmanoid_space/intervention_queue.hpp"
 
 namespace swarmanoid::phases {
 
@@ -51,6 +52,10 @@ void handOver(Space& space, const std::vector<RobotInstance>& instances, std::ve
 
 /// The positional index gets the new poses; an event names entities that have left the arena.
 void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events);
+
+/// Rules look at the world, of which they write nothing but their metrics, and ask for interventions.
+/// @return whether one asks to finish, which is an event
+bool rule(Space& space, const std::vector<RuleInstance>& rules, InterventionQueue& queue);
 
 /// All observers draw. @return whether one asks to finish
 bool show(const Space& space, const std::vector<ObserverInstance>& observers);

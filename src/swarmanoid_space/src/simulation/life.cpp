@@ -17,6 +17,8 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
     : world_(std::make_unique<World>(std::move(experiment), std::move(context), std::move(supplied))) {
   buildEngines(*world_);
   build(*world_);
+  buildRules(*world_);
+  resetRules();
   buildObservers(*world_);
 }
 
@@ -67,6 +69,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   }
   restoreEngineParameters(world);
   build(world);
+  resetRules();
   for (ObserverInstance& observer : world.assembly.observers) {
     observer.is_finished = false;
     callPlugin("reset", observer.part, UserCode::kNoTick, [&] { observer->reset(); });
@@ -121,6 +124,9 @@ void Simulation::giveUp(const std::string& part) {
   for (ObserverInstance& observer : world_->assembly.observers) {
     observer.is_given_up = observer.is_given_up || observer.part == part;
   }
+  for (RuleInstance& rule : world_->assembly.rules) {
+    rule.is_given_up = rule.is_given_up || rule.part == part;
+  }
 }
 
 void Simulation::destroyControllers() {
@@ -130,11 +136,6 @@ void Simulation::destroyControllers() {
   }
 }
 
-void Simulation::apply(const Intervention& intervention) {
-  World& world = *world_;
-  if (std::visit([&](const auto& kind) { return carryOut(world, kind); }, intervention)) {
-    world.pending_interventions.push_back({intervention, ""});
-  }
-}
+void Simulation::apply(const Intervention& intervention) { take(*world_, intervention, ""); }
 
 }  // namespace swarmanoid

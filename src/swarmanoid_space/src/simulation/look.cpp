@@ -13,6 +13,7 @@ PhaseTimes& PhaseTimes::operator+=(const PhaseTimes& other) {
   move += other.move;
   connect += other.connect;
   index += other.index;
+  rule += other.rule;
   show += other.show;
   engines.resize(std::max(engines.size(), other.engines.size()), 0.0);
   for (std::size_t i = 0; i < other.engines.size(); ++i) {
@@ -43,6 +44,9 @@ std::size_t Simulation::robotCount() const { return world_->assembly.robots.size
 
 Metrics Simulation::metrics() const {
   Metrics metrics;
+  for (const Metric* metric : world_->space.metrics) {
+    metrics[metric->name] = metric->value;
+  }
   for (const ObserverInstance& observer : world_->assembly.observers) {
     if (!observer.is_given_up) {
       observer->addMetrics(metrics);
@@ -53,11 +57,15 @@ Metrics Simulation::metrics() const {
 
 std::optional<bool> Simulation::success() const {
   std::optional<bool> result;
-  for (const ObserverInstance& observer : world_->assembly.observers) {
-    if (const auto judged = observer.is_given_up ? std::nullopt : observer->success()) {
-      result = result.value_or(true) && *judged;
+  const auto judge = [&result](const auto& judges) {
+    for (const auto& each : judges) {
+      if (const auto judged = each.is_given_up ? std::nullopt : each->success()) {
+        result = result.value_or(true) && *judged;
+      }
     }
-  }
+  };
+  judge(world_->assembly.rules);
+  judge(world_->assembly.observers);
   return result;
 }
 

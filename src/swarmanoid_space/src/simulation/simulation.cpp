@@ -17,12 +17,15 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     return true;
   }
   Stopwatch stopwatch;
+  beginTick();
+  stopwatch.lap(phase_times_.rule);
   phases::sense(world.space, world.assembly.groups, world.assembly.workers);
   stopwatch.lap(phase_times_.sense);
   if (!world.lockstep.exchange(world.space, world.assembly.robots, world.pending_events, world.log_sink,
                                is_disturbed)) {
     return false;
   }
+  rules_have_begun_ = false;
   world.space.events.assign(world.pending_events.begin(), world.pending_events.end());
   world.pending_events.clear();
   world.space.interventions.assign(world.pending_interventions.begin(), world.pending_interventions.end());
@@ -53,10 +56,13 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   if (world.space.tick >= world.experiment.framework.max_clock) {
     world.space.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
-  finish_asked_ = phases::show(world.space, world.assembly.observers);
+  double seconds = 0.0;
+  finish_asked_ = phases::rule(world.space, world.assembly.rules, world.queue);
+  stopwatch.lap(seconds);
+  phase_times_.rule += seconds;
+  finish_asked_ = phases::show(world.space, world.assembly.observers) || finish_asked_;
   stopwatch.lap(phase_times_.show);
   if (stopwatch.last() >= next_flush_) {
-    double seconds = 0.0;
     flush();
     stopwatch.lap(seconds);
     phase_times_.show += seconds;

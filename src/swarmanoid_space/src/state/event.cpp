@@ -22,6 +22,8 @@ const char* toString(Event::Kind kind) {
       return "moved";
     case Event::Kind::kIntervention:
       return "intervention";
+    case Event::Kind::kInterventionRefused:
+      return "intervention_refused";
     case Event::Kind::kFinished:
       return "finished";
     case Event::Kind::kHandedOver:

@@ -179,6 +179,19 @@ void build(World& world) {
   offerRobots(world);
 }
 
+void buildRules(World& world) {
+  for (const RuleDescription& description : world.experiment.rules) {
+    const auto* entry = Registry::instance().find(PluginKind::kRule, description.label);
+    const RuleInstance rule{{makePlugin<Rule>(*entry), "rule '" + description.id + "' (" + description.label + ")"}};
+    rule->setId(description.id);
+    configure(rule, description.location, description.parameters);
+    for (const Metric& metric : rule->metrics()) {
+      world.space.metrics.push_back(&metric);
+    }
+    world.assembly.rules.push_back(rule);
+  }
+}
+
 void buildObservers(World& world) {
   for (const VisualisationDescription& description : world.experiment.visualisations) {
     const auto* entry = Registry::instance().find(PluginKind::kObserver, description.label);

@@ -11,6 +11,9 @@ void buildEngines(World& world);
 /// Everything in the space, with robots and their controllers. @pre there are engines @throws ConfigError
 void build(World& world);
 
+/// Once a world, after the engines. @throws ConfigError
+void buildRules(World& world);
+
 /// Once a world, last. @throws ConfigError
 void buildObservers(World& world);
 

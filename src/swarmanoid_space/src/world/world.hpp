@@ -28,11 +28,13 @@ struct World {
   RunContext context;
   SuppliedParts supplied;
   Space space;
-  Assembly assembly;                                     ///< engines, robots, observers
+  Assembly assembly;                                     ///< engines, robots, rules, observers
   Lockstep lockstep;                                     ///< commands from other processes
   std::vector<Configuration> engine_parameters;          ///< as of now, in the order of Space::engines
   std::vector<Event> pending_events;                     ///< of the next tick
   std::vector<TakenIntervention> pending_interventions;  ///< likewise
+  InterventionQueue queue;                               ///< what rules ask for
+  std::vector<AskedIntervention> asked;                  ///< scratch of takeAsked
   std::vector<ControllerFailure> failures;
   Robot::LogSink log_sink;
 };

@@ -120,13 +120,17 @@ struct ArenaDescription {
   SourceLocation location;
 };
 
-struct EngineDescription {
+/// A plugin with an id, as a section lists it.
+struct PluginUse {
   std::string label;  ///< never an alias
   std::string id;
   std::string library;
   Configuration parameters;  ///< defaults filled in
   SourceLocation location;
 };
+using EngineDescription = PluginUse;
+using RuleDescription = PluginUse;
+using VisualisationDescription = PluginUse;
 
 enum class Role {
   kMove,   ///< the engine moves the entity
@@ -170,14 +174,6 @@ struct HandoverDescription {
   SourceLocation location;
 };
 
-struct VisualisationDescription {
-  std::string label;  ///< never an alias
-  std::string id;
-  std::string library;
-  Configuration parameters;  ///< defaults filled in
-  SourceLocation location;
-};
-
 struct Experiment {
   std::string name;  ///< the file's name without folder and ending
   std::string file;
@@ -189,6 +185,7 @@ struct Experiment {
   std::vector<EngineDescription> engines;
   std::vector<MappingDescription> mappings;
   std::vector<HandoverDescription> handovers;
+  std::vector<RuleDescription> rules;
   std::vector<VisualisationDescription> visualisations;
 };
 

@@ -28,6 +28,7 @@ struct PhaseTimes {
   double move = 0.0;
   double connect = 0.0;  ///< and handover
   double index = 0.0;
+  double rule = 0.0;  ///< and what rules do before the tick
   double show = 0.0;
   std::vector<double> engines;  ///< of `move`: each engine by itself, in the order of Space::engines
 
@@ -53,7 +54,7 @@ class Simulation {
   /// the simulation waits for the end of the tick
   /// @return false: it was disturbed and given up before anything happened; it is to be made again, after that
   bool tick(const std::function<bool()>& is_disturbed = nullptr);
-  /// maxclock is reached, or an observer asked to finish.
+  /// maxclock is reached, or a rule or an observer asked to finish.
   bool isFinished() const;
   /// What observers have written goes to the system: a process that is killed loses nothing of it. A tick does so
   /// once a second of wall time; for callers that make none for some time. @throws what observers throw
@@ -82,7 +83,7 @@ class Simulation {
   /// The values that an engine works with: those of the file, and what was set since.
   /// @throws ConfigError if there is no such engine
   const Configuration& engineParameters(const std::string& engine) const;
-  /// What the observers that judge it agree on; nothing if none judges.
+  /// What the rules and observers that judge it agree on; nothing if none judges.
   std::optional<bool> success() const;
 
   /// For code that carries frames between this simulation and participants.
@@ -108,6 +109,8 @@ class Simulation {
   void reset(std::optional<std::uint64_t> seed = std::nullopt, bool rewind = false);
 
  private:
+  void resetRules();
+  void beginTick();
   void noteFailures();
   void logNewOverflows();
 
@@ -117,6 +120,7 @@ class Simulation {
   std::size_t logged_overflows_ = 0;
   std::chrono::steady_clock::time_point next_flush_;
   bool is_started_ = false;
+  bool rules_have_begun_ = false;  // the tick that is to come
   bool finish_asked_ = false;
   bool finished_ = false;
 };

@@ -17,8 +17,9 @@ struct Event {
     kOverflow,          ///< a sensor of `entity` saw more than it can report
     kSpawned,
     kDeleted,
-    kMoved,         ///< put elsewhere from outside
-    kIntervention,  ///< anything else that came from outside
+    kMoved,                ///< put elsewhere from outside
+    kIntervention,         ///< anything else that came from outside
+    kInterventionRefused,  ///< a rule asked for what may be refused, and was; the text says why
     kFinished,
     kHandedOver,       ///< another engine moves `entity` from now on; the text says which
     kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why

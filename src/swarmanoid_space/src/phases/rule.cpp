@@ -1,0 +1,22 @@
+// Phase 7: rules look at the world, and ask for what is to change before the next tick.
+#include "phases.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+
+namespace swarmanoid::phases {
+
+bool rule(Space& space, const std::vector<RuleInstance>& rules, InterventionQueue& queue) {
+  bool finish_asked = false;
+  for (const RuleInstance& rule : rules) {
+    queue.setAsking(rule.part);
+    callPlugin("afterTick", rule.part, space.tick, [&] {
+      rule->afterTick(space, queue);
+      if (rule->isFinished()) {
+        finish_asked = true;
+        space.events.push_back({Event::Kind::kFinished, "", "", rule.part + " ends the run"});
+      }
+    });
+  }
+  return finish_asked;
+}
+
+}  // namespace swarmanoid::phases

@@ -1,0 +1,36 @@
+// Rules at the beginning of a run and of a tick. What they do in between is in phases/rule.cpp.
+#include "../interventions/carry_out.hpp"
+#include "../world/world.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+
+namespace swarmanoid {
+
+void Simulation::resetRules() {
+  World& world = *world_;
+  world.queue.clear();
+  rules_have_begun_ = false;
+  for (const RuleInstance& rule : world.assembly.rules) {
+    world.queue.setAsking(rule.part);
+    rule->begin(world.space.seed);
+    callPlugin("reset", rule.part, UserCode::kNoTick, [&] { rule->reset(world.space, world.queue); });
+    takeAsked(world);
+  }
+}
+
+void Simulation::beginTick() {
+  if (rules_have_begun_) {
+    return;  // an attempt at this tick was given up after this
+  }
+  World& world = *world_;
+  takeAsked(world);
+  for (const RuleInstance& rule : world.assembly.rules) {
+    world.queue.setAsking(rule.part);
+    rule->startTick(world.space.tick);
+    callPlugin("beforeTick", rule.part, world.space.tick, [&] { rule->beforeTick(world.space, world.queue); });
+    takeAsked(world);
+  }
+  rules_have_begun_ = true;
+}
+
+}  // namespace swarmanoid
