@@ -236,7 +236,7 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
         "layout",     "minimum",      "maximum",         "random_heading", "max_trials", "controller",
         "role",       "library",      "handover",        "entity",         "to",         "inside",
         "outside",    "attached",     "released",        "debug",          "as",         "key",
-        "heightfield"}) {
+        "heightfield", "floor"}) {
     expect_name(name);
   }
 }

@@ -124,7 +124,7 @@ void Simulation::build() {
   space_.tick = 0;
   space_.time = kEpoch;
   space_.size = experiment_.arena.size;
-  space_.floor_patches = experiment_.arena.floor_patches;
+  space_.floor = experiment_.arena.floor;
   space_.terrain = experiment_.arena.terrain;
   constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
   space_.events.reserve(kUsualEvents);
