@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/devices/ground.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
@@ -41,6 +42,12 @@ World readWorld(const Configuration& values) {
       world.beacons.push_back(
           {beacon.name(), beacon.vector3("at"), beacon.color("color"), beacon.boolean("can_be_gripped", false)});
       beacon.refuseUnread({"at", "color", "can_be_gripped"});
+    }
+  }
+  if (const Configuration* discs = values.find("discs")) {
+    for (const Configuration& disc : discs->children()) {
+      world.discs.push_back({disc.vector2("at"), disc.number("radius", Range{0.0, 1000.0}), disc.color("color")});
+      disc.refuseUnread({"at", "radius", "color"});
     }
   }
   if (const Configuration* hands = values.find("hands")) {
@@ -80,6 +87,16 @@ double distanceToWall(const World& world, const Eigen::Vector2d& from, double di
 float closenessOfWall(const World& world, const Pose& pose, double angle, double radius) {
   const double distance = distanceToWall(world, pose.position.head<2>(), pose.yaw + angle) - radius;
   return Proximity::response(std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0));
+}
+
+float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place) {
+  if (pose.position.z() > Ground::kUsualRange) {
+    return 0.0F;
+  }
+  const Eigen::Vector2d point = pose.toWorld({place.x(), place.y(), 0.0}).head<2>();
+  const auto top = std::find_if(world.discs.rbegin(), world.discs.rend(),
+                                [&](const Disc& disc) { return (point - disc.at).norm() <= disc.radius; });
+  return Ground::reflection(top == world.discs.rend() ? colors::kWhite : top->color);
 }
 
 }  // namespace swarmanoid::mock
