@@ -211,6 +211,24 @@ TEST(MockWorld, IsReadFromParametersAndRefusesOthers) {
   EXPECT_THROW(makeMockRobot({FootbotProximity::kType}, values), ConfigError);
 }
 
+TEST(MockWorld, HasDiscsOnItsFloor) {
+  Configuration values("world", "", {"/w", 0});
+  Configuration& disc = values.add(Configuration("discs", "", {"/w", 0})).add(Configuration("nest", "", {"/w", 0}));
+  disc.set("at", "0.5, -1");
+  disc.set("radius", "0.25");
+  disc.set("color", "gray");
+  const World world = readWorld(values);
+  ASSERT_EQ(1U, world.discs.size());
+  EXPECT_EQ(Eigen::Vector2d(0.5, -1.0), world.discs[0].at);
+  EXPECT_EQ(0.25, world.discs[0].radius);
+  EXPECT_EQ(colors::kGray, world.discs[0].color);
+  disc.set("radius", "-0.25");
+  EXPECT_THROW(readWorld(values), ConfigError);
+  disc.set("radius", "0.25");
+  disc.set("colour", "gray");
+  EXPECT_THROW(readWorld(values), ConfigError);
+}
+
 TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
   const auto ringOf = [](const std::string& sensors, const std::string& radius) {
     Configuration values("world", "", {"/w", 0});

@@ -11,9 +11,11 @@
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/ground.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
@@ -103,6 +105,29 @@ TEST(MockFootbot, SeesABeaconMoveAsItDrives) {
   bench.advance(10.0);
   EXPECT_NEAR(M_PI / 2.0, camera.blobs[0].bearing, 1e-6);
   EXPECT_NEAR(1.0, camera.blobs[0].distance, 1e-6);
+}
+
+/// A grey disc and a green one, the later of which lies on the earlier one where they overlap.
+World worldWithDiscs() {
+  World world;
+  world.discs.push_back({{0.17, 0.25}, 0.06, colors::kGray});
+  world.discs.push_back({{0.1, 0.25}, 0.045, colors::kGreen});
+  return world;
+}
+
+/// Which disc is under which spot was worked out by another program.
+TEST(MockFootbot, ReadsTheFloorUnderIt) {
+  Bench bench("footbot", worldWithDiscs(), {{0.13, 0.27, 0.0}, 0.83});
+  const float gray = 128.0F / 255.0F;
+  const float green = 1.0F / 3.0F;
+  const float around[] = {1.0F, 1.0F, 1.0F, green, green, gray, gray, gray};
+  for (std::size_t i = 0; i < 8; ++i) {
+    EXPECT_NEAR(around[i], bench.reading<FootbotGround>().value[i], 1e-6) << i;
+  }
+  const float between[] = {1.0F, green, green, gray};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(between[i], bench.reading<FootbotBaseGround>().value[i], 1e-6) << i;
+  }
 }
 
 TEST(MockFootbot, GripsWhatIsNearAndTakesItAlong) {
@@ -270,6 +295,25 @@ TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
   EXPECT_EQ(0.0F, light.sensors[6].value);
   bench.robot->place({{0.0, -1.6, 0.0}, 0.0});
   EXPECT_EQ(0.0F, light.sensors[2].value) << "2.1 m away";
+}
+
+TEST(MockRobotOfAnyType, ReadsTheFloorUnderIt) {
+  World world = worldWithDiscs();
+  world.ring = {5, 0.05};
+  Bench bench(std::vector<std::string>{Ground::kType}, world);
+  bench.robot->place({{0.13, 0.27, 0.0}, 0.83});
+  const Ground& ground = bench.reading<Ground>();
+  ASSERT_EQ(5U, ground.spots.size());
+  EXPECT_NEAR(0.05 * std::cos(0.4 * M_PI), ground.spots[1].x, 1e-7);
+  EXPECT_NEAR(0.05 * std::sin(0.4 * M_PI), ground.spots[1].y, 1e-7);
+  const float expected[] = {128.0F / 255.0F, 1.0F, 1.0F / 3.0F, 1.0F / 3.0F, 128.0F / 255.0F};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(expected[i], ground.spots[i].value, 1e-6) << i;
+  }
+  bench.robot->place({{0.13, 0.27, 0.049}, 0.83});
+  EXPECT_EQ(1.0F, ground.spots[1].value);
+  bench.robot->place({{0.13, 0.27, 0.051}, 0.83});
+  EXPECT_EQ(0.0F, ground.spots[1].value) << "too high over it";
 }
 
 TEST(MockRobotOfAnyType, FeelsGravityAndItsOwnTurning) {

@@ -13,9 +13,11 @@
 #include "swarmanoid_hosts/ros/devices/eyebot_magnet.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_velocity.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_gripper.hpp"
+#include "swarmanoid_hosts/ros/devices/footbot_ground.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_proximity.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_turret.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_wheels.hpp"
+#include "swarmanoid_hosts/ros/devices/ground.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_arms.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_hands.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_rope.hpp"
@@ -73,6 +75,8 @@ TEST(DeviceMessages, KeepAllReadings) {
     proximity.value[i] = 0.01F * static_cast<float>(i);
   }
   expectNothingLost<swarmanoid_msgs::ProximityArray>(proximity);
+  expectNothingLost<swarmanoid_msgs::GroundArray>(FootbotGround{{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F, 0.8F}});
+  expectNothingLost<swarmanoid_msgs::GroundArray>(FootbotBaseGround{{0.5F, 0.0F, 1.0F, 0.25F}});
   expectNothingLost<swarmanoid_msgs::GripperState>(FootbotGripperState{true});
   expectNothingLost<sensor_msgs::JointState>(FootbotTurretState{0.1, 0.2, 0.3});
   expectNothingLost<swarmanoid_msgs::GripperState>(EyebotMagnetState{true});
@@ -127,6 +131,36 @@ TEST(DeviceMessages, KeepLightOfAnyRobot) {
   message.values.resize(65);
   message.angles.resize(65);
   EXPECT_EQ(refusalOf(message, light), "found 65 angles and 65 values, allowed: as many of both, at most 64");
+}
+
+TEST(DeviceMessages, KeepTheGroundUnderAnyRobot) {
+  const std::array<GroundSpot, 2> spots{GroundSpot{0.125F, 0.03F, -0.02F}, GroundSpot{1.0F, -0.03F, 0.01F}};
+  Ground ground;
+  ground.spots = Span<const GroundSpot>(spots.data(), spots.size());
+  swarmanoid_msgs::GroundArray message;
+  toMessage(ground, message);
+  EXPECT_EQ(message.x, (std::vector<float>{0.03F, -0.03F}));
+  EXPECT_EQ(message.y, (std::vector<float>{-0.02F, 0.01F}));
+  Ground back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("ground", &ground), bytesOf("ground", &back));
+  message.y.pop_back();
+  EXPECT_EQ(refusalOf(message, ground), "found 2 x, 1 y and 2 values, allowed: as many of each, at most 64");
+}
+
+TEST(DeviceMessages, OfFootbotsGroundSayWhereTheSpotsAre) {
+  swarmanoid_msgs::GroundArray message;
+  toMessage(FootbotGround{}, message);
+  ASSERT_EQ(message.x.size(), 8U);
+  // spot 5 is at 247.5 degrees
+  EXPECT_NEAR(message.x[5], -0.02410906, 1e-7);
+  EXPECT_NEAR(message.y[5], -0.05820441, 1e-7);
+  EXPECT_EQ("found 8 values, expected 4", (refusalOf(message, FootbotBaseGround{})));
+  toMessage(FootbotBaseGround{}, message);
+  EXPECT_EQ(message.x, (std::vector<float>{0.03F, -0.03F, -0.03F, 0.03F}));
+  EXPECT_EQ(message.y, (std::vector<float>{0.03F, 0.03F, -0.03F, -0.03F}));
+  EXPECT_EQ("found 4 values, expected 8", (refusalOf(message, FootbotGround{})));
 }
 
 TEST(DeviceMessages, OfInertialUnitsSayWhatIsNotMeasured) {
