@@ -212,21 +212,22 @@ TEST(MockWorld, IsReadFromParametersAndRefusesOthers) {
 }
 
 TEST(MockWorld, HasDiscsOnItsFloor) {
-  Configuration values("world", "", {"/w", 0});
-  Configuration& disc = values.add(Configuration("discs", "", {"/w", 0})).add(Configuration("nest", "", {"/w", 0}));
-  disc.set("at", "0.5, -1");
-  disc.set("radius", "0.25");
-  disc.set("color", "gray");
-  const World world = readWorld(values);
+  const auto worldWith = [](const std::string& radius, const std::string& color) {
+    Configuration values("world", "", {"/w", 0});
+    Configuration& discs = values.add(Configuration("discs", "", {"/w", 0}));
+    Configuration& disc = discs.add(Configuration("nest", "", {"/w", 0}));
+    disc.set("at", "0.5, -1");
+    disc.set("radius", radius);
+    disc.set(color, "gray");
+    return readWorld(values);
+  };
+  const World world = worldWith("0.25", "color");
   ASSERT_EQ(1U, world.discs.size());
   EXPECT_EQ(Eigen::Vector2d(0.5, -1.0), world.discs[0].at);
   EXPECT_EQ(0.25, world.discs[0].radius);
   EXPECT_EQ(colors::kGray, world.discs[0].color);
-  disc.set("radius", "-0.25");
-  EXPECT_THROW(readWorld(values), ConfigError);
-  disc.set("radius", "0.25");
-  disc.set("colour", "gray");
-  EXPECT_THROW(readWorld(values), ConfigError);
+  EXPECT_THROW(worldWith("-0.25", "color"), ConfigError);
+  EXPECT_THROW(worldWith("0.25", "colour"), ConfigError);
 }
 
 TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
