@@ -82,7 +82,7 @@ def add_turret(robot):
 
 
 def add_ground_sensors(robot):
-    """Spots that look down: a ring around the body, the first on the left of straight ahead, and four between the wheels."""
+    """Spots that look down: a ring around the body, the first on the left of ahead, and four between the wheels."""
     step = 2 * math.pi / GROUND_COUNT
     angles = [(i + 0.5) * step for i in range(GROUND_COUNT)]
     ring_places = [(GROUND_RADIUS * math.cos(angle), GROUND_RADIUS * math.sin(angle)) for angle in angles]
