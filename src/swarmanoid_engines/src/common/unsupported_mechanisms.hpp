@@ -9,7 +9,7 @@
 namespace swarmanoid {
 
 /// Why such an entity cannot be moved with these devices: it has no shape, not the mechanisms that they work with, or
-/// two of them would drive it; "" if nothing speaks against it.
+/// two of them would drive it, or command the same joint or holder; "" if nothing speaks against it.
 std::string unsupportedMechanismsReason(const EntityModel& model, const std::vector<DeviceUse>& devices);
 
 }  // namespace swarmanoid
