@@ -35,8 +35,8 @@ class HolderStatesSensor final
         if (holders[i].kind == EntityModel::Holder::Kind::kGripper) {  // a robot has one at most
           instance.buffer[i].is_holding = space.structure.grippedBy(instance.row) != kNoRow;
         } else {
-          const Attachment held = attachmentOf(space, instance, i);
-          instance.buffer[i] = {held.held != kNoRow, held.length, held.force};
+          const Attachment attachment = attachmentOf(space, instance, i);
+          instance.buffer[i] = {attachment.held != kNoRow, attachment.length, attachment.force};
         }
       }
     }
