@@ -77,5 +77,20 @@ TEST(CommandedPartsInAPlaneTest, OnlyATurretAndAGripperCanBeSimulated) {
             "device 'holders' cannot be simulated in a plane");
 }
 
+/// In three dimensions: there a link that an arm turns is a body of its own, and a gripper turns with a turret alone.
+TEST(CommandedPartsInSpaceTest, AGripperOnATurretIsRefusedBesideAnArm) {
+  const dynamics3d::Dynamics3d space;
+  auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
+  EntityModel::Joint shoulder = model->joints.front();
+  shoulder.name = "shoulder";
+  shoulder.axis = Eigen::Vector3d::UnitY();
+  model->joints.push_back(shoulder);
+  EXPECT_EQ(space.unsupportedReason(*model, {kTurret, kGripper}), "");
+  EXPECT_EQ(space.unsupportedReason(*model, {kJoints}), "");
+  EXPECT_EQ(space.unsupportedReason(*model, {kJoints, kGripper}),
+            "device 'footbot_gripper' cannot be simulated: the gripper is on a link, and joints besides a turret are "
+            "commanded");
+}
+
 }  // namespace
 }  // namespace swarmanoid

@@ -65,4 +65,10 @@ std::string unsupportedMechanismsReason(const EntityModel& model, const std::vec
   return "";
 }
 
+bool worksWith(const DeviceUse& device, Mechanism::Kind kind, const std::string& name) {
+  return std::any_of(device.mechanisms.begin(), device.mechanisms.end(), [&](const Mechanism& mechanism) {
+    return mechanism.kind == kind && (mechanism.name.empty() || mechanism.name == name);
+  });
+}
+
 }  // namespace swarmanoid
