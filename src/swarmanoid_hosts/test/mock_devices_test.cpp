@@ -258,5 +258,23 @@ TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
   EXPECT_NE(std::string::npos, refusal.find("did you mean 'ring'?")) << refusal;
 }
 
+TEST(MockWorld, SaysHowManyJointsAndHoldersARobotHas) {
+  const auto worldOf = [](const std::string& parts, const std::string& name, const std::string& value) {
+    Configuration values("world", "", {"/w", 0});
+    values.add(Configuration(parts, "", {"/w", 0})).set(name, value);
+    return readWorld(values);
+  };
+  EXPECT_EQ(1U, readWorld(Configuration("world", "", {"/w", 0})).joints.count) << "the usual one";
+  EXPECT_EQ(16U, worldOf("joints", "count", "16").joints.count);
+  EXPECT_EQ(0.5, worldOf("joints", "fastest", "0.5").joints.fastest);
+  EXPECT_EQ(8U, worldOf("holders", "count", "8").holders.count);
+  EXPECT_EQ(2.5, worldOf("holders", "rope", "2.5").holders.rope);
+  EXPECT_THROW(worldOf("joints", "count", "17"), ConfigError);
+  EXPECT_THROW(worldOf("joints", "count", "0"), ConfigError);
+  EXPECT_THROW(worldOf("holders", "count", "9"), ConfigError);
+  EXPECT_THROW(worldOf("holders", "rope", "-1"), ConfigError);
+  EXPECT_THROW(worldOf("joints", "names", "3"), ConfigError);
+}
+
 }  // namespace
 }  // namespace swarmanoid::mock

@@ -19,7 +19,9 @@
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/devices/holders.hpp"
 #include "swarmanoid_interface/devices/imu.hpp"
+#include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
@@ -327,6 +329,55 @@ TEST(MockRobotOfAnyType, FeelsGravityAndItsOwnTurning) {
   EXPECT_NEAR(-0.3, imu.linear_acceleration.y(), 1e-12) << "speed times turn rate, to the right";
   EXPECT_NEAR(0.0, imu.linear_acceleration.x(), 1e-12);
   EXPECT_NEAR(9.81, imu.linear_acceleration.z(), 1e-12);
+}
+
+TEST(MockRobotOfAnyType, TurnsItsJoints) {
+  World world;
+  world.joints = {3, 1.5};
+  Bench bench(std::vector<std::string>{Joints::kType, JointStates::kType}, world);
+  const Span<const JointStates::Joint> joints = bench.reading<JointStates>().joints;
+  ASSERT_EQ(3U, joints.size());
+  bench.command<Joints>().joints[0].holdAngle(0.7);
+  bench.command<Joints>().joints[1].turnAt(-0.4);
+  bench.command<Joints>().joints[2].turnAt(9.0);
+  bench.advance(0.2);
+  EXPECT_NEAR(0.3, joints[0].angle, 1e-9) << "at 1.5 rad/s";
+  EXPECT_NEAR(-0.08, joints[1].angle, 1e-9);
+  EXPECT_NEAR(0.3, joints[2].angle, 1e-9) << "no faster than its motor";
+  EXPECT_NEAR(1.5, joints[2].speed, 1e-9);
+  bench.command<Joints>().joints[2].letTurn();
+  bench.advance(0.4);
+  EXPECT_NEAR(0.7, joints[0].angle, 1e-9);
+  EXPECT_NEAR(-0.24, joints[1].angle, 1e-9);
+  EXPECT_NEAR(0.3, joints[2].angle, 1e-9);
+  EXPECT_EQ(0.0, joints[2].speed);
+  EXPECT_EQ(0.0, joints[0].effort);
+}
+
+TEST(MockRobotOfAnyType, HoldsAndWinds) {
+  World world;
+  world.holders = {2, 1.6};
+  Bench bench(std::vector<std::string>{Holders::kType, HolderStates::kType}, world);
+  const Span<const HolderStates::Holder> holders = bench.reading<HolderStates>().holders;
+  ASSERT_EQ(2U, holders.size());
+  bench.command<Holders>().holders[1].holds = true;
+  bench.advance(0.1);
+  EXPECT_FALSE(holders[0].is_holding);
+  EXPECT_TRUE(holders[1].is_holding);
+  EXPECT_NEAR(1.6, holders[1].length, 1e-9);
+  EXPECT_GT(holders[1].force, 0.0);
+  bench.command<Holders>().holders[1].winding_speed = 0.15;
+  bench.advance(2.0);
+  EXPECT_NEAR(1.3, holders[1].length, 1e-9);
+  bench.command<Holders>().holders[1].winding_speed = -5.0;
+  bench.advance(1.0);
+  EXPECT_NEAR(1.5, holders[1].length, 1e-9) << "at 0.2 m/s";
+  bench.advance(1.0);
+  EXPECT_NEAR(1.6, holders[1].length, 1e-9) << "there is no more on the winch";
+  bench.command<Holders>().holders[1].holds = false;
+  bench.advance(0.1);
+  EXPECT_FALSE(holders[1].is_holding);
+  EXPECT_EQ(0.0, holders[1].length);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
+#include "swarmanoid_interface/devices/holders.hpp"
+#include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
@@ -17,6 +19,25 @@ Eigen::Vector3d turned(const Eigen::Vector3d& vector, double angle) {
 }
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// @param values of `joints` or `holders` @param usual how many there are if nothing is said
+std::size_t readCount(const Configuration& values, std::size_t usual, std::size_t most) {
+  return static_cast<std::size_t>(
+      values.integer("count", static_cast<std::int64_t>(usual), {1.0, static_cast<double>(most)}));
+}
+
+void readParts(const Configuration& values, World& world) {
+  if (const Configuration* joints = values.find("joints")) {
+    world.joints.count = readCount(*joints, world.joints.count, Joints::kMost);
+    world.joints.fastest = joints->number("fastest", world.joints.fastest, {0.0, 100.0});
+    joints->refuseUnread({"count", "fastest"});
+  }
+  if (const Configuration* holders = values.find("holders")) {
+    world.holders.count = readCount(*holders, world.holders.count, Holders::kMost);
+    world.holders.rope = holders->number("rope", world.holders.rope, {0.0, 100.0});
+    holders->refuseUnread({"count", "rope"});
+  }
+}
 
 }  // namespace
 
@@ -62,6 +83,7 @@ World readWorld(const Configuration& values) {
     world.ring.radius = ring->number("radius", world.ring.radius, {0.0, 10.0});
     ring->refuseUnread({"sensors", "radius"});
   }
+  readParts(values, world);
   world.ceiling = values.number("ceiling", world.ceiling, {0.0, 100.0});
   return world;
 }

@@ -52,11 +52,30 @@ struct World {
     double angle(std::size_t sensor) const;
   };
 
+  /// Of a robot whose joints are not known here: so many, without stops.
+  struct Joints {
+    std::size_t count = 1;
+    double fastest = 3.0;  ///< [rad/s]
+
+    /// Names of the joints in the robot's state: "joint_0", ...
+    static std::string name(std::size_t joint) { return "joint_" + std::to_string(joint); }
+  };
+  /// Of a robot for which it is not known here what it holds with: so many parts, each with something within reach.
+  struct Holders {
+    std::size_t count = 1;
+    double rope = 0.0;  ///< length of the rope of each; 0: they have none [m]
+
+    /// Names of the holders in the robot's state: "holder_0", ...
+    static std::string name(std::size_t holder) { return "holder_" + std::to_string(holder); }
+  };
+
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
   std::vector<Disc> discs;  ///< on a white floor; later ones lie on earlier ones
   double ceiling = 3.0;     ///< height of the ceiling, which is ferromagnetic [m]
   Ring ring;
+  Joints joints;
+  Holders holders;
   /// Whether a handbot's hand touches an object when its arm is level.
   bool is_something_left = true;
   bool is_something_right = true;
@@ -69,6 +88,8 @@ struct World {
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there
 ///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity`, `light` or `ground`
+///     joints: {count: 2, fastest: 3}                       of `joints` and `joint_states`
+///     holders: {count: 1, rope: 2}                         of `holders` and `holder_states`
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 

@@ -36,7 +36,8 @@ void addDevice(PluginKind kind, const DeviceDescription& description, const std:
   const Registry::Entry& entry = *Registry::instance().find(kind, description.type, description.implementation);
   plugins.push_back({makePlugin<Plugin>(entry),
                      std::string(toString(kind)) + " '" + description.type + "' of controller '" + controller + "'"});
-  uses.push_back({description.type, entry.description.mechanisms});
+  uses.push_back({description.type, entry.description.mechanisms,
+                  kind == PluginKind::kActuator ? DeviceKind::kActuator : DeviceKind::kSensor});
   configure(plugins.back(), description.location, description.parameters);
   plugins.back()->takeErrors(description.errors);
 }
