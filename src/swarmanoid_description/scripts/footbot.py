@@ -16,6 +16,10 @@ TURRET_SPEED = 3.0  # [rad/s]: half a turn in a second
 TURRET_TORQUE = 2.0  # [N m]: more than the 1.1 to 1.5 N m with which treels that stand still hold the chassis
 PROXIMITY_COUNT = 24
 PROXIMITY_HEIGHT = 0.06
+GROUND_COUNT = 8
+GROUND_RADIUS = 0.063
+BASE_GROUND_OFFSET = 0.03
+GROUND_HEIGHT = 0.005
 LED_COUNT = 12
 LED_HEIGHT = 0.12
 CAMERA_HEIGHT = 0.28
@@ -77,6 +81,17 @@ def add_turret(robot):
     robot.link("gripper_tip", parent="turret", xyz=(GRIPPER_TIP, 0, 0))
 
 
+def add_ground_sensors(robot):
+    """Spots that look down: a ring around the body, the first on the left of ahead, and four between the wheels."""
+    step = 2 * math.pi / GROUND_COUNT
+    angles = [(i + 0.5) * step for i in range(GROUND_COUNT)]
+    ring_places = [(GROUND_RADIUS * math.cos(angle), GROUND_RADIUS * math.sin(angle)) for angle in angles]
+    base_places = [(x * BASE_GROUND_OFFSET, y * BASE_GROUND_OFFSET) for x, y in ((1, 1), (-1, 1), (-1, -1), (1, -1))]
+    for name, places in (("ground", ring_places), ("base_ground", base_places)):
+        for i, place in enumerate(places):
+            robot.link(f"{name}_{i}", xyz=(*place, GROUND_HEIGHT), rpy=(0, math.pi / 2, 0))
+
+
 def make():
     robot = Robot("footbot", "A wheeled robot with a gripper.", MATERIALS)
     robot.link("body", visuals=body_visuals(), collisions=body_collisions(), mass=MASS - 2 * WHEEL_MASS,
@@ -89,6 +104,7 @@ def make():
                    visuals=[wheel, hub], mass=WHEEL_MASS, inertia=wheel)
     for i, xyz, rpy in ring(PROXIMITY_COUNT, RADIUS, PROXIMITY_HEIGHT):
         robot.link(f"proximity_{i}", xyz=xyz, rpy=rpy, visuals=[box((0.004, 0.008, 0.006), (-0.002, 0, 0), "glass")])
+    add_ground_sensors(robot)
     for i, xyz, rpy in ring(LED_COUNT, RADIUS, LED_HEIGHT):
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.005, (-0.003, 0, 0), "light_grey")])
     robot.link("camera", xyz=(0, 0, CAMERA_HEIGHT))

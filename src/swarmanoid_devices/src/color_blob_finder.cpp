@@ -124,7 +124,7 @@ FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs,
     finder.look(spot.position, spot.color, kNoRow);
   }
   if (view.sees_floor) {
-    for (const FloorPatch& patch : space.floor_patches) {
+    for (const FloorPatch& patch : space.floor.patches) {
       // if the middle of the patch is hidden or too far, its nearest part is used instead
       if (!finder.look(patch.position, patch.color, kNoRow)) {
         finder.look(patch.nearestPoint(view.position), patch.color, kNoRow);

@@ -1,11 +1,14 @@
-/// The family of devices that work with holders of a robot (EntityModel::Holder): grippers, hands, magnets, ropes.
+/// The family of devices that work with holders of a robot (EntityModel::Holder): grippers, hands, magnets, ropes, and
+/// the winches of these.
 /// Which holders of the model they are is looked up once, when a robot is added.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 
 #include "mechanisms.hpp"
+#include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -31,17 +34,20 @@ std::array<int, count> holdersOf(const EntityModel& model, const std::array<cons
   return holders;
 }
 
-/// `Derived` has `static constexpr std::array<const char*, count> kHolders`, the names of its holders.
+/// `Derived` has `static constexpr std::array<const char*, count> kHolders`, the names of its holders, or an
+/// `indicesIn` of its own.
 template <class Derived, class Device, std::size_t count = 1>
 class HolderActuator : public ActuatorOf<Device, WithHolders<BasicActuatorInstance<Device>, count>> {
  public:
   using Instance = WithHolders<BasicActuatorInstance<Device>, count>;
 
+  static std::array<int, count> indicesIn(const EntityModel& model) { return holdersOf(model, Derived::kHolders); }
+
   void configure(const Configuration&) override {}
 
  protected:
   void prepareInstance(const Space& space, Instance& instance) override {
-    instance.holders = holdersOf(*space.entities.model[instance.row], Derived::kHolders);
+    instance.holders = Derived::indicesIn(*space.entities.model[instance.row]);
   }
 
   /// @param winding_speed of a rope [m/s]
@@ -54,17 +60,47 @@ class HolderActuator : public ActuatorOf<Device, WithHolders<BasicActuatorInstan
   }
 };
 
-/// The same of sensors.
+/// Holders of which some are ropes, wound by winches that have a fastest speed. `Derived` has besides `static double&
+/// windingOf(Device&, std::size_t which)`, the winding speed of each, and `Device` has `kUsualFastest` [m/s].
 template <class Derived, class Device, std::size_t count = 1>
-class HolderSensor : public SensorOf<Device, WithHolders<BasicSensorInstance<Device>, count>> {
+class WinchActuator : public HolderActuator<Derived, Device, count> {
  public:
-  using Instance = WithHolders<BasicSensorInstance<Device>, count>;
+  using typename HolderActuator<Derived, Device, count>::Instance;
+
+  void configure(const Configuration& parameters) override {
+    max_speed_ = parameters.number("max_speed", Device::kUsualFastest);
+  }
+
+ protected:
+  static Parameter fastestWinding() {
+    return number("max_speed", "m/s", numberText(Device::kUsualFastest), {0.0, 2.0},
+                  "The fastest winding, in and out.");
+  }
+
+  void limit(const Space& /*space*/, Instance& instance) override {
+    for (std::size_t which = 0; which < count; ++which) {
+      double& speed = Derived::windingOf(*instance.actuation, which);
+      speed = std::clamp(speed, -max_speed_, max_speed_);
+    }
+  }
+
+ private:
+  double max_speed_ = Device::kUsualFastest;
+};
+
+/// The same of sensors.
+template <class Derived, class Device, std::size_t count = 1, class InstanceWithout = BasicSensorInstance<Device>>
+class HolderSensor : public SensorOf<Device, WithHolders<InstanceWithout, count>> {
+ public:
+  using Instance = WithHolders<InstanceWithout, count>;
+
+  static std::array<int, count> indicesIn(const EntityModel& model) { return holdersOf(model, Derived::kHolders); }
 
   void configure(const Configuration&) override {}
 
  protected:
   void prepareInstance(const Space& space, Instance& instance) override {
-    instance.holders = holdersOf(*space.entities.model[instance.row], Derived::kHolders);
+    instance.holders = Derived::indicesIn(*space.entities.model[instance.row]);
   }
 
   /// @return an attachment to nothing if the robot does not have the holder

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,9 @@ inline Mechanism wheels() { return {Mechanism::Kind::kWheels}; }
 inline Mechanism flight() { return {Mechanism::Kind::kFlight}; }
 inline Mechanism joint(const std::string& name) { return {Mechanism::Kind::kJoint, name}; }
 inline Mechanism holder(const std::string& name) { return {Mechanism::Kind::kHolder, name}; }
+// Whatever joints or holders the robot has.
+inline Mechanism allJoints() { return {Mechanism::Kind::kJoint}; }
+inline Mechanism allHolders() { return {Mechanism::Kind::kHolder}; }
 
 /// All joints of the names.
 template <std::size_t count>
@@ -26,19 +30,28 @@ std::vector<Mechanism> joints(const std::array<const char*, count>& names) {
   return result;
 }
 
-/// The indices of the joints in the model; -1 for those that it does not have.
-template <std::size_t count>
-std::array<int, count> indicesOf(const std::array<const char*, count>& names, const EntityModel& model) {
-  std::array<int, count> result{};
-  for (std::size_t i = 0; i < count; ++i) {
-    result[i] = model.findJoint(names[i]);
-  }
-  return result;
-}
-
 /// @throws ConfigError that the device cannot be on a robot of that type, which has no such part
 [[noreturn]] inline void refuseWithout(const std::string& device, const EntityModel& model, const std::string& part) {
   throw ConfigError({}, "found the device '" + device + "' on a " + model.type + ", allowed: on robots with " + part);
+}
+
+/// The indices of all joints, or of all holders, of a robot in its model; -1 behind them.
+/// @param found how many it has @param parts "joints" @throws ConfigError if it has none, or more than `most`
+template <std::size_t most>
+std::array<int, most> allOf(const std::string& device, const EntityModel& model, std::size_t found,
+                            const std::string& parts) {
+  if (found == 0) {
+    refuseWithout(device, model, parts);
+  }
+  if (found > most) {
+    throw ConfigError({}, "found the device '" + device + "' on a " + model.type + " with " + std::to_string(found) +
+                              " " + parts + ", allowed: on robots with 1 to " + std::to_string(most));
+  }
+  std::array<int, most> indices{};
+  for (std::size_t i = 0; i < most; ++i) {
+    indices[i] = i < found ? static_cast<int>(i) : -1;
+  }
+  return indices;
 }
 
 }  // namespace swarmanoid::devices

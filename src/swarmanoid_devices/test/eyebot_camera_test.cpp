@@ -87,13 +87,13 @@ TEST_F(EyebotCameraTest, APatchWhoseMiddleIsOutOfViewIsSeenAtItsNearestPoint) {
   nest.position = {6.5, 5.0, 0.0};
   nest.radius = 0.5;
   nest.color = colors::kGreen;
-  world.space.floor_patches.push_back(nest);
+  world.space.floor.patches.push_back(nest);
   const auto blobs = seen();  // 2.15 m * tan 30 degrees is 1.24 m
   ASSERT_EQ(blobs.size(), 1U);
   EXPECT_NEAR(blobs[0].distance, 1.0, 1e-6);
-  world.space.floor_patches[0].position.x() = 6.0;
+  world.space.floor.patches[0].position.x() = 6.0;
   EXPECT_NEAR(seen().at(0).distance, 1.0, 1e-6) << "in view, the middle stands for the patch";
-  world.space.floor_patches[0].position.x() = 7.0;
+  world.space.floor.patches[0].position.x() = 7.0;
   EXPECT_TRUE(seen().empty());
   EXPECT_TRUE(seen({{"aperture", "80"}, {"sees_floor", "false"}}).empty());
 }

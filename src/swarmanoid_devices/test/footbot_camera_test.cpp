@@ -127,7 +127,7 @@ TEST_F(FootbotCameraTest, EntitiesComeByNumberThenLaserSpotsThenFloorPatches) {
   nest.position = {2.0, 2.0, 0.0};
   nest.radius = 0.1;
   nest.color = colors::kGreen;
-  world.space.floor_patches.push_back(nest);
+  world.space.floor.patches.push_back(nest);
   world.addPrey(1.0, 0.5, colors::kYellow);
   world.addPrey(1.3, 1.0, colors::kMagenta);
   std::vector<Color> order;

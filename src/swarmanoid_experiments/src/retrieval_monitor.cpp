@@ -30,7 +30,7 @@ class RetrievalMonitor final : public Observer {
     nest_ = parameters.text("nest", "nest");
     chooser_ = parameters.text("chooser", "eb");
     std::vector<std::string> known;
-    for (const FloorPatch& patch : context.experiment->arena.floor_patches) {
+    for (const FloorPatch& patch : context.experiment->arena.floor.patches) {
       known.push_back(patch.id);
     }
     if (!contains(known, nest_)) {
@@ -70,7 +70,7 @@ class RetrievalMonitor final : public Observer {
 
  private:
   void lookForPrey(const Space& space) {
-    for (const FloorPatch& patch : space.floor_patches) {
+    for (const FloorPatch& patch : space.floor.patches) {
       for (std::size_t k = 0; patch.id == nest_ && k < space.entities.order.size(); ++k) {
         const Row row = space.entities.order[k];
         const EntityModel& model = *space.entities.model[row];

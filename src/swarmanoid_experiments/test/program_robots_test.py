@@ -6,7 +6,7 @@ import re
 import shutil
 import unittest
 
-from program_world import FINISHED, WORLD, ProgramTest
+from program_world import BAD_INPUT, FINISHED, WORLD, ProgramTest
 
 ROBOT = pathlib.Path(__file__).resolve().parents[3] / "examples/example_robot"
 
@@ -37,6 +37,19 @@ class RobotsTest(ProgramTest):
         description.write_text(text)
         done = self.call("validate", ROBOT / "e_pucks.xml")
         self.assertEqual((done.returncode, done.stderr), (FINISHED, ""))
+
+    def test_its_ground_sensors_are_where_its_description_has_them(self):
+        file = self.folder / "floor.xml"
+        file.write_text((ROBOT / "e_pucks.xml").read_text().replace("<sensors>", "<sensors>\n        <ground/>"))
+        done = self.call("validate", file)
+        self.assertEqual((done.returncode, done.stderr), (FINISHED, ""))
+        description = self.package / "urdf/e_puck.urdf"
+        text = description.read_text()
+        self.assertEqual(len(re.findall(r'<link name="ground_\d"/>', text)), 3)
+        description.write_text(text.replace("ground_", "floor_"))
+        done = self.call("validate", file)
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertIn("found the device 'ground' on a e_puck, allowed: on robots with links ground_0, ...", done.stderr)
 
 
 if __name__ == "__main__":

@@ -211,6 +211,25 @@ TEST(MockWorld, IsReadFromParametersAndRefusesOthers) {
   EXPECT_THROW(makeMockRobot({FootbotProximity::kType}, values), ConfigError);
 }
 
+TEST(MockWorld, HasDiscsOnItsFloor) {
+  const auto worldWith = [](const std::string& radius, const std::string& color) {
+    Configuration values("world", "", {"/w", 0});
+    Configuration& discs = values.add(Configuration("discs", "", {"/w", 0}));
+    Configuration& disc = discs.add(Configuration("nest", "", {"/w", 0}));
+    disc.set("at", "0.5, -1");
+    disc.set("radius", radius);
+    disc.set(color, "gray");
+    return readWorld(values);
+  };
+  const World world = worldWith("0.25", "color");
+  ASSERT_EQ(1U, world.discs.size());
+  EXPECT_EQ(Eigen::Vector2d(0.5, -1.0), world.discs[0].at);
+  EXPECT_EQ(0.25, world.discs[0].radius);
+  EXPECT_EQ(colors::kGray, world.discs[0].color);
+  EXPECT_THROW(worldWith("-0.25", "color"), ConfigError);
+  EXPECT_THROW(worldWith("0.25", "colour"), ConfigError);
+}
+
 TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
   const auto ringOf = [](const std::string& sensors, const std::string& radius) {
     Configuration values("world", "", {"/w", 0});
@@ -237,6 +256,24 @@ TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
     refusal = error.what();
   }
   EXPECT_NE(std::string::npos, refusal.find("did you mean 'ring'?")) << refusal;
+}
+
+TEST(MockWorld, SaysHowManyJointsAndHoldersARobotHas) {
+  const auto worldOf = [](const std::string& parts, const std::string& name, const std::string& value) {
+    Configuration values("world", "", {"/w", 0});
+    values.add(Configuration(parts, "", {"/w", 0})).set(name, value);
+    return readWorld(values);
+  };
+  EXPECT_EQ(1U, readWorld(Configuration("world", "", {"/w", 0})).joints.count) << "the usual one";
+  EXPECT_EQ(16U, worldOf("joints", "count", "16").joints.count);
+  EXPECT_EQ(0.5, worldOf("joints", "fastest", "0.5").joints.fastest);
+  EXPECT_EQ(8U, worldOf("holders", "count", "8").holders.count);
+  EXPECT_EQ(2.5, worldOf("holders", "rope", "2.5").holders.rope);
+  EXPECT_THROW(worldOf("joints", "count", "17"), ConfigError);
+  EXPECT_THROW(worldOf("joints", "count", "0"), ConfigError);
+  EXPECT_THROW(worldOf("holders", "count", "9"), ConfigError);
+  EXPECT_THROW(worldOf("holders", "rope", "-1"), ConfigError);
+  EXPECT_THROW(worldOf("joints", "names", "3"), ConfigError);
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
@@ -65,6 +66,21 @@ TEST(RobotDimensions, OfFootbots) {
     EXPECT_NEAR(FootbotProximity::kRingRadius * std::cos(FootbotProximity::angle(i)), sensor[0], kRounding) << i;
     EXPECT_NEAR(FootbotProximity::kRingRadius * std::sin(FootbotProximity::angle(i)), sensor[1], kRounding) << i;
   }
+}
+
+/// The spots of a footbot's ground sensor are where its links are.
+template <class Spots>
+void expectPlaces(const std::string& link) {
+  for (std::size_t i = 0; i < Spots::kCount; ++i) {
+    const std::vector<double> spot = numbersOf("footbot", link + "_" + std::to_string(i) + "_joint", "xyz");
+    EXPECT_NEAR(Spots::place(i).x(), spot[0], kRounding) << link << i;
+    EXPECT_NEAR(Spots::place(i).y(), spot[1], kRounding) << link << i;
+  }
+}
+
+TEST(RobotDimensions, OfTheGroundSensorsOfFootbots) {
+  expectPlaces<FootbotGround>("ground");
+  expectPlaces<FootbotBaseGround>("base_ground");
 }
 
 TEST(RobotDimensions, OfEyebots) {

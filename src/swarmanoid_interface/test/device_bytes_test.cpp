@@ -8,6 +8,8 @@
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/holders.hpp"
+#include "swarmanoid_interface/devices/joints.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -77,6 +79,8 @@ TEST(DeviceBytesTest, LayoutsNameTheFields) {
   EXPECT_EQ("(u1 u1 u1 f4 f4)* b1", findDeviceType("footbot_camera")->layout);
   EXPECT_EQ("u1 f8 f8", findDeviceType("footbot_turret")->layout);
   EXPECT_EQ("b1 f8 f8", findDeviceType("eyebot_laser")->layout);
+  EXPECT_EQ("(f8 f8 f8)*", findDeviceType("joint_states")->layout);
+  EXPECT_EQ("(b1 f8 f8)*", findDeviceType("holder_states")->layout);
 }
 
 TEST(DeviceBytesTest, SpansAreReadAndSetAsBytes) {
@@ -117,6 +121,33 @@ TEST(DeviceBytesTest, BlobsComeWithTheirCamera) {
   EXPECT_EQ(0.25F, received.blobs[1].distance);
   EXPECT_TRUE(received.overflowed);
   EXPECT_EQ(bytes, bytesOf(received));
+}
+
+TEST(DeviceBytesTest, JointsAndHoldersComeOneAfterTheOther) {
+  Joints joints;
+  joints.joints[15].turnAt(-0.5);
+  const Bytes commands = bytesOf(joints);
+  ASSERT_EQ(16U * 17U, commands.size()) << "a mode and two numbers each";
+  EXPECT_EQ(0, commands[0]);
+  EXPECT_EQ(1, commands[15 * 17]);
+  EXPECT_EQ((Bytes{0, 0, 0, 0, 0, 0, 0xe0, 0xbf}), Bytes(commands.end() - 8, commands.end())) << "-0.5";
+
+  const std::vector<HolderStates::Holder> holders{{false, 0.0, 0.0}, {true, 1.5, -2.0}};
+  HolderStates states;
+  states.holders = holders;
+  const Bytes readings = bytesOf(states);
+  EXPECT_EQ(4U + 2U * 17U, readings.size());
+  EXPECT_EQ(2, readings[0]);
+  EXPECT_EQ(0, readings[4]);
+  EXPECT_EQ(1, readings[4 + 17]);
+  HolderStates received;
+  VariableParts parts;
+  ByteReader in(readings);
+  findDeviceType("holder_states")->read(in, &received, parts);
+  ASSERT_EQ(2U, received.holders.size());
+  EXPECT_TRUE(received.holders[1].is_holding);
+  EXPECT_EQ(1.5, received.holders[1].length);
+  EXPECT_EQ(-2.0, received.holders[1].force);
 }
 
 TEST(DeviceBytesTest, BytesThatEndTooEarlyAreRefused) {

@@ -82,8 +82,20 @@ TEST_F(ExperimentTest, ReadsArenaInRadians) {
   EXPECT_EQ(arena.entities[1].distribution->quantity, 3U);
   EXPECT_EQ(arena.entities[1].distribution->layout, Distribution::Layout::kUniform);
   EXPECT_TRUE(arena.entities[1].distribution->random_heading);
-  ASSERT_EQ(arena.floor_patches.size(), 1U);
-  EXPECT_EQ(arena.floor_patches[0].color, (Color{1, 2, 3}));
+  ASSERT_EQ(arena.floor.patches.size(), 1U);
+  EXPECT_EQ(arena.floor.patches[0].color, (Color{1, 2, 3}));
+}
+
+TEST_F(ExperimentTest, ReadsTheColourOfTheBareFloor) {
+  EXPECT_EQ(parse().arena.floor.bare, colors::kWhite) << "unless the file says otherwise";
+  std::string text = kFile;
+  text.insert(text.find(" optimization=\"3D\""), " floor=\"10, 20,30\"");
+  EXPECT_EQ(parseExperiment(text, "some.xml").arena.floor.bare, (Color{10, 20, 30}));
+  EXPECT_EQ(parse({{"arena.floor", "orange"}}).arena.floor.bare, colors::kOrange);
+  text.replace(text.find("10, 20,30"), 9, "10,20");
+  EXPECT_EQ(refusal({}, text),
+            "some.xml:15: floor: found '10,20', allowed: black, white, red, green, blue, yellow, magenta, "
+            "cyan, orange, gray, or three numbers from 0 to 255");
 }
 
 TEST_F(ExperimentTest, ReadsEnginesAndTheirEntities) {
@@ -122,24 +134,6 @@ TEST_F(ExperimentTest, ReadsFiles) {
   EXPECT_EQ(readExperiment(file.string()).name, "some");
   EXPECT_THROW(readExperiment("/no/such/file.xml"), ConfigError);
   EXPECT_THROW(readExperiment(folder.path().string()), ConfigError);
-}
-
-TEST(FloorPatchTest, DiscAndRectangle) {
-  FloorPatch disc;
-  disc.position = {1, 1, 0};
-  disc.radius = 0.5;
-  EXPECT_TRUE(disc.contains({1.5, 1, 2}));
-  EXPECT_FALSE(disc.contains({1.4, 1.4, 0}));
-  EXPECT_EQ(disc.nearestPoint({3, 1, 2}), Eigen::Vector3d(1.5, 1, 0));
-  EXPECT_EQ(disc.nearestPoint({1.25, 1, 2}), Eigen::Vector3d(1.25, 1, 0));
-
-  FloorPatch rectangle;
-  rectangle.position = {1, 1, 0};
-  rectangle.size = {2, 1};
-  EXPECT_TRUE(rectangle.contains({2, 1.5, 0}));
-  EXPECT_FALSE(rectangle.contains({2, 1.6, 0}));
-  EXPECT_EQ(rectangle.nearestPoint({5, 5, 1}), Eigen::Vector3d(2, 1.5, 0));
-  EXPECT_EQ(rectangle.nearestPoint({1.5, 5, 1}), Eigen::Vector3d(1.5, 1.5, 0));
 }
 
 }  // namespace

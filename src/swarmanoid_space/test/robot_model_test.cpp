@@ -82,6 +82,23 @@ TEST(RobotModelTest, FootbotProximitySensorsLookOutwardsEvery15Degrees) {
   EXPECT_EQ(footbot->mounts.count("proximity_24"), 0U);
 }
 
+TEST(RobotModelTest, FootbotGroundSensorsLookDown) {
+  const auto footbot = robotModel("footbot");
+  const auto expectSpot = [&footbot](const std::string& name, const Vector3d& place) {
+    const Mount& spot = footbot->mount(name);
+    EXPECT_LT((spot.position - place).norm(), kTight) << name;
+    EXPECT_LT((spot.orientation * Vector3d::UnitX() + Vector3d::UnitZ()).norm(), kTight) << name;
+  };
+  for (int i = 0; i < 8; ++i) {
+    expectSpot("ground_" + std::to_string(i), onRing(0.063, (i + 0.5) * M_PI / 4.0, 0.005));
+  }
+  expectSpot("base_ground_0", {0.03, 0.03, 0.005});
+  expectSpot("base_ground_1", {-0.03, 0.03, 0.005});
+  expectSpot("base_ground_2", {-0.03, -0.03, 0.005});
+  expectSpot("base_ground_3", {0.03, -0.03, 0.005});
+  EXPECT_EQ(footbot->mounts.count("ground_8") + footbot->mounts.count("base_ground_4"), 0U);
+}
+
 TEST(RobotModelTest, LedsStartAheadAndGoCounterClockwise) {
   const auto footbot = robotModel("footbot");
   ASSERT_EQ(footbot->led_positions.size(), FootbotLeds::kCount);

@@ -2,15 +2,15 @@
 // holding.
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
-#include <algorithm>
-
 #include "holders.hpp"
 #include "parameters.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class HandbotRopeActuator final : public HolderActuator<HandbotRopeActuator, HandbotRope> {
+class HandbotRopeActuator final : public WinchActuator<HandbotRopeActuator, HandbotRope> {
+  using Base = WinchActuator<HandbotRopeActuator, HandbotRope>;
+
  public:
   static constexpr auto kHolders = kRopeHolder;
 
@@ -21,30 +21,23 @@ class HandbotRopeActuator final : public HolderActuator<HandbotRopeActuator, Han
     description.is_default = true;
     description.mechanisms = {holder(kHolders[0])};
     description.summary = "Shoots the rope, winds it in and out, lets it go.";
-    description.parameters = {number("max_speed", "m/s", numberText(HandbotRope::kUsualFastest), {0.0, 2.0},
-                                     "The fastest winding, in and out."),
+    description.parameters = {fastestWinding(),
                               number("noise", "", "0", {0.0, 1.0},
                                      "Standard deviation of the factor that the winding speed is multiplied with.")};
     return description;
   }
 
+  static double& windingOf(HandbotRope& rope, std::size_t /*which*/) { return rope.winding_speed; }
+
   void configure(const Configuration& parameters) override {
-    max_speed_ = parameters.number("max_speed", HandbotRope::kUsualFastest);
+    Base::configure(parameters);
     addErrorAlias("factor", "winding_speed", "deviation", parameters.number("noise", 0.0));
   }
 
  protected:
-  void limit(const Space& /*space*/, Instance& instance) override {
-    double& speed = instance.actuation->winding_speed;
-    speed = std::clamp(speed, -max_speed_, max_speed_);
-  }
-
   void apply(Space& space, Instance& instance) override {
     command(space, instance, 0, instance.actuation->shot, instance.actuation->winding_speed);
   }
-
- private:
-  double max_speed_ = HandbotRope::kUsualFastest;
 };
 
 }  // namespace

@@ -1,18 +1,16 @@
 // Encoders and torque sensors of the arms' joints.
-#include "mechanisms.hpp"
+#include "joints.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
-#include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-struct ArmsStateInstance : BasicSensorInstance<HandbotArmsState> {
-  std::array<int, HandbotArmsState::kJoints> joints{};  ///< indices in the model
-};
-
-class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsStateInstance> {
+class HandbotArmsStateSensor final
+    : public JointSensor<HandbotArmsStateSensor, HandbotArmsState, HandbotArmsState::kJoints> {
  public:
+  static constexpr auto kJoints = HandbotArmsState::kNames;
+
   static PluginDescription describe() {
     PluginDescription description;
     description.label = HandbotArmsState::kType;
@@ -23,27 +21,12 @@ class HandbotArmsStateSensor final : public SensorOf<HandbotArmsState, ArmsState
     return description;
   }
 
+  static void read(Instance& instance, std::size_t which, const JointState& state) {
+    instance.readings->joints[which] = {state.angle, state.speed, state.effort};
+  }
+
   void configure(const Configuration& parameters) override {
     addErrorAlias("gaussian", "joints[].angle", "deviation", parameters.angle("noise", 0.0));
-  }
-
-  void sense(const Space& space, std::size_t first, std::size_t last) override {
-    for (std::size_t k = first; k < last; ++k) {
-      ArmsStateInstance& instance = instances_[k];
-      for (std::size_t i = 0; i < HandbotArmsState::kJoints; ++i) {
-        if (instance.joints[i] < 0) {
-          continue;
-        }
-        const JointState& state = space.joints[instance.row][instance.joints[i]];
-        instance.readings->joints[i] = {state.angle, state.speed, state.effort};
-      }
-    }
-  }
-
- protected:
-  void prepareInstance(const Space& space, ArmsStateInstance& instance) override {
-    const EntityModel& model = *space.entities.model[instance.row];
-    instance.joints = indicesOf(HandbotArmsState::kNames, model);
   }
 };
 

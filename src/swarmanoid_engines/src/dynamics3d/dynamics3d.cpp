@@ -34,7 +34,8 @@ std::string Dynamics3d::unsupportedReason(const EntityModel& model, const std::v
   if (model.is_movable && model.inertia.llt().info() != Eigen::Success) {
     return "has an inertia that no body has, so this engine cannot move it";
   }
-  return unsupportedMechanismsReason(model, devices);
+  std::string problem = unsupportedMechanismsReason(model, devices);
+  return problem.empty() ? unsupportedGripperReason(model, devices) : problem;
 }
 
 void Dynamics3d::takeTerrain(const std::shared_ptr<const Terrain>& terrain) {

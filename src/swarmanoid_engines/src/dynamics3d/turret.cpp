@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/unsupported_mechanisms.hpp"
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/contacts.hpp"
 #include "swarmanoid_interface/angle.hpp"
@@ -68,11 +69,44 @@ void turnFreely(Body& robot, const Contacts& contacts, double step) {
   state.angle = angle;
 }
 
+/// Whether the device commands a joint that is no turret.
+bool commandsLinks(const EntityModel& model, const DeviceUse& device) {
+  const int turret = turretJoint(model);
+  for (std::size_t i = 0; i < model.joints.size(); ++i) {
+    if (static_cast<int>(i) != turret && device.kind == DeviceKind::kActuator &&
+        worksWith(device, Mechanism::Kind::kJoint, model.joints[i].name)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether the device works with a gripper that a joint turns.
+bool usesTurnedGripper(const EntityModel& model, const DeviceUse& device) {
+  return std::any_of(model.holders.begin(), model.holders.end(), [&](const EntityModel::Holder& holder) {
+    const auto mount = model.mounts.find(holder.mount);
+    const bool is_turned = mount != model.mounts.end() && mount->second.joint >= 0;
+    return holder.kind == EntityModel::Holder::Kind::kGripper && is_turned &&
+           worksWith(device, Mechanism::Kind::kHolder, holder.name);
+  });
+}
+
 }  // namespace
+
+std::string unsupportedGripperReason(const EntityModel& model, const std::vector<DeviceUse>& devices) {
+  const auto user = std::find_if(devices.begin(), devices.end(),
+                                 [&](const DeviceUse& device) { return usesTurnedGripper(model, device); });
+  const bool has_links = std::any_of(devices.begin(), devices.end(),
+                                     [&](const DeviceUse& device) { return commandsLinks(model, device); });
+  return user == devices.end() || !has_links
+             ? ""
+             : "device '" + user->type +
+                   "' cannot be simulated: the gripper is on a link, and joints besides a turret are commanded";
+}
 
 void findTurret(Body& body, const Space& space) {
   Turret& turret = body.turret;
-  turret.joint = turretJoint(*body.model);
+  turret.joint = body.links.empty() ? turretJoint(*body.model) : -1;
   if (turret.joint >= 0 && body.is_dynamic) {
     turret.command = space.joint_commands[body.row][static_cast<std::size_t>(turret.joint)];
   }

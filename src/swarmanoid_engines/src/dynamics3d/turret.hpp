@@ -6,8 +6,12 @@
 /// into something.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "common/turret.hpp"
 #include "dynamics3d/ode.hpp"
+#include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -17,14 +21,19 @@ class Contacts;
 
 struct Turret {
   JointCommand command;  ///< of this tick
-  int joint = -1;        ///< of the model; -1: it has no turret
+  int joint = -1;        ///< of the model; -1: it has no turret, or that is a link
   JointState state;
   double angle_at_grip = 0.0;  ///< when the hinge was made [rad]
 
   bool isCommanded() const { return command.mode != JointCommand::Mode::kNone; }
 };
 
-/// Looks for the robot's turret, and for the command of its motor.
+/// Why the robot's gripper cannot be simulated with these devices; "" if it can, or is not used. A gripper turns with a
+/// turret alone: one on a link that is a body of its own would grip where the link is not.
+std::string unsupportedGripperReason(const EntityModel& model, const std::vector<DeviceUse>& devices);
+
+/// Looks for the robot's turret, and for the command of its motor. If other joints are commanded too, the links of the
+/// robot are bodies of their own, and the turret is one of these (arms.hpp).
 void findTurret(Body& body, const Space& space);
 
 /// The joint's state comes from the space, and the gripper's solids go where it says. @pre findTurret

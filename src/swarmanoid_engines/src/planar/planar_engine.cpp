@@ -18,21 +18,18 @@ namespace swarmanoid::planar {
 namespace {
 constexpr Range kSubclockRange{1.0, 10000.0};
 
-/// Whether a mechanism is of use in three dimensions only. @pre the robot has it
-bool isSpatial(const EntityModel& model, const Mechanism& mechanism) {
-  if (mechanism.kind == Mechanism::Kind::kJoint) {
-    return model.findJoint(mechanism.name) != turretJoint(model);
-  }
-  if (mechanism.kind == Mechanism::Kind::kHolder) {
-    const int index = model.findHolder(mechanism.name);
-    return index >= 0 && model.holders[static_cast<std::size_t>(index)].kind != EntityModel::Holder::Kind::kGripper;
-  }
-  return false;
-}
-
+/// Whether a device works with what is of use in three dimensions only.
 bool isSpatial(const EntityModel& model, const DeviceUse& device) {
-  return std::any_of(device.mechanisms.begin(), device.mechanisms.end(),
-                     [&](const Mechanism& mechanism) { return isSpatial(model, mechanism); });
+  const int turret = turretJoint(model);
+  const EntityModel::Joint* planar = turret < 0 ? nullptr : &model.joints[static_cast<std::size_t>(turret)];
+  return std::any_of(model.joints.begin(), model.joints.end(),
+                     [&](const EntityModel::Joint& joint) {
+                       return &joint != planar && worksWith(device, Mechanism::Kind::kJoint, joint.name);
+                     }) ||
+         std::any_of(model.holders.begin(), model.holders.end(), [&](const EntityModel::Holder& holder) {
+           return holder.kind != EntityModel::Holder::Kind::kGripper &&
+                  worksWith(device, Mechanism::Kind::kHolder, holder.name);
+         });
 }
 
 }  // namespace

@@ -148,9 +148,9 @@ std::string nameOf(const Mechanism& mechanism) {
     case Mechanism::Kind::kFlight:
       return "flight";
     case Mechanism::Kind::kJoint:
-      return "joint " + asCode(mechanism.name);
+      return mechanism.name.empty() ? "joints" : "joint " + asCode(mechanism.name);
     case Mechanism::Kind::kHolder:
-      return "holder " + asCode(mechanism.name);
+      return mechanism.name.empty() ? "holders" : "holder " + asCode(mechanism.name);
   }
   return "";
 }

@@ -5,6 +5,9 @@
 #include <limits>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/devices/ground.hpp"
+#include "swarmanoid_interface/devices/holders.hpp"
+#include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
@@ -16,6 +19,25 @@ Eigen::Vector3d turned(const Eigen::Vector3d& vector, double angle) {
 }
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// @param values of `joints` or `holders` @param usual how many there are if nothing is said
+std::size_t readCount(const Configuration& values, std::size_t usual, std::size_t most) {
+  return static_cast<std::size_t>(
+      values.integer("count", static_cast<std::int64_t>(usual), {1.0, static_cast<double>(most)}));
+}
+
+void readParts(const Configuration& values, World& world) {
+  if (const Configuration* joints = values.find("joints")) {
+    world.joints.count = readCount(*joints, world.joints.count, Joints::kMost);
+    world.joints.fastest = joints->number("fastest", world.joints.fastest, {0.0, 100.0});
+    joints->refuseUnread({"count", "fastest"});
+  }
+  if (const Configuration* holders = values.find("holders")) {
+    world.holders.count = readCount(*holders, world.holders.count, Holders::kMost);
+    world.holders.rope = holders->number("rope", world.holders.rope, {0.0, 100.0});
+    holders->refuseUnread({"count", "rope"});
+  }
+}
 
 }  // namespace
 
@@ -43,6 +65,12 @@ World readWorld(const Configuration& values) {
       beacon.refuseUnread({"at", "color", "can_be_gripped"});
     }
   }
+  if (const Configuration* discs = values.find("discs")) {
+    for (const Configuration& disc : discs->children()) {
+      world.discs.push_back({disc.vector2("at"), disc.number("radius", Range{0.0, 1000.0}), disc.color("color")});
+      disc.refuseUnread({"at", "radius", "color"});
+    }
+  }
   if (const Configuration* hands = values.find("hands")) {
     world.is_something_left = hands->boolean("left", world.is_something_left);
     world.is_something_right = hands->boolean("right", world.is_something_right);
@@ -55,6 +83,7 @@ World readWorld(const Configuration& values) {
     world.ring.radius = ring->number("radius", world.ring.radius, {0.0, 10.0});
     ring->refuseUnread({"sensors", "radius"});
   }
+  readParts(values, world);
   world.ceiling = values.number("ceiling", world.ceiling, {0.0, 100.0});
   return world;
 }
@@ -80,6 +109,16 @@ double distanceToWall(const World& world, const Eigen::Vector2d& from, double di
 float closenessOfWall(const World& world, const Pose& pose, double angle, double radius) {
   const double distance = distanceToWall(world, pose.position.head<2>(), pose.yaw + angle) - radius;
   return Proximity::response(std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0));
+}
+
+float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place) {
+  if (pose.position.z() > Ground::kUsualRange) {
+    return 0.0F;
+  }
+  const Eigen::Vector2d point = pose.toWorld({place.x(), place.y(), 0.0}).head<2>();
+  const auto top = std::find_if(world.discs.rbegin(), world.discs.rend(),
+                                [&](const Disc& disc) { return (point - disc.at).norm() <= disc.radius; });
+  return Ground::reflection(top == world.discs.rend() ? colors::kWhite : top->color);
 }
 
 }  // namespace swarmanoid::mock

@@ -1,5 +1,5 @@
-/// The surroundings of a mock robot: walls, coloured objects, a ceiling. They suffice for its sensors to show its
-/// motion.
+/// The surroundings of a mock robot: walls, coloured objects, a white floor with coloured discs, a ceiling. They
+/// suffice for its sensors to show its motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -35,6 +35,13 @@ struct Beacon {
   bool can_be_gripped = false;
 };
 
+/// A coloured disc on the floor.
+struct Disc {
+  Eigen::Vector2d at;   ///< its middle, in the world [m]
+  double radius = 0.0;  ///< [m]
+  Color color;
+};
+
 struct World {
   /// Of a robot whose sensors around the body are not known here: so many, evenly around its axis, the first ahead.
   struct Ring {
@@ -45,10 +52,30 @@ struct World {
     double angle(std::size_t sensor) const;
   };
 
+  /// Of a robot whose joints are not known here: so many, without stops.
+  struct Joints {
+    std::size_t count = 1;
+    double fastest = 3.0;  ///< [rad/s]
+
+    /// Names of the joints in the robot's state: "joint_0", ...
+    static std::string name(std::size_t joint) { return "joint_" + std::to_string(joint); }
+  };
+  /// Of a robot for which it is not known here what it holds with: so many parts, each with something within reach.
+  struct Holders {
+    std::size_t count = 1;
+    double rope = 0.0;  ///< length of the rope of each; 0: they have none [m]
+
+    /// Names of the holders in the robot's state: "holder_0", ...
+    static std::string name(std::size_t holder) { return "holder_" + std::to_string(holder); }
+  };
+
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
-  double ceiling = 3.0;  ///< height of the ceiling, which is ferromagnetic [m]
+  std::vector<Disc> discs;  ///< on a white floor; later ones lie on earlier ones
+  double ceiling = 3.0;     ///< height of the ceiling, which is ferromagnetic [m]
   Ring ring;
+  Joints joints;
+  Holders holders;
   /// Whether a handbot's hand touches an object when its arm is level.
   bool is_something_left = true;
   bool is_something_right = true;
@@ -57,9 +84,12 @@ struct World {
 /// Reads the world from values such as these of a parameter file:
 ///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
 ///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
+///     discs: {nest: {at: [0.5, 0], radius: 0.3, color: gray}}
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there
-///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity` or `light`
+///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity`, `light` or `ground`
+///     joints: {count: 2, fastest: 3}                       of `joints` and `joint_states`
+///     holders: {count: 1, rope: 2}                         of `holders` and `holder_states`
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 
@@ -71,5 +101,10 @@ double distanceToWall(const World& world, const Eigen::Vector2d& from, double di
 /// Proximity::response: 0 with nothing in range, 1 at contact. @param angle of the sensor in the robot's frame [rad]
 /// @param radius of the ring [m]
 float closenessOfWall(const World& world, const Pose& pose, double angle, double radius);
+
+/// Returns what a spot under the robot, which looks down from where its wheels touch the ground, reads of the floor, by
+/// Ground::reflection: 0 if the robot is higher over the floor than the usual range.
+/// @param place of the spot in the robot's frame [m]
+float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place);
 
 }  // namespace swarmanoid::mock

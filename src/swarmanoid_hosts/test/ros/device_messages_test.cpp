@@ -13,13 +13,17 @@
 #include "swarmanoid_hosts/ros/devices/eyebot_magnet.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_velocity.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_gripper.hpp"
+#include "swarmanoid_hosts/ros/devices/footbot_ground.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_proximity.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_turret.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_wheels.hpp"
+#include "swarmanoid_hosts/ros/devices/ground.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_arms.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_hands.hpp"
 #include "swarmanoid_hosts/ros/devices/handbot_rope.hpp"
+#include "swarmanoid_hosts/ros/devices/holders.hpp"
 #include "swarmanoid_hosts/ros/devices/imu.hpp"
+#include "swarmanoid_hosts/ros/devices/joints.hpp"
 #include "swarmanoid_hosts/ros/devices/led_array.hpp"
 #include "swarmanoid_hosts/ros/devices/leds.hpp"
 #include "swarmanoid_hosts/ros/devices/light.hpp"
@@ -73,6 +77,8 @@ TEST(DeviceMessages, KeepAllReadings) {
     proximity.value[i] = 0.01F * static_cast<float>(i);
   }
   expectNothingLost<swarmanoid_msgs::ProximityArray>(proximity);
+  expectNothingLost<swarmanoid_msgs::GroundArray>(FootbotGround{{0.1F, 0.2F, 0.3F, 0.4F, 0.5F, 0.6F, 0.7F, 0.8F}});
+  expectNothingLost<swarmanoid_msgs::GroundArray>(FootbotBaseGround{{0.5F, 0.0F, 1.0F, 0.25F}});
   expectNothingLost<swarmanoid_msgs::GripperState>(FootbotGripperState{true});
   expectNothingLost<sensor_msgs::JointState>(FootbotTurretState{0.1, 0.2, 0.3});
   expectNothingLost<swarmanoid_msgs::GripperState>(EyebotMagnetState{true});
@@ -127,6 +133,109 @@ TEST(DeviceMessages, KeepLightOfAnyRobot) {
   message.values.resize(65);
   message.angles.resize(65);
   EXPECT_EQ(refusalOf(message, light), "found 65 angles and 65 values, allowed: as many of both, at most 64");
+}
+
+TEST(DeviceMessages, KeepTheGroundUnderAnyRobot) {
+  const std::array<GroundSpot, 2> spots{GroundSpot{0.125F, 0.03F, -0.02F}, GroundSpot{1.0F, -0.03F, 0.01F}};
+  Ground ground;
+  ground.spots = Span<const GroundSpot>(spots.data(), spots.size());
+  swarmanoid_msgs::GroundArray message;
+  toMessage(ground, message);
+  EXPECT_EQ(message.x, (std::vector<float>{0.03F, -0.03F}));
+  EXPECT_EQ(message.y, (std::vector<float>{-0.02F, 0.01F}));
+  Ground back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("ground", &ground), bytesOf("ground", &back));
+  message.y.pop_back();
+  EXPECT_EQ(refusalOf(message, ground), "found 2 x, 1 y and 2 values, allowed: as many of each, at most 64");
+}
+
+TEST(DeviceMessages, OfFootbotsGroundSayWhereTheSpotsAre) {
+  swarmanoid_msgs::GroundArray message;
+  toMessage(FootbotGround{}, message);
+  ASSERT_EQ(message.x.size(), 8U);
+  // spot 5 is at 247.5 degrees
+  EXPECT_NEAR(message.x[5], -0.02410906, 1e-7);
+  EXPECT_NEAR(message.y[5], -0.05820441, 1e-7);
+  EXPECT_EQ("found 8 values, expected 4", (refusalOf(message, FootbotBaseGround{})));
+  toMessage(FootbotBaseGround{}, message);
+  EXPECT_EQ(message.x, (std::vector<float>{0.03F, -0.03F, -0.03F, 0.03F}));
+  EXPECT_EQ(message.y, (std::vector<float>{0.03F, 0.03F, -0.03F, -0.03F}));
+  EXPECT_EQ("found 4 values, expected 8", (refusalOf(message, FootbotGround{})));
+}
+
+TEST(DeviceMessages, KeepJointsOfAnyRobotInTheirOrder) {
+  Joints command;
+  command.joints[0].holdAngle(0.25);
+  command.joints[15].turnAt(-0.5);
+  expectNothingLost<swarmanoid_msgs::JointsCommand>(command);
+  const std::array<JointStates::Joint, 2> joints{JointStates::Joint{0.1, -0.2, 0.3},
+                                                 JointStates::Joint{-1.0, 2.0, 0.5}};
+  JointStates states;
+  states.joints = Span<const JointStates::Joint>(joints.data(), joints.size());
+  sensor_msgs::JointState message;
+  message.name = {"of another message"};
+  toMessage(states, message);
+  EXPECT_TRUE(message.name.empty());
+  EXPECT_EQ((std::vector<double>{-0.2, 2.0}), message.velocity);
+  JointStates back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("joint_states", &states), bytesOf("joint_states", &back));
+  message.name = {"elbow", "shoulder"};
+  EXPECT_EQ("found 2 names, allowed: none, joints are known by their order here", refusalOf(message, states));
+  message.name.clear();
+  message.effort.pop_back();
+  EXPECT_EQ("found 2 positions, 2 velocities and 1 efforts, allowed: as many of each, at most 16",
+            refusalOf(message, states));
+}
+
+TEST(DeviceMessages, JointsBeyondTheMessageKeepTheirCommands) {
+  Joints command;
+  command.joints[1].holdAngle(0.75);
+  swarmanoid_msgs::JointsCommand message;
+  message.modes = {2};
+  message.angles = {0.0};
+  message.speeds = {0.0};
+  fromMessage(message, command);
+  EXPECT_EQ(Joints::Mode::kPassive, command.joints[0].mode);
+  EXPECT_EQ(0.75, command.joints[1].angle);
+  message.modes = {3};
+  EXPECT_EQ("found mode 3 of joint 0, allowed: 0 (ANGLE), 1 (SPEED), 2 (PASSIVE)", refusalOf(message, command));
+  message.modes = {0, 0};
+  EXPECT_EQ("found 2 modes, 1 angles and 1 speeds, allowed: as many of each, at most 16", refusalOf(message, command));
+}
+
+TEST(DeviceMessages, KeepHoldersOfAnyRobot) {
+  Holders command;
+  command.holders[0].holds = true;
+  command.holders[7].winding_speed = -0.125;
+  expectNothingLost<swarmanoid_msgs::HoldersCommand>(command);
+  swarmanoid_msgs::HoldersCommand shorter;
+  shorter.holds = {0};
+  shorter.winding_speeds = {0.5};
+  fromMessage(shorter, command);
+  EXPECT_FALSE(command.holders[0].holds);
+  EXPECT_EQ(-0.125, command.holders[7].winding_speed) << "beyond the message";
+  shorter.holds.resize(9);
+  shorter.winding_speeds.resize(9);
+  EXPECT_EQ("found 9 holds and 9 winding_speeds, allowed: as many of both, at most 8", refusalOf(shorter, command));
+
+  const std::array<HolderStates::Holder, 2> holders{HolderStates::Holder{false, 0.0, 0.0},
+                                                    HolderStates::Holder{true, 1.25, 28.5}};
+  HolderStates states;
+  states.holders = Span<const HolderStates::Holder>(holders.data(), holders.size());
+  swarmanoid_msgs::HoldersState message;
+  toMessage(states, message);
+  EXPECT_EQ((std::vector<double>{0.0, 28.5}), message.forces);
+  HolderStates back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("holder_states", &states), bytesOf("holder_states", &back));
+  message.lengths.pop_back();
+  EXPECT_EQ("found 2 is_holding, 1 lengths and 2 forces, allowed: as many of each, at most 8",
+            refusalOf(message, states));
 }
 
 TEST(DeviceMessages, OfInertialUnitsSayWhatIsNotMeasured) {

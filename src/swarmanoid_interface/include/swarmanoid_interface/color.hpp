@@ -18,6 +18,11 @@ struct Color {
 
   /// Black means "off": cameras do not see an LED of that colour.
   constexpr bool isLit() const { return red != 0 || green != 0 || blue != 0; }
+  /// The mean of the channels: 0 for black, 1 for white, 1/3 for a pure red, green or blue.
+  constexpr double brightness() const {
+    constexpr double kWhite = 3.0 * 255.0;
+    return (red + green + blue) / kWhite;
+  }
   friend constexpr bool operator==(Color a, Color b) {
     return a.red == b.red && a.green == b.green && a.blue == b.blue;
   }

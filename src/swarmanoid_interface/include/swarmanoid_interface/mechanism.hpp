@@ -16,7 +16,9 @@ struct Mechanism {
   };
 
   Kind kind = Kind::kWheels;
-  std::string name = {};  ///< of the joint or the holder in the robot's description; "" for the others
+  /// Of the joint or the holder in the robot's description; "": all joints or holders that it has, of which there is
+  /// one at least. The others have no name.
+  std::string name = {};
 };
 
 inline bool operator==(const Mechanism& a, const Mechanism& b) { return a.kind == b.kind && a.name == b.name; }

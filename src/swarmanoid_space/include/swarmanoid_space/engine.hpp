@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/span.hpp"
 #include "swarmanoid_interface/time.hpp"
@@ -50,6 +51,7 @@ struct EngineHealth {
 struct DeviceUse {
   std::string type;
   std::vector<Mechanism> mechanisms;
+  DeviceKind kind = DeviceKind::kSensor;  ///< an actuator commands its mechanisms
 };
 
 class Engine {

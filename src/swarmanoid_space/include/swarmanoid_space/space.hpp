@@ -26,6 +26,7 @@
 #include "swarmanoid_space/state/bank.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 #include "swarmanoid_space/state/event.hpp"
+#include "swarmanoid_space/state/floor.hpp"
 #include "swarmanoid_space/state/joints.hpp"
 #include "swarmanoid_space/state/mechanisms.hpp"
 #include "swarmanoid_space/state/overflow.hpp"
@@ -69,7 +70,7 @@ class Space {
 
   // The arena, fixed while it runs.
   Eigen::Vector3d size = Eigen::Vector3d::Ones();
-  std::vector<FloorPatch> floor_patches;
+  Floor floor;
   std::shared_ptr<const Terrain> terrain;  ///< null: the floor is level
   /// The lowest ground [m]: 0, or less where a terrain has holes.
   double lowestGround() const { return terrain ? std::min(0.0, terrain->bounds().min().z()) : 0.0; }

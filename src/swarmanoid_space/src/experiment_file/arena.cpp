@@ -121,7 +121,7 @@ void readFloorPatch(const XmlElement& element, Reader& reader) {
     element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
                    values.text("size") + "', allowed: one of them greater than 0");
   }
-  reader.experiment.arena.floor_patches.push_back(patch);
+  reader.experiment.arena.floor.patches.push_back(patch);
 }
 
 }  // namespace
@@ -138,6 +138,9 @@ void readArena(const XmlElement& section, Reader& reader) {
   arena.optimization = is_3d ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
   arena.bounded =
       parseBoolean(section.attribute("bounded").value_or("false"), "bounded", section.attributeLocation("bounded"));
+  if (const auto floor = section.attribute("floor")) {
+    arena.floor.bare = parseColorOrThrow(*floor, "floor", section.attributeLocation("floor"));
+  }
 
   section.allowChildren(childrenOfArena());
   for (const XmlElement& element : section.children()) {

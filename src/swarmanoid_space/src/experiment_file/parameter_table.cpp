@@ -100,7 +100,7 @@ const std::vector<Parameter>& floorPatchParameters() {
       makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, "Of the patch's centre."),
       makeParameter("radius", Type::kNumber, "m", "0", limits::kPatch, "Of a disc; 0: a rectangle of <size>."),
       makeParameter("size", Type::kVector2, "m", "0, 0", limits::kPatch, "Of a rectangle along x and y."),
-      makeParameter("color", Type::kColor, "", "gray", {}, "As cameras see it.")};
+      makeParameter("color", Type::kColor, "", "gray", {}, "As cameras and ground sensors see it.")};
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "swarmanoid_space/error_models/error_model.hpp"
+#include "swarmanoid_space/state/floor.hpp"
 
 namespace swarmanoid {
 namespace experiment {
@@ -85,7 +86,9 @@ std::vector<ExperimentTag> arenaTags() {
            {{makeParameter("size", Type::kVector3, "m", std::nullopt, limits::kArenaSide,
                            "The arena spans from 0 to this.")},
             choice("optimization", optimizations(), std::nullopt, "Which engines the search for neighbours favours."),
-            {makeParameter("bounded", Type::kBoolean, "", "false", {}, "Walls along the four sides.")}},
+            {makeParameter("bounded", Type::kBoolean, "", "false", {}, "Walls along the four sides.")},
+            {makeParameter("floor", Type::kColor, "", toString(Floor{}.bare), {},
+                           "Of the bare floor, as ground sensors read it.")}},
            {}},
           {"arena",
            "floor_patch",

@@ -124,8 +124,14 @@ std::string EntityModel::missingPart(const Mechanism& mechanism) const {
     case Mechanism::Kind::kFlight:
       return "";  // what is commanded to fly flies
     case Mechanism::Kind::kJoint:
+      if (mechanism.name.empty()) {
+        return joints.empty() ? "joints" : "";
+      }
       return findJoint(mechanism.name) >= 0 ? "" : "joint '" + mechanism.name + "'";
     case Mechanism::Kind::kHolder:
+      if (mechanism.name.empty()) {
+        return holders.empty() ? "holders" : "";
+      }
       return findHolder(mechanism.name) >= 0 ? "" : mechanism.name;
   }
   return "";

@@ -14,7 +14,7 @@ constexpr double kPatchHeight = 0.002;
 
 void drawFloorPatches(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
   int id = 0;
-  for (const FloorPatch& patch : space.floor_patches) {
+  for (const FloorPatch& patch : space.floor.patches) {
     const bool is_disc = patch.radius > 0.0;
     const Eigen::Vector3d scale = is_disc ? Eigen::Vector3d(2.0 * patch.radius, 2.0 * patch.radius, kPatchHeight)
                                           : Eigen::Vector3d(patch.size.x(), patch.size.y(), kPatchHeight);

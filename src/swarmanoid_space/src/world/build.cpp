@@ -37,7 +37,8 @@ void addDevice(PluginKind kind, const DeviceDescription& description, const std:
   const Registry::Entry& entry = *Registry::instance().find(kind, description.type, description.implementation);
   plugins.push_back({makePlugin<Plugin>(entry),
                      std::string(toString(kind)) + " '" + description.type + "' of controller '" + controller + "'"});
-  uses.push_back({description.type, entry.description.mechanisms});
+  uses.push_back({description.type, entry.description.mechanisms,
+                  kind == PluginKind::kActuator ? DeviceKind::kActuator : DeviceKind::kSensor});
   configure(plugins.back(), description.location, description.parameters);
   plugins.back()->takeErrors(description.errors);
 }
@@ -166,7 +167,7 @@ void build(World& world) {
   world.space.tick = 0;
   world.space.time = kEpoch;
   world.space.size = world.experiment.arena.size;
-  world.space.floor_patches = world.experiment.arena.floor_patches;
+  world.space.floor = world.experiment.arena.floor;
   world.space.terrain = world.experiment.arena.terrain;
   constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
   world.space.events.reserve(kUsualEvents);

@@ -2,7 +2,7 @@
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 
 #include "../mock_device.hpp"
-#include "swarmanoid_interface/angle.hpp"
+#include "../motor.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -12,15 +12,7 @@ class MockFootbotTurret final : public MockDevice {
   MockFootbotTurret(const FootbotTurret& command, MockState& /*state*/) : command_(command) {}
 
   void act(MockState& state, double dt) override {
-    Joint& turret = state.joints["turret"];
-    double way = 0.0;
-    if (command_.mode == FootbotTurret::Mode::kAngle) {
-      way = wrapAngle(command_.angle - turret.angle);
-    } else if (command_.mode == FootbotTurret::Mode::kSpeed) {
-      way = command_.speed * dt;
-    }
-    turret.turn(way, FootbotTurret::kFastest, dt);
-    turret.angle = wrapAngle(turret.angle);
+    turnByMotor(command_, FootbotTurret::kFastest, dt, state.joints["turret"]);
   }
 
  private:

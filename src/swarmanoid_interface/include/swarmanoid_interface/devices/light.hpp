@@ -38,10 +38,7 @@ struct Light {
   // The law by which all light sensors of the suite respond: the sum over the sources that nothing hides, saturated.
 
   /// The brightness of a source: 0 for black, 1 for white, 1/3 for a pure red, green or blue.
-  static constexpr double brightness(Color color) {
-    constexpr double kWhite = 3.0 * 255.0;
-    return (color.red + color.green + color.blue) / kWhite;
-  }
+  static constexpr double brightness(Color color) { return color.brightness(); }
   /// What one source adds: brightness * max(0, cos(angle)) * (kReferenceDistance / distance)^2, where the angle is the
   /// one between where the sensor looks and where the source is.
   /// @param direction in which the sensor looks, of length 1; @param offset from the sensor to the source [m]

@@ -18,6 +18,7 @@
 #include "swarmanoid_space/index/positional_index.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 #include "swarmanoid_space/state/entities.hpp"
+#include "swarmanoid_space/state/floor.hpp"
 
 namespace swarmanoid {
 
@@ -95,27 +96,12 @@ struct EntityDescription {
   SourceLocation location;
 };
 
-/// A coloured patch on the floor, such as the nest. Cameras see it, nothing collides with it.
-struct FloorPatch {
-  std::string id;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of its centre [m]
-  double radius = 0.0;                                 ///< a disc [m]; 0: a rectangle of `size`
-  Eigen::Vector2d size = Eigen::Vector2d::Zero();      ///< along x and y [m]
-  Color color;
-  SourceLocation location;
-
-  /// Whether the point lies above (or on, or below) the patch.
-  bool contains(const Eigen::Vector3d& point) const;
-  /// The patch's point nearest to `point`, at the patch's height.
-  Eigen::Vector3d nearestPoint(const Eigen::Vector3d& point) const;
-};
-
 struct ArenaDescription {
   Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< the arena spans from 0 to size [m]
   PositionalIndex::Optimization optimization = PositionalIndex::Optimization::k2D;
   bool bounded = false;  ///< walls along the four sides, in every engine
   std::vector<EntityDescription> entities;
-  std::vector<FloorPatch> floor_patches;
+  Floor floor;
   std::shared_ptr<const Terrain> terrain;  ///< `<heightfield>`; null: the floor is level
   SourceLocation location;
 };

@@ -1,17 +1,6 @@
-// Where a floor patch is.
-#include <cmath>
-
-#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/state/floor.hpp"
 
 namespace swarmanoid {
-
-bool FloorPatch::contains(const Eigen::Vector3d& point) const {
-  const Eigen::Vector2d offset = (point - position).head<2>();
-  if (radius > 0.0) {
-    return offset.norm() <= radius;
-  }
-  return std::abs(offset.x()) <= 0.5 * size.x() && std::abs(offset.y()) <= 0.5 * size.y();
-}
 
 Eigen::Vector3d FloorPatch::nearestPoint(const Eigen::Vector3d& point) const {
   Eigen::Vector2d offset = (point - position).head<2>();

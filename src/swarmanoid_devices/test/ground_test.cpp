@@ -1,0 +1,299 @@
+// Ground spots: the mean of the channels, of 1, of the floor's colour where the line of sight of a spot meets the
+// ground, 0 beyond 5 cm. A footbot has them 5 mm over the ground: 8 on a circle of 6.3 cm, from 22.5 degrees on every
+// 45, and 4 at 3 cm along x and y. Which patch lies under which spot was worked out by another program.
+#include "swarmanoid_interface/devices/ground.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "device_world.hpp"
+#include "swarmanoid_interface/devices/footbot_ground.hpp"
+#include "swarmanoid_interface/testing/count_allocations.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+constexpr float kBare = 300.0F / 765.0F;
+constexpr float kDisc = 306.0F / 765.0F;
+constexpr float kStrip = 60.0F / 765.0F;
+constexpr Color kBareColor{200, 100, 0};
+constexpr Color kDiscColor{51, 102, 153};
+constexpr Color kStripColor{10, 20, 30};
+constexpr double kHeading = 0.83;  // rad
+
+FloorPatch disc(double x, double y, double radius, Color color = kDiscColor) {
+  FloorPatch patch;
+  patch.position = {x, y, 0.0};
+  patch.radius = radius;
+  patch.color = color;
+  return patch;
+}
+
+FloorPatch strip(double x, double y, const Eigen::Vector2d& size) {
+  FloorPatch patch;
+  patch.position = {x, y, 0.0};
+  patch.size = size;
+  patch.color = kStripColor;
+  return patch;
+}
+
+/// A terrain from (4, 4) to (6, 6), with a vertex each 0.1 m.
+std::shared_ptr<const Terrain> groundOf(const std::function<double(double x)>& height) {
+  std::vector<double> heights;
+  for (int j = 0; j <= 20; ++j) {
+    for (int i = 0; i <= 20; ++i) {
+      heights.push_back(height(4.0 + 0.1 * i));
+    }
+  }
+  return std::make_shared<const Terrain>(Eigen::Vector2d(4.0, 4.0), Eigen::Vector2d(2.0, 2.0), 21, 21, heights);
+}
+
+/// A robot with one spot.
+std::shared_ptr<const EntityModel> robotWithSpot(const Eigen::Vector3d& position,
+                                                 const Eigen::Quaterniond& orientation) {
+  auto model = std::make_shared<EntityModel>(*robotModel("eyebot"));
+  model->mounts["ground_0"].position = position;
+  model->mounts["ground_0"].orientation = orientation;
+  return model;
+}
+
+Eigen::Quaterniond pitchedDown(double angle) {
+  return Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitY()));
+}
+
+template <std::size_t count>
+void expectNear(const std::array<float, count>& found, const std::array<float, count>& expected,
+                const std::string& what) {
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_NEAR(found[i], expected[i], 1e-6) << what << ", spot " << i;
+  }
+}
+
+class GroundTest : public testing::Test {
+ protected:
+  void SetUp() override { world.space.floor.bare = kBareColor; }
+
+  void place(double z, double tilt = 0.0) {
+    Pose& pose = world.pose(robot);
+    pose.position.z() = z;
+    pose.orientation = Eigen::AngleAxisd(tilt, Eigen::Vector3d(0.6, -0.8, 0.0)) *
+                       Eigen::AngleAxisd(kHeading, Eigen::Vector3d::UnitZ());
+  }
+
+  DeviceWorld world;
+  Row robot = world.addFootbot(4.13, 5.27, kHeading);
+};
+
+TEST_F(GroundTest, EachSpotReadsThePatchUnderIt) {
+  SensorUnderTest<FootbotGround> around(world, robot);
+  SensorUnderTest<FootbotBaseGround> between(world, robot);
+  world.space.floor.patches = {disc(4.17, 5.25, 0.06), strip(4.1, 5.25, {0.08, 0.3})};
+  expectNear(around.sense().value, {kBare, kStrip, kStrip, kStrip, kStrip, kDisc, kDisc, kDisc}, "around");
+  expectNear(between.sense().value, {kStrip, kStrip, kStrip, kDisc}, "between the wheels");
+  std::swap(world.space.floor.patches[0], world.space.floor.patches[1]);
+  expectNear(around.sense().value, {kBare, kStrip, kStrip, kStrip, kStrip, kDisc, kDisc, kDisc}, "disc on top");
+  expectNear(between.sense().value, {kStrip, kStrip, kDisc, kDisc}, "disc on top, between the wheels");
+}
+
+TEST_F(GroundTest, WhiteReadsOneBlackReadsNothing) {
+  SensorUnderTest<FootbotGround> ground(world, robot);
+  world.space.floor = Floor{};
+  for (const float value : ground.sense().value) {
+    EXPECT_EQ(value, 1.0F) << "a floor of which nobody says anything";
+  }
+  world.space.floor.patches = {disc(4.13, 5.27, 0.1, colors::kBlack)};
+  for (const float value : ground.sense().value) {
+    EXPECT_EQ(value, 0.0F);
+  }
+}
+
+TEST_F(GroundTest, ATiltedRobotReadsWhereItLooks) {
+  SensorUnderTest<FootbotGround> around(world, robot);
+  SensorUnderTest<FootbotBaseGround> between(world, robot);
+  world.space.floor.patches = {strip(4.165, 5.27, {0.07, 0.5})};
+  place(0.03);
+  expectNear(around.sense().value, {kStrip, kBare, kBare, kBare, kBare, kStrip, kStrip, kStrip}, "level");
+  expectNear(between.sense().value, {kBare, kBare, kStrip, kStrip}, "level, between the wheels");
+  place(0.03, 0.35);  // spots 0 and 7 are lifted so that the ground is farther than 5 cm
+  expectNear(around.sense().value, {0.0F, kBare, kBare, kBare, kBare, kStrip, kStrip, 0.0F}, "tilted");
+  expectNear(between.sense().value, {kStrip, kBare, kStrip, kStrip}, "tilted, between the wheels");
+  place(0.03, -0.35);
+  expectNear(around.sense().value, {kStrip, kBare, kBare, 0.0F, 0.0F, kStrip, kStrip, kStrip}, "to the other side");
+  expectNear(between.sense().value, {kBare, kBare, kBare, kStrip}, "to the other side, between the wheels");
+}
+
+TEST_F(GroundTest, BeyondTheRangeThereIsNoGround) {
+  SensorUnderTest<FootbotGround> usual(world, robot);
+  place(0.0449);
+  EXPECT_NEAR(usual.sense().value[3], kBare, 1e-6);
+  place(0.0451);
+  EXPECT_EQ(usual.sense().value[3], 0.0F);
+  const Row other = world.addFootbot(2.0, 2.0);
+  SensorUnderTest<FootbotGround> far(world, other, {{"range", "0.2"}});
+  world.pose(other).position.z() = 0.1949;
+  EXPECT_NEAR(far.sense().value[3], kBare, 1e-6);
+  world.pose(other).position.z() = 0.1951;
+  EXPECT_EQ(far.sense().value[3], 0.0F);
+}
+
+TEST_F(GroundTest, ASpotThatIsPressedIntoTheGroundALittleReadsIt) {
+  SensorUnderTest<FootbotGround> ground(world, robot);
+  place(-0.0149);
+  EXPECT_NEAR(ground.sense().value[3], kBare, 1e-6) << "9.9 mm deep";
+  place(-0.0151);
+  EXPECT_EQ(ground.sense().value[3], 0.0F);
+}
+
+TEST_F(GroundTest, ASpotThatDoesNotLookDownReadsNothing) {
+  for (const double pitch : {0.0, -0.4, -M_PI / 2.0, M_PI}) {
+    const Row own = world.add(robotWithSpot({0.0, 0.0, 0.004}, pitchedDown(pitch)), {7.0, 7.0, 0.0});
+    SensorUnderTest<Ground> ground(world, own);
+    EXPECT_EQ(ground.sense().spots[0].value, 0.0F) << pitch;
+  }
+}
+
+TEST_F(GroundTest, TheGroundOfAHoleIsDeep) {
+  world.space.terrain = groundOf([](double) { return -0.7; });
+  world.pose(robot) = {{6.01, 5.0, 0.0}, Eigen::Quaterniond::Identity()};
+  // seen along x the spots are at 0.0582 and 0.0241 m, the hole ends 0.01 m behind the middle
+  SensorUnderTest<FootbotGround> ground(world, robot);
+  expectNear(ground.sense().value, {kBare, kBare, 0.0F, 0.0F, 0.0F, 0.0F, kBare, kBare}, "at its border");
+  world.space.terrain = groundOf([](double) { return -0.044; });
+  world.space.floor.patches = {disc(5.95, 5.024, 0.01)};
+  expectNear(ground.sense().value, {kBare, kBare, kBare, kDisc, kBare, kBare, kBare, kBare}, "4.9 cm below the spots");
+  world.space.terrain = groundOf([](double) { return -0.046; });
+  expectNear(ground.sense().value, {kBare, kBare, 0.0F, 0.0F, 0.0F, 0.0F, kBare, kBare}, "5.1 cm below the spots");
+}
+
+TEST_F(GroundTest, ASlopeIsNearerThanTheFloor) {
+  world.space.terrain = groundOf([](double x) { return 0.5 * std::max(0.0, x - 5.0); });
+  // it looks ahead and down by 45 degrees from (5.02, 5.01, 0.03), and meets the slope at x = 5.0333, not at 5.05
+  const Row own = world.add(robotWithSpot({0.02, 0.01, 0.03}, pitchedDown(M_PI / 4.0)), {5.0, 5.0, 0.0});
+  world.space.floor.patches = {disc(5.0 + 1.0 / 30.0, 5.01, 0.005)};
+  SensorUnderTest<Ground> ground(world, own);
+  EXPECT_NEAR(ground.sense().spots[0].value, kDisc, 1e-6);
+  world.pose(own).position.z() = -0.025;
+  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "5 mm under the slope: it is pressed into it";
+  world.pose(own).position.z() = -0.04;
+  EXPECT_EQ(ground.sense().spots[0].value, 0.0F) << "2 cm under the slope";
+  world.space.terrain = nullptr;
+  world.pose(own).position.z() = 0.0;
+  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "level: 4.2 cm away";
+}
+
+TEST_F(GroundTest, OfAnyRobotReadsWhatTheFootbotsOwnReads) {
+  world.space.floor.patches = {disc(4.17, 5.25, 0.06), strip(4.1, 5.25, {0.08, 0.3})};
+  SensorUnderTest<FootbotGround> own(world, robot);
+  SensorUnderTest<Ground> sensor(world, robot);  // keeps the list of readings
+  const Ground& any = sensor.sense();
+  ASSERT_EQ(any.spots.size(), FootbotGround::kCount);
+  for (std::size_t i = 0; i < FootbotGround::kCount; ++i) {
+    EXPECT_EQ(any.spots[i].value, own.sense().value[i]) << "to the last bit, spot " << i;
+    EXPECT_NEAR(any.spots[i].x, FootbotGround::place(i).x(), 1e-6) << i;
+    EXPECT_NEAR(any.spots[i].y, FootbotGround::place(i).y(), 1e-6) << i;
+  }
+}
+
+TEST_F(GroundTest, EachRobotHasItsOwnReadings) {
+  world.space.floor.patches = {disc(7.0, 7.0, 0.2), strip(2.0, 2.0, {0.4, 0.4})};
+  const auto sensor = makeDevice<Sensor>(PluginKind::kSensor, Ground::kType, {});
+  std::vector<Row> rows{robot, world.addFootbot(7.0, 7.0), world.addFootbot(2.0, 2.0)};
+  std::vector<const Ground*> readings;
+  for (const Row row : rows) {
+    readings.push_back(static_cast<const Ground*>(sensor->add(world.space, row)));
+  }
+  world.sense(*sensor);
+  const float expected[] = {kBare, kDisc, kStrip};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    EXPECT_NEAR(readings[k]->spots[5].value, expected[k], 1e-6) << k;
+  }
+  sensor->remove(world.space, rows[0]);
+  world.remove(rows[0]);
+  world.space.floor.patches.pop_back();
+  world.sense(*sensor);
+  EXPECT_NEAR(readings[1]->spots[5].value, kDisc, 1e-6);
+  EXPECT_NEAR(readings[2]->spots[5].value, kBare, 1e-6);
+}
+
+/// Readings of spots 2 and 7 over some ticks, with noise of 0.05 to either side.
+std::vector<std::array<double, 2>> noisy(int ticks, std::uint64_t seed, int bystanders) {
+  DeviceWorld world(seed);
+  world.space.floor.bare = kBareColor;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  ErrorModelDescription noise;
+  noise.kind = "uniform";
+  noise.field = "value";
+  noise.parameters = Configuration("error", "", {});
+  noise.parameters.set("half_width", "0.05");
+  SensorUnderTest<FootbotGround> ground(world, robot, {}, {noise});
+  for (int i = 0; i < bystanders; ++i) {
+    ground.sensor->add(world.space, world.addFootbot(3.0 + i, 5.0));
+  }
+  std::vector<std::array<double, 2>> values;
+  for (; world.space.tick < static_cast<std::uint64_t>(ticks); ++world.space.tick) {
+    const FootbotGround& readings = ground.sense();
+    values.push_back({readings.value[2], readings.value[7]});
+  }
+  return values;
+}
+
+TEST(GroundErrorTest, NoiseIsThatOfTheExperimentFile) {
+  std::vector<double> first;
+  std::vector<double> differences;
+  for (const auto& [one, other] : noisy(4000, 1, 0)) {
+    EXPECT_NEAR(one, kBare, 0.05 + 1e-6);
+    first.push_back(one);
+    differences.push_back(one - other);
+  }
+  const Statistics statistics(first);
+  EXPECT_NEAR(statistics.mean, kBare, 5.0 * 0.0289 / std::sqrt(4000.0));
+  EXPECT_NEAR(statistics.deviation, 0.05 / std::sqrt(3.0), 0.001);
+  EXPECT_NEAR(Statistics(differences).deviation, 0.05 * std::sqrt(2.0 / 3.0), 0.0015) << "a draw for each spot";
+  EXPECT_EQ(noisy(50, 1, 0), noisy(50, 1, 5)) << "whoever else senses";
+  EXPECT_NE(noisy(50, 1, 0), noisy(50, 2, 0));
+}
+
+template <class Device>
+std::string refusalOn(const std::shared_ptr<const EntityModel>& model) {
+  DeviceWorld world;
+  try {
+    SensorUnderTest<Device> sensor(world, world.add(model, {1.0, 1.0, 0.0}));
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(GroundRefusalTest, RobotsWithoutSpotsAreRefused) {
+  EXPECT_EQ(refusalOn<Ground>(robotModel("eyebot")),
+            "found the device 'ground' on a eyebot, allowed: on robots with links ground_0, ... (1 to 64)");
+  auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
+  model->mounts.erase("base_ground_3");
+  EXPECT_EQ(
+      refusalOn<FootbotBaseGround>(model),
+      "found the device 'footbot_base_ground' on a footbot with links base_ground_0, ... (3), allowed: 4 or more");
+  EXPECT_EQ(refusalOn<FootbotGround>(model), "");
+}
+
+TEST_F(GroundTest, SensingAllocatesNothing) {
+  if (SWARMANOID_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "the sanitizer has its own malloc";
+  }
+  world.space.floor.patches = {disc(4.17, 5.25, 0.06)};
+  world.space.terrain = groundOf([](double) { return 0.001; });
+  SensorUnderTest<Ground> any(world, robot);
+  SensorUnderTest<FootbotBaseGround> between(world, robot);
+  const long before = heap_allocations;
+  any.sensor->sense(world.space, 0, 1);
+  between.sensor->sense(world.space, 0, 1);
+  EXPECT_EQ(heap_allocations - before, 0);
+  EXPECT_NEAR(between.sense().value[3], kDisc, 1e-6) << "it did sense";
+}
+
+}  // namespace
+}  // namespace swarmanoid::test

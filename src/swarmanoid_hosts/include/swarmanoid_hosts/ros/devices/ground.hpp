@@ -1,0 +1,43 @@
+/// Defines the topic of devices/ground.hpp, and converts its device to messages and back.
+#pragma once
+
+#include <swarmanoid_msgs/GroundArray.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_interface/devices/ground.hpp"
+
+namespace swarmanoid {
+
+inline void toMessage(const Ground& readings, swarmanoid_msgs::GroundArray& message) {
+  message.x.resize(readings.spots.size());
+  message.y.resize(readings.spots.size());
+  message.values.resize(readings.spots.size());
+  for (std::size_t i = 0; i < readings.spots.size(); ++i) {
+    message.x[i] = readings.spots[i].x;
+    message.y[i] = readings.spots[i].y;
+    message.values[i] = readings.spots[i].value;
+  }
+}
+
+/// The readings are stored in `parts`.
+inline void fromMessage(const swarmanoid_msgs::GroundArray& message, Ground& readings, VariableParts& parts) {
+  const std::size_t count = message.values.size();
+  if (message.x.size() != count || message.y.size() != count || count > Ground::kMostSpots) {
+    throw std::runtime_error("found " + std::to_string(message.x.size()) + " x, " + std::to_string(message.y.size()) +
+                             " y and " + std::to_string(count) + " values, allowed: as many of each, at most " +
+                             std::to_string(Ground::kMostSpots));
+  }
+  parts.clear();
+  GroundSpot* spots = parts.room<GroundSpot>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    spots[i] = {message.values[i], message.x[i], message.y[i]};
+  }
+  readings.spots = Span<const GroundSpot>(spots, count);
+}
+
+REGISTER_DEVICE_TOPIC(Ground, swarmanoid_msgs::GroundArray, kReading, "ground", "base_link")
+
+}  // namespace swarmanoid

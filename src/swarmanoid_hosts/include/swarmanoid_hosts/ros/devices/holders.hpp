@@ -1,0 +1,68 @@
+/// Defines the topics of devices/holders.hpp, and converts its devices to messages and back.
+#pragma once
+
+#include <swarmanoid_msgs/HoldersCommand.h>
+#include <swarmanoid_msgs/HoldersState.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_interface/devices/holders.hpp"
+
+namespace swarmanoid {
+
+inline void toMessage(const Holders& command, swarmanoid_msgs::HoldersCommand& message) {
+  message.holds.clear();
+  message.winding_speeds.clear();
+  for (const Holders::Holder& holder : command.holders) {
+    message.holds.push_back(static_cast<std::uint8_t>(holder.holds));
+    message.winding_speeds.push_back(holder.winding_speed);
+  }
+}
+
+/// Holders beyond those of the message keep their commands.
+inline void fromMessage(const swarmanoid_msgs::HoldersCommand& message, Holders& command) {
+  const std::size_t count = message.holds.size();
+  if (message.winding_speeds.size() != count || count > Holders::kMost) {
+    throw std::runtime_error("found " + std::to_string(count) + " holds and " +
+                             std::to_string(message.winding_speeds.size()) +
+                             " winding_speeds, allowed: as many of both, at most " + std::to_string(Holders::kMost));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    command.holders[i] = {message.holds[i] != 0, message.winding_speeds[i]};
+  }
+}
+
+inline void toMessage(const HolderStates& readings, swarmanoid_msgs::HoldersState& message) {
+  message.is_holding.clear();
+  message.lengths.clear();
+  message.forces.clear();
+  for (const HolderStates::Holder& holder : readings.holders) {
+    message.is_holding.push_back(static_cast<std::uint8_t>(holder.is_holding));
+    message.lengths.push_back(holder.length);
+    message.forces.push_back(holder.force);
+  }
+}
+
+/// The readings are stored in `parts`.
+inline void fromMessage(const swarmanoid_msgs::HoldersState& message, HolderStates& readings, VariableParts& parts) {
+  const std::size_t count = message.is_holding.size();
+  if (message.lengths.size() != count || message.forces.size() != count || count > HolderStates::kMost) {
+    throw std::runtime_error("found " + std::to_string(count) + " is_holding, " +
+                             std::to_string(message.lengths.size()) + " lengths and " +
+                             std::to_string(message.forces.size()) + " forces, allowed: as many of each, at most " +
+                             std::to_string(HolderStates::kMost));
+  }
+  parts.clear();
+  auto* holders = parts.room<HolderStates::Holder>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    holders[i] = {message.is_holding[i] != 0, message.lengths[i], message.forces[i]};
+  }
+  readings.holders = Span<const HolderStates::Holder>(holders, count);
+}
+
+REGISTER_DEVICE_TOPIC(Holders, swarmanoid_msgs::HoldersCommand, kCommand, "holders/command")
+REGISTER_DEVICE_TOPIC(HolderStates, swarmanoid_msgs::HoldersState, kReading, "holders/state", "base_link")
+
+}  // namespace swarmanoid

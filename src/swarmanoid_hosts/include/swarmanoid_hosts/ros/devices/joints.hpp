@@ -1,0 +1,83 @@
+/// Defines the topics of devices/joints.hpp, and converts its devices to messages and back.
+///
+/// Devices know joints by their order, not by their names, so these messages have no names: a message with names could
+/// have them in another order.
+#pragma once
+
+#include <sensor_msgs/JointState.h>
+#include <swarmanoid_msgs/JointsCommand.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_interface/devices/joints.hpp"
+
+namespace swarmanoid {
+
+inline void toMessage(const Joints& command, swarmanoid_msgs::JointsCommand& message) {
+  message.modes.clear();
+  message.angles.clear();
+  message.speeds.clear();
+  for (const Joints::Joint& joint : command.joints) {
+    message.modes.push_back(static_cast<std::uint8_t>(joint.mode));
+    message.angles.push_back(joint.angle);
+    message.speeds.push_back(joint.speed);
+  }
+}
+
+/// Joints beyond those of the message keep their commands.
+inline void fromMessage(const swarmanoid_msgs::JointsCommand& message, Joints& command) {
+  const std::size_t count = message.modes.size();
+  if (message.angles.size() != count || message.speeds.size() != count || count > Joints::kMost) {
+    throw std::runtime_error("found " + std::to_string(count) + " modes, " + std::to_string(message.angles.size()) +
+                             " angles and " + std::to_string(message.speeds.size()) +
+                             " speeds, allowed: as many of each, at most " + std::to_string(Joints::kMost));
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (message.modes[i] > swarmanoid_msgs::JointsCommand::PASSIVE) {
+      throw std::runtime_error("found mode " + std::to_string(message.modes[i]) + " of joint " + std::to_string(i) +
+                               ", allowed: 0 (ANGLE), 1 (SPEED), 2 (PASSIVE)");
+    }
+    command.joints[i] = {static_cast<Joints::Mode>(message.modes[i]), message.angles[i], message.speeds[i]};
+  }
+}
+
+/// The message has no names.
+inline void toMessage(const JointStates& readings, sensor_msgs::JointState& message) {
+  message.name.clear();
+  message.position.clear();
+  message.velocity.clear();
+  message.effort.clear();
+  for (const JointStates::Joint& joint : readings.joints) {
+    message.position.push_back(joint.angle);
+    message.velocity.push_back(joint.speed);
+    message.effort.push_back(joint.effort);
+  }
+}
+
+/// The readings are stored in `parts`.
+inline void fromMessage(const sensor_msgs::JointState& message, JointStates& readings, VariableParts& parts) {
+  const std::size_t count = message.position.size();
+  if (!message.name.empty()) {
+    throw std::runtime_error("found " + std::to_string(message.name.size()) +
+                             " names, allowed: none, joints are known by their order here");
+  }
+  if (message.velocity.size() != count || message.effort.size() != count || count > JointStates::kMost) {
+    throw std::runtime_error("found " + std::to_string(count) + " positions, " +
+                             std::to_string(message.velocity.size()) + " velocities and " +
+                             std::to_string(message.effort.size()) + " efforts, allowed: as many of each, at most " +
+                             std::to_string(JointStates::kMost));
+  }
+  parts.clear();
+  auto* joints = parts.room<JointStates::Joint>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    joints[i] = {message.position[i], message.velocity[i], message.effort[i]};
+  }
+  readings.joints = Span<const JointStates::Joint>(joints, count);
+}
+
+REGISTER_DEVICE_TOPIC(Joints, swarmanoid_msgs::JointsCommand, kCommand, "joints/command")
+REGISTER_DEVICE_TOPIC(JointStates, sensor_msgs::JointState, kReading, "joints/state", "base_link")
+
+}  // namespace swarmanoid

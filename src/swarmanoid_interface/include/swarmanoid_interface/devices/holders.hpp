@@ -1,0 +1,74 @@
+/// Actuator and sensor: what any robot holds on to other entities with, as many as it has: a gripper, suction, magnets,
+/// ropes on winches. They are in the order of the robot's description.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/span.hpp"
+
+namespace swarmanoid {
+
+/// Commands beyond the holders that the robot has mean nothing.
+struct Holders {
+  static constexpr const char* kType = "holders";
+  static constexpr std::size_t kMost = 8;
+  static constexpr double kUsualFastest = 0.2;  ///< of winding, in and out [m/s]
+
+  /// Holds: takes hold of what it reaches, and keeps it; a rope is shot for that. Holds not: lets go. What was torn
+  /// off, or a rope that met nothing to hold on to, holds again only after it was let go.
+  struct Holder {
+    bool holds = false;
+    double winding_speed = 0.0;  ///< of a rope [m/s]; positive shortens it, as far as the motor is strong enough
+  };
+
+  std::array<Holder, kMost> holders{};
+};
+
+template <class Visitor>
+void fields(Visitor& visit, Holders::Holder& holder) {
+  visit(holder.holds, {"holds", "", "true: takes hold of what it reaches, a rope is shot; false: lets go"});
+  visit(holder.winding_speed,
+        {"winding_speed", "m/s", "positive shortens a rope; cut to max_speed either way; of others without meaning"});
+}
+template <class Visitor>
+void fields(Visitor& visit, Holders& holders) {
+  visit(holders.holders, {"holders"});
+}
+/// What is held stays held, so that nobody falls and nothing is dropped; winches stop.
+inline bool stopSafely(Holders& holders, const SafeStopMoment& /*moment*/) {
+  for (Holders::Holder& holder : holders.holders) {
+    holder.winding_speed = 0.0;
+  }
+  return true;
+}
+REGISTER_DEVICE(Holders, kActuator, "Gripper, suction, magnets and ropes, as many as the robot has.")
+
+/// The state at the end of the last tick. The span is valid until the next tick.
+struct HolderStates {
+  static constexpr const char* kType = "holder_states";
+  static constexpr std::size_t kMost = Holders::kMost;
+
+  struct Holder {
+    bool is_holding = false;
+    double length = 0.0;  ///< of the rope that is out, when taut; 0 when it holds nothing, and of other holders [m]
+    double force = 0.0;   ///< on what is held, without the noise of single engine steps; 0 of grippers [N]
+  };
+
+  Span<const Holder> holders;
+};
+
+template <class Visitor>
+void fields(Visitor& visit, HolderStates::Holder& holder) {
+  visit(holder.is_holding, {"is_holding", "", "whether it holds something"});
+  visit(holder.length, {"length", "m", "of the rope that is out; 0 when it holds nothing", {0.0, kInfinity}});
+  visit(holder.force, {"force", "N", "on what is held, smoothed; a gripper measures none", {0.0, kInfinity}});
+}
+template <class Visitor>
+void fields(Visitor& visit, HolderStates& states) {
+  visit(states.holders, {"holders"});
+}
+REGISTER_DEVICE(HolderStates, kSensor, "Contact, length and force of what the robot holds with.")
+
+}  // namespace swarmanoid
