@@ -17,16 +17,16 @@ struct Event {
     kOverflow,          ///< a sensor of `entity` saw more than it can report
     kSpawned,
     kDeleted,
-    kMoved,                ///< put elsewhere from outside
-    kIntervention,         ///< anything else that came from outside
-    kInterventionRefused,  ///< a rule asked for what may be refused, and was; the text says why
+    kMoved,         ///< put elsewhere from outside
+    kIntervention,  ///< anything else that came from outside
     kFinished,
     kHandedOver,       ///< another engine moves `entity` from now on; the text says which
     kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why
     kEngineTrouble,    ///< an engine had to make do with something worse than its method; the text says which and what
     kParticipantLate,  ///< a process that commands robots has not answered in time; the text says what follows
-    kParticipantJoined,  ///< one has registered, or is back
-    kAnswerRefused       ///< one answered twice, or for a wrong tick; the first time
+    kParticipantJoined,   ///< one has registered, or is back
+    kAnswerRefused,       ///< one answered twice, or for a wrong tick; the first time
+    kInterventionRefused  ///< a rule asked for what may be refused, and was; the text says why
   };
 
   Kind kind;
