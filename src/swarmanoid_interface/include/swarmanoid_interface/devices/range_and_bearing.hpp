@@ -48,6 +48,7 @@ void fields(Visitor& visit, RangeAndBearingMessage& message) {
 struct RangeAndBearingReceived : ReceivedMessages<RangeAndBearingMessage> {
   static constexpr const char* kType = "range_and_bearing_received";
   static constexpr double kUsualRange = 3.0;  ///< between transmitters, beyond which it hears nothing [m]
+  static constexpr bool kNeedsSight = true;   ///< what stands between transmitters hides them
 };
 REGISTER_DEVICE(RangeAndBearingReceived, kSensor,
                 "Messages of the robots in sight, with the distance and direction of each.")
