@@ -71,6 +71,8 @@ std::string controller(const std::string& role, const std::string& receiver = ""
          "</role></parameters></test_talker>";
 }
 
+std::string memberLine(const std::string& id) { return "<entity id='" + id + "'/>"; }
+
 struct TalkingWorld {
   std::string controllers;
   std::string entities;
@@ -103,7 +105,7 @@ TalkingWorld twoWhoTalk(const std::string& source_of_b = "controller") {
   TalkingWorld world;
   world.controllers = controller("starts") + controller("answers");
   world.entities = talker("a", 2.0, 2.0, "starts") + talker("b", 3.7, 2.9, "answers", source_of_b);
-  world.members = member("a") + member("b");
+  world.members = memberLine("a") + memberLine("b");
   return world;
 }
 
@@ -183,13 +185,13 @@ TalkingWorld crowd(const std::string& role, int quantity, const std::string& rec
                             "3,4,0.06</position><orientation>0,0,70</orientation><size>0.9,0.05,0.12"}) {
     const std::string id = "block_" + std::to_string(++count);
     world.entities += "<block id='" + id + "'><position>" + block + "</size></block>";
-    world.members += member(id);
+    world.members += memberLine(id);
   }
   world.entities += "<distribute quantity='" + std::to_string(quantity) +
                     "' layout='uniform'><minimum>0.3,0.3,0</minimum><maximum>5.7,5.7,0</maximum><footbot id='fb'>"
                     "<controller>" +
                     role + "</controller></footbot></distribute>";
-  world.members += member("fb");
+  world.members += memberLine("fb");
   return world;
 }
 

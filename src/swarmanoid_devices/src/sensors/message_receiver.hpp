@@ -157,7 +157,8 @@ class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Receiv
   }
 
   /// Leaves out whom something hides, and what is lost.
-  void leaveOutUnheard(const Space& space, Instance& instance, const Eigen::Vector3d& own_position, Scratch& scratch) const {
+  void leaveOutUnheard(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
+                       Scratch& scratch) const {
     if (needs_sight_ && !scratch.heard.empty()) {
       scratch.lines.begin(space, instance.row, own_position, scratch.near);
     }
@@ -168,7 +169,7 @@ class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Receiv
       return (needs_sight_ && scratch.lines.isOccluded(heard.position, heard.row)) ||
              (loss_ > 0.0 && instance.random.uniform() < loss_);
     };
-    // in their order, since each that comes through to here draws one number
+    // in their order: each that nothing hides draws a number
     std::size_t kept = 0;
     for (const Heard& heard : scratch.heard) {
       if (!is_unheard(heard)) {
