@@ -6,8 +6,8 @@
 namespace swarmanoid::devices {
 namespace {
 
-/// Engines in a plane make prisms of solids. As they hold a solid in the plane and along it, they reach no farther than
-/// this times the sphere that holds the solid.
+/// Engines in a plane cast rays against prisms: the outline of a solid in the plane, as long as the solid is across it.
+/// Neither reaches beyond the sphere that holds the solid, so no corner is farther away than this times its radius.
 constexpr double kPrismReach = M_SQRT2;
 
 }  // namespace
