@@ -1,6 +1,6 @@
 /// Lines of sight from one robot to many points around it: which are free is what Space::isOccluded says, at a fraction
 /// of the cost. Most lines pass by everything that is near; where one comes near something, only that part of it is
-/// cast as a ray.
+/// cast as a ray. What is near is known by the sphere of EntityModel::bounding_radius, as Space::mayHit knows it.
 ///
 /// Threads  each needs a SightLines of its own, and keeps it: its room grows to what was needed, and stays.
 #pragma once
