@@ -9,15 +9,17 @@ def benchmark(table, build):
     done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=3",
                            "--benchmark_report_aggregates_only=true"], capture_output=True, text=True, check=True)
     wanted = {"BM_DiffusionSparse/10": 1e6, "BM_DiffusionSparse/1000": 2e6, "BM_DiffusionSparse/10000": 2e6,
-              "BM_DiffusionDense/1000": 5e5, "BM_DiffusionDense/10000": 5e5}
-    names = {"Sparse": "one footbot per 1.6 m2", "Dense": "one footbot per 0.1 m2"}
+              "BM_DiffusionDense/1000": 5e5, "BM_DiffusionDense/10000": 5e5,
+              "BM_MessagesSparse/1000": 6e5, "BM_MessagesSparse/10000": 6e5}
+    names = {"DiffusionSparse": "diffusion, one footbot per 1.6 m2", "DiffusionDense": "diffusion, one footbot per 0.1 m2",
+             "MessagesSparse": "range and bearing, one footbot per 1.6 m2, all send"}
     for entry in json.loads(done.stdout)["benchmarks"]:
         if entry["aggregate_name"] != "median":
             continue
-        kind, robots = entry["run_name"].replace("BM_Diffusion", "").split("/")
+        kind, robots = entry["run_name"].replace("BM_", "").split("/")
         least = wanted[entry["run_name"]]
         speed = entry["items_per_second"]
-        table.add(f"diffusion, {names[kind]}, {int(robots):,} footbots, one thread",
+        table.add(f"{names[kind]}, {int(robots):,} footbots, one thread",
                   f"at least {least / 1e6:g} million robots x ticks/s", f"{speed / 1e6:.2f} million", speed >= least)
 
 

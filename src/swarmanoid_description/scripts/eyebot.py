@@ -9,6 +9,7 @@ HEIGHT = 0.54
 MASS = 2.0
 LED_COUNT = 16
 LED_HEIGHT = 0.2
+RANGE_AND_BEARING_HEIGHT = 0.22  # in the hub, over its LEDs
 DUCT_RADIUS = 0.1
 DUCT_BOTTOM, DUCT_TOP = 0.24, 0.34
 DUCT_WALL = 0.006
@@ -75,6 +76,7 @@ def make():
     for i, xyz, rpy in ring(LED_COUNT, 0.1, LED_HEIGHT):
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.006, material="light_grey")])
     robot.link("camera", xyz=(0, 0, 0.15), rpy=DOWN)
+    robot.link("range_and_bearing", xyz=(0, 0, RANGE_AND_BEARING_HEIGHT))
     robot.link("laser_pointer", xyz=(0.05, 0, 0.15), rpy=DOWN)
     robot.link("magnet", xyz=(0, 0, HEIGHT), rpy=UP)
     robot.can("magnet", name="magnet", link="magnet")

@@ -23,6 +23,7 @@ GROUND_HEIGHT = 0.005
 LED_COUNT = 12
 LED_HEIGHT = 0.12
 CAMERA_HEIGHT = 0.28
+RANGE_AND_BEARING_HEIGHT = 0.13  # under the top of the body, so that footbots hide each other
 
 ROLLED = (math.pi / 2, 0, 0)  # turns a cylinder's axis from z to y
 MATERIALS = {
@@ -108,6 +109,7 @@ def make():
     for i, xyz, rpy in ring(LED_COUNT, RADIUS, LED_HEIGHT):
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.005, (-0.003, 0, 0), "light_grey")])
     robot.link("camera", xyz=(0, 0, CAMERA_HEIGHT))
+    robot.link("range_and_bearing", xyz=(0, 0, RANGE_AND_BEARING_HEIGHT))
     add_turret(robot)
     robot.link("gripping_strip", xyz=(0, 0, GRIPPER_HEIGHT), collisions=[cylinder(RADIUS, 0.012)])
     robot.can("wheels", left="left_wheel", right="right_wheel")

@@ -10,6 +10,7 @@ UPPER_ARM_MASS, FOREARM_MASS, HAND_MASS = 0.15, 0.1, 0.15  # together with the b
 STRIP_RADIUS = WIDTH / 2  # footbots that come from the sides meet the strip and the body at once
 ROPE_LENGTH = 3  # on the winch [m]
 STRIP_HEIGHT = 0.05  # of the footbots' grippers
+RANGE_AND_BEARING_HEIGHT = 0.205  # on the carapace
 
 FORWARD = (0, math.pi / 2, 0)  # turns a cylinder's axis from z to x
 UP = (0, -math.pi / 2, 0)  # x axis, the direction that a device points in, straight up
@@ -75,6 +76,7 @@ def make():
     arm(robot, "left", 1)
     arm(robot, "right", -1)
     robot.link("camera", xyz=(0.105, 0, 0.16))
+    robot.link("range_and_bearing", xyz=(-0.005, 0, RANGE_AND_BEARING_HEIGHT))
     robot.link("rope_launcher", xyz=(-0.02, 0, HEIGHT), rpy=UP)
     robot.link("gripping_strip", xyz=(0, 0, STRIP_HEIGHT), collisions=[cylinder(STRIP_RADIUS, 0.012)])
     robot.can("suction", name="left hand", link="left_suction")

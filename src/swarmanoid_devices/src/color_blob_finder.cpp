@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 #include <vector>
 
+#include "keep_nearest.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 
@@ -17,20 +17,6 @@ struct Found {
   ColorBlob blob;
   std::size_t place = 0;
 };
-
-/// @return whether some blobs were left out
-bool keepNearest(std::vector<Found>& found, std::size_t capacity) {
-  if (found.size() <= capacity) {
-    return false;
-  }
-  const auto end = found.begin() + static_cast<std::ptrdiff_t>(capacity);
-  std::nth_element(found.begin(), end, found.end(), [](const Found& a, const Found& b) {
-    return std::pair(a.blob.distance, a.place) < std::pair(b.blob.distance, b.place);
-  });
-  std::sort(found.begin(), end, [](const Found& a, const Found& b) { return a.place < b.place; });
-  found.resize(capacity);
-  return true;
-}
 
 class Finder {
  public:
@@ -132,7 +118,7 @@ FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs,
     }
   }
   FoundBlobs result;
-  result.overflowed = keepNearest(found, capacity);
+  result.overflowed = keepNearest(found, capacity, [](const Found& each) { return each.blob.distance; });
   result.count = found.size();
   std::transform(found.begin(), found.end(), blobs, [](const Found& each) { return each.blob; });
   return result;

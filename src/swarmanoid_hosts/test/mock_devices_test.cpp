@@ -230,6 +230,27 @@ TEST(MockWorld, HasDiscsOnItsFloor) {
   EXPECT_THROW(worldWith("0.25", "colour"), ConfigError);
 }
 
+TEST(MockWorld, BeaconsSayBytes) {
+  const auto beaconThatSays = [](const std::string& bytes) {
+    Configuration values("world", "", {"/w", 0});
+    Configuration& beacon =
+        values.add(Configuration("beacons", "", {"/w", 0})).add(Configuration("nest", "", {"/w", 0}));
+    beacon.set("at", "1, 2, 3");
+    beacon.set("color", "green");
+    if (!bytes.empty()) {
+      beacon.set("says", bytes);
+    }
+    return readWorld(values).beacons.at(0);
+  };
+  EXPECT_TRUE(beaconThatSays("").says.empty());
+  EXPECT_EQ((std::vector<std::uint8_t>{7}), beaconThatSays("7").says);
+  EXPECT_EQ((std::vector<std::uint8_t>{0, 255, 3}), beaconThatSays("0, 255,3").says);
+  EXPECT_EQ(10U, beaconThatSays("1,2,3,4,5,6,7,8,9,10").says.size());
+  for (const char* wrong : {"256", "-1", "1.5", "1,", ",1", "1,,2", "one", "1,2,3,4,5,6,7,8,9,10,11"}) {
+    EXPECT_THROW(beaconThatSays(wrong), ConfigError) << wrong;
+  }
+}
+
 TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {
   const auto ringOf = [](const std::string& sensors, const std::string& radius) {
     Configuration values("world", "", {"/w", 0});

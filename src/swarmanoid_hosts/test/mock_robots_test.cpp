@@ -24,6 +24,7 @@
 #include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -158,6 +159,28 @@ TEST(MockFootbot, TurretFollows) {
   bench.advance(2.0);
   EXPECT_NEAR(0.0, bench.reading<FootbotTurretState>().angle, 1e-9);
   EXPECT_EQ(-0.5, bench.reading<FootbotTurretState>().speed);
+}
+
+TEST(MockRangeAndBearing, HearsBeaconsThatSaySomething) {
+  World world;
+  world.beacons.push_back({"mute", {0.5, 0.0, 0.0}, colors::kRed, false});
+  world.beacons.push_back({"nest", {0.6, 0.8, 1.0}, colors::kGreen, false, {7, 255}});
+  world.beacons.push_back({"far", {-3.01, 0.0, 0.0}, colors::kGreen, false, {9}});
+  Bench bench({"differential_drive", "range_and_bearing", "range_and_bearing_received"}, world);
+  const RangeAndBearingReceived& received = bench.reading<RangeAndBearingReceived>();
+  ASSERT_EQ(1U, received.messages.size());
+  EXPECT_NEAR(std::sqrt(2.0), received.messages[0].range, 1e-6);
+  EXPECT_NEAR(0.927295, received.messages[0].bearing, 1e-6) << "4 to the left for each 3 ahead";
+  EXPECT_NEAR(M_PI / 4.0, received.messages[0].elevation, 1e-6) << "1 m away and 1 m up";
+  EXPECT_EQ((RangeAndBearing::Payload{7, 255}), received.messages[0].payload);
+  EXPECT_FALSE(received.overflowed);
+  bench.command<RangeAndBearing>().send({1});
+  bench.command<DifferentialDrive>().drive(-0.1, 0.0);
+  bench.advance(1.0);
+  ASSERT_EQ(2U, received.messages.size()) << "it does not hear itself";
+  EXPECT_NEAR(2.91, received.messages[1].range, 1e-6);
+  EXPECT_EQ(static_cast<float>(M_PI), received.messages[1].bearing);
+  EXPECT_EQ(9, received.messages[1].payload[0]);
 }
 
 TEST(MockEyebot, FliesInItsOwnFrame) {

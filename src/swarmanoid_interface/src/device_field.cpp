@@ -18,8 +18,14 @@ std::string typeName(const FieldDescription& field) {
 
 std::string countedName(const FieldDescription& field) {
   std::string name = field.name;
-  if (const std::size_t bracket = name.find("[]"); bracket != std::string::npos && field.count > 0) {
-    name.insert(bracket + 1, std::to_string(field.count));
+  std::size_t bracket = name.find("[]");
+  std::size_t count = field.count;
+  if (count == 0 && bracket != std::string::npos) {
+    bracket = name.find("[]", bracket + 1);  // the first one is that of the span
+    count = field.count_in_element;
+  }
+  if (bracket != std::string::npos && count > 0) {
+    name.insert(bracket + 1, std::to_string(count));
   }
   return name;
 }

@@ -10,6 +10,7 @@
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/holders.hpp"
 #include "swarmanoid_interface/devices/joints.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -81,6 +82,8 @@ TEST(DeviceBytesTest, LayoutsNameTheFields) {
   EXPECT_EQ("b1 f8 f8", findDeviceType("eyebot_laser")->layout);
   EXPECT_EQ("(f8 f8 f8)*", findDeviceType("joint_states")->layout);
   EXPECT_EQ("(b1 f8 f8)*", findDeviceType("holder_states")->layout);
+  EXPECT_EQ("u1 u1 u1 u1 u1 u1 u1 u1 u1 u1 b1", findDeviceType("range_and_bearing")->layout);
+  EXPECT_EQ("(f4 f4 f4 u1 u1 u1 u1 u1 u1 u1 u1 u1 u1)* b1", findDeviceType("range_and_bearing_received")->layout);
 }
 
 TEST(DeviceBytesTest, SpansAreReadAndSetAsBytes) {
@@ -148,6 +151,30 @@ TEST(DeviceBytesTest, JointsAndHoldersComeOneAfterTheOther) {
   EXPECT_TRUE(received.holders[1].is_holding);
   EXPECT_EQ(1.5, received.holders[1].length);
   EXPECT_EQ(-2.0, received.holders[1].force);
+}
+
+TEST(DeviceBytesTest, MessagesComeWithTheirBytes) {
+  std::vector<RangeAndBearingMessage> messages(2);
+  messages[0].payload = {255, 0, 1, 2, 3, 4, 5, 6, 7, 128};
+  messages[1] = {2.5F, -1.25F, 0.75F, {9, 8, 7}};
+  RangeAndBearingReceived sent;
+  sent.messages = messages;
+  sent.overflowed = true;
+  const Bytes bytes = bytesOf(sent);
+  EXPECT_EQ(4U + 2U * (12U + 10U) + 1U, bytes.size()) << "no padding";
+  EXPECT_EQ(128, bytes[4 + 12 + 9]);
+  EXPECT_EQ(7, bytes[4 + 22 + 12 + 2]);
+  RangeAndBearingReceived received;
+  VariableParts parts;
+  ByteReader in(bytes);
+  findDeviceType("range_and_bearing_received")->read(in, &received, parts);
+  ASSERT_EQ(2U, received.messages.size());
+  EXPECT_EQ(messages[0].payload, received.messages[0].payload);
+  EXPECT_EQ(messages[1].payload, received.messages[1].payload);
+  EXPECT_EQ(-1.25F, received.messages[1].bearing);
+  EXPECT_EQ(0.75F, received.messages[1].elevation);
+  EXPECT_TRUE(received.overflowed);
+  EXPECT_EQ(bytes, bytesOf(received));
 }
 
 TEST(DeviceBytesTest, BytesThatEndTooEarlyAreRefused) {

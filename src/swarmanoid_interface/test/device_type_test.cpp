@@ -16,6 +16,7 @@
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -23,7 +24,7 @@ namespace {
 TEST(DeviceTypeTest, EveryDeviceOfTheSuiteIsThere) {
   std::vector<std::string> names;
   for (const DeviceType* type : deviceTypes()) {
-    if (type->type != "winch_of_a_test") {
+    if (type->type != "winch_of_a_test" && type->type != "outlines_of_a_test") {
       names.push_back(type->type);
     }
   }
@@ -170,6 +171,67 @@ TEST(DeviceTypeTest, FieldsAreDescribed) {
   EXPECT_EQ("value[24]", countedName(ring[0]));
   EXPECT_EQ("joints[6].speed", countedName(joints[1]));
   EXPECT_EQ("blobs[].color.red", countedName(camera[0]));
+}
+
+/// Corners of what a camera of a test sees: a span of structs that have arrays, of numbers and of structs.
+struct Outlines {
+  static constexpr const char* kType = "outlines_of_a_test";
+  struct Corner {
+    float x = 0.0F;
+    float y = 0.0F;
+  };
+  struct Outline {
+    std::uint8_t kind = 0;
+    std::array<Corner, 3> corners{};
+    std::array<std::uint16_t, 2> tags{};
+  };
+  Span<const Outline> outlines;
+};
+template <class Visitor>
+void fields(Visitor& visit, Outlines::Corner& corner) {
+  visit(corner.x, {"x", "m"});
+  visit(corner.y, {"y", "m"});
+}
+template <class Visitor>
+void fields(Visitor& visit, Outlines::Outline& outline) {
+  visit(outline.kind, {"kind"});
+  visit(outline.corners, {"corners"});
+  visit(outline.tags, {"tags"});
+}
+template <class Visitor>
+void fields(Visitor& visit, Outlines& outlines) {
+  visit(outlines.outlines, {"outlines"});
+}
+REGISTER_DEVICE(Outlines, kSensor, "Shapes.")
+
+TEST(DeviceTypeTest, ElementsOfSpansMayHaveArrays) {
+  const DeviceType& type = *findDeviceType("outlines_of_a_test");
+  EXPECT_EQ("(u1 f4 f4 f4 f4 f4 f4 u2 u2)*", type.layout);
+  EXPECT_EQ(fieldNames(type),
+            "outlines(kind corners[0].x corners[0].y corners[1].x corners[1].y corners[2].x corners[2].y tags[0] "
+            "tags[1])");
+  const std::vector<DeviceNumber>& numbers = type.numbers[0].elements;
+  ASSERT_EQ(9U, numbers.size());
+  EXPECT_EQ(offsetof(Outlines::Outline, corners) + sizeof(Outlines::Corner) + offsetof(Outlines::Corner, y),
+            numbers[4].offset);
+  EXPECT_EQ(offsetof(Outlines::Outline, tags) + sizeof(std::uint16_t), numbers[8].offset);
+  EXPECT_EQ("outlines[].tags[]", type.fields[numbers[8].field].name);
+}
+
+TEST(DeviceTypeTest, NamesSayHowManyNumbersAnElementHas) {
+  std::vector<std::string> names;
+  for (const FieldDescription& field : findDeviceType("outlines_of_a_test")->fields) {
+    EXPECT_EQ(0U, field.count) << "as many as there are";
+    names.push_back(countedName(field));
+  }
+  EXPECT_EQ((std::vector<std::string>{"outlines[].kind", "outlines[].corners[3].x", "outlines[].corners[3].y",
+                                      "outlines[].tags[2]"}),
+            names);
+  const std::vector<FieldDescription>& received = findDeviceType("range_and_bearing_received")->fields;
+  ASSERT_EQ(5U, received.size());
+  EXPECT_EQ("messages[].payload[10]", countedName(received[3]));
+  EXPECT_EQ("payload[10]", countedName(findDeviceType("range_and_bearing")->fields[0]));
+  EXPECT_EQ("messages[].payload[10], uint8", describe(received[3]));
 }
 
 TEST(DeviceTypeTest, FieldsThatSayNothingMeanWhatTheyAreIn) {

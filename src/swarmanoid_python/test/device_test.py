@@ -150,6 +150,28 @@ class ListsTest(unittest.TestCase):
             first.distance = 2.0
 
 
+class ArraysInListsTest(unittest.TestCase):
+    def setUp(self):
+        self.received = device("received", "messages(range payload[0] payload[1] payload[2]) overflowed", [[], 0])
+        replace_values(self.received, [[(1.5, 7, 255, 0), (0.25, 1, 2, 3)], True])
+
+    def test_elements_have_arrays(self):
+        first, second = self.received.messages
+        self.assertEqual((1.5, 255, 3), (first.range, first.payload[1], second["payload[2]"]))
+        self.assertEqual(2, self.received["messages[1].payload[1]"])
+        self.assertEqual(bytes([7, 255, 0]), bytes(first.payload))
+        self.assertEqual("received/messages[](range=0.25, payload=[1, 2, 3])", repr(second))
+
+    def test_an_array_of_an_element_is_kept_and_not_written(self):
+        payload = self.received.messages[1].payload
+        replace_values(self.received, [[], False])
+        self.assertEqual([1, 2, 3], payload)
+        with self.assertRaises(TypeError):
+            payload[0] = 9
+        with self.assertRaisesRegex(IndexError, r"received/messages\[\]/payload: found index 3, allowed: -3 to 2"):
+            payload[3]  # pylint: disable=pointless-statement
+
+
 class MistakesTest(unittest.TestCase):
     def refused(self, error, text, action):
         with self.assertRaises(error) as raised:

@@ -34,6 +34,12 @@ class LayoutTest(unittest.TestCase):
         self.assertEqual(data, layout.write([[(7, 1.5), (8, -1.5)], True]))
         self.assertEqual([[], 0], layout.initial())
 
+    def test_elements_of_a_list_have_arrays_number_by_number(self):
+        data = struct.pack("<I", 2) + struct.pack("<f", 1.5) + b"\x07\xff" + struct.pack("<f", 0.25) + b"\x01\x02"
+        layout = Layout("(f4 u1 u1)*")
+        self.assertEqual(([[(1.5, 7, 255), (0.25, 1, 2)]], 16), layout.read(data))
+        self.assertEqual(data, layout.write([[(1.5, 7, 255), (0.25, 1, 2)]]))
+
     def test_what_does_not_fit_is_refused(self):
         with self.assertRaisesRegex(ValueError, "found 'x3' in the layout 'f8 x3', allowed: f4, f8"):
             Layout("f8 x3")

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "color_blob_finder.hpp"
+#include "overflow_notes.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -17,8 +17,7 @@ template <class Camera>
 struct CameraInstance : BasicSensorInstance<Camera> {
   std::vector<ColorBlob> buffer;
   Mount mount;
-  bool has_overflowed = false;          // state of the last tick, so that an overflow is one event, not one per tick
-  std::optional<std::size_t> overflow;  // index in Space::overflows
+  OverflowNote overflow;
 };
 
 template <class Camera>
@@ -43,11 +42,8 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
 
   void report(Space& space) override {
     for (Instance& instance : this->instances_) {
-      const bool overflowed = instance.readings->overflowed;
-      if (overflowed) {
-        noteOverflow(space, instance);
-      }
-      instance.has_overflowed = overflowed;
+      noteOverflow(space, instance.row, Camera::kType, max_blobs_, "blobs", instance.readings->overflowed,
+                   instance.overflow);
     }
   }
 
@@ -77,23 +73,6 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
   }
 
  private:
-  void noteOverflow(Space& space, Instance& instance) const {
-    if (!instance.has_overflowed) {
-      const std::string& robot = space.entities.name[instance.row];
-      const std::string text = std::string(Camera::kType) + ": more than " + std::to_string(max_blobs_) + " blobs";
-      space.events.push_back({Event::Kind::kOverflow, robot, "", text});
-      if (!instance.overflow) {
-        instance.overflow = overflowOf(space.overflows, robot, Camera::kType);
-        Overflow& overflow = space.overflows[*instance.overflow];
-        if (overflow.readings == 0) {
-          overflow.text = text;
-          overflow.first_tick = space.tick;
-        }
-      }
-    }
-    ++space.overflows[*instance.overflow].readings;
-  }
-
   void senseOne(const Space& space, Instance& instance) const {
     const Pose& pose = space.entities.pose[instance.row];
     BlobView view;

@@ -47,6 +47,9 @@ std::string rangeOf(const FieldDescription& field) {
   if (field.range.minimum == -M_PI && field.range.maximum == M_PI) {
     return field.wraps ? "(-pi, pi]" : "from -pi to pi";
   }
+  if (field.range.minimum == -M_PI / 2.0 && field.range.maximum == M_PI / 2.0) {
+    return "from -pi/2 to pi/2";
+  }
   const std::string range = field.range.toString();
   return range == Range().toString() ? "" : range;
 }

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
 namespace swarmanoid::test {

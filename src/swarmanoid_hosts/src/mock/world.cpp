@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
@@ -16,6 +17,24 @@ namespace {
 Eigen::Vector3d turned(const Eigen::Vector3d& vector, double angle) {
   return {std::cos(angle) * vector.x() - std::sin(angle) * vector.y(),
           std::sin(angle) * vector.x() + std::cos(angle) * vector.y(), vector.z()};
+}
+
+/// @throws ConfigError
+std::vector<std::uint8_t> readBytes(const Configuration& beacon) {
+  std::vector<std::uint8_t> bytes;
+  const Configuration* says = beacon.find("says");
+  if (says == nullptr) {
+    return bytes;
+  }
+  std::istringstream text(says->text() + ",");  // so that each byte is one before a comma, and nothing else is one
+  for (std::string byte; std::getline(text, byte, ',');) {
+    bytes.push_back(static_cast<std::uint8_t>(parseInteger(byte, "says", says->location(), {0.0, 255.0})));
+  }
+  if (bytes.size() > Beacon::kMostBytes) {
+    throw ConfigError(says->location(), "says: found " + std::to_string(bytes.size()) + " bytes, allowed: at most " +
+                                            std::to_string(Beacon::kMostBytes));
+  }
+  return bytes;
 }
 
 double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a.x() * b.y() - a.y() * b.x(); }
@@ -60,9 +79,9 @@ World readWorld(const Configuration& values) {
   }
   if (const Configuration* beacons = values.find("beacons")) {
     for (const Configuration& beacon : beacons->children()) {
-      world.beacons.push_back(
-          {beacon.name(), beacon.vector3("at"), beacon.color("color"), beacon.boolean("can_be_gripped", false)});
-      beacon.refuseUnread({"at", "color", "can_be_gripped"});
+      world.beacons.push_back({beacon.name(), beacon.vector3("at"), beacon.color("color"),
+                               beacon.boolean("can_be_gripped", false), readBytes(beacon)});
+      beacon.refuseUnread({"at", "color", "can_be_gripped", "says"});
     }
   }
   if (const Configuration* discs = values.find("discs")) {

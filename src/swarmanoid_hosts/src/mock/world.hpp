@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -27,12 +28,16 @@ struct Wall {
   Eigen::Vector2d to;    ///< likewise [m]
 };
 
-/// An object that a camera sees, and that shines on light sensors as a lamp of its colour.
+/// An object that a camera sees, that shines on light sensors as a lamp of its colour, and that robots hear if it says
+/// something.
 struct Beacon {
+  static constexpr std::size_t kMostBytes = 10;  ///< that it says: as many as a message of range and bearing has
+
   std::string name;
   Eigen::Vector3d at;  ///< in the world [m]
   Color color;
   bool can_be_gripped = false;
+  std::vector<std::uint8_t> says{};  ///< the bytes of the message that it sends all the time; none: it is silent
 };
 
 /// A coloured disc on the floor.
@@ -83,7 +88,7 @@ struct World {
 
 /// Reads the world from values such as these of a parameter file:
 ///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
-///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}}
+///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}, nest: {..., says: [1, 255]}}
 ///     discs: {nest: {at: [0.5, 0], radius: 0.3, color: gray}}
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there

@@ -7,6 +7,7 @@
 
 #include "swarmanoid_hosts/ros/device_fields.hpp"
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -99,6 +100,36 @@ TEST(DeviceFields, NamesEveryNumberAndKeepsItsBits) {
   ASSERT_EQ(2U, back.echoes.size());
   EXPECT_EQ(echoes[1].range, back.echoes[1].range);
   EXPECT_EQ(255, back.echoes[0].channel);
+}
+
+TEST(DeviceFields, NameTheNumbersOfArraysInElements) {
+  std::array<RangeAndBearingMessage, 2> messages;
+  messages[0] = {1.5F, -2.5F, 0.25F, {1, 2, 3, 4, 5, 6, 7, 8, 9, 255}};
+  messages[1].payload = {128, 64};
+  RangeAndBearingReceived received;
+  received.messages = Span<const RangeAndBearingMessage>(messages.data(), messages.size());
+  const DeviceType& type = *findDeviceType("range_and_bearing_received");
+  Message message;
+  toMessage(type, &received, message);
+  ASSERT_EQ(27U, message.names.size());
+  EXPECT_EQ("messages[0].payload[9]", message.names[12]);
+  EXPECT_EQ(255.0, message.values[12]);
+  EXPECT_EQ("messages[1].payload[1]", message.names[17]);
+
+  RangeAndBearingReceived back;
+  VariableParts parts;
+  fromMessage(message, type, &back, parts);
+  ASSERT_EQ(2U, back.messages.size());
+  EXPECT_EQ(messages[0].payload, back.messages[0].payload);
+  EXPECT_EQ(messages[1].payload, back.messages[1].payload);
+  EXPECT_EQ(-2.5F, back.messages[0].bearing);
+  message.values[12] = 256.0;
+  try {
+    fromMessage(message, type, &back, parts);
+    FAIL() << "is no byte";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ("found 256 for 'messages[0].payload[9]', allowed: whole numbers from 0 to 255", error.what());
+  }
 }
 
 TEST(DeviceFields, WhatIsNotNamedStaysAndListsAreWhatIsNamed) {

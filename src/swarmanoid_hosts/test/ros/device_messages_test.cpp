@@ -28,6 +28,7 @@
 #include "swarmanoid_hosts/ros/devices/leds.hpp"
 #include "swarmanoid_hosts/ros/devices/light.hpp"
 #include "swarmanoid_hosts/ros/devices/proximity.hpp"
+#include "swarmanoid_hosts/ros/devices/range_and_bearing.hpp"
 #include "swarmanoid_hosts/ros/devices/wheels.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 
@@ -269,6 +270,45 @@ TEST(DeviceMessages, LedsWithoutAColourAreOff) {
   EXPECT_EQ(leds.colors[2], colors::kBlack);
   message.colors.resize(65);
   EXPECT_EQ(refusalOf(message, leds), "found 65 colours, allowed: at most 64");
+}
+
+TEST(DeviceMessages, KeepWhatIsSentByRangeAndBearing) {
+  RangeAndBearing command;
+  command.send({255, 0, 1, 2, 3, 4, 5, 6, 7, 128});
+  expectNothingLost<swarmanoid_msgs::MessageCommand>(command);
+  swarmanoid_msgs::MessageCommand message;
+  message.payload = {9, 8};
+  message.sends = 1;
+  fromMessage(message, command);
+  EXPECT_EQ(command.payload, (RangeAndBearing::Payload{9, 8})) << "what is missing is 0";
+  EXPECT_TRUE(command.sends);
+  message.payload.resize(11);
+  EXPECT_EQ(refusalOf(message, command), "found a payload of 11 bytes, allowed: at most 10");
+}
+
+TEST(DeviceMessages, KeepWhatIsReceivedByRangeAndBearing) {
+  std::array<RangeAndBearingMessage, 2> messages;
+  messages[0] = {1.5F, -2.5F, 0.25F, {1, 2, 3, 4, 5, 6, 7, 8, 9, 255}};
+  messages[1] = {0.125F, 3.0F, -1.25F, {128}};
+  RangeAndBearingReceived received;
+  received.messages = Span<const RangeAndBearingMessage>(messages.data(), messages.size());
+  received.overflowed = true;
+  swarmanoid_msgs::RangeAndBearingMessages message;
+  toMessage(received, message);
+  ASSERT_EQ(2U, message.messages.size());
+  EXPECT_EQ(-1.25F, message.messages[1].elevation);
+  EXPECT_EQ(255, message.messages[0].payload.at(9));
+  RangeAndBearingReceived back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("range_and_bearing_received", &received), bytesOf("range_and_bearing_received", &back));
+  message.messages[1].payload.resize(12);
+  EXPECT_EQ(refusalOf(message, received), "found a payload of 12 bytes, allowed: at most 10");
+  message.messages[1].payload.clear();
+  message.messages[1].range = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(refusalOf(message, received), "found a number that is not finite, allowed: finite numbers");
+  message.messages.resize(65);
+  EXPECT_EQ(refusalOf(message, received), "found 65 messages, allowed: at most 64");
 }
 
 TEST(DeviceMessages, ARefusedListLeavesTheFormerOne) {

@@ -10,7 +10,7 @@
 ///     }
 ///
 /// A field is a number, a truth value, an enumeration, an Eigen::Vector3d, a struct that has `fields` itself, a
-/// std::array of one of these, or a Span of structs (as many as there are in that tick).
+/// std::array of one of these, or a Span of structs (as many as there are in that tick), which may have arrays too.
 #pragma once
 
 #include <Eigen/Core>
@@ -48,9 +48,11 @@ struct FieldDescription {
   std::size_t count = 1;     ///< count in a device; 0: it varies
   double resting_value = 0;  ///< value in a device that was just made; of the first number, if there are several
   bool wraps = false;        ///< an angle within one turn
+  std::size_t count_in_element = 0;  ///< count in one element of a span; 0: it is in none
 };
 
-/// Returns "value[24]", "joints[6].angle", "blobs[].bearing": the name with how many there are, if that is fixed.
+/// Returns "value[24]", "joints[6].angle", "blobs[].bearing", "messages[].payload[10]": the name with how many there
+/// are, if that is fixed.
 std::string countedName(const FieldDescription& field);
 /// Returns "value[24] [rad], float32, from 0 to 1"; the range stands there only if the field has one.
 std::string describe(const FieldDescription& field);
@@ -223,7 +225,7 @@ class FieldLister {
       fields_.push_back({name.field, numberType<Number>(), info.unit, name.meaning, info.range, 0,
                          static_cast<double>(value), info.wraps});
     }
-    fields_[field].count += is_in_span_ ? 0 : 1;
+    ++(is_in_span_ ? fields_[field].count_in_element : fields_[field].count);
     numbers_.push_back({name.number, kind, numberType<Number>(), offsetOf(place), field, {}, {}});
   }
 

@@ -8,6 +8,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -129,7 +130,7 @@ struct EntityModel {
   /// @return what the model lacks of a mechanism, in words: "wheels", "joint 'turret'"; "" if it has it
   std::string missingPart(const Mechanism& mechanism) const;
 
-  std::map<std::string, Mount> mounts;  ///< URDF frames by link name, relative to the body
+  std::map<std::string, Mount, std::less<>> mounts;  ///< URDF frames by link name, relative to the body
   std::vector<Eigen::Vector3d>
       led_positions;                 ///< LED 0 first; the points, at most kMaxLeds, at which cameras see colour [m]
   std::vector<std::string> devices;  ///< device types that the description of a robot lists

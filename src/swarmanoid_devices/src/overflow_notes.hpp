@@ -1,0 +1,42 @@
+/// For sensors that report a limited number of things: that there was more, as one event at its beginning, and counted
+/// in Space::overflows.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::devices {
+
+/// What is kept for one robot's sensor from tick to tick.
+struct OverflowNote {
+  bool has_overflowed = false;       ///< state of the last tick, so that an overflow is one event, not one per tick
+  std::optional<std::size_t> place;  ///< in Space::overflows
+};
+
+/// To be called in each tick, in `report`. Allocates only when an overflow begins.
+/// @param device its type @param things in words, of which there were more than `most`: "blobs"
+inline void noteOverflow(Space& space, Row row, const char* device, std::size_t most, const char* things,
+                         bool overflowed, OverflowNote& note) {
+  if (overflowed && !note.has_overflowed) {
+    const std::string& robot = space.entities.name[row];
+    const std::string text = std::string(device) + ": more than " + std::to_string(most) + " " + things;
+    space.events.push_back({Event::Kind::kOverflow, robot, "", text});
+    if (!note.place) {
+      note.place = overflowOf(space.overflows, robot, device);
+      Overflow& overflow = space.overflows[*note.place];
+      if (overflow.readings == 0) {
+        overflow.text = text;
+        overflow.first_tick = space.tick;
+      }
+    }
+  }
+  if (overflowed) {
+    ++space.overflows[*note.place].readings;
+  }
+  note.has_overflowed = overflowed;
+}
+
+}  // namespace swarmanoid::devices

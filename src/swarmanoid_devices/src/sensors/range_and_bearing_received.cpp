@@ -1,0 +1,18 @@
+// The board of range and bearing of any robot: what it receives, and from where.
+#include "message_receiver.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class RangeAndBearingReceiver final : public MessageReceiver<RangeAndBearingReceived, RangeAndBearing> {
+ public:
+  static PluginDescription describe() {
+    return describeReceiver("Hears all who send in sight and in range, and measures where they are.");
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::RangeAndBearingReceiver)

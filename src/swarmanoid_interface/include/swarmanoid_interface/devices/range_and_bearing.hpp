@@ -1,0 +1,56 @@
+/// Actuator and sensor: range and bearing, an infrared board with which robots in sight of each other exchange short
+/// messages, and measure where the sender of each is. Any robot may have it.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "swarmanoid_interface/devices/messages.hpp"
+
+namespace swarmanoid {
+
+/// The transmitter sits at the link `range_and_bearing` of the robot's description, or, if it has none, over its origin
+/// in the middle of its height.
+struct RangeAndBearing : MessageCommand<10> {
+  static constexpr const char* kType = "range_and_bearing";
+  static constexpr const char* kLink = "range_and_bearing";
+};
+REGISTER_DEVICE(RangeAndBearing, kActuator, "An infrared board that sends short messages to all robots in sight.")
+
+/// One message, with the place of the sender's transmitter as the receiver's own measures it.
+struct RangeAndBearingMessage {
+  float range = 0.0F;      ///< distance between the two transmitters [m]
+  float bearing = 0.0F;    ///< direction in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
+  float elevation = 0.0F;  ///< of the direction above the robot's x-y plane, from -pi/2 to pi/2 [rad]
+  RangeAndBearing::Payload payload{};
+
+  /// Measures where a sender is. @param offset from the own transmitter to its one, in the robot's frame [m]
+  void measure(const Eigen::Vector3d& offset) {
+    // in single precision, as they are reported: arctangents of doubles would take longer than all else together
+    const Eigen::Vector3f to_sender = offset.cast<float>();
+    const float angle = std::atan2(to_sender.y(), to_sender.x());
+    range = static_cast<float>(offset.norm());
+    bearing = angle <= -static_cast<float>(M_PI) ? static_cast<float>(M_PI) : angle;
+    elevation = std::atan2(to_sender.z(), to_sender.head<2>().norm());
+  }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, RangeAndBearingMessage& message) {
+  visit(message.range, {"range", "m", "distance between the two transmitters", {0.0, kInfinity}});
+  visit(message.bearing,
+        {"bearing", "rad", "direction in the robot's frame, counter-clockwise from ahead", {-M_PI, M_PI}, true});
+  visit(message.elevation,
+        {"elevation", "rad", "of the direction above the robot's x-y plane", {-M_PI / 2.0, M_PI / 2.0}});
+  visit(message.payload, {"payload", "", "the bytes that were sent"});
+}
+
+struct RangeAndBearingReceived : ReceivedMessages<RangeAndBearingMessage> {
+  static constexpr const char* kType = "range_and_bearing_received";
+  static constexpr double kUsualRange = 3.0;  ///< between transmitters, beyond which it hears nothing [m]
+  static constexpr bool kNeedsSight = true;   ///< what stands between transmitters hides them
+};
+REGISTER_DEVICE(RangeAndBearingReceived, kSensor,
+                "Messages of the robots in sight, with the distance and direction of each.")
+
+}  // namespace swarmanoid
