@@ -19,7 +19,7 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
 std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   if (!model.is_robot) {
-    return toMessage(space.entities.color[row]);
+    return toMessage(space.ownColor(row));
   }
   std_msgs::ColorRGBA sum;
   float lit = 0.0F;
@@ -160,6 +160,9 @@ bool OutsideChanges::look(const Space& space) {
   for (const Event& event : space.events) {
     is_change = is_change || event.kind == Event::Kind::kMoved || event.kind == Event::Kind::kSpawned ||
                 event.kind == Event::Kind::kDeleted;
+  }
+  for (const TakenIntervention& taken : space.interventions) {
+    is_change = is_change || std::holds_alternative<SetProperty>(taken.what);  // it may be a colour
   }
   has_looked_ = true;
   run_ = space.run;
