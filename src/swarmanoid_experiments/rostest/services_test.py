@@ -209,7 +209,7 @@ class ServicesTest(unittest.TestCase):
         self.assertEqual(("prey_yellow", "color from yellow to blue"), (event.entity, event.text))
         answer = self.space.set_property(["prey_yellow", "fb_1"], "colour", "red")
         self.assertEqual((False, 0), (answer.success, answer.count))
-        self.assertEqual("found the property of cylindric_prey 'prey_yellow' 'colour', allowed: color; did you mean 'color'?",
+        self.assertEqual("cylindric_prey 'prey_yellow': found the property 'colour', allowed: color; did you mean 'color'?",
                          answer.message)
 
     def test_reset_undoes_interventions(self):

@@ -20,11 +20,7 @@ std::string describeEntity(const Entities& entities, Row row) {
   for (const EntityModel::Property& each : model.properties) {
     names.push_back(each.name);
   }
-  const std::string who = describeEntity(entities, row);
-  if (names.empty()) {
-    throw ConfigError({}, who + " has no properties, found '" + property + "'");
-  }
-  throw ConfigError({}, unknownName("the property of " + who, property, names));
+  throw ConfigError({}, describeEntity(entities, row) + ": " + unknownName("the property", property, names));
 }
 
 void noteChange(World& world, const SetProperty& intervention, const std::string& from, const std::string& to) {
