@@ -13,7 +13,7 @@ namespace swarmanoid::devices {
 namespace {
 
 /// Whether the points at which cameras see its colour shine: LEDs and lamps do, the surface of a prey does not.
-bool isLuminous(const EntityModel& model) { return model.is_robot || model.shapes.empty(); }
+bool isLuminous(const EntityModel& model) { return model.is_robot || model.findProperty(kIntensity) >= 0; }
 
 /// The lit LEDs of one entity, or the light of one lamp.
 struct Lights {
