@@ -64,9 +64,11 @@ struct SetCommandSource {
   CommandSource source = CommandSource::kController;
 };
 
+/// The property of whatever cameras see in a colour of its own: lamps, preys.
+constexpr const char* kColorProperty = "color";
+
 /// Gives a property of an entity (EntityModel::properties) another value, as it would stand in the experiment file.
-/// "color" is one of whatever cameras see in a colour of its own: lamps, preys. Nothing happens if it has that value.
-/// Refused: an unknown entity or property, a bad value.
+/// Nothing happens if it has that value. Refused: an unknown entity or property, a bad value.
 struct SetProperty {
   std::string entity;
   std::string property;

@@ -4,8 +4,6 @@
 namespace swarmanoid {
 namespace {
 
-constexpr const char* kColorProperty = "color";
-
 /// "light 'lamp'"
 std::string describeEntity(const Entities& entities, Row row) {
   return entities.model[row]->type + " '" + entities.name[row] + "'";
