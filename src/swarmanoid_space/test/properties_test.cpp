@@ -32,6 +32,25 @@ class StationType final : public EntityType {
   }
 };
 
+/// An arena object whose author made a mistake, or did not.
+class CarelessType final : public EntityType {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "careless";
+    description.parameters = {makeParameter("name", Parameter::Type::kText, "", "sound", {}, "Of a property."),
+                              makeParameter("initial", Parameter::Type::kNumber, "", "0.5", {}, "Of it.")};
+    return description;
+  }
+  std::shared_ptr<const EntityModel> makeModel(const Configuration& parameters) const override {
+    auto model = std::make_shared<EntityModel>();
+    model->type = "careless";
+    model->properties = {{"pitch", "Hz", "", {}, 440.0},
+                         {parameters.text("name"), "", "", {0.0, 1.0}, parameters.number("initial")}};
+    return model;
+  }
+};
+
 std::unique_ptr<Simulation> stations() {
   return std::make_unique<Simulation>(parseExperiment(R"(
 <ahss-config>
@@ -160,6 +179,29 @@ TEST_F(PropertiesTest, WhatCannotBeIsRefusedInWords) {
             "orange, gray, or three numbers from 0 to 255; did you mean 'red'?");
 }
 
+TEST_F(PropertiesTest, ATypeWithBadPropertiesIsRefused) {
+  const auto refusalOf = [&](const std::string& name, const std::string& initial) -> std::string {
+    EntityDescription entity;
+    entity.type = "careless";
+    entity.id = "c";
+    entity.parameters.set("name", name);
+    entity.parameters.set("initial", initial);
+    try {
+      simulation->apply(SpawnEntity{entity, {}});
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    simulation->apply(DeleteEntity{"c"});
+    return "";
+  };
+  EXPECT_EQ(refusalOf("sound", "1"), "");
+  EXPECT_EQ(refusalOf("sound", "1.5"), "sound of a careless: found '1.5', allowed: a number, from 0 to 1");
+  for (const char* name : {"pitch", "color", "two words", ""}) {
+    EXPECT_EQ(refusalOf(name, "1").rfind("property of a careless: found '" + std::string(name) + "', allowed: ", 0), 0U)
+        << name;
+  }
+}
+
 TEST_F(PropertiesTest, TheHashDiffersFromTheTickOfAChangeOnUntilItIsUndone) {
   EXPECT_TRUE(isAsUntouched());
   set("a", "charge", "2.5");
@@ -205,3 +247,4 @@ TEST_F(PropertiesTest, AResetIsAFreshStart) {
 }  // namespace swarmanoid
 
 REGISTER_ENTITY_TYPE(swarmanoid::StationType)
+REGISTER_ENTITY_TYPE(swarmanoid::CarelessType)
