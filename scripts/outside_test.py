@@ -19,10 +19,11 @@ import unittest
 
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced, succeed
 
-PACKAGES = ("example_controller", "example_engine", "example_python_controller", "example_robot", "example_sensor",
+PACKAGES = ("example_arena_object", "example_controller", "example_engine", "example_python_controller", "example_robot", "example_sensor",
             "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
 ROBOTS = os.path.join(REPOSITORY, "examples/example_robot/e_pucks.xml")
+LANTERNS = os.path.join(REPOSITORY, "examples/example_arena_object/lantern.xml")
 CONFORMANCE = os.path.join(REPOSITORY, "examples/example_robot/conformance.xml")
 SENSOR_ANGLES = (-0.3008, -0.8008, -math.pi / 2, -2.644, 2.6392, math.pi / 2, 0.7992, 0.2992)  # of the e-puck [rad]
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
@@ -87,7 +88,8 @@ class OutsideTest(unittest.TestCase):
         succeed(["swarmanoid", "validate", EXPERIMENT], environment)
         listed = succeed(["swarmanoid", "list"], environment)
         for library, package in (("patrol", "example_controller"), ("carousel", "example_engine"),
-                                 ("compass", "example_sensor"), ("odometer", "example_visualisation")):
+                                 ("compass", "example_sensor"), ("lantern", "example_arena_object"),
+                                 ("odometer", "example_visualisation")):
             self.assertIn(f'      in library="{library}" of {package}\n', listed)
         result = json.loads(succeed(["swarmanoid", "run", EXPERIMENT, "--out", out, "--quiet"], environment))
         self.assertTrue(result["finished"])
@@ -119,13 +121,18 @@ class OutsideTest(unittest.TestCase):
         succeed(["xmllint", "--noout", "--schema", file, *experiments], environment)
         with open(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml")) as opened:
             text = opened.read()
-        for old, new, refusal in (('<compass library="compass">', "<compass>", "'library' is required"),
-                                  ("<noise>2</noise>", "<noise>200</noise>", "maxInclusive"),
-                                  ("<noise>2</noise>", "<nois>2</nois>", "not expected")):
-            self.assertIn(old, text)
+        with open(LANTERNS) as opened:
+            lanterns = opened.read()
+        for source, old, new, refusal in (
+                (text, '<compass library="compass">', "<compass>", "'library' is required"),
+                (text, "<noise>2</noise>", "<noise>200</noise>", "maxInclusive"),
+                (text, "<noise>2</noise>", "<nois>2</nois>", "not expected"),
+                (lanterns, '<lantern id="dim" library="lantern">', '<lantern id="dim">', "'library' is required"),
+                (lanterns, "<intensity>5</intensity>", "<intensity>5000</intensity>", "maxInclusive")):
+            self.assertIn(old, source)
             changed = file + ".xml"
             with open(changed, "w") as opened:
-                opened.write(text.replace(old, new))
+                opened.write(source.replace(old, new))
             code, _, errors = run(["xmllint", "--noout", "--schema", file, changed], environment)
             self.assertEqual(3, code, errors)
             self.assertIn(refusal, errors)
@@ -164,6 +171,29 @@ class OutsideTest(unittest.TestCase):
                 file.write(text.replace("dynamics3d", engine))
             verdict = json.loads(succeed(["swarmanoid", "run", changed, "--quiet"], environment))
             self.assertEqual({"e": "passed"}, verdict["metrics"], engine)
+        return result["state_hash"]
+
+    def check_arena_object(self, environment, out):
+        """An arena object: four lanterns, in an engine and out of the robot's way; each file says in which library they are."""
+        result = json.loads(succeed(["swarmanoid", "run", LANTERNS, "--out", out, "--quiet"], environment))
+        self.assertEqual(100, result["ticks"])
+        self.assertIn(": valid, 9 entities, 1 robots", succeed(["swarmanoid", "validate", LANTERNS], environment))
+        unchecked = succeed(["swarmanoid", "validate", "--no-libraries", LANTERNS], environment)
+        self.assertIn(": valid as far as can be told without lantern; not built", unchecked)
+        for old, new, refusal in (
+                ('<lantern id="bright" library="lantern">', '<lantern id="bright" library="lanterns">', "library 'lanterns'"),
+                ("<intensity>5</intensity>", "<intensity>-5</intensity>", "intensity: found '-5', allowed: a number from 0 to"),
+                ("<lantern id=\"bright\" library=\"lantern\">", "<lantrn id=\"bright\" library=\"lantern\">",
+                 "did you mean 'lantern'?")):
+            text = read(LANTERNS).replace(old, new)
+            if "<lantrn" in text:
+                text = text.replace("</lantern>", "</lantrn>", 1)
+            changed = out + ".xml"
+            with open(changed, "w") as file:
+                file.write(text)
+            code, _, errors = run(["swarmanoid", "validate", changed], environment)
+            self.assertEqual(2, code, errors)
+            self.assertIn(refusal, errors)
         return result["state_hash"]
 
     @contextlib.contextmanager
@@ -277,10 +307,11 @@ class OutsideTest(unittest.TestCase):
         ros_out = os.path.join(folder, "ros")
         result = self.check_run_headless(environment, headless_out)
         robots_hash = self.check_robot(environment, os.path.join(folder, "robots"))
+        lanterns_hash = self.check_arena_object(environment, os.path.join(folder, "lanterns"))
         self.check_run_under_ros(environment, headless_out, ros_out)
         self.check_robot_under_ros(environment, os.path.join(folder, "robots"), os.path.join(folder, "robots_ros"))
         self.check_mock_robot(environment)
-        return result["state_hash"], robots_hash
+        return result["state_hash"], robots_hash, lanterns_hash
 
     def test_examples_build_and_run_against_devel_and_install_space(self):
         hashes = set()

@@ -30,7 +30,7 @@ class Finder {
     LedSet lit;
     const std::size_t count = std::min(model.led_positions.size(), lit.size());
     const Span<const Color> leds = space_.leds[row];
-    const Color own = space_.entities.color[row];
+    const Color own = space_.ownColor(row);
     const auto color_of = [&](std::size_t led) { return model.is_robot ? leds[led] : own; };
     for (std::size_t k = 0; k < count; ++k) {
       if (color_of(k).isLit()) {

@@ -13,7 +13,7 @@ namespace swarmanoid::devices {
 namespace {
 
 /// Whether the points at which cameras see its colour shine: LEDs and lamps do, the surface of a prey does not.
-bool isLuminous(const EntityModel& model) { return model.is_robot || model.shapes.empty(); }
+bool isLuminous(const EntityModel& model) { return model.is_robot || model.findProperty(kIntensity) >= 0; }
 
 /// The lit LEDs of one entity, or the light of one lamp.
 struct Lights {
@@ -27,14 +27,15 @@ Lights lightsOf(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   const Pose& pose = space.entities.pose[row];
   const Span<const Color> leds = space.leds[row];
+  const double intensity = space.property(row, kIntensity).value_or(1.0);
   Lights lights;
   lights.owner = row;
   for (std::size_t k = 0; k < std::min(model.led_positions.size(), lights.lit.size()); ++k) {
     const Color color = model.is_robot ? leds[k] : space.entities.color[row];
-    if (color.isLit()) {
+    if (color.isLit() && intensity > 0.0) {
       lights.lit[k] = true;
       lights.points[k] = pose.toWorld(model.led_positions[k]);
-      lights.brightness[k] = Light::brightness(color);
+      lights.brightness[k] = intensity * Light::brightness(color);
     }
   }
   return lights;

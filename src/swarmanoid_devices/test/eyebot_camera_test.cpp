@@ -59,6 +59,15 @@ TEST_F(EyebotCameraTest, NothingAboveItIsSeenHoweverNear) {
   EXPECT_EQ(seen().size(), 1U);
 }
 
+TEST_F(EyebotCameraTest, ALampIsSeenInItsColourHoweverDimUnlessItIsDark) {
+  const Row lamp = world.add(lightModel(), {5.0, 5.0, 1.0}, 0.0, colors::kOrange);
+  world.space.properties[lamp][0] = 0.001;
+  ASSERT_EQ(seen().size(), 1U);
+  EXPECT_EQ(seen()[0].color, colors::kOrange);
+  world.space.properties[lamp][0] = 0.0;
+  EXPECT_TRUE(seen().empty());
+}
+
 TEST_F(EyebotCameraTest, BearingIsFromItsOwnHeading) {
   world.addPrey(5.0, 4.5);
   world.pose(robot).orientation = Eigen::AngleAxisd(M_PI / 2.0, Eigen::Vector3d::UnitZ());

@@ -103,6 +103,30 @@ TEST_F(LightTest, OneReadingIsWorkedOutByHand) {
   EXPECT_EQ(light.sensors[12].value, 0.0F) << "looks away";
 }
 
+TEST_F(LightTest, TheIntensityOfALampIsAFactor) {
+  world.pose(robot).orientation.setIdentity();
+  const Row lamp = addLamp({4.0 + kRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // as above
+  LightSensor sensor(world, robot);
+  const float at_one = sensor.sense().sensors[0].value;
+  world.space.properties[lamp][0] = 0.3;
+  EXPECT_NEAR(sensor.sense().sensors[0].value, 0.3 * 0.8 * 0.04 / 3.0, 1e-7);
+  world.space.properties[lamp][0] = 12.5;
+  EXPECT_NEAR(sensor.sense().sensors[0].value, 12.5 * 0.8 * 0.04 / 3.0, 1e-6);
+  world.space.properties[lamp][0] = 0.0;
+  EXPECT_EQ(strongestOf(sensor.sense()), 0.0);
+  world.space.properties[lamp][0] = 1.0;
+  EXPECT_EQ(sensor.sense().sensors[0].value, at_one);
+}
+
+TEST_F(LightTest, WhateverHasAnIntensityShinesAlsoIfItHasABody) {
+  auto lantern = std::make_shared<EntityModel>(*cylindricPreyModel(0.02, 0.02));
+  lantern->led_positions[0] = {0.0, 0.0, kHeight};
+  lantern->properties.push_back({"intensity", "", "", {}, 2.0});
+  world.pose(robot).orientation.setIdentity();
+  world.add(lantern, {4.0 + kRadius + 0.4, 5.3, 0.0}, 0.0, colors::kBlue);  // 0.5 m away, cosine 0.8
+  EXPECT_NEAR(LightSensor(world, robot).sense().sensors[0].value, 2.0 * 0.8 * 0.04 / 3.0, 1e-7);
+}
+
 TEST_F(LightTest, SourcesAddUp) {
   const Row other = world.addFootbot(4.4, 4.6, 3.0 * M_PI / 4.0);
   world.space.leds[other][0] = {0, 200, 51};  // looks at the robot

@@ -4,7 +4,7 @@ from geometry_msgs.msg import PoseStamped
 from std_msgs.msg import ColorRGBA
 from std_srvs.srv import Trigger
 from swarmanoid_msgs.msg import EntityPose, EntitySpecification, TextParameter
-from swarmanoid_msgs.srv import Delete, Handover, Move, Register, Reset, SetCommandSource, Spawn, Step
+from swarmanoid_msgs.srv import Delete, Handover, Move, Register, Reset, SetCommandSource, SetProperty, Spawn, Step
 
 NUMBERS = [float("nan"), float("inf"), float("-inf"), 1e308, -1e308, 1e40, 1e12, 1e9, 1e6, 1e4, 100.0, 1e-9, 1e-40, 5e-324, 0.0, -0.0, -1.0]
 NAMES = ["", " ", "a/b", "/a", "1", "world", "space", "é", "a" * 10000, "a.b", "\x00", "%s%n", "../x", "fb_1", "eb", "hb", "prey"]
@@ -25,7 +25,7 @@ class Requests:
     def make(self):
         """@return name of a service, its kind, its request"""
         ways = [self._spawn] * 6 + [self._move] * 6 + [self._delete, self._handover, self._handover, self._source, self._source,
-                                                       self._reset, self._step, self._trigger, self._register]
+                                                       self._property, self._reset, self._step, self._trigger, self._register]
         return self._random.choice(ways)()
 
     def _number(self, low=0.0, high=4.0):
@@ -78,6 +78,11 @@ class Requests:
 
     def _source(self):
         return "set_command_source", SetCommandSource, {"names": self._names(), "source": self._random.choice(SOURCES)}
+
+    def _property(self):
+        return "set_property", SetProperty, {"names": self._names(),
+                                             "property": self._random.choice(["intensity", "color", "charge", "", "x" * 5000]),
+                                             "value": self._random.choice(["0", "1", "nan", "-1", "red", "1,2,3", "300,0,0", ""])}
 
     def _reset(self):
         return "reset", Reset, {"scope": self._random.choice([0, 0, 1, 6, 7, 255]), "seed": self._random.choice([0, 1, 2**64 - 1]),

@@ -192,6 +192,26 @@ class ServicesTest(unittest.TestCase):
         self.assertEqual(before.state_hash, self.state_after(5).state_hash)
         self.assertEqual(after, self.state_after(6).state_hash)
 
+    def test_a_property_is_set(self):
+        def color_after(tick):
+            state = self.state_after(tick)
+            color = state.colors[state.names.index("prey_yellow")]
+            return color.r, color.g, color.b
+
+        self.space.step(1)
+        self.assertEqual((1.0, 1.0, 0.0), color_after(1))
+        answer = self.space.set_property(["prey_yellow"], "color", "0, 0, 255")
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual((1, 1), (answer.count, answer.tick))
+        self.space.step(1)
+        self.assertEqual((0.0, 0.0, 1.0), color_after(2))
+        event = self.events.wait_for(lambda e: e.kind == Event.INTERVENTION)
+        self.assertEqual(("prey_yellow", "color from yellow to blue"), (event.entity, event.text))
+        answer = self.space.set_property(["prey_yellow", "fb_1"], "colour", "red")
+        self.assertEqual((False, 0), (answer.success, answer.count))
+        self.assertEqual("cylindric_prey 'prey_yellow': found the property 'colour', allowed: color; did you mean 'color'?",
+                         answer.message)
+
     def test_reset_undoes_interventions(self):
         self.space.spawn([footbot("fb_9", 4.5, 4.5)])
         self.space.delete(["prey_yellow"])

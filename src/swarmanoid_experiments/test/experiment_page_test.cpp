@@ -3,21 +3,57 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <fstream>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/error_models/error_model.hpp"
+#include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
 namespace {
 
-std::string page() {
-  std::ifstream file(PAGE);
+std::string textOf(const std::filesystem::path& path) {
+  std::ifstream file(path);
   return {std::istreambuf_iterator<char>(file), {}};
 }
+
+std::string page() { return textOf(PAGE); }
+
+/// Where each arena object has a page.
+std::filesystem::path arenaObjectPages() { return std::filesystem::path(PAGE).parent_path() / "arena_objects"; }
+
+/// The entity types that are no robots.
+std::vector<const Registry::Entry*> arenaObjects() {
+  std::vector<const Registry::Entry*> objects = Registry::instance().all(PluginKind::kEntity);
+  const auto is_robot = [](const Registry::Entry* entry) { return makePlugin<EntityType>(*entry)->isRobot(); };
+  objects.erase(std::remove_if(objects.begin(), objects.end(), is_robot), objects.end());
+  return objects;
+}
+
+/// With its defaults, and something good for what must be given.
+std::shared_ptr<const EntityModel> someModel(const Registry::Entry& entry) {
+  Configuration parameters(entry.description.label, "", {});
+  for (const Parameter& parameter : entry.description.parameters) {
+    const bool is_vector = parameter.type == Parameter::Type::kVector3;
+    parameters.set(parameter.name, parameter.value.value_or(is_vector ? "1, 1, 1" : "1"));
+  }
+  return makePlugin<EntityType>(entry)->makeModel(parameters);
+}
+
+/// The row of a table that begins with a name, in a section of a page; "" if there is none.
+std::string rowOf(const std::string& text, const std::string& section, const std::string& name) {
+  const std::size_t begin = text.find("\n## " + section + "\n");
+  const std::string part = begin == std::string::npos ? "" : text.substr(begin, text.find("\n## ", begin + 1) - begin);
+  const std::size_t row = part.find("\n| `" + name + "` |");
+  return row == std::string::npos ? "" : part.substr(row + 1, part.find('\n', row + 1) - row - 1);
+}
+
+std::string rangeText(const Range& range) { return range.toString() == "any number" ? "" : range.toString(); }
 
 std::vector<std::string> listings() {
   const std::string text = page();
@@ -50,7 +86,7 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
     EXPECT_NE(text.find("`" + name + "`"), std::string::npos) << name;
   };
   for (const PluginKind kind :
-       {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine, PluginKind::kObserver, PluginKind::kEntity}) {
+       {PluginKind::kSensor, PluginKind::kActuator, PluginKind::kEngine, PluginKind::kObserver}) {
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
       if (Registry::instance().find(kind, entry->description.label) != entry) {
         continue;  // a device's implementation that is not the default: `swarmanoid list` names it
@@ -63,14 +99,55 @@ TEST(ExperimentPageTest, NamesAllThatTheSuiteBrings) {
       }
     }
   }
-  // each device has a page of its own for the rest
-  for (const PluginKind kind : {PluginKind::kEngine, PluginKind::kObserver, PluginKind::kEntity}) {
+  // devices and arena objects have pages of their own for the rest
+  for (const PluginKind kind : {PluginKind::kEngine, PluginKind::kObserver}) {
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
       expect_name(entry->description.label);
       for (const Parameter& parameter : entry->description.parameters) {
         const bool is_numbered = parameter.name.rfind("camera_view_", 0) == 0;
         expect_name(is_numbered ? parameter.name.substr(0, parameter.name.size() - 1) + "0" : parameter.name);
       }
+    }
+  }
+}
+
+TEST(ArenaObjectPagesTest, EachArenaObjectOfTheSuiteHasOne) {
+  loadBuiltInPlugins();
+  std::set<std::string> pages;
+  for (const auto& entry : std::filesystem::directory_iterator(arenaObjectPages())) {
+    pages.insert(entry.path().stem().string());
+  }
+  std::set<std::string> objects;
+  for (const Registry::Entry* entry : arenaObjects()) {
+    objects.insert(entry->description.label);
+    const std::string text = textOf(arenaObjectPages() / (entry->description.label + ".md"));
+    EXPECT_EQ(text.rfind("# " + entry->description.label + "\n\n" + entry->description.summary + "\n", 0), 0U)
+        << entry->description.label << ": " << entry->description.summary;
+  }
+  EXPECT_EQ(pages, objects);
+}
+
+TEST(ArenaObjectPagesTest, TheyHaveEachParameterAndProperty) {
+  loadBuiltInPlugins();
+  for (const Registry::Entry* entry : arenaObjects()) {
+    const std::string text = textOf(arenaObjectPages() / (entry->description.label + ".md"));
+    for (const Parameter& parameter : entry->description.parameters) {
+      const std::string start = "| `" + parameter.name + "` | " + parameter.value.value_or("required") + " | " +
+                                (parameter.unit.empty() ? "" : parameter.unit + " ") + "| ";
+      const std::string row = rowOf(text, "Parameters", parameter.name);
+      EXPECT_EQ(row.rfind(start, 0), 0U) << entry->description.label << ": " << start << "...; found " << row;
+      for (const std::string& part : {rangeText(parameter.range), parameter.description}) {
+        EXPECT_NE(row.find(part), std::string::npos) << entry->description.label << ": " << part;
+      }
+    }
+    const auto model = someModel(*entry);
+    EXPECT_EQ(rowOf(text, "Properties", "color").empty(), !model->hasColor()) << entry->description.label;
+    for (const EntityModel::Property& property : model->properties) {
+      const std::string end = " | " + property.unit + (property.unit.empty() ? "| " : " | ") +
+                              rangeText(property.range) + (rangeText(property.range).empty() ? "| " : " | ") +
+                              property.description + " |";
+      const std::string row = rowOf(text, "Properties", property.name);
+      EXPECT_NE(row.find(end), std::string::npos) << entry->description.label << ": ..." << end << "; found " << row;
     }
   }
 }

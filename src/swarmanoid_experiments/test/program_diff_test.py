@@ -6,7 +6,7 @@ import unittest
 
 import rosbag
 
-from program_world import BAD_INPUT, FINISHED, ProgramTest
+from program_world import BAD_INPUT, FINISHED, WORLD, ProgramTest
 
 EQUAL, DIFFERS = 0, 1
 ALL = ("--record-state", "--record-controllers", "all")
@@ -48,6 +48,14 @@ class DiffTest(ProgramTest):
         self.assertNotIn("/reading ", more)
         self.assertNotIn("more fields", more)
 
+    def test_a_property_is_named_with_its_entity(self):
+        lamp = '<light id="lamp"><position>9, 9, 1</position><orientation>0, 0, 0</orientation></light></arena>'
+        world = self.world(visualisations="", text=WORLD.replace("</arena>", lamp))
+        self.record("a.bag", "--ticks", 2, experiment=world, what=("--record-state",))
+        self.record("b.bag", "--ticks", 2, "--set", "arena.lamp.intensity=0.25", experiment=world, what=("--record-state",))
+        self.assertEqual(self.diff("a.bag", "b.bag", code=DIFFERS),
+                         "first difference: before the first tick\n  lamp/property/intensity: 1 | 0.25\n")
+
     def test_a_run_that_ends_before_the_other_differs(self):
         self.record("a.bag", "--ticks", 5)
         self.record("b.bag", "--ticks", 7)
@@ -64,8 +72,8 @@ class DiffTest(ProgramTest):
         done = self.call("diff", "a.bag", "c.bag")
         self.assertEqual(done.returncode, EQUAL)
         self.assertRegex(done.stdout, r"^equal: 6 ticks, \d+ fields of the world state\n$")
-        self.assertEqual(done.stderr, "not compared: joints, LEDs, attachments; readings and commands; record both runs with "
-                         "--record-state and --record-controllers all\n")
+        self.assertEqual(done.stderr, "not compared: joints, LEDs, attachments, properties; readings and commands; record both runs "
+                         "with --record-state and --record-controllers all\n")
 
     def test_every_field_of_the_world_state_is_in_the_named_state(self):
         self.record("a.bag", "--ticks", 2)

@@ -199,10 +199,14 @@ class OtherCommandsTest(ProgramTest):
     def test_validate_without_libraries_builds_what_it_can(self):
         library = str(self.folder / "libthere_is_none.so")
         for old, new in (("<kinematics2d ", f'<carousel library="{library}" '),
+                         ("<block ", f'<crate library="{library}" '),
+                         ("</arena>", f'</arena><rules><shift id="s" library="{library}"/></rules>'),
                          ("</actuators>", f'</actuators><sensors><compass library="{library}"/></sensors>'),
                          ("<footbot_wheels/>", f'<footbot_wheels library="{library}"><implementation>slow</implementation>'
                                                "</footbot_wheels>")):
-            file = self.world(text=WORLD.replace(old, new), visualisations="")
+            text = WORLD.replace(old, new)
+            text = text.replace("</block>", "</crate>") if "<crate" in text else text
+            file = self.world(text=text, visualisations="")
             done = self.call("validate", "--no-libraries", file)
             self.assertEqual(done.returncode, FINISHED, done.stderr)
             self.assertTrue(done.stdout.startswith(f"{file}: valid as far as can be told without {library}, failing_controller"))

@@ -15,6 +15,15 @@ bool isInReach(const Space& space, const RayBundle& rays, Row row) {
 
 }  // namespace
 
+std::optional<double> Space::property(Row row, std::string_view name) const {
+  const int index = entities.model[row]->findProperty(name);
+  return index < 0 ? std::nullopt : std::optional<double>(properties[row][static_cast<std::size_t>(index)]);
+}
+
+Color Space::ownColor(Row row) const {
+  return property(row, kIntensity).value_or(1.0) > 0.0 ? entities.color[row] : colors::kBlack;
+}
+
 bool Space::mayHit(const RayBundle& rays) const {
   return (terrain && terrain->mayHit(rays)) ||
          std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayHit(rays); }) ||

@@ -3,6 +3,14 @@
 namespace swarmanoid {
 namespace {
 
+/// Colours that nobody has changed follow from the experiment file, and recordings have all of them anyway.
+void visitChangedColor(const Space& space, StateVisitor& visitor, Row row) {
+  const Color& color = space.entities.color[row];
+  if (!visitor.wantsDetail() && color != space.entities.first_color[row]) {
+    visitor.colors({space.entities.color.info().name}, Span<const Color>(&color, 1));
+  }
+}
+
 void visitLaserSpots(const Space& space, StateVisitor& visitor) {
   for (std::size_t i = 0; i < space.laser_spots.size(); ++i) {
     const LaserSpot& spot = space.laser_spots[i];
@@ -24,6 +32,7 @@ void visitState(const Space& space, StateVisitor& visitor) {
   for (const Row row : space.entities.order) {
     visitor.beginEntity(row);
     space.entities.columns.visit(visitor, {row, *space.entities.model[row]});
+    visitChangedColor(space, visitor, row);
   }
   visitor.beginWorld();
   visitLaserSpots(space, visitor);

@@ -108,13 +108,30 @@ TEST(ColumnsTest, VisitorsGetWhatIsNamedInTheOrderOfDeclaration) {
   space.entities.add("lamp", modelWithLeds(2), {}, {});
   NameVisitor hashed(false);
   visitState(space, hashed);
-  EXPECT_EQ(hashed.names, (std::vector<std::string>{"entity 0", "pose/position", "pose/orientation", "twist/linear",
-                                                    "twist/angular", "led 2", "gripped", "world"}));
+  EXPECT_EQ(hashed.names,
+            (std::vector<std::string>{"entity 0", "pose/position", "pose/orientation", "twist/linear", "twist/angular",
+                                      "led 2", "gripped", "property/intensity", "world"}));
   NameVisitor recorded(true);
   visitState(space, recorded);
   EXPECT_EQ(recorded.names,
             (std::vector<std::string>{"entity 0", "pose/position", "pose/orientation", "twist/linear", "twist/angular",
-                                      "color 1", "led 2", "gripped", "outside", "world"}));
+                                      "color 1", "led 2", "gripped", "property/intensity", "outside", "world"}));
+}
+
+TEST(ColumnsTest, AColourIsHashedWhileItIsNotThatOfTheBeginning) {
+  Space space;
+  const Row row = space.entities.add("lamp", modelWithLeds(0), {}, colors::kRed);
+  const std::uint64_t before = stateHash(space);
+  space.entities.color[row] = colors::kBlue;
+  NameVisitor hashed(false);
+  visitState(space, hashed);
+  EXPECT_EQ(std::count(hashed.names.begin(), hashed.names.end(), "color 1"), 1);
+  NameVisitor recorded(true);
+  visitState(space, recorded);
+  EXPECT_EQ(std::count(recorded.names.begin(), recorded.names.end(), "color 1"), 1) << "not twice";
+  EXPECT_NE(stateHash(space), before);
+  space.entities.color[row] = colors::kRed;
+  EXPECT_EQ(stateHash(space), before);
 }
 
 TEST(ColumnsTest, NoTwoColumnsOfTheSpaceHaveTheSameName) {

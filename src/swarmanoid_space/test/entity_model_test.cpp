@@ -82,6 +82,18 @@ TEST(EntityModelTest, LightHasNoShapeAndOneLed) {
   EXPECT_EQ(light->bounding_radius, 0.0);
   ASSERT_EQ(light->led_positions.size(), 1U);
   EXPECT_EQ(light->led_positions[0], Vector3d::Zero());
+  ASSERT_EQ(light->properties.size(), 1U);
+  EXPECT_EQ(light->findProperty("intensity"), 0);
+  EXPECT_EQ(light->findProperty("intensit"), -1);
+  EXPECT_EQ(light->properties[0].initial, 1.0);
+  EXPECT_EQ(lightModel(0.25)->properties[0].initial, 0.25);
+}
+
+TEST(EntityModelTest, LampsAndPreysHaveAColourOfTheirOwn) {
+  EXPECT_TRUE(lightModel()->hasColor());
+  EXPECT_TRUE(cylindricPreyModel(0.1, 0.1)->hasColor());
+  EXPECT_FALSE(blockModel({1.0, 1.0, 1.0})->hasColor()) << "cameras see none";
+  EXPECT_FALSE(robotModel("footbot")->hasColor()) << "its LEDs have";
 }
 
 TEST(EntityModelTest, NoShapeMeasuresZero) {

@@ -43,6 +43,10 @@ bool canBeBuilt(const Experiment& experiment) {
   };
   return std::all_of(experiment.engines.begin(), experiment.engines.end(),
                      [](const EngineDescription& engine) { return isKnown(PluginKind::kEngine, engine.label); }) &&
+         std::all_of(experiment.rules.begin(), experiment.rules.end(),
+                     [](const RuleDescription& rule) { return isKnown(PluginKind::kRule, rule.label); }) &&
+         std::all_of(experiment.arena.entities.begin(), experiment.arena.entities.end(),
+                     [](const EntityDescription& entity) { return isKnown(PluginKind::kEntity, entity.type); }) &&
          std::all_of(experiment.controllers.begin(), experiment.controllers.end(),
                      [&](const ControllerDescription& controller) {
                        return areKnown(PluginKind::kSensor, controller.sensors) &&
@@ -70,7 +74,8 @@ std::string validateWithoutLibraries(const ValidateOptions& options) {
   const std::string file = experiment.file;
   const std::string unloaded = libraries.empty() ? "" : " as far as can be told without " + joinNames(libraries);
   if (!canBeBuilt(experiment)) {
-    return file + ": valid" + unloaded + "; not built, for these have an engine or a device of it";
+    return file + ": valid" + unloaded +
+           "; not built, for these have an engine, a rule, a device or an arena object of it";
   }
   return file + ": valid" + unloaded + ", " + build(std::move(experiment), std::move(idle));
 }

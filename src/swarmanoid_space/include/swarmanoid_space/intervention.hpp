@@ -64,8 +64,19 @@ struct SetCommandSource {
   CommandSource source = CommandSource::kController;
 };
 
-using Intervention =
-    std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOverEntity, SetEngineParameters, SetCommandSource>;
+/// The property of whatever cameras see in a colour of its own: lamps, preys.
+constexpr const char* kColorProperty = "color";
+
+/// Gives a property of an entity (EntityModel::properties) another value, as it would stand in the experiment file.
+/// Nothing happens if it has that value. Refused: an unknown entity or property, a bad value.
+struct SetProperty {
+  std::string entity;
+  std::string property;
+  std::string value;
+};
+
+using Intervention = std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOverEntity, SetEngineParameters,
+                                  SetCommandSource, SetProperty>;
 
 /// An intervention that has been carried out.
 struct TakenIntervention {

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string_view>
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
@@ -87,6 +89,17 @@ class Space {
                                 {"joint", Writer::kMove, Visits::kHash},
                                 [](const EntityModel& model) { return model.joints.size(); }};
   Attachments attachments{entities};
+  /// The properties of the model, in its order.
+  ListColumn<double> properties{
+      entities.columns,
+      {"property", Writer::kBetweenTicks, Visits::kHash},
+      [](const EntityModel& model) { return model.properties.size(); },
+      [](const EntityModel& model, std::size_t index) { return model.properties[index].initial; }};
+  /// For sensors, once an entity: few models have properties, and those that have, have few names to compare.
+  /// @return nothing if the entity has no such property
+  std::optional<double> property(Row row, std::string_view name) const;
+  /// The colour of the entity's own surface or light as cameras see it; a lamp of kIntensity 0 is black.
+  Color ownColor(Row row) const;
 
   // What the mechanisms of robots are commanded to do; joints and holders in the order of the model.
   Column<WheelsCommand> wheels{entities.columns, {"wheels", Writer::kActuate}};

@@ -12,10 +12,24 @@ namespace {
 
 constexpr double kRadPerDeg = M_PI / 180.0;
 
-std::vector<std::string> childrenOfArena() {
+/// The tags of entities that may stand in an element. Those that name their library are known once it is loaded.
+std::vector<std::string> entityTagsIn(const XmlElement& parent) {
   std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
-  const std::vector<std::string> others = tagsIn("arena");
-  tags.insert(tags.end(), others.begin(), others.end());
+  for (const XmlElement& child : parent.children()) {
+    if (child.attribute("library") && !contains(tags, child.name())) {
+      tags.push_back(child.name());
+    }
+  }
+  return tags;
+}
+
+std::vector<std::string> childrenOfArena(const XmlElement& section) {
+  std::vector<std::string> tags = entityTagsIn(section);
+  for (const std::string& other : tagsIn("arena")) {
+    if (!contains(tags, other)) {
+      tags.push_back(other);
+    }
+  }
   return tags;
 }
 
@@ -32,13 +46,18 @@ std::string readChoice(const XmlElement& element, const char* name, const std::v
 
 EntityDescription readEntity(const XmlElement& element, bool is_distributed, Reader& reader) {
   element.allowAttributes(attributesOf("arena/*"));
-  const Registry::Entry& entry = reader.requirePlugin(PluginKind::kEntity, element, "");
+  const Registry::Entry& entry =
+      reader.requirePlugin(PluginKind::kEntity, element, element.attribute("library").value_or(""));
   EntityDescription entity;
   entity.location = element.location();
   entity.type = entry.description.label;
   entity.id = element.requireAttribute("id");
   reader.takeId("entity", entity.id, element);
 
+  if (entry.make == nullptr) {  // of a library that is not to be loaded
+    entity.parameters = element.toConfiguration();
+    return entity;
+  }
   const std::vector<Parameter> table = entityParameters(entry.description, is_distributed);
   const bool is_robot = makePlugin<EntityType>(entry)->isRobot();
   entity.parameters =
@@ -69,7 +88,7 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
 
 void readDistribute(const XmlElement& element, Reader& reader) {
   element.allowAttributes(attributesOf("arena/distribute"));
-  std::vector<std::string> entity_tags = Registry::instance().labels(PluginKind::kEntity);
+  const std::vector<std::string> entity_tags = entityTagsIn(element);
   const Configuration values = readParameters(element, distributeParameters(), entity_tags);
   Distribution distribution;
   distribution.quantity = static_cast<std::size_t>(parseInteger(element.requireAttribute("quantity"), "quantity",
@@ -142,7 +161,7 @@ void readArena(const XmlElement& section, Reader& reader) {
     arena.floor.bare = parseColorOrThrow(*floor, "floor", section.attributeLocation("floor"));
   }
 
-  section.allowChildren(childrenOfArena());
+  section.allowChildren(childrenOfArena(section));
   for (const XmlElement& element : section.children()) {
     if (element.name() == "distribute") {
       readDistribute(element, reader);
@@ -156,7 +175,9 @@ void readArena(const XmlElement& section, Reader& reader) {
   }
   // as whoever builds the space does, so that a mistake is reported before anything is built
   for (const EntityDescription& entity : arena.entities) {
-    door::check(entity, reader.experiment);
+    if (reader.loads_libraries || Registry::instance().find(PluginKind::kEntity, entity.type) != nullptr) {
+      door::check(entity, reader.experiment);
+    }
   }
 }
 

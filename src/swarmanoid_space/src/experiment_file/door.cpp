@@ -112,6 +112,21 @@ void checkController(const EntityDescription& entity, const EntityType& type, co
   checkDevices(location, entity, model, PluginKind::kSensor, found->sensors);
 }
 
+/// What the type's author must heed: names as those of entities, each once, and a first value within the range.
+void checkProperties(const EntityDescription& entity, const EntityModel& model) {
+  std::set<std::string> names{"color"};  // which is that of the surface
+  for (const EntityModel::Property& property : model.properties) {
+    if (!isName(property.name) || !names.insert(property.name).second) {
+      refuse(entity.location, "property of a " + entity.type, property.name,
+             std::string(kNamesAllowed) + "; each once, and not color");
+    }
+    if (!std::isfinite(property.initial) || !property.range.contains(property.initial)) {
+      refuse(entity.location, property.name + " of a " + entity.type, numberText(property.initial),
+             "a number, " + property.range.toString());
+    }
+  }
+}
+
 /// Values that come from code do not know where they stand.
 std::shared_ptr<const EntityModel> makeModel(const EntityType& type, const EntityDescription& entity) {
   try {
@@ -143,6 +158,7 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
   }
   const auto type = makePlugin<EntityType>(entry);
   const auto model = makeModel(*type, entity);
+  checkProperties(entity, *model);
   checkController(entity, *type, *model, experiment);
   if (!entity.distribution) {
     checkPosition("position", entity.position, *model, experiment.arena, locationOf(entity, "position"));

@@ -3,6 +3,7 @@
 // Sections that name plugins let unknown tags through, since anybody's library may add one; what is known is checked,
 // wherever it stands. XML Schema finds known tags among unknown ones only if they are declared at the top.
 #include <algorithm>
+#include <set>
 
 #include "../models/robot_files.hpp"
 #include "parameter_table.hpp"
@@ -15,7 +16,17 @@ namespace swarmanoid::experiment {
 namespace {
 
 /// The entity types that the schema knows.
-using EntityTypes = std::vector<const Registry::Entry*>;
+struct EntityTypes {
+  std::vector<const Registry::Entry*> all;
+  const PluginLibraries& libraries;  ///< in which some of them are
+
+  /// Those that an experiment file must name for the type: one, or none.
+  std::set<std::string> neededFor(const Registry::Entry* entry) const {
+    const auto found = libraries.find(entry);
+    return found == libraries.end() || found->second.empty() ? std::set<std::string>{}
+                                                             : std::set<std::string>{found->second};
+  }
+};
 
 void writeOpenSection(const std::string& name, SchemaWriter& out) {
   out.openElement(name, false);
@@ -24,7 +35,7 @@ void writeOpenSection(const std::string& name, SchemaWriter& out) {
 }
 
 void writeEntities(const EntityTypes& types, bool is_distributed, SchemaWriter& out) {
-  for (const Registry::Entry* entry : types) {
+  for (const Registry::Entry* entry : types.all) {
     for (const std::string& tag : tagsOf(entry->description)) {
       out.openElement(tag, false, entry->description.summary);
       out.open("all");
@@ -39,7 +50,7 @@ void writeEntities(const EntityTypes& types, bool is_distributed, SchemaWriter& 
         out.closeElement();
       }
       out.close();
-      out.attributes(tagAt("arena/*").attributes);
+      out.attributes(attributesWithLibrary("arena/*", types.neededFor(entry)));
       out.closeElement();
     }
   }
@@ -126,7 +137,7 @@ void writeIdentities(const EntityTypes& types, SchemaWriter& out) {
   out.identity("unique", "engine_of_mapping", "arena_physics/engine");
   out.identity("unique", "id_of_handover", "arena_physics/handover");
   std::string bodies;
-  for (const Registry::Entry* entry : types) {
+  for (const Registry::Entry* entry : types.all) {
     for (const std::string& tag : tagsOf(entry->description)) {
       bodies += (bodies.empty() ? "arena/" : "|arena/") + tag;
       bodies += "|arena/distribute/" + tag;
@@ -171,10 +182,10 @@ bool isOfOthers(const Registry::Entry* type) {
   return std::any_of(robots.begin(), robots.end(), is_it) && std::none_of(robots.begin(), robots.end(), is_suites);
 }
 
-std::string writeSchema(const EntityTypes& types, const PluginLibraries& libraries) {
+std::string writeSchema(const EntityTypes& types) {
   SchemaWriter out;
   writeRoot(types, out);
-  writePlugins(libraries, out);
+  writePlugins(types.libraries, out);
   return out.text();
 }
 
@@ -184,13 +195,14 @@ std::string writeSchema(const EntityTypes& types, const PluginLibraries& librari
 namespace swarmanoid {
 
 std::string experimentSchema(const PluginLibraries& libraries) {
-  return experiment::writeSchema(Registry::instance().all(PluginKind::kEntity), libraries);
+  return experiment::writeSchema({Registry::instance().all(PluginKind::kEntity), libraries});
 }
 
 std::string suiteSchema() {
-  experiment::EntityTypes types = Registry::instance().all(PluginKind::kEntity);
+  std::vector<const Registry::Entry*> types = Registry::instance().all(PluginKind::kEntity);
   types.erase(std::remove_if(types.begin(), types.end(), experiment::isOfOthers), types.end());
-  return experiment::writeSchema(types, {});
+  const PluginLibraries none;
+  return experiment::writeSchema({types, none});
 }
 
 }  // namespace swarmanoid

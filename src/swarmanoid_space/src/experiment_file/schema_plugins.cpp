@@ -18,6 +18,17 @@ std::vector<std::string> tagsOf(const PluginDescription& plugin) {
   return tags;
 }
 
+std::vector<ExperimentAttribute> attributesWithLibrary(const std::string& path,
+                                                       const std::set<std::string>& libraries) {
+  std::vector<ExperimentAttribute> attributes = tagAt(path).attributes;
+  for (ExperimentAttribute& attribute : attributes) {
+    if (attribute.value.name == "library" && !libraries.empty()) {
+      attribute.value.value.reset();
+    }
+  }
+  return attributes;
+}
+
 namespace {
 
 std::vector<const Registry::Entry*> all(PluginKind kind) { return Registry::instance().all(kind); }
@@ -65,18 +76,6 @@ std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*
     }
   }
   return table;
-}
-
-/// The attributes of a plugin's tag. @param libraries one of which an experiment file must name; none: it need not
-std::vector<ExperimentAttribute> attributesWithLibrary(const std::string& path,
-                                                       const std::set<std::string>& libraries) {
-  std::vector<ExperimentAttribute> attributes = tagAt(path).attributes;
-  for (ExperimentAttribute& attribute : attributes) {
-    if (attribute.value.name == "library" && !libraries.empty()) {
-      attribute.value.value.reset();
-    }
-  }
-  return attributes;
 }
 
 std::string summaryOf(const PluginDescription& plugin, const std::set<std::string>& libraries) {

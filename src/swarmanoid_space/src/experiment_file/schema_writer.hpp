@@ -4,6 +4,7 @@
 #include <libxml/xmlwriter.h>
 
 #include <memory>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -71,6 +72,9 @@ class SchemaWriter {
 
 /// The tags that mean a plugin: its label and the aliases. A name that XML does not allow is none of them.
 std::vector<std::string> tagsOf(const PluginDescription& plugin);
+
+/// The attributes of a plugin's tag. @param libraries one of which an experiment file must name; none: it need not
+std::vector<ExperimentAttribute> attributesWithLibrary(const std::string& path, const std::set<std::string>& libraries);
 
 /// Declares the plugins of the registry, and what stands in any controller, at the top of the schema. A tag that means
 /// plugins of several kinds is not declared, so whatever stands in it is let through.

@@ -35,10 +35,11 @@ Attribute choice(const std::string& name, const std::vector<std::string>& choice
   return attribute;
 }
 
-std::vector<Attribute> pluginAttributes() {
-  return {id("id", true, "Its name in this file."),
-          text("library", "", "The name x of a file libx.so, or a path; needed for what the suite does not bring.")};
+Attribute libraryAttribute() {
+  return text("library", "", "The name x of a file libx.so, or a path; needed for what the suite does not bring.");
 }
+
+std::vector<Attribute> pluginAttributes() { return {id("id", true, "Its name in this file."), libraryAttribute()}; }
 
 ExperimentTag device(const std::string& section, const std::string& heading) {
   return {"controllers/*/" + section,
@@ -109,7 +110,12 @@ std::vector<ExperimentTag> arenaTags() {
            {{makeParameter("quantity", Type::kInteger, "", std::nullopt, kQuantityRange, "How many.")},
             choice("layout", layouts(), layouts().front(), "At random, or in rows at the height of minimum.")},
            distributeParameters()},
-          {"arena", "*", "entity", "In <arena>.", {id("id", true, "Its name.")}, placementParameters(false)},
+          {"arena",
+           "*",
+           "entity",
+           "In <arena>.",
+           {id("id", true, "Its name."), libraryAttribute()},
+           placementParameters(false)},
           {"arena/*",
            "controller",
            "entity",

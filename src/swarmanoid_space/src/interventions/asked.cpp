@@ -1,9 +1,23 @@
-// Interventions that rules ask for.
+// What all kinds of interventions share, and interventions that rules ask for.
 #include <stdexcept>
+#include <vector>
 
 #include "carry_out.hpp"
 
 namespace swarmanoid {
+
+Row requireEntity(const World& world, const std::string& name) {
+  const Entities& entities = world.space.entities;
+  const Row row = entities.find(name);
+  if (row == kNoRow) {
+    std::vector<std::string> known;
+    for (const Row other : entities.order) {
+      known.push_back(entities.name[other]);
+    }
+    throw ConfigError({}, "there is no entity '" + name + "'" + didYouMean(name, known));
+  }
+  return row;
+}
 
 void take(World& world, const Intervention& intervention, const std::string& asked_by) {
   if (std::visit([&](const auto& kind) { return carryOut(world, kind); }, intervention)) {

@@ -1,4 +1,4 @@
-/// Carries out interventions, a file for each kind; asked.cpp is about those that rules ask for.
+/// Carries out interventions, a file for each kind; asked.cpp is what they share, and about those that rules ask for.
 #pragma once
 
 #include <string>
@@ -16,6 +16,10 @@ bool carryOut(World& world, const MoveEntity& intervention);
 bool carryOut(World& world, const HandOverEntity& intervention);
 bool carryOut(World& world, const SetEngineParameters& intervention);
 bool carryOut(World& world, const SetCommandSource& intervention);
+bool carryOut(World& world, const SetProperty& intervention);
+
+/// @throws ConfigError if there is none, naming the one that may be meant
+Row requireEntity(const World& world, const std::string& name);
 
 /// Carries out an intervention of any kind; one that changes something is recorded.
 /// @param asked_by as TakenIntervention has it @throws ConfigError if it is refused; then nothing has changed

@@ -17,14 +17,7 @@ std::vector<std::string> engineIds(const Space& space) {
 bool carryOut(World& world, const HandOverEntity& intervention) {
   const std::string& name = intervention.entity;
   const std::string& engine_id = intervention.engine;
-  const Row row = world.space.entities.find(name);
-  if (row == kNoRow) {
-    std::vector<std::string> known;
-    for (const Row other : world.space.entities.order) {
-      known.push_back(world.space.entities.name[other]);
-    }
-    throw ConfigError({}, "there is no entity '" + name + "'" + didYouMean(name, known));
-  }
+  const Row row = requireEntity(world, name);
   Engine* engine = world.assembly.findEngine(engine_id);
   if (engine == nullptr) {
     const std::vector<std::string> known = engineIds(world.space);

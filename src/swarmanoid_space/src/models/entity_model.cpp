@@ -117,6 +117,12 @@ int EntityModel::findHolder(const std::string& holder) const {
   return found == holders.end() ? -1 : static_cast<int>(found - holders.begin());
 }
 
+int EntityModel::findProperty(std::string_view property) const {
+  const auto found =
+      std::find_if(properties.begin(), properties.end(), [&](const Property& each) { return each.name == property; });
+  return found == properties.end() ? -1 : static_cast<int>(found - properties.begin());
+}
+
 std::string EntityModel::missingPart(const Mechanism& mechanism) const {
   switch (mechanism.kind) {
     case Mechanism::Kind::kWheels:
@@ -182,11 +188,13 @@ std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double heig
   return model;
 }
 
-std::shared_ptr<const EntityModel> lightModel() {
+std::shared_ptr<const EntityModel> lightModel(double intensity) {
   auto model = std::make_shared<EntityModel>();
   model->type = "light";
   model->title = "Light";
   model->led_positions.push_back(Vector3d::Zero());
+  model->properties.push_back(
+      {kIntensity, "", "Times the brightness of an LED of its colour; at 0 it is dark.", kIntensityRange, intensity});
   return model;
 }
 

@@ -92,7 +92,8 @@ SpaceServices::SpaceServices(ros::NodeHandle own, SimulationThread& thread) : th
               own.advertiseService("delete", &SpaceServices::remove, this),
               own.advertiseService("move", &SpaceServices::move, this),
               own.advertiseService("handover", &SpaceServices::handover, this),
-              own.advertiseService("set_command_source", &SpaceServices::setCommandSource, this)};
+              own.advertiseService("set_command_source", &SpaceServices::setCommandSource, this),
+              own.advertiseService("set_property", &SpaceServices::setProperty, this)};
 }
 
 bool SpaceServices::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -174,6 +175,15 @@ bool SpaceServices::setCommandSource(swarmanoid_msgs::SetCommandSource::Request&
   return intervene(thread_, request.names, response, [source](Simulation& simulation, const std::string& name) {
     simulation.apply(SetCommandSource{name, *source});
   });
+}
+
+bool SpaceServices::setProperty(swarmanoid_msgs::SetProperty::Request& request,
+                                swarmanoid_msgs::SetProperty::Response& response) {
+  return intervene(
+      thread_, request.names, response,
+      [property = request.property, value = request.value](Simulation& simulation, const std::string& name) {
+        simulation.apply(SetProperty{name, property, value});
+      });
 }
 
 }  // namespace swarmanoid

@@ -1,5 +1,5 @@
 /// Provides the services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover,
-/// ~set_command_source.
+/// ~set_command_source, ~set_property.
 ///
 /// Each service answers when its action is done. Several may be under way at once, so that a pause ends a long step.
 #pragma once
@@ -11,6 +11,7 @@
 #include <swarmanoid_msgs/Move.h>
 #include <swarmanoid_msgs/Reset.h>
 #include <swarmanoid_msgs/SetCommandSource.h>
+#include <swarmanoid_msgs/SetProperty.h>
 #include <swarmanoid_msgs/Spawn.h>
 #include <swarmanoid_msgs/Step.h>
 
@@ -37,6 +38,7 @@ class SpaceServices {
   bool handover(swarmanoid_msgs::Handover::Request& request, swarmanoid_msgs::Handover::Response& response);
   bool setCommandSource(swarmanoid_msgs::SetCommandSource::Request& request,
                         swarmanoid_msgs::SetCommandSource::Response& response);
+  bool setProperty(swarmanoid_msgs::SetProperty::Request& request, swarmanoid_msgs::SetProperty::Response& response);
 
   SimulationThread& thread_;
   std::vector<ros::ServiceServer> servers_;

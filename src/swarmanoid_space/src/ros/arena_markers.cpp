@@ -74,7 +74,7 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
 void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int& id, MarkerArray& markers) {
   const EntityModel& model = *space.entities.model[row];
   const Pose& pose = space.entities.pose[row];
-  const Color color = space.entities.color[row];
+  const Color color = space.ownColor(row);
   if (model.shapes.empty()) {
     // a lamp
     constexpr double kDiameter = 0.08;

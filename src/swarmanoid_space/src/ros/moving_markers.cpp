@@ -61,7 +61,7 @@ void drawPreys(const Canvas& canvas) {
     if (model.is_robot || !model.is_movable) {
       continue;
     }
-    const Color color = canvas.space.entities.color[row];
+    const Color color = canvas.space.ownColor(row);
     for (std::size_t k = 0; k < model.shapes.size(); ++k) {
       canvas.array.markers.push_back(shapeMarker(
           canvas.header, "preys/" + std::to_string(k), static_cast<int>(canvas.space.entities.number[row]),

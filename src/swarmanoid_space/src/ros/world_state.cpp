@@ -1,6 +1,8 @@
 #include "swarmanoid_space/ros/world_state.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <variant>
 
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 
@@ -19,7 +21,7 @@ geometry_msgs::Vector3 toVector(const Eigen::Vector3d& v) {
 std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
   const EntityModel& model = *space.entities.model[row];
   if (!model.is_robot) {
-    return toMessage(space.entities.color[row]);
+    return toMessage(space.ownColor(row));
   }
   std_msgs::ColorRGBA sum;
   float lit = 0.0F;
@@ -40,6 +42,12 @@ std_msgs::ColorRGBA colorOf(const Space& space, Row row) {
     sum.a = 1.0F;
   }
   return sum;
+}
+
+/// Whether something is seen in another colour.
+bool changesLooks(const TakenIntervention& taken) {
+  const auto* change = std::get_if<SetProperty>(&taken.what);
+  return change != nullptr && (change->property == kColorProperty || change->property == kIntensity);
 }
 
 }  // namespace
@@ -161,6 +169,7 @@ bool OutsideChanges::look(const Space& space) {
     is_change = is_change || event.kind == Event::Kind::kMoved || event.kind == Event::Kind::kSpawned ||
                 event.kind == Event::Kind::kDeleted;
   }
+  is_change = is_change || std::any_of(space.interventions.begin(), space.interventions.end(), changesLooks);
   has_looked_ = true;
   run_ = space.run;
   count_ = order.size();

@@ -54,6 +54,7 @@ Row Entities::add(const std::string& entity_name, std::shared_ptr<const EntityMo
   model[row] = std::move(entity_model);
   pose[row] = entity_pose;
   color[row] = entity_color;
+  first_color[row] = entity_color;
   order.push_back(row);  // numbers only grow
   row_by_name_[entity_name] = row;
   return row;

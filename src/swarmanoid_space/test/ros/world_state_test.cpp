@@ -66,6 +66,22 @@ TEST(WorldStateTest, OutsideChangesAreSeenOnce) {
   EXPECT_TRUE(changes.look(simulation->space()));  // and its event
   simulation->tick();
   EXPECT_FALSE(changes.look(simulation->space()));
+  simulation->apply(SetProperty{"lamp", "color", "blue"});
+  simulation->tick();
+  EXPECT_TRUE(changes.look(simulation->space()));
+  simulation->tick();
+  EXPECT_FALSE(changes.look(simulation->space()));
+}
+
+TEST(WorldStateTest, ADarkLampHasNoColour) {
+  const auto simulation = test::smallWorld();
+  simulation->start();
+  swarmanoid_msgs::WorldState state;
+  toMessage(simulation->space(), state);
+  EXPECT_FLOAT_EQ(1.0F, state.colors[1].a);
+  simulation->apply(SetProperty{"lamp", "intensity", "0"});
+  toMessage(simulation->space(), state);
+  EXPECT_FLOAT_EQ(0.0F, state.colors[1].a);
 }
 
 }  // namespace

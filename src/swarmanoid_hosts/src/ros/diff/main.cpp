@@ -76,7 +76,7 @@ std::string describe(const Count& count, StateSource source) {
 
 void hint(StateSource source, bool has_frames) {
   if (source != StateSource::kNamedState || !has_frames) {
-    std::cerr << "not compared: " << (source == StateSource::kNamedState ? "" : "joints, LEDs, attachments")
+    std::cerr << "not compared: " << (source == StateSource::kNamedState ? "" : "joints, LEDs, attachments, properties")
               << (source == StateSource::kNamedState || has_frames ? "" : "; ")
               << (has_frames ? "" : "readings and commands")
               << "; record both runs with --record-state and --record-controllers all\n";

@@ -13,10 +13,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/mechanism.hpp"
+#include "swarmanoid_interface/range.hpp"
 
 namespace swarmanoid {
 
@@ -132,7 +134,24 @@ struct EntityModel {
 
   std::map<std::string, Mount, std::less<>> mounts;  ///< URDF frames by link name, relative to the body
   std::vector<Eigen::Vector3d>
-      led_positions;                 ///< LED 0 first; the points, at most kMaxLeds, at which cameras see colour [m]
+      led_positions;  ///< LED 0 first; the points, at most kMaxLeds, at which cameras see colour [m]
+
+  /// A number that the entity has beside its body: what it gives, what it is loaded with. Sensors read it, rules change
+  /// it (SetProperty), the state hash has it.
+  struct Property {
+    std::string name;         ///< as experiment files name parameters: "intensity"; not "color", which is no number
+    std::string unit;         ///< "W", "" for none
+    std::string description;  ///< one sentence
+    Range range;              ///< outside of it nothing is taken
+    double initial = 0.0;     ///< when the entity comes into the space
+  };
+  std::vector<Property> properties;
+  /// @return the index of a property; -1 if there is none of that name
+  int findProperty(std::string_view name) const;
+
+  /// Whether cameras see a colour of its own (Entities::color) at the points where a robot's LEDs would be.
+  bool hasColor() const { return !is_robot && !led_positions.empty(); }
+
   std::vector<std::string> devices;  ///< device types that the description of a robot lists
   std::string urdf;                  ///< the whole URDF text; empty if there is none
 
@@ -174,7 +193,11 @@ constexpr double kPreyMass = 0.3;  ///< what a prey weighs that the experiment f
 /// Its one LED position, at the middle, is where cameras see its colour. @param radius, height [m]
 std::shared_ptr<const EntityModel> cylindricPreyModel(double radius, double height, double mass = kPreyMass);
 
-/// A lamp: no shape, one LED position at its origin.
-std::shared_ptr<const EntityModel> lightModel();
+/// The property of what shines: how many times as bright as an LED of the same colour it is; at 0 it is dark.
+constexpr const char* kIntensity = "intensity";
+constexpr Range kIntensityRange{0.0, 1000.0};
+
+/// A lamp: no shape, one LED position at its origin, and the property kIntensity.
+std::shared_ptr<const EntityModel> lightModel(double intensity = 1.0);
 
 }  // namespace swarmanoid

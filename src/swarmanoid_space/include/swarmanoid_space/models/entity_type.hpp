@@ -13,7 +13,8 @@ class EntityType {
  public:
   virtual ~EntityType() = default;
 
-  /// Equal parameters share one model. @throws ConfigError
+  /// What it is made of, and its properties, of which the parameters may say the initial values. Equal parameters share
+  /// one model (arena_object.hpp). @throws ConfigError
   virtual std::shared_ptr<const EntityModel> makeModel(const Configuration& parameters) const = 0;
   /// Whether it may have a controller.
   virtual bool isRobot() const { return false; }

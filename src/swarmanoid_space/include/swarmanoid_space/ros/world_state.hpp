@@ -38,8 +38,8 @@ rosgraph_msgs::Clock clockMessage(const Space& space);
 void toMessage(const Space& space, swarmanoid_msgs::WorldState& message);
 void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& message);
 
-/// Whether entities came, went or were put elsewhere from outside since the last call: what is only sent on such
-/// occasions (fixed frames, static markers) is due then, and at the first call.
+/// Whether entities came, went, were put elsewhere or got another colour from outside since the last call: what is only
+/// sent on such occasions (fixed frames, static markers) is due then, and at the first call.
 class OutsideChanges {
  public:
   bool look(const Space& space);

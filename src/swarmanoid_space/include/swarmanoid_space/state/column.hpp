@@ -9,7 +9,6 @@
 ///          written at the same time, by the phase that writes the column.
 #pragma once
 
-#include <algorithm>
 #include <map>
 #include <type_traits>
 #include <utility>
@@ -134,9 +133,11 @@ template <class Value>
 class ListColumn final : public ColumnBase {
  public:
   using CountOf = std::size_t (*)(const EntityModel& model);
+  using InitialOf = Value (*)(const EntityModel& model, std::size_t index);
 
-  ListColumn(Columns& columns, const ColumnInfo& info, CountOf count_of)
-      : ColumnBase(columns, info), count_of_(count_of) {
+  /// @param initial_of what the values of a new entity are; null: Value{}
+  ListColumn(Columns& columns, const ColumnInfo& info, CountOf count_of, InitialOf initial_of = nullptr)
+      : ColumnBase(columns, info), count_of_(count_of), initial_of_(initial_of) {
     places_.resize(columns.rowCount());
   }
 
@@ -157,7 +158,9 @@ class ListColumn final : public ColumnBase {
       holes_[place.count].push_back(place.first);
     }
     place = findPlace(model == nullptr ? 0 : count_of_(*model));
-    std::fill_n(values_.begin() + static_cast<std::ptrdiff_t>(place.first), place.count, Value{});
+    for (std::size_t i = 0; i < place.count; ++i) {
+      values_[place.first + i] = initial_of_ == nullptr ? Value{} : initial_of_(*model, i);
+    }
   }
   void visit(StateVisitor& visitor, const CellOwner& owner) const override {
     detail::visitIfNamed(visitor, info(), owner, (*this)[owner.row]);
@@ -186,6 +189,7 @@ class ListColumn final : public ColumnBase {
   }
 
   CountOf count_of_;
+  InitialOf initial_of_;
   RowMap<Place> places_;
   std::vector<Value> values_;                              // of all entities
   std::map<std::size_t, std::vector<std::size_t>> holes_;  // first values of places that are free, by their size

@@ -71,8 +71,11 @@ class Entities {
   Column<std::shared_ptr<const EntityModel>> model{columns, {"model", Writer::kBetweenTicks}};
   Column<Pose> pose{columns, {"pose", Writer::kMove, Visits::kHash}};
   Column<Twist> twist{columns, {"twist", Writer::kMove, Visits::kHash}};
-  /// Of the entity's own surface (preys); black: none that a camera would see.
+  /// Of the entity's own surface (preys) or light (lamps); black: none that a camera would see. The hash of the state
+  /// has it while it is another one than at first (visitState).
   Column<Color> color{columns, {"color", Writer::kBetweenTicks, Visits::kRecordings}};
+  /// `color` when the entity came into the space.
+  Column<Color> first_color{columns, {"first_color", Writer::kBetweenTicks}};
 
  private:
   std::vector<Row> holes_;

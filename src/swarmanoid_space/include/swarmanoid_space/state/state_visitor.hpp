@@ -66,5 +66,11 @@ inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& 
 inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, Span<const Color> values) {
   visitor.colors({name}, values);
 }
+/// Properties, by the names that the model has for them.
+inline void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, Span<const double> properties) {
+  for (std::size_t i = 0; i < properties.size(); ++i) {
+    visitor.number({name, owner.model.properties[i].name}, properties[i]);
+  }
+}
 
 }  // namespace swarmanoid

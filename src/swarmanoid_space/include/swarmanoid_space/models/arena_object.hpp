@@ -1,0 +1,57 @@
+/// What arena objects share: entity types that are no robots, such as blocks, preys and lamps.
+///
+/// To add one: derive from EntityType in a file of its own, end with REGISTER_ENTITY_TYPE;
+/// docs/how-to/add_an_arena_object.md.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "swarmanoid_space/models/entity_type.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+
+namespace swarmanoid {
+
+/// A length of a shape. @param value the default; without one it must be given
+inline Parameter lengthParameter(const std::string& name, const std::string& description,
+                                 std::optional<std::string> value = std::nullopt) {
+  return makeParameter(name, Parameter::Type::kNumber, "m", std::move(value), limits::kLength, description);
+}
+
+/// @param value the default [kg] @param least 0 where that means something else than a mass
+inline Parameter massParameter(const std::string& value, double least, const std::string& description) {
+  return makeParameter("mass", Parameter::Type::kNumber, "kg", value, {least, limits::kMass.maximum}, description);
+}
+
+/// The colour that cameras see at the led_positions of the model. Whoever reads the file gives it to the entity.
+inline Parameter colorParameter(const std::string& value, const std::string& description) {
+  return makeParameter("color", Parameter::Type::kColor, "", value, {}, description);
+}
+
+/// Models of equal parameters are one object, which keeps memory small and comparisons cheap. Thread-safe.
+/// @tparam Key all parameters that the model depends on, with an order: a double, a std::array of them, ...
+template <class Key>
+class SharedModels {
+ public:
+  /// @param make makes the model if there is none of these parameters
+  template <class Make>
+  std::shared_ptr<const EntityModel> get(const Key& key, Make make) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    std::shared_ptr<const EntityModel> model = known_[key].lock();
+    if (!model) {
+      model = make();
+      known_[key] = model;
+    }
+    return model;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Key, std::weak_ptr<const EntityModel>> known_;
+};
+
+}  // namespace swarmanoid
