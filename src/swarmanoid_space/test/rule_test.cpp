@@ -234,7 +234,7 @@ TEST_F(RuleTest, WhatComesAfterARefusalIsDone) {
 TEST_F(RuleTest, AnExceptionNamesTheRule) {
   const std::vector<std::pair<std::function<void()>, std::string>> cases{
       {[] { throw std::runtime_error("no power"); }, "rule 'b' (scripted_rule): no power"},
-      {[] { throw 7; }, "rule 'b' (scripted_rule): threw the number 7, which is no std::exception"},
+      {[] { throw 7; }, "rule 'b' (scripted_rule) threw the number 7, which is no std::exception"},
       {[] {
          throw ConfigError({"some.xml", 4}, "no dock");
        },
