@@ -6,6 +6,7 @@
 #include <string>
 
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/testing/count_allocations.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
@@ -122,6 +123,22 @@ TEST_F(ForagingTest, OneThatIsDeletedOrTakenAwayIsForgotten) {
   EXPECT_EQ(simulation.space().events[1].kind, Event::Kind::kInterventionRefused);
   simulation.tick();
   EXPECT_TRUE(simulation.space().events.empty()) << "it is not asked for any more";
+}
+
+TEST_F(ForagingTest, ATickInWhichNothingIsBroughtTouchesNoHeap) {
+  if (SWARMANOID_COUNTS_ALLOCATIONS == 0) {
+    GTEST_SKIP() << "the sanitizer has its own malloc";
+  }
+  bring("prey_1", 1.0, 1.0);
+  for (int i = 0; i < 10; ++i) {
+    simulation.tick();
+  }
+  const long before = heap_allocations;
+  for (int i = 0; i < 100; ++i) {
+    simulation.tick();
+  }
+  EXPECT_EQ(heap_allocations - before, 0);
+  EXPECT_GT(before, 100) << "the counting works";
 }
 
 TEST_F(ForagingTest, AResetStartsAnew) {

@@ -10,8 +10,8 @@
 namespace swarmanoid {
 
 /// Calls a hook of a rule. @param hook, tick as UserCode has them
-/// @throws ConfigError if the rule does; std::runtime_error that names the rule, "rule 'dock' (recharge): no power", for
-/// anything else
+/// @throws ConfigError if the rule does; std::runtime_error that names the rule, "rule 'dock' (recharge): no power",
+/// for anything else
 template <class Action>
 void callRule(const char* hook, const RuleInstance& rule, std::uint64_t tick, Action action) {
   const UserCode code{hook, rule.part, "", tick, false};
