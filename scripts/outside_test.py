@@ -19,8 +19,8 @@ import unittest
 
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced, succeed
 
-PACKAGES = ("example_arena_object", "example_controller", "example_engine", "example_python_controller", "example_robot", "example_sensor",
-            "example_visualisation")
+PACKAGES = ("example_arena_object", "example_controller", "example_engine", "example_python_controller", "example_robot",
+            "example_rule", "example_sensor", "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
 ROBOTS = os.path.join(REPOSITORY, "examples/example_robot/e_pucks.xml")
 LANTERNS = os.path.join(REPOSITORY, "examples/example_arena_object/lantern.xml")
@@ -89,12 +89,13 @@ class OutsideTest(unittest.TestCase):
         listed = succeed(["swarmanoid", "list"], environment)
         for library, package in (("patrol", "example_controller"), ("carousel", "example_engine"),
                                  ("compass", "example_sensor"), ("lantern", "example_arena_object"),
-                                 ("odometer", "example_visualisation")):
+                                 ("odometer", "example_visualisation"), ("relocation", "example_rule")):
             self.assertIn(f'      in library="{library}" of {package}\n', listed)
         result = json.loads(succeed(["swarmanoid", "run", EXPERIMENT, "--out", out, "--quiet"], environment))
         self.assertTrue(result["finished"])
         self.assertEqual(69, result["ticks"], "the goal is reached in the third leg")
         self.assertAlmostEqual(0.7105, result["metrics"]["walked_m"])
+        self.assertEqual(6, result["metrics"]["wandering.moves"], "after ticks 10, 20, ... 60")
 
         with open(os.path.join(out, "walked.txt")) as file:
             self.assertEqual(walked_lines(69), file.readlines())

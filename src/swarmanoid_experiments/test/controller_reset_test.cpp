@@ -141,7 +141,8 @@ TEST_P(ControllerResetTest, GoesOnLikeAFreshOneWheneverItIsReset) {
 
 INSTANTIATE_TEST_SUITE_P(Controllers, ControllerResetTest,
                          testing::Values(std::pair("diffusion", 1), std::pair("sample_footbot_controller", 1),
-                                         std::pair("footbot_retrieval", 5), std::pair("eyebot_retrieval", 5)),
+                                         std::pair("footbot_retrieval", 5), std::pair("eyebot_retrieval", 5),
+                                         std::pair("footbot_foraging", 4)),
                          [](const auto& controller) { return std::string(controller.param.first); });
 
 }  // namespace

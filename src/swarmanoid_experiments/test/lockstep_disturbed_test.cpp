@@ -6,6 +6,7 @@
 #include <thread>
 
 #include "lockstep_world.hpp"
+#include "swarmanoid_space/rule.hpp"
 #include "swarmanoid_space/simulation/simulation_thread.hpp"
 
 namespace swarmanoid::test {
@@ -97,6 +98,52 @@ TEST(LockstepDisturbedTest, TheTimeSinceItWasGivenUpIsNotTheParticipants) {
   EXPECT_TRUE(simulation->tick());
 }
 
+/// Counts how often it is called.
+class CountingRule final : public Rule {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "counting_rule";
+    return description;
+  }
+  void configure(const Configuration&) override {
+    before_ = &addMetric("before", "1", "Calls before ticks.");
+    after_ = &addMetric("after", "1", "Calls after ticks.");
+  }
+  void beforeTick(const Space&, InterventionQueue&) override { before_->value += 1.0; }
+  void afterTick(const Space&, InterventionQueue&) override { after_->value += 1.0; }
+
+ private:
+  Metric* before_ = nullptr;
+  Metric* after_ = nullptr;
+};
+
+/// "before, after"
+std::string countsOf(const Simulation& simulation) {
+  const std::vector<const Metric*>& metrics = simulation.space().metrics;
+  return numberText(metrics.at(0)->value) + ", " + numberText(metrics.at(1)->value);
+}
+
+TEST(LockstepDisturbedTest, RulesAreAskedOnceForATickHoweverOftenItIsGivenUp) {
+  auto simulation = oneRobotBeforeStart("remote", "", "<counting_rule id=\"c\"/>");
+  simulation->start();
+  FakeParticipant participant(*simulation, "a", {"fb"});
+  participant.is_mute = true;
+  participant.join();
+  EXPECT_FALSE(simulation->tick(disturbed));
+  EXPECT_FALSE(simulation->tick(disturbed));
+  EXPECT_EQ(countsOf(*simulation), "1, 0");
+  participant.answerLate();
+  EXPECT_TRUE(simulation->tick(disturbed));
+  EXPECT_EQ(countsOf(*simulation), "1, 1");
+  EXPECT_FALSE(simulation->tick(disturbed));
+  EXPECT_EQ(countsOf(*simulation), "2, 1");
+  simulation->reset();
+  EXPECT_EQ(countsOf(*simulation), "0, 0");
+  EXPECT_FALSE(simulation->tick(disturbed));
+  EXPECT_EQ(countsOf(*simulation), "1, 0") << "the run that begins asks anew";
+}
+
 /// A simulation that waits in its first tick for whoever is to command its robot.
 class WaitingThreadTest : public testing::Test {
  protected:
@@ -150,3 +197,5 @@ TEST_F(WaitingThreadTest, ItsRobotCanBeTakenBack) {
 
 }  // namespace
 }  // namespace swarmanoid::test
+
+REGISTER_RULE(swarmanoid::test::CountingRule)

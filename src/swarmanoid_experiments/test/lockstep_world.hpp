@@ -111,8 +111,9 @@ inline const Override kEyebot{"arena.eb.controller.source", "remote"};
 
 /// One footbot that drives straight ahead, commanded from elsewhere; not started.
 inline std::unique_ptr<Simulation> oneRobotBeforeStart(const std::string& source = "remote",
-                                                       const std::string& drive = "") {
+                                                       const std::string& drive = "", const std::string& rules = "") {
   World world;
+  world.rules = rules;
   std::string robot = footbot("fb", 1, 1, 0);
   robot.replace(robot.find("<controller>"), 12, "<controller source=\"" + source + "\">");
   world.entities = robot;

@@ -13,7 +13,7 @@ WORLD = """<ahss-config>
     {robots}
   </arena>
   <engines><kinematics2d id="ground"/></engines>
-  <arena_physics><engine id="ground">{members}</engine></arena_physics>
+  <arena_physics><engine id="ground">{members}</engine></arena_physics><rules></rules>
   <visualisations><text_render id="table"><file>table.txt</file></text_render></visualisations>
 </ahss-config>
 """
@@ -31,11 +31,13 @@ def world(phase="never", deed="nothing", tick=3, maxclock=20, threads=1, only="f
 
 # plugins that are no controllers, as they are named when one of their calls does not return
 ENGINE = "engine 'bad' (misbehaving_engine)"
+RULE = "rule 'bad' (misbehaving_rule)"
 VISUALISATION = "visualisation 'bad' (misbehaving_visualisation)"
 SENSOR = "sensor 'footbot_gripper_state' of controller 'mc'"
 ACTUATOR = "actuator 'footbot_leds' of controller 'mc'"
 PLACES = {  # what stands before each, and what it is
     ENGINE: ("<engines>", '<misbehaving_engine id="bad" library="misbehaving_controllers">{}</misbehaving_engine>'),
+    RULE: ("<rules>", '<misbehaving_rule id="bad" library="misbehaving_controllers">{}</misbehaving_rule>'),
     VISUALISATION: ("<visualisations>", '<misbehaving_visualisation id="bad" library="misbehaving_controllers">{}'
                                         "</misbehaving_visualisation>"),
     SENSOR: ('library="misbehaving_controllers">', "<sensors><footbot_gripper_state><implementation>misbehaving"

@@ -11,7 +11,7 @@ from program_world import FINISHED, ProgramTest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs/reference/experiment_file.md"
 HEADINGS = ["experiment", "framework", "controller", "sensor", "actuator", "error", "arena", "entity", "engine",
-            "arena_physics", "visualisation"]
+            "arena_physics", "rule", "visualisation"]
 XSD = "{http://www.w3.org/2001/XMLSchema}"
 
 
@@ -30,8 +30,8 @@ class ListTest(ProgramTest):
         self.assertEqual([line for line in everything.splitlines() if not line.startswith(" ")], HEADINGS)
         self.assertEqual("".join(self.list(heading) for heading in HEADINGS), everything)
         self.assertEqual(self.list("experiment"),
-                         "experiment\n  climbing\n  conformance\n  diffusion\n  gap\n  group_pull\n  object_retrieval\n"
-                         "  rough_terrain\n  shelf_retrieval\n")
+                         "experiment\n  climbing\n  conformance\n  diffusion\n  foraging\n  gap\n  group_pull\n"
+                         "  object_retrieval\n  rough_terrain\n  shelf_retrieval\n")
         sensors = self.list("sensor")
         self.assertIn("  footbot_proximity (polynomial, default): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The program and engines, devices and visualisations that misbehave: they are named, files and summary are kept, the
+"""The program and engines, devices, rules and visualisations that misbehave: they are named, files and summary are kept, the
 exit code says it."""
 
 import json
@@ -9,14 +9,14 @@ import time
 import unittest
 
 from misbehaving_program import CRASHES, OTHER, THROWN, TIMEOUT, MisbehavingTest
-from misbehaving_world import ACTUATOR, ENGINE, SENSOR, VISUALISATION
+from misbehaving_world import ACTUATOR, ENGINE, RULE, SENSOR, VISUALISATION
 from program_world import BAD_INPUT, FINISHED, INTERRUPTED, STOPPED
 
 
 class PluginTest(MisbehavingTest):
-    """Engines, devices, visualisations: who it was is named, and the ticks before are kept."""
+    """Engines, devices, rules, visualisations: who it was is named, and the ticks before are kept."""
     CALLS = ((ENGINE, "readMirrors"), (ENGINE, "move"), (ENGINE, "connect"), (SENSOR, "sense"), (SENSOR, "report"),
-             (ACTUATOR, "actuate"), (ACTUATOR, "afterMove"))
+             (ACTUATOR, "actuate"), (ACTUATOR, "afterMove"), (RULE, "beforeTick"))
 
     def assert_ended(self, outcome, reason, ticks, rows=None):
         """The run has stopped after so many ticks, of which the table has those rows."""
@@ -65,7 +65,7 @@ class PluginTest(MisbehavingTest):
                     self.assertEqual(outcome[1]["finished"], phase == "finish")
 
     def test_while_it_is_configured(self):
-        for who in (ENGINE, SENSOR, ACTUATOR, VISUALISATION):
+        for who in (ENGINE, SENSOR, ACTUATOR, RULE, VISUALISATION):
             for deed, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
                 with self.subTest(who=who, deed=deed):
                     message = f"swarmanoid: {what} in configure of {who}\n"
@@ -115,6 +115,23 @@ class PluginTest(MisbehavingTest):
                 code, summary, errors = self.misbehave("finish", deed, who=VISUALISATION)
                 self.assertEqual((code, errors), (STOPPED, f"swarmanoid: {named}\n"))
                 self.assert_table(20)
+
+    def test_a_rule_after_a_tick_keeps_visualisations_from_seeing_it(self):
+        for deed, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
+            with self.subTest(deed=deed):
+                self.assert_ended(self.misbehave("afterTick", deed, who=RULE),
+                                  f"{what} in afterTick of {RULE}, tick 3", 3, 2)
+        code, summary, errors = self.misbehave("afterTick", "throw_runtime_error", who=RULE)
+        self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {RULE}: told to\n"))
+        self.assertEqual(summary["ticks"], 3)
+        self.assert_table(2)
+
+    def test_a_rule_that_fails_before_the_run_begins(self):
+        for deed, reason in (("segv_read", f"crashed: SIGSEGV in reset of {RULE}"),
+                             ("throw_int", f"{RULE} threw the number 7{OTHER}"),
+                             ("throw_runtime_error", f"{RULE}: told to")):
+            with self.subTest(deed=deed):
+                self.assertEqual(self.misbehave("reset", deed, who=RULE), (STOPPED, None, f"swarmanoid: {reason}\n"))
 
     def test_what_devices_throw_names_them(self):
         for who, phase in self.CALLS:

@@ -115,6 +115,19 @@ TEST(SchemaTest, AcceptsRulesForHandover) {
   EXPECT_EQ(experiment.handovers[2].value, "lost");
 }
 
+TEST(SchemaTest, AcceptsRules) {
+  std::string text = test::readTestData("good.xml");
+  text.insert(text.find("  <visualisations>"),
+              "<rules><foraging id=\"f\"><maximum>2,2,0</maximum><minimum>1,1,0</minimum><enough>3</enough></foraging>"
+              "<my_rule id=\"g\" library=\"my_rule\"><anything>1</anything></my_rule></rules>");
+  EXPECT_TRUE(schemaAccepts(writeFile("rules.xml", text)));
+  text.erase(text.find("<my_rule"), text.find("</rules>") - text.find("<my_rule"));
+  const Experiment experiment = parseExperiment(text, "rules.xml");
+  ASSERT_EQ(experiment.rules.size(), 1U);
+  EXPECT_EQ(experiment.rules[0].parameters.text("prey"), "prey") << "by default";
+  EXPECT_EQ(experiment.rules[0].parameters.integer("enough"), 3);
+}
+
 TEST(SchemaTest, AcceptsErrorsOfDevices) {
   std::string text = test::readTestData("good.xml");
   text.insert(text.find("<range>0.1</range>"), "<error kind=\"gaussian\" deviation=\"0.1\"/>");
@@ -232,6 +245,7 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
       }
     }
   }
+  expect_name("rules");
   for (const char* name :
        {"clocktick",   "maxclock",     "controller_path", "random_seed",    "threads",    "real_time_factor",
         "size",        "optimization", "bounded",         "floor_patch",    "distribute", "quantity",

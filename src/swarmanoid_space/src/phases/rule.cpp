@@ -1,6 +1,6 @@
 // Phase 7: rules look at the world, and ask for what is to change before the next tick.
+#include "../assembly/call_rule.hpp"
 #include "phases.hpp"
-#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid::phases {
 
@@ -8,7 +8,7 @@ bool rule(Space& space, const std::vector<RuleInstance>& rules, InterventionQueu
   bool finish_asked = false;
   for (const RuleInstance& rule : rules) {
     queue.setAsking(rule.part);
-    callPlugin("afterTick", rule.part, space.tick, [&] {
+    callRule("afterTick", rule, space.tick, [&] {
       rule->afterTick(space, queue);
       if (rule->isFinished()) {
         finish_asked = true;

@@ -1,7 +1,7 @@
 // Rules at the beginning of a run and of a tick. What they do in between is in phases/rule.cpp.
+#include "../assembly/call_rule.hpp"
 #include "../interventions/carry_out.hpp"
 #include "../world/world.hpp"
-#include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
@@ -13,7 +13,7 @@ void Simulation::resetRules() {
   for (const RuleInstance& rule : world.assembly.rules) {
     world.queue.setAsking(rule.part);
     rule->begin(world.space.seed);
-    callPlugin("reset", rule.part, UserCode::kNoTick, [&] { rule->reset(world.space, world.queue); });
+    callRule("reset", rule, UserCode::kNoTick, [&] { rule->reset(world.space, world.queue); });
     takeAsked(world);
   }
 }
@@ -27,7 +27,7 @@ void Simulation::beginTick() {
   for (const RuleInstance& rule : world.assembly.rules) {
     world.queue.setAsking(rule.part);
     rule->startTick(world.space.tick);
-    callPlugin("beforeTick", rule.part, world.space.tick, [&] { rule->beforeTick(world.space, world.queue); });
+    callRule("beforeTick", rule, world.space.tick, [&] { rule->beforeTick(world.space, world.queue); });
     takeAsked(world);
   }
   rules_have_begun_ = true;

@@ -1,0 +1,137 @@
+// Foraging: what robots bring into the nest is counted, and lies elsewhere in the next tick, so there is always
+// something to be found. It acts between ticks and on the space alone, whichever engine moves a prey and whoever holds
+// it.
+#include <algorithm>
+#include <vector>
+
+#include "../parameters.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+#include "swarmanoid_space/rule.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class Foraging final : public Rule {
+ public:
+  static PluginDescription describe() {
+    using Type = Parameter::Type;
+    const auto corner = [](const std::string& name, const std::string& description) {
+      return makeParameter(name, Type::kVector3, "m", std::nullopt, limits::kCoordinate, description);
+    };
+    PluginDescription description;
+    description.label = "foraging";
+    description.summary = "Counts the preys that are brought into the nest, and puts them elsewhere.";
+    description.parameters = {
+        makeParameter("prey", Type::kText, "", "prey", {}, "What the names of preys begin with."),
+        makeParameter("nest", Type::kText, "", "nest", {}, "Id of the floor patch that is the nest."),
+        corner("minimum", "Least coordinates of the origins of preys that come back."),
+        corner("maximum", "Greatest coordinates of these."),
+        integer("enough", "0", {0.0, 1e9}, "Preys after which the run ends, a success; 0: it does not.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    prey_ = parameters.text("prey");
+    nest_ = parameters.text("nest");
+    minimum_ = parameters.vector3("minimum");
+    maximum_ = parameters.vector3("maximum");
+    enough_ = static_cast<double>(parameters.integer("enough"));
+    location_ = parameters.location();
+    if (!((maximum_ - minimum_).minCoeff() >= 0.0)) {
+      throw ConfigError(location_, "maximum: found '" + parameters.text("maximum") +
+                                       "', allowed: nothing below minimum, '" + parameters.text("minimum") + "'");
+    }
+    preys_ = &addMetric("preys", "", "Preys that were brought into the nest so far.");
+    preys_per_minute_ = &addMetric("preys_per_minute", "1/min", "As many in each minute of simulated time.");
+  }
+
+  void reset(const Space& space, InterventionQueue&) override {
+    waiting_.clear();
+    if (nestIn(space) == nullptr) {
+      std::vector<std::string> known;
+      for (const FloorPatch& patch : space.floor.patches) {
+        known.push_back(patch.id);
+      }
+      throw ConfigError(location_, "nest: found '" + nest_ + "', allowed: the id of a floor patch (" +
+                                       joinNames(known) + ")" + didYouMean(nest_, known));
+    }
+  }
+
+  void afterTick(const Space& space, InterventionQueue& queue) override {
+    const FloorPatch& nest = *nestIn(space);
+    forgetThoseThatAreBack(space);
+    for (const Row row : space.entities.order) {
+      if (space.entities.name[row].compare(0, prey_.size(), prey_) != 0) {
+        continue;
+      }
+      const EntityNumber number = space.entities.number[row];
+      if (!isWaiting(number) && nest.contains(space.entities.pose[row].position)) {
+        preys_->value += 1.0;
+        waiting_.push_back({number, space.tick});
+      }
+      if (isWaiting(number)) {
+        tryToPutElsewhere(space.entities.name[row], nest, queue);
+      }
+    }
+    constexpr double kSecondsInMinute = 60.0;
+    preys_per_minute_->value = preys_->value * kSecondsInMinute / toSeconds(space.time - kEpoch);
+  }
+
+  bool isFinished() const override { return enough_ > 0.0 && preys_->value >= enough_; }
+  std::optional<bool> success() const override {
+    return enough_ > 0.0 ? std::optional<bool>(isFinished()) : std::nullopt;
+  }
+
+ private:
+  /// A prey that was counted, and for which there was no free place yet.
+  struct Waiting {
+    EntityNumber number = kNoEntity;
+    std::uint64_t since = 0;  ///< the tick that was to come
+  };
+
+  const FloorPatch* nestIn(const Space& space) const {
+    const auto nest = std::find_if(space.floor.patches.begin(), space.floor.patches.end(),
+                                   [this](const FloorPatch& patch) { return patch.id == nest_; });
+    return nest == space.floor.patches.end() ? nullptr : &*nest;
+  }
+
+  bool isWaiting(EntityNumber number) const {
+    return std::any_of(waiting_.begin(), waiting_.end(),
+                       [number](const Waiting& waiting) { return waiting.number == number; });
+  }
+
+  /// Or that are no more.
+  void forgetThoseThatAreBack(const Space& space) {
+    const auto isBack = [&space](const Waiting& waiting) {
+      const Row row = space.entities.find(waiting.number);
+      return row == kNoRow || space.placed[row] >= waiting.since;
+    };
+    waiting_.erase(std::remove_if(waiting_.begin(), waiting_.end(), isBack), waiting_.end());
+  }
+
+  /// What may be in the way there, the world finds out; a refusal is followed by the next trial, after the next tick.
+  void tryToPutElsewhere(const std::string& prey, const FloorPatch& nest, InterventionQueue& queue) {
+    Pose pose;  // upright, whatever it was like in the gripper
+    for (int axis = 0; axis < 3; ++axis) {
+      pose.position[axis] = random().uniform(minimum_[axis], maximum_[axis]);
+    }
+    if (!nest.contains(pose.position)) {
+      queue.tryTo(MoveEntity{prey, pose});
+    }
+  }
+
+  std::string prey_;
+  std::string nest_;
+  Eigen::Vector3d minimum_ = Eigen::Vector3d::Zero();  // m
+  Eigen::Vector3d maximum_ = Eigen::Vector3d::Zero();  // m
+  double enough_ = 0.0;
+  SourceLocation location_;
+  Metric* preys_ = nullptr;
+  Metric* preys_per_minute_ = nullptr;
+  std::vector<Waiting> waiting_;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::Foraging)

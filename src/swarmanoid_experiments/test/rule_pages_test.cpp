@@ -1,0 +1,93 @@
+// Every rule of the suite has a page that names each of its values and metrics with what the code says of it; there are
+// no other pages.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_space/rule.hpp"
+
+namespace swarmanoid {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path pages() { return fs::path(TEST_DATA) / "../../../../docs/reference/rules"; }
+
+std::vector<const Registry::Entry*> rules() {
+  loadBuiltInPlugins();
+  return Registry::instance().all(PluginKind::kRule);
+}
+
+/// A value that any parameter of that type takes, if it has no default.
+std::string someValue(const Parameter& parameter) {
+  using Type = Parameter::Type;
+  switch (parameter.type) {
+    case Type::kVector2:
+      return "1, 1";
+    case Type::kVector3:
+    case Type::kAngles3:
+      return "1, 1, 1";
+    case Type::kBoolean:
+      return "true";
+    case Type::kColor:
+      return "red";
+    case Type::kChoice:
+      return parameter.choices.front();
+    case Type::kText:
+      return "something";
+    default:
+      return numberText(parameter.range.minimum);
+  }
+}
+
+std::shared_ptr<Rule> configured(const Registry::Entry& entry) {
+  Configuration values(entry.description.label, "", {});
+  for (const Parameter& parameter : entry.description.parameters) {
+    values.set(parameter.name, parameter.value ? *parameter.value : someValue(parameter));
+  }
+  const auto rule = makePlugin<Rule>(entry);
+  rule->setId("r");
+  rule->configure(values);
+  return rule;
+}
+
+/// The row of a table that begins with this name; "" if there is none.
+std::string rowOf(const std::string& page, const std::string& name) {
+  const std::string start = "\n| `" + name + "` |";
+  const std::size_t row = page.find(start);
+  return row == std::string::npos ? "" : page.substr(row + 1, page.find('\n', row + 1) - row - 1);
+}
+
+TEST(RulePagesTest, NameEveryValueAndEveryMetric) {
+  ASSERT_FALSE(rules().empty());
+  for (const Registry::Entry* entry : rules()) {
+    const std::string& label = entry->description.label;
+    std::ifstream file(pages() / (label + ".md"));
+    const std::string page(std::istreambuf_iterator<char>(file), {});
+    EXPECT_EQ(page.rfind("# " + label + "\n\nRule. " + entry->description.summary, 0), 0U) << label;
+    for (const Parameter& parameter : entry->description.parameters) {
+      const std::string row = rowOf(page, parameter.name);
+      EXPECT_NE(row.find("| " + parameter.value.value_or("required") + " |"), std::string::npos) << row;
+      EXPECT_NE(row.find("| " + parameter.description + " |"), std::string::npos)
+          << label << ": " << parameter.name << ": " << row;
+    }
+    for (const Metric& metric : configured(*entry)->metrics()) {
+      const std::string row = rowOf(page, metric.name.substr(std::string("r.").size()));
+      EXPECT_NE(row.find("| " + metric.description + " |"), std::string::npos)
+          << label << ": " << metric.name << ": " << row;
+      EXPECT_NE(row.find(metric.unit.empty() ? "| |" : "| " + metric.unit + " |"), std::string::npos) << row;
+    }
+  }
+}
+
+TEST(RulePagesTest, AreOfRulesThatThereAre) {
+  rules();
+  for (const auto& page : fs::directory_iterator(pages())) {
+    EXPECT_NE(Registry::instance().find(PluginKind::kRule, page.path().stem()), nullptr) << page.path();
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid
