@@ -74,6 +74,10 @@ void readControllers(const XmlElement& section, Reader& reader);
 /// All <error> of a sensor or an actuator. @param device its type; "" if that is not known
 std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device);
 void readArena(const XmlElement& section, Reader& reader);
+/// An entity as it stands in <arena>, for a run that is under way. Beside <orientation> in degrees it may have
+/// <angles>, the same in radians, to the last bit. Whether its id is taken is not looked at.
+/// @param experiment with the arena, and the controllers
+EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment);
 /// <heightfield> in <arena>, at most one.
 void readHeightfield(const XmlElement& element, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
