@@ -90,7 +90,7 @@ std::string World::xml() const {
          drive + "</parameters></test_drive></controllers><arena size=\"" + size + "\" optimization=\"2D\" bounded=\"" +
          (bounded ? "true" : "false") + "\">" + entities + "</arena><engines><kinematics2d id=\"ground\">" +
          engine_parameters + "</kinematics2d>" + engines + "</engines><arena_physics><engine id=\"ground\">" + members +
-         "</engine>" + physics + "</arena_physics><visualisations>" + visualisations +
+         "</engine>" + physics + "</arena_physics><rules>" + rules + "</rules><visualisations>" + visualisations +
          "</visualisations></ahss-config>";
 }
 

@@ -19,6 +19,7 @@ struct World {
   std::string framework;                                 ///< more elements of <framework>
   std::string engines;                                   ///< more elements of <engines>
   std::string physics;                                   ///< more elements of <arena_physics>
+  std::string rules;                                     ///< elements of <rules>
   std::string visualisations;                            ///< elements of <visualisations>
   std::string size = "10,10,2";
   bool bounded = false;
