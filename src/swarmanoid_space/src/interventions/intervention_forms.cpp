@@ -3,68 +3,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <sstream>
 #include <utility>
 
-#include "../experiment_file/reader.hpp"
+#include "../experiment_file/parameter_table.hpp"
+#include "spawn_form.hpp"
 
 namespace swarmanoid {
 namespace {
 
 using experiment::XmlElement;
-
-template <class Numbers>
-std::string numbersText(const Numbers& numbers) {
-  std::string text;
-  for (const double number : numbers) {
-    text += (text.empty() ? "" : ", ") + numberText(number);
-  }
-  return text;
-}
-
-std::string vectorText(const Eigen::Vector3d& v) { return numbersText(std::array<double, 3>{v.x(), v.y(), v.z()}); }
-
-std::string requireEngine(const XmlElement& element, const char* attribute, const std::string& id,
-                          const Experiment& experiment) {
-  std::vector<std::string> known;
-  for (const EngineDescription& engine : experiment.engines) {
-    known.push_back(engine.id);
-    if (engine.id == id) {
-      return id;
-    }
-  }
-  throw ConfigError(element.attributeLocation(attribute), unknownName("the engine", id, known));
-}
-
-std::string requireEngine(const XmlElement& element, const Experiment& experiment) {
-  return requireEngine(element, "engine", element.requireAttribute("engine"), experiment);
-}
-
-/// The text that is read as so many nanoseconds: what reads it cuts off.
-std::string secondsText(Duration duration) {
-  using Seconds = std::chrono::duration<double>;
-  double seconds = Seconds(duration).count();
-  while (std::chrono::duration_cast<Duration>(Seconds(seconds)) < duration) {
-    seconds = std::nextafter(seconds, std::numeric_limits<double>::infinity());
-  }
-  return numberText(seconds);
-}
-
-/// As the reader of entities finds it.
-Color colorInParameters(const EntityDescription& entity) {
-  if (entity.parameters.has("color")) {
-    return entity.parameters.color("color");
-  }
-  if (const Registry::Entry* type = Registry::instance().find(PluginKind::kEntity, entity.type)) {
-    for (const Parameter& parameter : type->description.parameters) {
-      if (parameter.name == "color" && parameter.value) {
-        return parseColorOrThrow(*parameter.value, parameter.name, {});
-      }
-    }
-  }
-  return colors::kBlack;
-}
 
 /// A kind's tag, attributes, how it is read and how it is written.
 template <class What>
@@ -76,55 +23,10 @@ struct InterventionForm<SpawnEntity> {
   static std::vector<std::string> attributes() { return {"engines", "color"}; }
 
   static SpawnEntity read(const XmlElement& element, const Experiment& experiment) {
-    element.refuseText();
-    const std::vector<XmlElement> children = element.children();
-    if (children.size() != 1) {
-      element.refuse("found " + std::to_string(children.size()) + " entities in <spawn>, allowed: one");
-    }
-    SpawnEntity result{experiment::readSpawnedEntity(children.front(), experiment), {}};
-    std::istringstream engines(element.attribute("engines").value_or(""));
-    for (std::string engine; engines >> engine;) {
-      result.engines.push_back(requireEngine(element, "engines", engine, experiment));
-    }
-    if (const auto color = element.attribute("color")) {
-      result.entity.color = parseColorOrThrow(*color, "color", element.attributeLocation("color"));
-    }
-    return result;
+    return readSpawn(element, experiment);
   }
 
-  static void write(const SpawnEntity& what, ElementText& text) {
-    const EntityDescription& entity = what.entity;
-    std::string engines;
-    for (const std::string& engine : what.engines) {
-      engines += (engines.empty() ? "" : " ") + engine;
-    }
-    if (!engines.empty()) {
-      text.attribute("engines", engines);
-    }
-    if (entity.color != colorInParameters(entity)) {
-      text.attribute("color", toString(entity.color));
-    }
-    text.begin(entity.type);
-    text.attribute("id", entity.id);
-    text.value("position", vectorText(entity.position));
-    text.value("angles", vectorText(entity.angles));
-    for (const Configuration& value : entity.parameters.children()) {
-      if (value.name() != "position" && value.name() != "orientation") {  // that it may have from a file
-        text.value(value.name(), value.text());
-      }
-    }
-    if (!entity.controller.empty()) {
-      text.begin("controller");
-      if (entity.source != CommandSource::kController) {
-        text.attribute("source", toString(entity.source));
-      }
-      if (entity.source == CommandSource::kTopics && entity.command_timeout != kCommandTimeout) {
-        text.attribute("timeout", secondsText(entity.command_timeout));
-      }
-      text.end(entity.controller);
-    }
-    text.end();
-  }
+  static void write(const SpawnEntity& what, ElementText& text) { writeSpawn(what, text); }
 };
 
 template <>
@@ -164,7 +66,8 @@ struct InterventionForm<MoveEntity> {
 
   static void write(const MoveEntity& what, ElementText& text) {
     text.attribute("entity", what.entity);
-    text.value("position", vectorText(what.pose.position));
+    text.value("position", numbersText(std::array<double, 3>{what.pose.position.x(), what.pose.position.y(),
+                                                             what.pose.position.z()}));
     const Eigen::Quaterniond& q = what.pose.orientation;
     text.value("quaternion", numbersText(std::array<double, 4>{q.w(), q.x(), q.y(), q.z()}));
   }
@@ -184,7 +87,8 @@ struct InterventionForm<HandOverEntity> {
 
   static HandOverEntity read(const XmlElement& element, const Experiment& experiment) {
     element.allowChildren({});
-    return {element.requireAttribute("entity"), requireEngine(element, experiment)};
+    return {element.requireAttribute("entity"),
+            requireEngineId(element, "engine", element.requireAttribute("engine"), experiment)};
   }
 
   static void write(const HandOverEntity& what, ElementText& text) {
@@ -199,7 +103,7 @@ struct InterventionForm<SetEngineParameters> {
   static std::vector<std::string> attributes() { return {"engine"}; }
 
   static SetEngineParameters read(const XmlElement& element, const Experiment& experiment) {
-    SetEngineParameters result{requireEngine(element, experiment), {}};
+    SetEngineParameters result{requireEngineId(element, "engine", element.requireAttribute("engine"), experiment), {}};
     element.refuseText();
     for (const XmlElement& value : element.children()) {
       element.child(value.name().c_str());  // refuses a second one
