@@ -1,9 +1,14 @@
 #!/usr/bin/env python3
 """`swarmanoid run --interventions` does to a run what a file says, and `--save-interventions` writes such a file."""
 
+import pathlib
+import re
+import textwrap
 import unittest
 
 from program_world import BAD_INPUT, FINISHED, STOPPED, ProgramTest
+
+DOCS = pathlib.Path(__file__).resolve().parents[3] / "docs"
 
 FILE = """<interventions experiment="world" seed="1">
   <delete tick="3" entity="wall"/>
@@ -93,6 +98,14 @@ class InterventionsTest(ProgramTest):
         self.run_world("--interventions", file, "--save-interventions", self.folder / "saved.xml",
                        visualisations='<intervention_recorder id="r"><file>r.xml</file></intervention_recorder>')
         self.assertEqual((self.out / "r.xml").read_text(), (self.folder / "saved.xml").read_text())
+
+    def test_the_listings_of_the_pages_can_be_read(self):
+        for page in ("reference/intervention_file.md", "how-to/repeat_what_was_done.md"):
+            listing = re.search(r"^    <interventions.*?^    </interventions>$", (DOCS / page).read_text(), re.M | re.S)
+            file = self.write(textwrap.dedent(listing.group()))
+            done = self.call("run", "object_retrieval", "--ticks", 1, "--quiet", "--interventions", file)
+            self.assertEqual(done.returncode, FINISHED, done.stderr)
+            self.assertIn("on will not be played, the run ends after 1 ticks", done.stderr)
 
 
 if __name__ == "__main__":
