@@ -200,6 +200,7 @@ TEST(InterventionFileTest, AnotherRootOrKindIsRefused) {
             "f.xml:2: found tag 'mov', allowed: spawn, delete, move, handover, engine_parameters, command_source; did "
             "you mean 'move'? (in <interventions>)");
   EXPECT_EQ(refusalIn("text"), "f.xml:2: found the text 'text' in <interventions>, allowed: only elements");
+  EXPECT_EQ(refusalOf(""), "f.xml: found an empty file, allowed: an <interventions> element");
   EXPECT_EQ(refusalOf(fileOf("")), "");
 }
 
@@ -327,6 +328,19 @@ TEST(InterventionFileTest, ThePlayerGivesEachInItsTickAndThoseAfterTheRulesAfter
     EXPECT_EQ(due(2, true), "c");
     EXPECT_EQ(player.left(), 0U);
     player.restart();
+  }
+}
+
+TEST(InterventionFileTest, WhatCannotBeReadOrHasNoEndIsRefused) {
+  for (const auto& [file, problem] :
+       {std::pair("/nowhere.xml", "cannot be read"), std::pair("/", "cannot be read"),
+        std::pair("/dev/zero", "found a file without an end in sight, allowed: at most 268435456 characters")}) {
+    try {
+      readInterventions(file, namedParts());
+      ADD_FAILURE() << file;
+    } catch (const ConfigError& error) {
+      EXPECT_EQ(error.what(), std::string(file) + ": " + problem);
+    }
   }
 }
 

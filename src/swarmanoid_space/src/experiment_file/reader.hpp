@@ -95,6 +95,9 @@ void readDocument(const XmlElement& root, Reader& reader);
 Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
                                    const std::vector<std::string>& others = {});
 
+/// The text of a file that people write. @throws ConfigError if it cannot be read, or has no end in sight
+std::string textOf(const std::string& file);
+
 /// Sets values in the document before it is read.
 /// @return what the document's elements point to, so it must live as long as they are read
 /// @throws ConfigError for a path that leads nowhere, or to more than one place

@@ -1,6 +1,6 @@
 #include "swarmanoid_space/interventions/intervention_file.hpp"
 
-#include "../experiment_file/parameter_table.hpp"
+#include "../experiment_file/reader.hpp"
 #include "intervention_forms.hpp"
 
 namespace swarmanoid {
@@ -80,6 +80,9 @@ XmlDocument parseDocument(const std::string& text, const std::string& name) {
 }  // namespace
 
 InterventionFile parseInterventions(const std::string& text, const std::string& name, const Experiment& experiment) {
+  if (text.empty()) {
+    throw ConfigError({name, 0}, "found an empty file, allowed: an <interventions> element");
+  }
   const XmlDocument document = parseDocument(text, name);
   const XmlElement root(xmlDocGetRootElement(document.get()), &name);
   if (root.name() != kInterventionsTag) {
@@ -106,7 +109,7 @@ InterventionFile parseInterventions(const std::string& text, const std::string& 
 }
 
 InterventionFile readInterventions(const std::string& file, const Experiment& experiment) {
-  return parseInterventions(readTextFile(file), file, experiment);
+  return parseInterventions(experiment::textOf(file), file, experiment);
 }
 
 const char* kindOf(const Intervention& intervention) { return interventionGrammars()[intervention.index()].tag; }
