@@ -5,9 +5,8 @@
 /// Phases   reset: before the first tick, and after each reset of the run. beforeTick: before `sense`. afterTick: phase
 ///          `rule`, after `index` and before `show`. All on the simulation's thread; rules in the order of the file.
 /// World    a rule sees the space const, and changes it only by interventions, which are carried out between ticks:
-/// those
-///          that reset and beforeTick ask for at once after the call, in order; those of afterTick before the next
-///          tick.
+///          those that reset and beforeTick ask for at once after the call, in order; those of afterTick before the
+///          next tick.
 /// Errors   what a hook throws ends the run, results kept; so does an intervention that was asked for and is refused.
 /// Bits     a rule draws from random(), and keeps nothing from the run before a reset: then runs can be had again.
 ///
