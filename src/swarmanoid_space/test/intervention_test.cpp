@@ -137,6 +137,39 @@ TEST_F(InterventionTest, AControllerThatDoesNotStartLeavesNothingBehind) {
   EXPECT_EQ(simulation->space().commands.find<TestDevice>(Row{2}), nullptr);
 }
 
+TEST_F(InterventionTest, WhoComesAfterARefusedOneIsAsIfThatHadNeverBeen) {
+  refusal(description("footbot", "homeless", "tc"));
+  refusal(description("footbot", "unwilling", "tc"));
+  const auto other = world();
+  other->start();
+  other->tick();
+  other->tick();
+  for (Simulation* each : {simulation.get(), other.get()}) {
+    each->apply(SpawnEntity{description("footbot", "next", "tc"), {}});
+    each->tick();
+  }
+  EXPECT_EQ(simulation->stateHash(), other->stateHash());
+}
+
+TEST_F(InterventionTest, ThoseThatChangeSomethingAreRecordedWithTheirTicks) {
+  const auto recorded = [&] {
+    simulation->tick();
+    std::string text;
+    for (const TakenIntervention& taken : simulation->space().interventions) {
+      text += std::to_string(taken.what.index()) + " before " + std::to_string(taken.tick) + taken.asked_by +
+              (taken.after_rules ? " after rules; " : "; ");
+    }
+    return text;
+  };
+  simulation->apply(SetCommandSource{"fb", CommandSource::kController});  // as it is
+  EXPECT_EQ(recorded(), "");
+  simulation->apply(SetCommandSource{"fb", CommandSource::kNone});
+  EXPECT_THROW(simulation->apply(DeleteEntity{"nobody"}), ConfigError);
+  simulation->apply(DeleteEntity{"eb"});
+  EXPECT_EQ(recorded(), "5 before 1; 1 before 1; ");
+  EXPECT_EQ(recorded(), "");
+}
+
 TEST_F(InterventionTest, ItIsKnownBeforeWhichTickAnEntityWasPutWhereItIs) {
   const Space& space = simulation->space();
   simulation->tick();

@@ -50,6 +50,8 @@ class RemoteRulesTest : public testing::Test {
 TEST_F(RemoteRulesTest, FilesInTheFolderAreAllowed) {
   options.record = "run.bag";
   options.hashes = "sub/hashes.txt";
+  options.save_interventions = "done.xml";
+  options.interventions = folder / "mine/todo.xml";
   EXPECT_EQ(refusal(), "");
 }
 
@@ -66,6 +68,12 @@ TEST_F(RemoteRulesTest, OthersAreRefusedByName) {
   options.record = "../../others/run.bag";
   EXPECT_EQ(refusal(), "~record: found '../../others/run.bag" + allowed(here));
   options.record.clear();
+  options.interventions = folder / "others/done.xml";
+  EXPECT_EQ(refusal(), "~interventions: found '" + options.interventions + allowed(here));
+  options.interventions.clear();
+  options.save_interventions = "../../others/done.xml";
+  EXPECT_EQ(refusal(), "~save_interventions: found '../../others/done.xml" + allowed(here));
+  options.save_interventions.clear();
   options.out = folder.string() + "/mine_too";
   EXPECT_EQ(refusal(), "~out: found '" + options.out + allowed(here)) << "a name that begins alike";
   options.out = folder / "mine";

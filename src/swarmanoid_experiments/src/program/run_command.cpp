@@ -27,6 +27,9 @@ struct RunOptions : ExperimentOptions {
   bool record_state = false;
   std::optional<std::string> hashes;
   bool hashes_deep = false;
+  std::optional<std::string> save_interventions;
+  std::string interventions;
+  bool all_interventions = false;
   bool quiet = false;
   bool profile = false;
 };
@@ -51,6 +54,22 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
     parameters.set(name, value);
   }
   addObserver(simulation, context, option, "command_line_" + label, parameters);
+}
+
+AskedByRules playedOf(const RunOptions& options) {
+  return options.all_interventions ? AskedByRules::kPlayed : AskedByRules::kLeftOut;
+}
+
+/// What an option wants to be done to the run from outside.
+InterventionPlayer playerOf(const RunOptions& options, const Experiment& experiment) {
+  if (options.interventions.empty()) {
+    return {};
+  }
+  InterventionFile file = readInterventions(options.interventions, experiment);
+  for (const std::string& warning : playingWarnings(file, playedOf(options), experiment)) {
+    std::cerr << "swarmanoid: warning: " << warning << '\n';
+  }
+  return InterventionPlayer(std::move(file), playedOf(options));
 }
 
 /// Prints the wall time of each phase.
@@ -123,6 +142,12 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
     code = ExitCode::kInterrupted;
   }
   run_end.finished = simulation.isFinished();
+  const std::size_t left = simulation.interventionsLeft();
+  if (code == ExitCode::kFinished && left > 0 &&
+      simulation.space().tick < simulation.experiment().framework.max_clock) {
+    std::cerr << "swarmanoid: warning: the run ended in tick " << simulation.space().tick << ", before " << left
+              << " of the interventions\n";
+  }
   try {
     simulation.finish();
   } catch (...) {
@@ -154,7 +179,12 @@ ExitCode run(const RunOptions& options) {
   RunContext context;
   context.out = openOutFolder(filesOf(options), experiment);
   refuseRobotsOfOthers(experiment);
+  InterventionPlayer player = playerOf(options, experiment);
+  if (!options.interventions.empty()) {
+    context.out->protect(options.interventions);
+  }
   Simulation simulation(std::move(experiment), context);
+  simulation.play(std::move(player));
   if (options.hashes) {
     addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes,
                        {{"deep", options.hashes_deep ? "true" : "false"}});
@@ -163,6 +193,10 @@ ExitCode run(const RunOptions& options) {
     addFromCommandLine(
         simulation, context, "--bag", "rosbag_recorder", *options.bag,
         {{"controllers", options.record_controllers}, {"state", options.record_state ? "true" : "false"}});
+  }
+  if (options.save_interventions) {
+    addFromCommandLine(simulation, context, "--save-interventions", "intervention_recorder",
+                       *options.save_interventions);
   }
   context.out->keep();
   // the sink shares it, and controllers may still use the sink while the simulation is destroyed
@@ -210,6 +244,14 @@ Command addRunCommand(CLI::App& app) {
       ->needs(bag);
   CLI::Option* hashes = command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_flag("--deep", options->hashes_deep, "and a hash of all readings and commands, too")->needs(hashes);
+  command->add_option("--save-interventions", options->save_interventions,
+                      "write what is done to the run by rules or from outside");
+  CLI::Option* interventions =
+      command->add_option("--interventions", options->interventions, "a file of that: do it to this run, too");
+  command
+      ->add_flag("--all-interventions", options->all_interventions,
+                 "also what rules asked for, into a run without these rules")
+      ->needs(interventions);
   command->add_flag("--profile", options->profile, "say where the wall time went");
   command->add_flag("--quiet", options->quiet, "no progress bar, no robots' logs");
   return [options, command] {

@@ -7,7 +7,7 @@
 ///          Space::events.
 #pragma once
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <variant>
@@ -81,7 +81,11 @@ using Intervention = std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOve
 /// An intervention that has been carried out.
 struct TakenIntervention {
   Intervention what;
-  std::string asked_by;  ///< "rule 'foraging'"; "": from outside, by whoever runs the simulation
+  std::string asked_by;    ///< "rule 'foraging' (foraging)"; "": from outside, by whoever runs the simulation
+  std::uint64_t tick = 0;  ///< the tick that was to come: 0, before the first one
+  /// Whether the rules' beforeTick of that tick had been called: the tick had begun, waited for another process, and
+  /// was given up for this intervention.
+  bool after_rules = false;
 };
 
 }  // namespace swarmanoid

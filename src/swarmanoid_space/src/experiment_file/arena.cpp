@@ -1,4 +1,5 @@
 // <arena>: what stands where.
+#include <algorithm>
 #include <cmath>
 
 #include "door.hpp"
@@ -44,7 +45,39 @@ std::string readChoice(const XmlElement& element, const char* name, const std::v
   return text;
 }
 
-EntityDescription readEntity(const XmlElement& element, bool is_distributed, Reader& reader) {
+enum class EntityPlace {
+  kFixed,        ///< position and orientation stand there
+  kDistributed,  ///< no position
+  kSpawned       ///< as kFixed, or with exact angles; the id may have been that of an entity which is gone
+};
+
+void takeEntityId(const XmlElement& element, const std::string& id, EntityPlace place, Reader& reader) {
+  if (place == EntityPlace::kSpawned) {
+    TakenIds none;
+    takeId("entity", id, element, none);
+  } else {
+    reader.takeId("entity", id, element);
+  }
+}
+
+/// <angles> in radians, instead of <orientation> in degrees: not every number of radians is one of degrees.
+std::optional<Eigen::Vector3d> readExactAngles(const XmlElement& element, std::vector<Parameter>& table) {
+  const auto angles = element.child("angles");
+  if (!angles) {
+    return std::nullopt;
+  }
+  if (const auto orientation = element.child("orientation")) {
+    orientation->refuse("found <orientation> beside <angles> in <" + element.name() + ">, allowed: one of them");
+  }
+  table.erase(std::remove_if(table.begin(), table.end(),
+                             [](const Parameter& parameter) { return parameter.name == "orientation"; }),
+              table.end());
+  angles->allowAttributes({});
+  const std::vector<double> numbers = parseNumbers(angles->text(), 3, "angles", angles->location());
+  return Eigen::Vector3d(numbers[0], numbers[1], numbers[2]);
+}
+
+EntityDescription readEntity(const XmlElement& element, EntityPlace place, Reader& reader) {
   element.allowAttributes(attributesOf("arena/*"));
   const Registry::Entry& entry =
       reader.requirePlugin(PluginKind::kEntity, element, element.attribute("library").value_or(""));
@@ -52,18 +85,26 @@ EntityDescription readEntity(const XmlElement& element, bool is_distributed, Rea
   entity.location = element.location();
   entity.type = entry.description.label;
   entity.id = element.requireAttribute("id");
-  reader.takeId("entity", entity.id, element);
+  takeEntityId(element, entity.id, place, reader);
 
   if (entry.make == nullptr) {  // of a library that is not to be loaded
     entity.parameters = element.toConfiguration();
     return entity;
   }
-  const std::vector<Parameter> table = entityParameters(entry.description, is_distributed);
-  const bool is_robot = makePlugin<EntityType>(entry)->isRobot();
-  entity.parameters =
-      readParameters(element, table, is_robot ? std::vector<std::string>{"controller"} : std::vector<std::string>{});
+  const bool is_distributed = place == EntityPlace::kDistributed;
+  std::vector<Parameter> table = entityParameters(entry.description, is_distributed);
+  std::vector<std::string> others;
+  if (makePlugin<EntityType>(entry)->isRobot()) {
+    others.emplace_back("controller");
+  }
+  std::optional<Eigen::Vector3d> exact_angles;
+  if (place == EntityPlace::kSpawned) {
+    exact_angles = readExactAngles(element, table);
+    others.emplace_back("angles");
+  }
+  entity.parameters = readParameters(element, table, others);
   entity.position = is_distributed ? Eigen::Vector3d(0, 0, 0) : entity.parameters.vector3("position");
-  entity.angles = entity.parameters.vector3("orientation") * kRadPerDeg;
+  entity.angles = exact_angles ? *exact_angles : entity.parameters.vector3("orientation") * kRadPerDeg;
   entity.color = entity.parameters.color("color", colors::kBlack);
   if (const auto controller = element.child("controller")) {
     controller->allowAttributes(attributesOf("arena/*/controller"));
@@ -108,7 +149,7 @@ void readDistribute(const XmlElement& element, Reader& reader) {
   std::vector<EntityDescription> prototypes;
   for (const XmlElement& child : element.children()) {
     if (contains(entity_tags, child.name())) {
-      prototypes.push_back(readEntity(child, true, reader));
+      prototypes.push_back(readEntity(child, EntityPlace::kDistributed, reader));
     }
   }
   if (prototypes.size() != 1) {
@@ -145,6 +186,13 @@ void readFloorPatch(const XmlElement& element, Reader& reader) {
 
 }  // namespace
 
+EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment) {
+  Reader reader;
+  EntityDescription entity = readEntity(element, EntityPlace::kSpawned, reader);
+  door::check(entity, experiment);
+  return entity;
+}
+
 void readArena(const XmlElement& section, Reader& reader) {
   section.allowAttributes(attributesOf("arena"));
   ArenaDescription& arena = reader.experiment.arena;
@@ -170,7 +218,7 @@ void readArena(const XmlElement& section, Reader& reader) {
     } else if (element.name() == "heightfield") {
       readHeightfield(element, reader);
     } else {
-      arena.entities.push_back(readEntity(element, false, reader));
+      arena.entities.push_back(readEntity(element, EntityPlace::kFixed, reader));
     }
   }
   // as whoever builds the space does, so that a mistake is reported before anything is built

@@ -196,7 +196,9 @@ void readText(const std::string& text, const std::string& name, const std::vecto
   experiment::readDocument(root_element, reader);
 }
 
-std::string textOf(const std::string& file) {
+}  // namespace
+
+std::string experiment::textOf(const std::string& file) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || std::filesystem::is_directory(file, ignored)) {
@@ -214,8 +216,6 @@ std::string textOf(const std::string& file) {
   return text;
 }
 
-}  // namespace
-
 Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
   experiment::Reader reader;
   readText(text, name, overrides, reader);
@@ -223,13 +223,13 @@ Experiment parseExperiment(const std::string& text, const std::string& name, con
 }
 
 Experiment readExperiment(const std::string& file, const std::vector<Override>& overrides) {
-  return parseExperiment(textOf(file), file, overrides);
+  return parseExperiment(experiment::textOf(file), file, overrides);
 }
 
 UncheckedExperiment readWithoutLibraries(const std::string& file, const std::vector<Override>& overrides) {
   experiment::Reader reader;
   reader.loads_libraries = false;
-  readText(textOf(file), file, overrides, reader);
+  readText(experiment::textOf(file), file, overrides, reader);
   return {std::move(reader.experiment), {reader.unloaded.begin(), reader.unloaded.end()}};
 }
 

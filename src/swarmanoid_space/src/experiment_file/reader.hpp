@@ -74,6 +74,10 @@ void readControllers(const XmlElement& section, Reader& reader);
 /// All <error> of a sensor or an actuator. @param device its type; "" if that is not known
 std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device);
 void readArena(const XmlElement& section, Reader& reader);
+/// An entity as it stands in <arena>, for a run that is under way. Beside <orientation> in degrees it may have
+/// <angles>, the same in radians, to the last bit. Whether its id is taken is not looked at.
+/// @param experiment with the arena, and the controllers
+EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment);
 /// <heightfield> in <arena>, at most one.
 void readHeightfield(const XmlElement& element, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
@@ -90,6 +94,9 @@ void readDocument(const XmlElement& root, Reader& reader);
 /// @param others children that are no parameters
 Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
                                    const std::vector<std::string>& others = {});
+
+/// The text of a file that people write. @throws ConfigError if it cannot be read, or has no end in sight
+std::string textOf(const std::string& file);
 
 /// Sets values in the document before it is read.
 /// @return what the document's elements point to, so it must live as long as they are read

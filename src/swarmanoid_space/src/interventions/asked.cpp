@@ -19,9 +19,9 @@ Row requireEntity(const World& world, const std::string& name) {
   return row;
 }
 
-void take(World& world, const Intervention& intervention, const std::string& asked_by) {
+void take(World& world, const Intervention& intervention, const std::string& asked_by, bool after_rules) {
   if (std::visit([&](const auto& kind) { return carryOut(world, kind); }, intervention)) {
-    world.pending_interventions.push_back({intervention, asked_by});
+    world.pending_interventions.push_back({intervention, asked_by, world.space.tick, after_rules});
   }
 }
 
@@ -32,7 +32,7 @@ void takeAsked(World& world) {
   world.queue.takeInto(world.asked);
   for (const AskedIntervention& asked : world.asked) {
     try {
-      take(world, asked.what, asked.asked_by);
+      take(world, asked.what, asked.asked_by, false);
     } catch (const ConfigError& error) {
       const std::string refusal = asked.asked_by + " asked in tick " + std::to_string(world.space.tick) +
                                   " for what is refused: " + error.what();

@@ -22,8 +22,9 @@ bool carryOut(World& world, const SetProperty& intervention);
 Row requireEntity(const World& world, const std::string& name);
 
 /// Carries out an intervention of any kind; one that changes something is recorded.
-/// @param asked_by as TakenIntervention has it @throws ConfigError if it is refused; then nothing has changed
-void take(World& world, const Intervention& intervention, const std::string& asked_by);
+/// @param asked_by, after_rules as TakenIntervention has them
+/// @throws ConfigError if it is refused; then nothing has changed
+void take(World& world, const Intervention& intervention, const std::string& asked_by, bool after_rules);
 
 /// All that rules have asked for. @throws std::runtime_error that names who asked for something that is refused
 void takeAsked(World& world);

@@ -47,6 +47,12 @@ std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& 
     addObserver(simulation, context, "~hashes", "hashes", parameters);
     said.push_back("writing state hashes to " + fullName(options.hashes));
   }
+  if (!options.save_interventions.empty()) {
+    Configuration parameters("intervention_recorder", "", {});
+    parameters.set("file", options.save_interventions);
+    addObserver(simulation, context, "~save_interventions", "save_interventions", parameters);
+    said.push_back("writing interventions to " + fullName(options.save_interventions));
+  }
   return said;
 }
 

@@ -16,7 +16,8 @@ namespace swarmanoid {
 /// @throws ConfigError
 std::shared_ptr<OutFolder> openOutFolder(const SpaceOptions& options, const Experiment& experiment);
 
-/// Adds recorders for the bag and the state hashes that the options request, relative to the out folder of the run.
+/// Adds recorders for the bag, the state hashes and the interventions that the options request, relative to the out
+/// folder of the run.
 /// @param space name of the space's node, for topics
 /// @return descriptions of the written files, for the log @throws ConfigError
 std::vector<std::string> addRecorders(Simulation& simulation, const RunContext& context, const SpaceOptions& options,

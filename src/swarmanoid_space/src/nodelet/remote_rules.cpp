@@ -64,6 +64,8 @@ void checkFiles(const SpaceOptions& options, const RemoteRules& rules) {
   check("out", options.out.empty() ? "." : options.out, "", rules);
   check("record", options.record, options.out, rules);
   check("hashes", options.hashes, options.out, rules);
+  check("save_interventions", options.save_interventions, options.out, rules);
+  check("interventions", options.interventions, "", rules);
   if (options.write_anywhere) {
     refuse("write_anywhere", "true", "false");
   }

@@ -45,6 +45,7 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
       "engine_markers", 1, [](const Space& space, const auto& newcomer) { newcomer.publish(engineMarkers(space)); });
   performance_publisher_ = own_.advertise<swarmanoid_msgs::Performance>("performance", 10);
   events_publisher_ = own_.advertise<swarmanoid_msgs::Event>("events", 1000);
+  interventions_publisher_ = own_.advertise<swarmanoid_msgs::Intervention>("interventions", 1000);
   result_publisher_ = own_.advertise<swarmanoid_msgs::RunResult>("result", 1, kLatched);
 }
 
@@ -72,9 +73,10 @@ void SpaceDisplay::serveNewcomers(SimulationThread* thread) {
 
 void SpaceDisplay::shutdown() {
   serveNewcomers(nullptr);
-  for (ros::Publisher* publisher : {&clock_publisher_, &tf_publisher_, &tf_static_publisher_, &world_state_publisher_,
-                                    &performance_publisher_, &events_publisher_, &markers_publisher_,
-                                    &markers_static_publisher_, &engine_markers_publisher_, &result_publisher_}) {
+  for (ros::Publisher* publisher :
+       {&clock_publisher_, &tf_publisher_, &tf_static_publisher_, &world_state_publisher_, &performance_publisher_,
+        &events_publisher_, &interventions_publisher_, &markers_publisher_, &markers_static_publisher_,
+        &engine_markers_publisher_, &result_publisher_}) {
     publisher->shutdown();
   }
 }
@@ -83,6 +85,7 @@ void SpaceDisplay::draw(const Space& space) {
   const auto now = Pace::Clock::now();
   publishFixed(space);
   publishEvents(space);
+  publishInterventions(space);
   if (clock_pace_.isDue(now)) {
     publishClock(space);
   }
@@ -172,6 +175,17 @@ void SpaceDisplay::publishEvents(const Space& space) {
   for (const Event& event : space.events) {
     toMessage(space, event, message);
     events_publisher_.publish(message);
+  }
+}
+
+void SpaceDisplay::publishInterventions(const Space& space) {
+  if (space.interventions.empty() || interventions_publisher_.getNumSubscribers() == 0) {
+    return;
+  }
+  swarmanoid_msgs::Intervention message;
+  for (const TakenIntervention& taken : space.interventions) {
+    toMessage(space, taken, message);
+    interventions_publisher_.publish(message);
   }
 }
 

@@ -62,6 +62,7 @@ class SpaceDisplay final : public Observer {
   /// @return whether entities were added, removed or placed elsewhere
   bool publishFixed(const Space& space);
   void publishEvents(const Space& space);
+  void publishInterventions(const Space& space);
   void measure(const Space& space, Pace::Clock::time_point now);
 
   ros::NodeHandle own_;
@@ -94,6 +95,7 @@ class SpaceDisplay final : public Observer {
   ros::Publisher world_state_publisher_;
   ros::Publisher performance_publisher_;
   ros::Publisher events_publisher_;
+  ros::Publisher interventions_publisher_;
   ros::Publisher markers_publisher_;
   ros::Publisher markers_static_publisher_;
   ros::Publisher engine_markers_publisher_;

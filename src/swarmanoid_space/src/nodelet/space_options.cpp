@@ -66,9 +66,14 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.record_controllers = reader.words("record_controllers");
   options.record_state = reader.boolean("record_state", false);
   options.hashes = reader.text("hashes", "");
+  options.save_interventions = reader.text("save_interventions", "");
+  options.interventions = reader.text("interventions", "");
   options.folder = reader.text("folder", "");
   options.force = reader.boolean("force", false);
   options.write_anywhere = reader.boolean("write_anywhere", false);
+  if (!options.interventions.empty()) {
+    options.interventions = inFolder(options.folder, options.interventions);
+  }
   options.out = inFolder(options.folder, reader.text("out", ""));
   options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
   reader.text("exit_code", "");  // marks the parameter as known; it is read elsewhere

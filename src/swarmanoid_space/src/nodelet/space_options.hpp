@@ -26,6 +26,8 @@ struct SpaceOptions {
   std::vector<std::string> record_controllers;  ///< robots whose controllers are in the bag; as device_topics
   bool record_state = false;                    ///< the bag contains all named state
   std::string hashes;                           ///< file of the state hash of every tick; "": none
+  std::string save_interventions;               ///< file of what was done to the run; "": none
+  std::string interventions;                    ///< file of what is to be done to the run; "": none
   std::string folder;                           ///< start of relative names; "": the manager's working directory
   std::string out;                              ///< folder of the written files, made if it does not exist
   bool force = false;                           ///< existing files are replaced

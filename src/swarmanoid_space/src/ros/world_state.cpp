@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "swarmanoid_hosts/ros/device_messages.hpp"
+#include "swarmanoid_space/interventions/intervention_file.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -159,6 +160,15 @@ void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& m
   message.entity = event.entity;
   message.other = event.other;
   message.text = event.text;
+}
+
+void toMessage(const Space& space, const TakenIntervention& taken, swarmanoid_msgs::Intervention& message) {
+  message.header = headerOf(space);
+  message.tick = taken.tick;
+  message.run = space.run;
+  message.by = taken.asked_by;
+  message.kind = kindOf(taken.what);
+  message.text = toXml(taken);
 }
 
 bool OutsideChanges::look(const Space& space) {

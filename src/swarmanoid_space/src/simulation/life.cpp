@@ -1,6 +1,8 @@
 // The life of a run: built, started, ended, put back.
 #include <algorithm>
 #include <exception>
+#include <stdexcept>
+#include <utility>
 
 #include "../assembly/stopwatch.hpp"
 #include "../interventions/carry_out.hpp"
@@ -8,7 +10,9 @@
 #include "../world/build.hpp"
 #include "../world/engines.hpp"
 #include "../world/entities.hpp"
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/interventions/intervention_file.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
@@ -69,6 +73,7 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   }
   restoreEngineParameters(world);
   build(world);
+  player_.restart();
   resetRules();
   for (ObserverInstance& observer : world.assembly.observers) {
     observer.is_finished = false;
@@ -136,6 +141,23 @@ void Simulation::destroyControllers() {
   }
 }
 
-void Simulation::apply(const Intervention& intervention) { take(*world_, intervention, ""); }
+void Simulation::play(InterventionPlayer player) {
+  SWARMANOID_EXPECTS(world_->space.tick == 0);
+  player_ = std::move(player);
+}
+
+void Simulation::playInterventions(bool after_rules) {
+  World& world = *world_;
+  while (const RecordedIntervention* due = player_.takeDue(world.space.tick, after_rules)) {
+    try {
+      take(world, due->taken.what, due->taken.asked_by, after_rules);
+    } catch (...) {
+      throw std::runtime_error(due->location.toString() + ": <" + kindOf(due->taken.what) + "> is refused in tick " +
+                               std::to_string(world.space.tick) + ": " + describeException());
+    }
+  }
+}
+
+void Simulation::apply(const Intervention& intervention) { take(*world_, intervention, "", rules_have_begun_); }
 
 }  // namespace swarmanoid

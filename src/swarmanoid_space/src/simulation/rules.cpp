@@ -23,6 +23,7 @@ void Simulation::beginTick() {
     return;  // an attempt at this tick was given up after this
   }
   World& world = *world_;
+  playInterventions(false);
   takeAsked(world);
   for (const RuleInstance& rule : world.assembly.rules) {
     world.queue.setAsking(rule.part);
@@ -31,6 +32,7 @@ void Simulation::beginTick() {
     takeAsked(world);
   }
   rules_have_begun_ = true;
+  playInterventions(true);
 }
 
 }  // namespace swarmanoid

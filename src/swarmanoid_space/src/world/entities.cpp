@@ -89,6 +89,7 @@ Row addEntity(World& world, const EntityDescription& entity, const std::vector<M
     }
   } catch (...) {
     removeEntity(world, row);
+    world.space.entities.giveBackLastNumber();  // hashes of whoever comes later go by numbers
     throw;
   }
   for (const Membership& membership : memberships) {

@@ -4,6 +4,7 @@
 #include <rosbag/view.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/String.h>
+#include <swarmanoid_msgs/Intervention.h>
 #include <swarmanoid_msgs/WorldState.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -95,6 +96,27 @@ TEST_F(RosbagRecorderTest, SaysWhichMathematicsTheRunWasCalculatedWith) {
   const auto texts = read<std_msgs::String>("/space/math_library");
   ASSERT_EQ(1U, texts.size());
   EXPECT_EQ(mathLibrary(), texts[0]->data);
+}
+
+TEST_F(RosbagRecorderTest, HoldsWhatWasDoneToTheRunWhateverTheTicksThatItRecords) {
+  const auto simulation = test::smallWorld(10);
+  record(*simulation, "5");
+  simulation->start();
+  simulation->tick();
+  simulation->apply(DeleteEntity{"prey"});
+  simulation->apply(MoveEntity{"fb_1", {{4.0, 1.0, 0.0}, Eigen::Quaterniond::Identity()}});
+  runToEnd(*simulation);
+  simulation->finish();
+  const auto messages = read<swarmanoid_msgs::Intervention>("/space/interventions");
+  ASSERT_EQ(2U, messages.size());
+  EXPECT_EQ("delete", messages[0]->kind);
+  EXPECT_EQ(1U, messages[0]->tick);
+  EXPECT_EQ(0U, messages[0]->run);
+  EXPECT_EQ("", messages[0]->by);
+  EXPECT_EQ("<delete tick=\"1\" entity=\"prey\"/>\n", messages[0]->text);
+  EXPECT_EQ(ros::Time(1, 200000000), messages[0]->header.stamp);  // the run begins at 1 s; of tick 1's end
+  EXPECT_EQ("move", messages[1]->kind);
+  EXPECT_EQ(0U, messages[1]->text.rfind("<move tick=\"1\" entity=\"fb_1\">\n", 0));
 }
 
 TEST_F(RosbagRecorderTest, RecordsEverySoManyTicks) {

@@ -11,6 +11,7 @@
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/Header.h>
 #include <swarmanoid_msgs/Event.h>
+#include <swarmanoid_msgs/Intervention.h>
 #include <swarmanoid_msgs/WorldState.h>
 
 #include <string>
@@ -37,6 +38,7 @@ rosgraph_msgs::Clock clockMessage(const Space& space);
 /// Reuses what `message` holds.
 void toMessage(const Space& space, swarmanoid_msgs::WorldState& message);
 void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& message);
+void toMessage(const Space& space, const TakenIntervention& taken, swarmanoid_msgs::Intervention& message);
 
 /// Whether entities came, went, were put elsewhere or got another colour from outside since the last call: what is only
 /// sent on such occasions (fixed frames, static markers) is due then, and at the first call.

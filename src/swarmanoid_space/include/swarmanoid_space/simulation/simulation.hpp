@@ -13,6 +13,7 @@
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/observer.hpp"
+#include "swarmanoid_space/simulation/intervention_player.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "swarmanoid_space/world/controller_failure.hpp"
 #include "swarmanoid_space/world/engine_report.hpp"
@@ -103,6 +104,12 @@ class Simulation {
   /// an event, from the next tick on; so does one that changes nothing not.
   /// @throws ConfigError why it is refused; then nothing has changed
   void apply(const Intervention& intervention);
+  /// In this run, and after each reset again, these interventions are carried out too, each before its tick. One that
+  /// is refused ends the run: tick() throws a std::runtime_error with file, line, tick and reason. @pre before the
+  /// first tick
+  void play(InterventionPlayer player);
+  /// How many of those that are played are still to come.
+  std::size_t interventionsLeft() const { return player_.left(); }
   /// Back to the state before tick 0: spawned, deleted and handed over entities included, and parameters of engines as
   /// in the file. `seed` replaces the experiment's if given. Space::time_before_reset grows so that ROS time keeps
   /// rising, unless `rewind` sets it back to 0.
@@ -111,11 +118,13 @@ class Simulation {
  private:
   void resetRules();
   void beginTick();
+  void playInterventions(bool after_rules);
   void noteFailures();
   void logNewOverflows();
 
   std::unique_ptr<World> world_;  // the space, and all that acts on it
   std::vector<Row> faulty_;       // scratch of `actuate`
+  InterventionPlayer player_;
   PhaseTimes phase_times_;
   std::size_t logged_overflows_ = 0;
   std::chrono::steady_clock::time_point next_flush_;

@@ -49,6 +49,9 @@ class Entities {
   /// The entity has the defaults in all columns but those of the arguments. @pre no entity has that name
   Row add(const std::string& name, std::shared_ptr<const EntityModel> model, const Pose& pose, Color color);
   void remove(Row row);
+  /// The entity that was added last has been removed at once, and nobody has seen its number: the next one gets it, as
+  /// if that entity had never been.
+  void giveBackLastNumber() { --last_number_; }
   /// Forgets everything, entity numbers too.
   void clear();
 

@@ -20,7 +20,8 @@ class RosbagRecorder final : public Observer {
     PluginDescription description;
     description.label = "rosbag_recorder";
     description.summary =
-        "Writes a rosbag: clock, transforms, world state, events, markers, and what controllers saw and did.";
+        "Writes a rosbag: clock, transforms, world state, events, interventions, markers, and what controllers saw and "
+        "did.";
     Parameter compression = makeParameter("compression", Type::kChoice, "", "lz4", {}, "Of the bag's chunks.");
     compression.choices = {"none", "lz4", "bz2"};
     Parameter level = makeParameter("transforms", Type::kChoice, "", "auto", {},
@@ -66,6 +67,10 @@ class RosbagRecorder final : public Observer {
       toMessage(space, event, event_);
       bag_.write(topics_ + "events", stamp, event_);
     }
+    for (const TakenIntervention& taken : space.interventions) {
+      toMessage(space, taken, intervention_);
+      bag_.write(topics_ + "interventions", stamp, intervention_);
+    }
     if (changes_.look(space)) {
       bag_.writeLatched("/tf_static", stamp, transforms_.fixed(space));
       bag_.writeLatched(topics_ + "markers_static", stamp, arenaMarkers(space));
@@ -108,6 +113,7 @@ class RosbagRecorder final : public Observer {
   StateMessage state_;
   swarmanoid_msgs::WorldState world_state_;
   swarmanoid_msgs::Event event_;
+  swarmanoid_msgs::Intervention intervention_;
 };
 
 }  // namespace

@@ -1,0 +1,30 @@
+/// How an entity that is spawned stands in a file of interventions, and what the forms of the other kinds need too.
+#pragma once
+
+#include <string>
+
+#include "../experiment_file/xml_element.hpp"
+#include "../xml/element_text.hpp"
+#include "swarmanoid_space/intervention.hpp"
+
+namespace swarmanoid {
+
+/// Separated by commas, each with as many digits as it needs.
+template <class Numbers>
+std::string numbersText(const Numbers& numbers) {
+  std::string text;
+  for (const double number : numbers) {
+    text += (text.empty() ? "" : ", ") + numberText(number);
+  }
+  return text;
+}
+
+/// @return the id @throws ConfigError at the place of the attribute if no engine has it
+std::string requireEngineId(const experiment::XmlElement& element, const char* attribute, const std::string& id,
+                            const Experiment& experiment);
+
+// As InterventionGrammar has them.
+SpawnEntity readSpawn(const experiment::XmlElement& element, const Experiment& experiment);
+void writeSpawn(const SpawnEntity& what, ElementText& text);
+
+}  // namespace swarmanoid
