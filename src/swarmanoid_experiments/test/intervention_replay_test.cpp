@@ -51,7 +51,7 @@ class RandomInterventions {
       : engine_(std::move(engine)), random_(seed, "test", "interventions") {}
 
   Intervention next() {
-    switch (random_.below(6)) {
+    switch (random_.below(7)) {
       case 0:
         return spawn();
       case 1:
@@ -62,6 +62,9 @@ class RandomInterventions {
         return HandOverEntity{name(), engine()};
       case 4:
         return parameters();
+      case 5:
+        return SetProperty{name(), random_.below(3) == 0 ? "charge" : "color",
+                           std::to_string(random_.below(300)) + ",0,7"};
       default:
         return SetCommandSource{name(), random_.below(3) == 0 ? CommandSource::kTopics
                                                               : (random_.below(2) == 0 ? CommandSource::kNone

@@ -141,6 +141,10 @@ TEST(InterventionFileTest, TheOtherKindsHaveTheirWords) {
     EXPECT_EQ(throughAFile(SetCommandSource{"fb_1", source}).source, source);
     EXPECT_EQ(throughAFile(SetCommandSource{"fb_1", source}).robot, "fb_1");
   }
+  const SetProperty property = throughAFile(SetProperty{"lamp", "intensity", "0.30000000000000004"});
+  EXPECT_EQ(property.entity, "lamp");
+  EXPECT_EQ(property.property, "intensity");
+  EXPECT_EQ(property.value, "0.30000000000000004");
 }
 
 TEST(InterventionFileTest, OfAValueThatIsSetTwiceTheLastOneStaysThere) {
@@ -197,8 +201,8 @@ TEST(InterventionFileTest, AnotherRootOrKindIsRefused) {
             "f.xml:1: found attribute 'seeds', allowed: experiment, seed; did you mean 'seed'? (in <interventions>)");
   EXPECT_EQ(refusalOf("<interventions seed='-1'/>"), "f.xml:1: seed: found '-1', allowed: a whole number from 0");
   EXPECT_EQ(refusalIn("<mov tick='1'/>"),
-            "f.xml:2: found tag 'mov', allowed: spawn, delete, move, handover, engine_parameters, command_source; did "
-            "you mean 'move'? (in <interventions>)");
+            "f.xml:2: found tag 'mov', allowed: spawn, delete, move, handover, engine_parameters, command_source, "
+            "property; did you mean 'move'? (in <interventions>)");
   EXPECT_EQ(refusalIn("text"), "f.xml:2: found the text 'text' in <interventions>, allowed: only elements");
   EXPECT_EQ(refusalOf(""), "f.xml: found an empty file, allowed: an <interventions> element");
   EXPECT_EQ(refusalOf(fileOf("")), "");

@@ -151,6 +151,23 @@ struct InterventionForm<SetCommandSource> {
   }
 };
 
+template <>
+struct InterventionForm<SetProperty> {
+  static constexpr const char* kTag = "property";
+  static std::vector<std::string> attributes() { return {"entity", "name", "value"}; }
+
+  static SetProperty read(const XmlElement& element, const Experiment& /*experiment*/) {
+    element.allowChildren({});
+    return {element.requireAttribute("entity"), element.requireAttribute("name"), element.requireAttribute("value")};
+  }
+
+  static void write(const SetProperty& what, ElementText& text) {
+    text.attribute("entity", what.entity);
+    text.attribute("name", what.property);
+    text.attribute("value", what.value);
+  }
+};
+
 template <class What>
 InterventionGrammar grammarOf() {
   using Form = InterventionForm<What>;
