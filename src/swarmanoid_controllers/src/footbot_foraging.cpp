@@ -79,7 +79,7 @@ class FootbotForaging final : public Controller {
     memory_.turn_rate = turn_rate;
     if (state == State::kGrip || state == State::kCarry) {
       // neighbours that are in each other's way for the same reason give up at different times
-      memory_.patience = robot_->random().uniform(5.0, 12.0);
+      memory_.patience = robot_->random().uniform(3.0, 6.0);
     }
     gripper_->closed = state == State::kGrip || state == State::kCarry;
     leds_->setAll(state == State::kCarry ? colors::kBlue : colors::kBlack);

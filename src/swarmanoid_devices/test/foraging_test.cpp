@@ -212,6 +212,7 @@ TEST(ForagingMistakesTest, AreRefusedWithTheirPlace) {
             "foraging.xml:13: nest: found 'nets', allowed: the id of a floor patch (food, nest); did you mean 'nest'?");
   EXPECT_EQ(refusal("<minimum>2, 2, 0</minimum><maximum>4, 1, 0</maximum>"),
             "foraging.xml:13: maximum: found '4, 1, 0', allowed: nothing below minimum, '2, 2, 0'");
+  EXPECT_EQ(refusal(std::string(kBox) + "<prey/>"), "foraging.xml:13: prey: found '', allowed: what names begin with");
   EXPECT_EQ(refusal("<minimum>2, 2, 0</minimum>"), "foraging.xml:13: <foraging> needs <maximum>");
 }
 

@@ -37,6 +37,9 @@ class Foraging final : public Rule {
     maximum_ = parameters.vector3("maximum");
     enough_ = static_cast<double>(parameters.integer("enough"));
     location_ = parameters.location();
+    if (prey_.empty()) {
+      throw ConfigError(location_, "prey: found '', allowed: what names begin with");
+    }
     if (!((maximum_ - minimum_).minCoeff() >= 0.0)) {
       throw ConfigError(location_, "maximum: found '" + parameters.text("maximum") +
                                        "', allowed: nothing below minimum, '" + parameters.text("minimum") + "'");
@@ -61,7 +64,8 @@ class Foraging final : public Rule {
     const FloorPatch& nest = *nestIn(space);
     forgetThoseThatAreBack(space);
     for (const Row row : space.entities.order) {
-      if (space.entities.name[row].compare(0, prey_.size(), prey_) != 0) {
+      const bool is_prey = space.entities.name[row].compare(0, prey_.size(), prey_) == 0;
+      if (!is_prey || !space.entities.model[row]->is_movable) {
         continue;
       }
       const EntityNumber number = space.entities.number[row];

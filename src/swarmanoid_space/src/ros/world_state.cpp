@@ -153,6 +153,7 @@ void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& m
   static_assert(static_cast<int>(Event::Kind::kHandedOver) == Message::HANDED_OVER);
   static_assert(static_cast<int>(Event::Kind::kHandoverRefused) == Message::HANDOVER_REFUSED);
   static_assert(static_cast<int>(Event::Kind::kAnswerRefused) == Message::ANSWER_REFUSED);
+  static_assert(static_cast<int>(Event::Kind::kInterventionRefused) == Message::INTERVENTION_REFUSED);
   message.header = headerOf(space);
   message.tick = space.tick;
   message.run = space.run;
