@@ -16,8 +16,8 @@ bool isInReach(const Space& space, const RayBundle& rays, Row row) {
 }  // namespace
 
 std::optional<double> Space::property(Row row, std::string_view name) const {
-  const int index = entities.model[row]->findProperty(name);
-  return index < 0 ? std::nullopt : std::optional<double>(properties[row][static_cast<std::size_t>(index)]);
+  const int found = entities.model[row]->findProperty(name);
+  return found < 0 ? std::nullopt : std::optional<double>(properties[row][static_cast<std::size_t>(found)]);
 }
 
 Color Space::ownColor(Row row) const {

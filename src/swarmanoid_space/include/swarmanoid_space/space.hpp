@@ -94,7 +94,7 @@ class Space {
       entities.columns,
       {"property", Writer::kBetweenTicks, Visits::kHash},
       [](const EntityModel& model) { return model.properties.size(); },
-      [](const EntityModel& model, std::size_t index) { return model.properties[index].initial; }};
+      [](const EntityModel& model, std::size_t place) { return model.properties[place].initial; }};
   /// For sensors, once an entity: few models have properties, and those that have, have few names to compare.
   /// @return nothing if the entity has no such property
   std::optional<double> property(Row row, std::string_view name) const;
