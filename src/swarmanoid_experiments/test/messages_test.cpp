@@ -163,11 +163,11 @@ TEST(MessagesTest, RobotsThatComeAndGo) {
   late.id = "late";
   late.position = {2.0, 3.5, 0.0};
   late.controller = "answers";
-  simulation->spawn(late, {"ground"});
+  simulation->apply(SpawnEntity{late, {"ground"}});
   simulation->tick();
   EXPECT_EQ(heardBy(*simulation, "late"), 1) << "in its first tick";
   EXPECT_EQ(heardBy(*simulation, "b"), 1);
-  simulation->remove("b");  // after it has said 2
+  simulation->apply(DeleteEntity{"b"});  // after it has said 2
   simulation->tick();
   const Space& space = simulation->space();
   const auto* received = space.readings.find<RangeAndBearingReceived>(space.entities.find("a"));
