@@ -180,7 +180,7 @@ class OutsideTest(unittest.TestCase):
         self.assertEqual(100, result["ticks"])
         self.assertIn(": valid, 9 entities, 1 robots", succeed(["swarmanoid", "validate", LANTERNS], environment))
         unchecked = succeed(["swarmanoid", "validate", "--no-libraries", LANTERNS], environment)
-        self.assertIn(": valid as far as can be told without lantern; not built", unchecked)
+        self.assertIn(": valid as far as can be told without diffusion, lantern; not built", unchecked)
         for old, new, refusal in (
                 ('<lantern id="bright" library="lantern">', '<lantern id="bright" library="lanterns">', "library 'lanterns'"),
                 ("<intensity>5</intensity>", "<intensity>-5</intensity>", "intensity: found '-5', allowed: a number from 0 to"),

@@ -55,7 +55,7 @@ class RandomInterventions {
       case 0:
         return spawn();
       case 1:
-        return DeleteEntity{name()};
+        return DeleteEntity{random_.below(2) == 0 ? name() : "prey_" + std::to_string(1 + random_.below(4))};
       case 2:
         return MoveEntity{name(), {place(), orientationFromAngles(angles())}};
       case 3:
@@ -66,9 +66,10 @@ class RandomInterventions {
         return SetProperty{name(), random_.below(3) == 0 ? "charge" : "color",
                            std::to_string(random_.below(300)) + ",0,7"};
       default:
-        return SetCommandSource{name(), random_.below(3) == 0 ? CommandSource::kTopics
-                                                              : (random_.below(2) == 0 ? CommandSource::kNone
-                                                                                       : CommandSource::kController)};
+        return SetCommandSource{random_.below(2) == 0 ? name() : "fb_" + std::to_string(1 + random_.below(4)),
+                                random_.below(3) == 0
+                                    ? CommandSource::kTopics
+                                    : (random_.below(2) == 0 ? CommandSource::kNone : CommandSource::kController)};
     }
   }
 

@@ -63,7 +63,7 @@ class InterventionsTest(ProgramTest):
     def test_mistakes_in_the_file_are_bad_input(self):
         file = self.write('<interventions>\n<delte tick="2" entity="wall"/>\n</interventions>')
         self.assert_refused(f"{file}:2: found tag 'delte', allowed: spawn, delete, move, handover, engine_parameters, "
-                            "command_source; did you mean 'delete'? (in <interventions>)",
+                            "command_source, property; did you mean 'delete'? (in <interventions>)",
                             "run", self.world(), "--interventions", file, "--out", self.out)
         done = self.call("run", self.world(), "--all-interventions")
         self.assertEqual(done.returncode, BAD_INPUT)

@@ -73,7 +73,8 @@ TEST(RulePagesTest, NameEveryValueAndEveryMetric) {
       EXPECT_NE(row.find("| " + parameter.description + " |"), std::string::npos)
           << label << ": " << parameter.name << ": " << row;
     }
-    for (const Metric& metric : configured(*entry)->metrics()) {
+    const auto rule = configured(*entry);
+    for (const Metric& metric : rule->metrics()) {
       const std::string row = rowOf(page, metric.name.substr(std::string("r.").size()));
       EXPECT_NE(row.find("| " + metric.description + " |"), std::string::npos)
           << label << ": " << metric.name << ": " << row;
