@@ -206,12 +206,15 @@ TEST(JointStatesTest, AreThoseOfTheRobotsJointsInTheirOrder) {
 
 TEST(JointStatesTest, StayWhereTheyAreWhenMoreRobotsCome) {
   DeviceWorld world;
-  JointsSensor states(world, world.addFootbot(1.0, 1.0));
+  const Row robot = world.addFootbot(1.0, 1.0);
+  JointsSensor states(world, robot);
   const JointStates::Joint* const readings = states.sense().joints.data();
   for (int i = 0; i < 50; ++i) {
     states.sensor->add(world.space, world.addFootbot(2.0 + 0.1 * i, 3.0));
   }
   EXPECT_EQ(states.sense().joints.data(), readings);
+  world.space.joints[robot][0].angle = 0.5;
+  EXPECT_EQ(states.sense().joints[0].angle, 0.5) << "it is written where it is read";
 }
 
 TEST(JointStatesTest, ErrorsActOnTheSpan) {

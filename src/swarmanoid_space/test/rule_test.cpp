@@ -238,7 +238,8 @@ TEST_F(RuleTest, AnExceptionNamesTheRule) {
       {[] {
          throw ConfigError({"some.xml", 4}, "no dock");
        },
-       "ConfigError some.xml:4: no dock"}};
+       "ConfigError some.xml:4: no dock"},
+      {[] { throw ConfigError({}, "power: found 'x'"); }, "ConfigError rule 'b' (scripted_rule): power: found 'x'"}};
   for (const auto& [action, expected] : cases) {
     const Hook hook = [act = action](ScriptedRule&, const Space&, InterventionQueue&) { act(); };
     b = {};

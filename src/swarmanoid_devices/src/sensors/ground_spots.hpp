@@ -15,6 +15,7 @@
 ///     };
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
 
@@ -34,23 +35,19 @@ constexpr double kDeepestSpot = 0.01;  // in the ground, along its line of sight
 /// @return from -kDeepestSpot to range [m]; infinity if it meets none there
 inline double wayToGround(const Space& space, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction,
                           double range) {
-  if (space.terrain) {
-    const Segment sight{spot - kDeepestSpot * direction, spot + range * direction};
-    const double fraction = space.terrain->closestHit(sight);
-    if (fraction <= 1.0) {
-      return fraction * (kDeepestSpot + range) - kDeepestSpot;
-    }
-  }
-  if (!(direction.z() < 0.0)) {
-    return kInfinity;
-  }
-  const double way = -spot.z() / direction.z();
+  double way = direction.z() < 0.0 ? -spot.z() / direction.z() : kInfinity;  // to the level floor
   if (way < -kDeepestSpot || way > range) {
-    return kInfinity;
+    way = kInfinity;
   }
-  const Eigen::Vector3d point = spot + way * direction;
-  const bool is_replaced = space.terrain && space.terrain->contains(point.x(), point.y());
-  return is_replaced ? kInfinity : way;
+  if (!space.terrain) {
+    return way;
+  }
+  if (way != kInfinity) {
+    const Eigen::Vector3d point = spot + way * direction;
+    way = space.terrain->contains(point.x(), point.y()) ? kInfinity : way;
+  }
+  const double fraction = space.terrain->closestHit({spot - kDeepestSpot * direction, spot + range * direction});
+  return fraction <= 1.0 ? std::min(way, fraction * (kDeepestSpot + range) - kDeepestSpot) : way;
 }
 
 template <class Device, int count>

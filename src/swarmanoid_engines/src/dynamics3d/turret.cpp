@@ -81,14 +81,15 @@ bool commandsLinks(const EntityModel& model, const DeviceUse& device) {
   return false;
 }
 
-/// Whether the device works with a gripper that a joint turns.
+/// Whether the device closes a gripper that a joint turns.
 bool usesTurnedGripper(const EntityModel& model, const DeviceUse& device) {
-  return std::any_of(model.holders.begin(), model.holders.end(), [&](const EntityModel::Holder& holder) {
-    const auto mount = model.mounts.find(holder.mount);
-    const bool is_turned = mount != model.mounts.end() && mount->second.joint >= 0;
-    return holder.kind == EntityModel::Holder::Kind::kGripper && is_turned &&
-           worksWith(device, Mechanism::Kind::kHolder, holder.name);
-  });
+  return device.kind == DeviceKind::kActuator &&
+         std::any_of(model.holders.begin(), model.holders.end(), [&](const EntityModel::Holder& holder) {
+           const auto mount = model.mounts.find(holder.mount);
+           const bool is_turned = mount != model.mounts.end() && mount->second.joint >= 0;
+           return holder.kind == EntityModel::Holder::Kind::kGripper && is_turned &&
+                  worksWith(device, Mechanism::Kind::kHolder, holder.name);
+         });
 }
 
 }  // namespace

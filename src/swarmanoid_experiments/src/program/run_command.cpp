@@ -138,10 +138,10 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
   if (options.profile) {
     printProfile(total, simulation.space());
   }
+  run_end.finished = code == ExitCode::kFinished && simulation.isFinished();
   if (code == ExitCode::kFinished && isInterrupted()) {
     code = ExitCode::kInterrupted;
   }
-  run_end.finished = simulation.isFinished();
   const std::size_t left = simulation.interventionsLeft();
   if (code == ExitCode::kFinished && left > 0 &&
       simulation.space().tick < simulation.experiment().framework.max_clock) {
@@ -154,7 +154,7 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
     std::cerr << "swarmanoid: " << describeException() << '\n';
     code = ExitCode::kStopped;
   }
-  run_end.state_hash = simulation.stateHash();  // of the last tick, without changes by destroy()
+  run_end.state_hash = simulation.stateHash();  // without changes by destroy()
   simulation.destroyControllers();
   const RunResult result = resultOf(simulation, run_end);
   if (code == ExitCode::kFinished && !result.failures.empty()) {

@@ -10,16 +10,19 @@
 namespace swarmanoid {
 
 /// Calls a hook of a rule. @param hook, tick as UserCode has them
-/// @throws ConfigError if the rule does; std::runtime_error that names the rule, "rule 'dock' (recharge): no power",
-/// for anything else
+/// @throws ConfigError if the rule does, std::runtime_error for anything else; both name the rule, "rule 'dock'
+/// (recharge): no power", but for a ConfigError that has a place in a file
 template <class Action>
 void callRule(const char* hook, const RuleInstance& rule, std::uint64_t tick, Action action) {
   const UserCode code{hook, rule.part, "", tick, false};
   const UserCall call(code);
   try {
     action();
-  } catch (const ConfigError&) {
-    throw;
+  } catch (const ConfigError& error) {
+    if (!error.location().file.empty()) {
+      throw;
+    }
+    throw ConfigError({}, rule.part + ": " + error.what());
   } catch (const std::exception&) {
     throw std::runtime_error(rule.part + ": " + describeException());
   } catch (...) {

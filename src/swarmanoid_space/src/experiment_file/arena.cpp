@@ -188,6 +188,7 @@ void readFloorPatch(const XmlElement& element, Reader& reader) {
 
 EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment) {
   Reader reader;
+  reader.experiment.framework.controller_path = experiment.framework.controller_path;  // where libraries are
   EntityDescription entity = readEntity(element, EntityPlace::kSpawned, reader);
   door::check(entity, experiment);
   return entity;

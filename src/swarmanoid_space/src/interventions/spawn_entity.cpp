@@ -8,6 +8,9 @@ namespace swarmanoid {
 
 bool carryOut(World& world, const SpawnEntity& intervention) {
   const EntityDescription& entity = intervention.entity;
+  if (entity.distribution) {
+    throw ConfigError(entity.location, "found a distribution of '" + entity.id + "', allowed: one entity");
+  }
   door::check(entity, world.experiment);
   std::vector<Claim> claims;
   for (const std::string& engine : intervention.engines) {

@@ -57,7 +57,12 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     world.space.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
   double seconds = 0.0;
-  finish_asked_ = phases::rule(world.space, world.assembly.rules, world.queue);
+  try {
+    finish_asked_ = phases::rule(world.space, world.assembly.rules, world.queue);
+  } catch (...) {
+    phases::show(world.space, world.assembly.observers);  // the tick is whole, and counts
+    throw;
+  }
   stopwatch.lap(seconds);
   phase_times_.rule += seconds;
   finish_asked_ = phases::show(world.space, world.assembly.observers) || finish_asked_;

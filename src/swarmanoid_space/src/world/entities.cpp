@@ -87,18 +87,18 @@ Row addEntity(World& world, const EntityDescription& entity, const std::vector<M
     if (!entity.controller.empty()) {
       giveController(world, row, entity);
     }
+    for (const Membership& membership : memberships) {
+      callPlugin("add", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+                 [&] { membership.engine->add(world.space, row, membership.role); });
+      world.assembly.memberships[row].push_back(membership);
+      if (membership.role == Role::kMove) {
+        world.space.mover[row] = membership.engine;
+      }
+    }
   } catch (...) {
     removeEntity(world, row);
     world.space.entities.giveBackLastNumber();  // hashes of whoever comes later go by numbers
     throw;
-  }
-  for (const Membership& membership : memberships) {
-    callPlugin("add", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
-               [&] { membership.engine->add(world.space, row, membership.role); });
-    world.assembly.memberships[row].push_back(membership);
-    if (membership.role == Role::kMove) {
-      world.space.mover[row] = membership.engine;
-    }
   }
   if (memberships.empty()) {
     world.space.entities_without_engine.push_back(row);

@@ -35,7 +35,8 @@ InterventionFile readInterventions(const std::string& file, const Experiment& ex
 /// The same from a text; `name` stands for the file in messages.
 InterventionFile parseInterventions(const std::string& text, const std::string& name, const Experiment& experiment);
 
-/// The tag of an intervention: "spawn", "delete", "move", "handover", "engine_parameters", "command_source".
+/// The tag of an intervention: "spawn", "delete", "move", "handover", "engine_parameters", "command_source",
+/// "property".
 const char* kindOf(const Intervention& intervention);
 
 /// As an element, in lines. @param depth by how many levels it is indented
