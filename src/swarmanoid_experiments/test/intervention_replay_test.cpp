@@ -23,7 +23,7 @@ World crowdedWorld(const std::string& engine) {
   world.ticks = 400;
   world.drive = "<left>0</left><right>0</right><random>true</random><close_at>0</close_at>";
   std::string members;
-  world.entities = "<light id='lamp'><position>5, 5, 0.9</position></light>";
+  world.entities = "<light id='lamp'><position>5, 5, 0.9</position><orientation>0, 0, 0</orientation></light>";
   for (int i = 1; i <= 4; ++i) {
     const std::string number = std::to_string(i);
     world.entities += footbot("fb_" + number, 2.0 * i, 3, 30.0 * i) + prey("prey_" + number, 2.0 * i, 6);

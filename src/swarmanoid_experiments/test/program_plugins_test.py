@@ -116,7 +116,7 @@ class PluginTest(MisbehavingTest):
                 self.assertEqual((code, errors), (STOPPED, f"swarmanoid: {named}\n"))
                 self.assert_table(20)
 
-    def test_a_rule_after_a_tick_keeps_visualisations_from_seeing_it(self):
+    def test_visualisations_see_a_tick_after_which_a_rule_throws_but_not_one_that_it_crashes(self):
         for deed, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
             with self.subTest(deed=deed):
                 self.assert_ended(self.misbehave("afterTick", deed, who=RULE),
@@ -124,7 +124,7 @@ class PluginTest(MisbehavingTest):
         code, summary, errors = self.misbehave("afterTick", "throw_runtime_error", who=RULE)
         self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {RULE}: told to\n"))
         self.assertEqual(summary["ticks"], 3)
-        self.assert_table(2)
+        self.assert_table(3)
 
     def test_a_rule_that_fails_before_the_run_begins(self):
         for deed, reason in (("segv_read", f"crashed: SIGSEGV in reset of {RULE}"),
