@@ -22,6 +22,14 @@ inline void steer(FootbotWheels& wheels, double bearing, double speed) {
   wheels.drive(speed * ahead * ahead, std::clamp(kGain * bearing, -kFastestTurn, kFastestTurn));
 }
 
+/// Of a robot that wanders: it drives arcs, each for 3 s on average.
+/// @param turn_rate of its arc [rad/s] @param dt since the last call [s] @return that of its arc from now on [rad/s]
+inline double wanderingTurnRate(RandomStream& random, double turn_rate, double dt) {
+  constexpr double kArc = 3.0;       // s on average
+  constexpr double kTightest = 0.8;  // rad/s
+  return random.uniform() < dt / kArc ? random.uniform(-kTightest, kTightest) : turn_rate;
+}
+
 /// The direction of obstacles, as the sum of the proximity readings taken as vectors.
 struct ObstacleVector {
   double x = 0.0;  ///< ahead

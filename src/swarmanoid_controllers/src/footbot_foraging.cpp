@@ -3,8 +3,7 @@
 // leaves the prey alone.
 #include <string>
 
-#include "blob_search.hpp"
-#include "differential_drive.hpp"
+#include "gripping.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -103,15 +102,11 @@ class FootbotForaging final : public Controller {
     if (prey) {
       return steer(*wheels_, prey->bearing(), speed_);
     }
-    constexpr double kNewHeadingEvery = 3.0;  // s on average
-    if (robot_->random().uniform() < dt_ / kNewHeadingEvery) {
-      memory_.turn_rate = robot_->random().uniform(-0.8, 0.8);
-    }
+    memory_.turn_rate = wanderingTurnRate(robot_->random(), memory_.turn_rate, dt_);
     wheels_->drive(speed_, memory_.turn_rate);
   }
 
   void grip() {
-    constexpr double kAligned = 0.12;  // rad
     constexpr double kApproach = 5.0;  // s that a robot takes which nobody hinders
     if (gripper_state_->gripping) {
       return enter(State::kCarry);
@@ -120,13 +115,7 @@ class FootbotForaging final : public Controller {
     if (!prey || prey->distance() > kNearPrey + 0.1 || memory_.time_in_state > kApproach + memory_.patience) {
       return enter(State::kTurnAway);
     }
-    const double bearing = prey->bearing();
-    if (std::abs(bearing) > kAligned) {
-      // close to the prey the gripper would hit it while turning, so the robot backs off first
-      wheels_->drive(prey->distance() < kPreyReach ? -0.5 * speed_ : 0.0, 2.0 * bearing);
-    } else {
-      wheels_->drive(0.5 * speed_, 2.0 * bearing);
-    }
+    driveToGrip(*wheels_, *prey, kPreyReach, speed_, 0.5 * speed_);
   }
 
   void carry() {

@@ -4,8 +4,7 @@
 // prey, releases it.
 #include <string>
 
-#include "blob_search.hpp"
-#include "differential_drive.hpp"
+#include "gripping.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
@@ -134,8 +133,7 @@ class FootbotRetrieval final : public Controller {
   }
 
   void gripPrey() {
-    constexpr double kGiveUp = 20.0;   // s
-    constexpr double kAligned = 0.12;  // rad
+    constexpr double kGiveUp = 20.0;  // s
     if (gripper_state_->gripping) {
       enter(State::kGoToNest);
       // two footbots that grip one prey have different patience, so that one of them keeps the prey
@@ -149,13 +147,7 @@ class FootbotRetrieval final : public Controller {
     if (!prey || memory_.time_in_state > kGiveUp) {
       return letGo();
     }
-    const double bearing = prey->bearing();
-    if (std::abs(bearing) > kAligned) {
-      // close to the prey the gripper would hit it while turning, so the footbot backs off first
-      wheels_->drive(prey->distance() < prey_reach_ ? -0.5 * speed_ : 0.0, 2.0 * bearing);
-    } else {
-      wheels_->drive(0.3 * speed_, 2.0 * bearing);
-    }
+    driveToGrip(*wheels_, *prey, prey_reach_, speed_, 0.3 * speed_);
   }
 
   void goToNest() {
@@ -256,10 +248,7 @@ class FootbotRetrieval final : public Controller {
     if (avoidObstacle()) {
       return;
     }
-    constexpr double kNewHeadingEvery = 3.0;  // s on average
-    if (robot_->random().uniform() < dt_ / kNewHeadingEvery) {
-      memory_.turn_rate = robot_->random().uniform(-0.8, 0.8);
-    }
+    memory_.turn_rate = wanderingTurnRate(robot_->random(), memory_.turn_rate, dt_);
     wheels_->drive(speed_, memory_.turn_rate);
   }
 

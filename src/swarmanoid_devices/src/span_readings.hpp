@@ -1,16 +1,17 @@
-/// Sensors with as many readings as the robot has parts: the readings are a span, whose elements the instance keeps.
+/// Sensors with as many readings as the robot has parts, or as there is something to report: the readings are a span,
+/// whose elements the instance keeps.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
 #include "swarmanoid_interface/span.hpp"
-#include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid::devices {
 
-template <class Device, class Element>
-struct SpanReadings : BasicSensorInstance<Device> {
+/// @tparam Instance of the sensor, but for its elements
+template <class Instance, class Element>
+struct SpanReadings : Instance {
   std::vector<Element> buffer;
 
   /// @return the elements, at rest, which stay where they are when the instance moves

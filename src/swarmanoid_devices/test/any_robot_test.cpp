@@ -23,17 +23,6 @@ std::shared_ptr<const EntityModel> smallRobot() {
   return model;
 }
 
-template <class Device>
-std::string refusalOf(const std::shared_ptr<const EntityModel>& model) {
-  DeviceWorld world;
-  try {
-    ActuatorUnderTest<Device> actuator(world, world.add(model, {1.0, 1.0, 0.0}));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(AnyRobotTest, WheelsAreLimitedByTheRobotsOwnMotors) {
   DeviceWorld world;
   const Row robot = world.add(smallRobot(), {1.0, 1.0, 0.0});
@@ -110,11 +99,11 @@ TEST(AnyRobotTest, LedsThatTheRobotDoesNotHaveAreNotShown) {
 }
 
 TEST(AnyRobotTest, RobotsWithoutThePartsAreRefused) {
-  EXPECT_EQ(refusalOf<Wheels>(robotModel("eyebot")),
+  EXPECT_EQ(refusalOf<ActuatorUnderTest<Wheels>>(robotModel("eyebot")),
             "found the device 'wheels' on a eyebot, allowed: on robots with wheels");
-  EXPECT_EQ(refusalOf<DifferentialDrive>(robotModel("handbot")),
+  EXPECT_EQ(refusalOf<ActuatorUnderTest<DifferentialDrive>>(robotModel("handbot")),
             "found the device 'differential_drive' on a handbot, allowed: on robots with wheels");
-  EXPECT_EQ(refusalOf<Leds>(robotModel("handbot")),
+  EXPECT_EQ(refusalOf<ActuatorUnderTest<Leds>>(robotModel("handbot")),
             "found the device 'leds' on a handbot, allowed: on robots with LEDs");
   DeviceWorld world;
   const Row eyebot = world.addEyebot(1.0, 1.0, 1.0);

@@ -163,4 +163,27 @@ struct Statistics {
   }
 };
 
+/// What a robot of the model says to having the device. @tparam UnderTest an ActuatorUnderTest or a SensorUnderTest
+/// @return "" if it may have it
+template <class UnderTest>
+std::string refusalOf(const std::shared_ptr<const EntityModel>& model) {
+  DeviceWorld world;
+  try {
+    UnderTest device(world, world.add(model, {1.0, 1.0, 0.0}));
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// An <error> that adds an offset to a field.
+inline ErrorModelDescription bias(const std::string& field, const std::string& offset) {
+  ErrorModelDescription error;
+  error.kind = "bias";
+  error.field = field;
+  error.parameters = Configuration("error", "", {});
+  error.parameters.set("offset", offset);
+  return error;
+}
+
 }  // namespace swarmanoid::test

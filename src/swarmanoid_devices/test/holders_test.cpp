@@ -35,26 +35,6 @@ std::shared_ptr<EntityModel> spider(std::size_t holders) {
   return model;
 }
 
-template <class UnderTest>
-std::string refusalOf(const std::shared_ptr<const EntityModel>& model) {
-  DeviceWorld world;
-  try {
-    UnderTest device(world, world.add(model, {1.0, 1.0, 0.0}));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
-
-ErrorModelDescription bias(const std::string& field, const std::string& offset) {
-  ErrorModelDescription error;
-  error.kind = "bias";
-  error.field = field;
-  error.parameters = Configuration("error", "", {});
-  error.parameters.set("offset", offset);
-  return error;
-}
-
 TEST(HoldersTest, CommandAGripperAsItsOwnDeviceDoes) {
   DeviceWorld world;
   const Row with_gripper = world.addFootbot(1.0, 1.0);

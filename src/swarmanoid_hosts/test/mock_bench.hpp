@@ -5,6 +5,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "../src/mock/mock_robot.hpp"
@@ -45,5 +46,19 @@ struct Bench {
 
   std::unique_ptr<MockRobot> robot;
 };
+
+inline World worldWith(Beacon beacon) {
+  World world;
+  world.beacons.push_back(std::move(beacon));
+  return world;
+}
+
+/// A grey disc and a green one, the later of which lies on the earlier one where they overlap.
+inline World worldWithDiscs() {
+  World world;
+  world.discs.push_back({{0.17, 0.25}, 0.06, colors::kGray});
+  world.discs.push_back({{0.1, 0.25}, 0.045, colors::kGreen});
+  return world;
+}
 
 }  // namespace swarmanoid::mock

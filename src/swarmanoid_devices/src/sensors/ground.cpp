@@ -1,16 +1,13 @@
 // The ground sensors of any robot, where its description has them.
 #include "swarmanoid_interface/devices/ground.hpp"
 
-#include <vector>
-
 #include "ground_spots.hpp"
+#include "span_readings.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-struct RoomyGroundInstance : GroundInstance<Ground, Eigen::Dynamic> {
-  std::vector<GroundSpot> buffer;  // it stays where it is when the instance moves
-};
+using RoomyGroundInstance = SpanReadings<GroundInstance<Ground, Eigen::Dynamic>, GroundSpot>;
 
 class GroundSensor final : public GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynamic, RoomyGroundInstance> {
   using Base = GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynamic, RoomyGroundInstance>;
@@ -27,11 +24,11 @@ class GroundSensor final : public GroundSpotsSensor<GroundSensor, Ground, Eigen:
 
   void prepareInstance(const Space& space, Instance& instance) override {
     Base::prepareInstance(space, instance);
-    for (Eigen::Index i = 0; i < instance.ring->from.cols(); ++i) {
-      const Eigen::Vector3d place = instance.ring->from.col(i);
-      instance.buffer.push_back({0.0F, static_cast<float>(place.x()), static_cast<float>(place.y())});
+    instance.readings->spots = instance.makeRoom(instance.ring->size());
+    for (std::size_t i = 0; i < instance.buffer.size(); ++i) {
+      const Eigen::Vector3d place = instance.ring->from.col(static_cast<Eigen::Index>(i));
+      instance.buffer[i] = {0.0F, static_cast<float>(place.x()), static_cast<float>(place.y())};
     }
-    instance.readings->spots = Span<const GroundSpot>(instance.buffer.data(), instance.buffer.size());
   }
 };
 

@@ -7,7 +7,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-using RoomyHolderStates = SpanReadings<HolderStates, HolderStates::Holder>;
+using RoomyHolderStates = SpanReadings<BasicSensorInstance<HolderStates>, HolderStates::Holder>;
 
 class HolderStatesSensor final
     : public HolderSensor<HolderStatesSensor, HolderStates, HolderStates::kMost, RoomyHolderStates> {

@@ -6,7 +6,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-using RoomyJointStates = SpanReadings<JointStates, JointStates::Joint>;
+using RoomyJointStates = SpanReadings<BasicSensorInstance<JointStates>, JointStates::Joint>;
 
 class JointStatesSensor final
     : public JointSensor<JointStatesSensor, JointStates, JointStates::kMost, RoomyJointStates> {

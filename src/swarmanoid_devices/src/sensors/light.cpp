@@ -24,7 +24,7 @@ class LightSensor final : public LightRingSensor<LightSensor, Light, Eigen::Dyna
 
   void prepareInstance(const Space& space, Instance& instance) override {
     Base::prepareInstance(space, instance);
-    instance.makeRoom();
+    instance.makeRoomForRing();
   }
 };
 

@@ -23,14 +23,14 @@
 #include "overflow_notes.hpp"
 #include "parameters.hpp"
 #include "sight_lines.hpp"
+#include "span_readings.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "transmitters.hpp"
 
 namespace swarmanoid::devices {
 
 template <class Received>
-struct MessageReceiverInstance : BasicSensorInstance<Received> {
-  std::vector<typename Received::Message> buffer;
+struct MessageReceiverInstance : SpanReadings<BasicSensorInstance<Received>, typename Received::Message> {
   Transmitter transmitter;
   OverflowNote overflow;
 };
@@ -96,7 +96,7 @@ class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Receiv
 
   void prepareInstance(const Space& space, Instance& instance) override {
     instance.transmitter = transmitterOf(*space.entities.model[instance.row], Received::kType, Command::kLink);
-    instance.buffer.resize(slots_);
+    instance.makeRoom(slots_);
   }
 
  private:

@@ -25,7 +25,7 @@ class ProximitySensor final
 
   void prepareInstance(const Space& space, RoomyProximityInstance& instance) override {
     Base::prepareInstance(space, instance);
-    instance.makeRoom();
+    instance.makeRoomForRing();
   }
 };
 

@@ -3,26 +3,23 @@
 #pragma once
 
 #include <cmath>
-#include <vector>
 
 #include "color_blob_finder.hpp"
 #include "ring_geometry.hpp"
+#include "span_readings.hpp"
 
 namespace swarmanoid::devices {
 
 /// An instance of a ring with room for the readings of all its sensors. @tparam Reading has `value` and `angle`
 template <class Instance, class Reading>
-struct RoomyInstance : Instance {
-  std::vector<Reading> buffer;
-
+struct RoomyInstance : SpanReadings<Instance, Reading> {
   /// @pre the ring is known
-  void makeRoom() {
+  void makeRoomForRing() {
+    this->readings->sensors = this->makeRoom(this->ring->size());
     for (Eigen::Index i = 0; i < this->ring->direction.cols(); ++i) {
       const Eigen::Vector3d direction = this->ring->direction.col(i);
-      buffer.push_back({0.0F, toBearing(std::atan2(direction.y(), direction.x()))});
+      this->buffer[static_cast<std::size_t>(i)].angle = toBearing(std::atan2(direction.y(), direction.x()));
     }
-    // the buffer stays where it is when the instance moves
-    this->readings->sensors = Span<const Reading>(buffer.data(), buffer.size());
   }
 };
 

@@ -56,22 +56,6 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
   addObserver(simulation, context, option, "command_line_" + label, parameters);
 }
 
-AskedByRules playedOf(const RunOptions& options) {
-  return options.all_interventions ? AskedByRules::kPlayed : AskedByRules::kLeftOut;
-}
-
-/// What an option wants to be done to the run from outside.
-InterventionPlayer playerOf(const RunOptions& options, const Experiment& experiment) {
-  if (options.interventions.empty()) {
-    return {};
-  }
-  InterventionFile file = readInterventions(options.interventions, experiment);
-  for (const std::string& warning : playingWarnings(file, playedOf(options), experiment)) {
-    std::cerr << "swarmanoid: warning: " << warning << '\n';
-  }
-  return InterventionPlayer(std::move(file), playedOf(options));
-}
-
 /// Prints the wall time of each phase.
 void printProfile(const PhaseTimes& total, const Space& space) {
   const std::pair<const char*, double> phases[] = {
@@ -170,6 +154,7 @@ RunFiles filesOf(const RunOptions& options) {
   files.folder = options.out;
   files.rules = {options.write_anywhere, options.force};
   files.records_bag = options.bag.has_value();
+  files.interventions = options.interventions;
   return files;
 }
 
@@ -179,10 +164,9 @@ ExitCode run(const RunOptions& options) {
   RunContext context;
   context.out = openOutFolder(filesOf(options), experiment);
   refuseRobotsOfOthers(experiment);
-  InterventionPlayer player = playerOf(options, experiment);
-  if (!options.interventions.empty()) {
-    context.out->protect(options.interventions);
-  }
+  InterventionPlayer player = readPlayer(
+      options.interventions, options.all_interventions ? AskedByRules::kPlayed : AskedByRules::kLeftOut, experiment,
+      [](const std::string& warning) { std::cerr << "swarmanoid: warning: " << warning << '\n'; });
   Simulation simulation(std::move(experiment), context);
   simulation.play(std::move(player));
   if (options.hashes) {

@@ -214,9 +214,6 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   supplied.commands = commands_;
   RunContext context;
   context.out = openOutFolder(options_, experiment);
-  if (!options_.interventions.empty()) {
-    context.out->protect(options_.interventions);
-  }
   context.headless = false;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
   display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
@@ -230,13 +227,8 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   for (const std::string& line : addRecorders(*simulation, context, options_, getName())) {
     NODELET_INFO("%s", line.c_str());
   }
-  if (!options_.interventions.empty()) {
-    InterventionFile file = readInterventions(options_.interventions, simulation->experiment());
-    for (const std::string& warning : playingWarnings(file, AskedByRules::kLeftOut, simulation->experiment())) {
-      NODELET_WARN("%s", warning.c_str());
-    }
-    simulation->play(InterventionPlayer(std::move(file), AskedByRules::kLeftOut));
-  }
+  simulation->play(readPlayer(options_.interventions, AskedByRules::kLeftOut, simulation->experiment(),
+                              [this](const std::string& warning) { NODELET_WARN("%s", warning.c_str()); }));
   NODELET_INFO("files go to %s, unless their names say otherwise",
                (std::filesystem::current_path() / options_.out).lexically_normal().c_str());
   context.out->keep();

@@ -77,4 +77,16 @@ std::vector<std::string> playingWarnings(const InterventionFile& file, AskedByRu
   return warnings;
 }
 
+InterventionPlayer readPlayer(const std::string& file, AskedByRules asked_by_rules, const Experiment& experiment,
+                              const std::function<void(const std::string&)>& warn) {
+  if (file.empty()) {
+    return {};
+  }
+  InterventionFile interventions = readInterventions(file, experiment);
+  for (const std::string& warning : playingWarnings(interventions, asked_by_rules, experiment)) {
+    warn(warning);
+  }
+  return InterventionPlayer(std::move(interventions), asked_by_rules);
+}
+
 }  // namespace swarmanoid

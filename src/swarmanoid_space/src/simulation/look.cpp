@@ -1,4 +1,4 @@
-// What may be known of a running simulation, and what it is told beside interventions.
+// What may be known of a running simulation, and what it takes beside interventions.
 #include <algorithm>
 
 #include "../world/engines.hpp"

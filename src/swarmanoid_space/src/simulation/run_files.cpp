@@ -12,6 +12,9 @@ std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment
   for (const std::string& file : experiment.files) {
     out->protect(file);
   }
+  if (!files.interventions.empty()) {
+    out->protect(files.interventions);
+  }
   out->protectLoadedLibraries();
   return out;
 }

@@ -1,4 +1,5 @@
-/// Writes XML as text: elements in lines, indented by two spaces a level.
+/// Writes parts of an XML document as text: elements in lines, indented by two spaces a level. (libxml2's writer, which
+/// the schema is written with, writes whole documents, and keeps no line breaks in values.)
 #pragma once
 
 #include <string>

@@ -1,0 +1,138 @@
+// Devices of any robot, of a mock robot: they show its motion and its world.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "mock_bench.hpp"
+#include "swarmanoid_interface/devices/differential_drive.hpp"
+#include "swarmanoid_interface/devices/ground.hpp"
+#include "swarmanoid_interface/devices/holders.hpp"
+#include "swarmanoid_interface/devices/imu.hpp"
+#include "swarmanoid_interface/devices/joints.hpp"
+#include "swarmanoid_interface/devices/light.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
+
+namespace swarmanoid::mock {
+namespace {
+
+TEST(MockRangeAndBearing, HearsBeaconsThatSaySomething) {
+  World world;
+  world.beacons.push_back({"mute", {0.5, 0.0, 0.0}, colors::kRed, false});
+  world.beacons.push_back({"nest", {0.6, 0.8, 1.0}, colors::kGreen, false, {7, 255}});
+  world.beacons.push_back({"far", {-3.01, 0.0, 0.0}, colors::kGreen, false, {9}});
+  Bench bench({"differential_drive", "range_and_bearing", "range_and_bearing_received"}, world);
+  const RangeAndBearingReceived& received = bench.reading<RangeAndBearingReceived>();
+  ASSERT_EQ(1U, received.messages.size());
+  EXPECT_NEAR(std::sqrt(2.0), received.messages[0].range, 1e-6);
+  EXPECT_NEAR(0.927295, received.messages[0].bearing, 1e-6) << "4 to the left for each 3 ahead";
+  EXPECT_NEAR(M_PI / 4.0, received.messages[0].elevation, 1e-6) << "1 m away and 1 m up";
+  EXPECT_EQ((RangeAndBearing::Payload{7, 255}), received.messages[0].payload);
+  EXPECT_FALSE(received.overflowed);
+  bench.command<RangeAndBearing>().send({1});
+  bench.command<DifferentialDrive>().drive(-0.1, 0.0);
+  bench.advance(1.0);
+  ASSERT_EQ(2U, received.messages.size()) << "it does not hear itself";
+  EXPECT_NEAR(2.91, received.messages[1].range, 1e-6);
+  EXPECT_EQ(static_cast<float>(M_PI), received.messages[1].bearing);
+  EXPECT_EQ(9, received.messages[1].payload[0]);
+}
+
+/// The simulator's sensor has the same law: a test of its own holds it against the same formula.
+TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
+  Bench bench(std::vector<std::string>{Light::kType}, worldWith({"lamp", {0.0, 0.535, 0.0}, colors::kWhite, false}));
+  const Light& light = bench.reading<Light>();
+  ASSERT_EQ(8U, light.sensors.size());
+  EXPECT_NEAR(M_PI / 2.0, light.sensors[2].angle, 1e-6);
+  EXPECT_NEAR(0.04F, light.sensors[2].value, 1e-6F) << "0.5 m straight ahead of it";
+  // 45 degrees aside the sensor is 0.510851 m away from the beacon, which it sees at a cosine of 0.672020
+  EXPECT_NEAR(0.0257510F, light.sensors[1].value, 1e-6F);
+  EXPECT_NEAR(0.0257510F, light.sensors[3].value, 1e-6F);
+  EXPECT_EQ(0.0F, light.sensors[0].value);
+  EXPECT_EQ(0.0F, light.sensors[6].value);
+  bench.robot->place({{0.0, -1.6, 0.0}, 0.0});
+  EXPECT_EQ(0.0F, light.sensors[2].value) << "2.1 m away";
+}
+
+TEST(MockRobotOfAnyType, ReadsTheFloorUnderIt) {
+  World world = worldWithDiscs();
+  world.ring = {5, 0.05};
+  Bench bench(std::vector<std::string>{Ground::kType}, world);
+  bench.robot->place({{0.13, 0.27, 0.0}, 0.83});
+  const Ground& ground = bench.reading<Ground>();
+  ASSERT_EQ(5U, ground.spots.size());
+  EXPECT_NEAR(0.05 * std::cos(0.4 * M_PI), ground.spots[1].x, 1e-7);
+  EXPECT_NEAR(0.05 * std::sin(0.4 * M_PI), ground.spots[1].y, 1e-7);
+  const float expected[] = {128.0F / 255.0F, 1.0F, 1.0F / 3.0F, 1.0F / 3.0F, 128.0F / 255.0F};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(expected[i], ground.spots[i].value, 1e-6) << i;
+  }
+  bench.robot->place({{0.13, 0.27, 0.049}, 0.83});
+  EXPECT_EQ(1.0F, ground.spots[1].value);
+  bench.robot->place({{0.13, 0.27, 0.051}, 0.83});
+  EXPECT_EQ(0.0F, ground.spots[1].value) << "too high over it";
+}
+
+TEST(MockRobotOfAnyType, FeelsGravityAndItsOwnTurning) {
+  Bench bench(std::vector<std::string>{Imu::kType, DifferentialDrive::kType});
+  const Imu& imu = bench.reading<Imu>();
+  EXPECT_EQ(0.0, imu.angular_velocity.norm());
+  EXPECT_EQ(Eigen::Vector3d(0.0, 0.0, 9.81), imu.linear_acceleration);
+  bench.command<DifferentialDrive>().drive(0.2, -1.5);
+  bench.advance(0.1);
+  EXPECT_EQ(Eigen::Vector3d(0.0, 0.0, -1.5), imu.angular_velocity);
+  EXPECT_NEAR(-0.3, imu.linear_acceleration.y(), 1e-12) << "speed times turn rate, to the right";
+  EXPECT_NEAR(0.0, imu.linear_acceleration.x(), 1e-12);
+  EXPECT_NEAR(9.81, imu.linear_acceleration.z(), 1e-12);
+}
+
+TEST(MockRobotOfAnyType, TurnsItsJoints) {
+  World world;
+  world.joints = {3, 1.5};
+  Bench bench(std::vector<std::string>{Joints::kType, JointStates::kType}, world);
+  const Span<const JointStates::Joint> joints = bench.reading<JointStates>().joints;
+  ASSERT_EQ(3U, joints.size());
+  bench.command<Joints>().joints[0].holdAngle(0.7);
+  bench.command<Joints>().joints[1].turnAt(-0.4);
+  bench.command<Joints>().joints[2].turnAt(9.0);
+  bench.advance(0.2);
+  EXPECT_NEAR(0.3, joints[0].angle, 1e-9) << "at 1.5 rad/s";
+  EXPECT_NEAR(-0.08, joints[1].angle, 1e-9);
+  EXPECT_NEAR(0.3, joints[2].angle, 1e-9) << "no faster than its motor";
+  EXPECT_NEAR(1.5, joints[2].speed, 1e-9);
+  bench.command<Joints>().joints[2].letTurn();
+  bench.advance(0.4);
+  EXPECT_NEAR(0.7, joints[0].angle, 1e-9);
+  EXPECT_NEAR(-0.24, joints[1].angle, 1e-9);
+  EXPECT_NEAR(0.3, joints[2].angle, 1e-9);
+  EXPECT_EQ(0.0, joints[2].speed);
+  EXPECT_EQ(0.0, joints[0].effort);
+}
+
+TEST(MockRobotOfAnyType, HoldsAndWinds) {
+  World world;
+  world.holders = {2, 1.6};
+  Bench bench(std::vector<std::string>{Holders::kType, HolderStates::kType}, world);
+  const Span<const HolderStates::Holder> holders = bench.reading<HolderStates>().holders;
+  ASSERT_EQ(2U, holders.size());
+  bench.command<Holders>().holders[1].holds = true;
+  bench.advance(0.1);
+  EXPECT_FALSE(holders[0].is_holding);
+  EXPECT_TRUE(holders[1].is_holding);
+  EXPECT_NEAR(1.6, holders[1].length, 1e-9);
+  EXPECT_GT(holders[1].force, 0.0);
+  bench.command<Holders>().holders[1].winding_speed = 0.15;
+  bench.advance(2.0);
+  EXPECT_NEAR(1.3, holders[1].length, 1e-9);
+  bench.command<Holders>().holders[1].winding_speed = -5.0;
+  bench.advance(1.0);
+  EXPECT_NEAR(1.5, holders[1].length, 1e-9) << "at 0.2 m/s";
+  bench.advance(1.0);
+  EXPECT_NEAR(1.6, holders[1].length, 1e-9) << "there is no more on the winch";
+  bench.command<Holders>().holders[1].holds = false;
+  bench.advance(0.1);
+  EXPECT_FALSE(holders[1].is_holding);
+  EXPECT_EQ(0.0, holders[1].length);
+}
+
+}  // namespace
+}  // namespace swarmanoid::mock

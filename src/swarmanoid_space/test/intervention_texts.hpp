@@ -1,0 +1,27 @@
+/// Texts of files of interventions, and the experiment whose parts they name.
+#pragma once
+
+#include <string>
+
+#include "small_world.hpp"
+
+namespace swarmanoid::test {
+
+/// The small world, and two engines and a controller, which files may name.
+inline Experiment namedParts() {
+  Experiment experiment = smallWorld()->experiment();
+  for (const char* id : {"ground", "air"}) {
+    EngineDescription engine;
+    engine.label = "dummy_engine";
+    engine.id = id;
+    experiment.engines.push_back(engine);
+  }
+  ControllerDescription controller;
+  controller.id = "drive";
+  experiment.controllers.push_back(controller);
+  return experiment;
+}
+
+inline std::string fileOf(const std::string& elements) { return "<interventions>\n" + elements + "</interventions>\n"; }
+
+}  // namespace swarmanoid::test
