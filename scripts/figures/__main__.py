@@ -28,6 +28,7 @@ FIGURES = {
     "lockstep": lambda table, build: lockstep.lockstep(table),
     "robots": robots.robots,
     "benchmark": benchmarks.benchmark,
+    "acting_world": benchmarks.acting_world,
     "queries": benchmarks.queries,
     "long_tests": long_tests.long_tests,
     "mappings": lambda table, build: engines.mappings(table),

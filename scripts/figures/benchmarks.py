@@ -23,6 +23,21 @@ def benchmark(table, build):
                   f"at least {least / 1e6:g} million robots x ticks/s", f"{speed / 1e6:.2f} million", speed >= least)
 
 
+def acting_world(table, build):
+    binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_acting_world_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=5",
+                           "--benchmark_enable_random_interleaving=true", "--benchmark_report_aggregates_only=true"],
+                          capture_output=True, text=True, check=True)
+    medians = {entry["run_name"]: entry for entry in json.loads(done.stdout)["benchmarks"] if entry["aggregate_name"] == "median"}
+    share = medians["BM_Rule/10000"]["rule_share"]
+    table.add("a rule that looks at 10,000 robots after each tick of diffusion", "under 3 % of the tick", f"{100 * share:.2f} %",
+              share < 0.03)
+    clean, painted, anew = (medians[f"BM_Floor/{i}"]["real_time"] for i in range(3))
+    table.add("a painted floor of 1,000 x 1,000 cells that fades, read by 100 footbots: a tick and its hash longer than on a clean floor",
+              "under 1 ms", f"{1e-3 * (painted - clean):.3f} ms; {1e-3 * (anew - clean):.3f} ms while 100 discs are painted a tick "
+              f"({1e-3 * clean:.3f} ms on a clean floor)", max(painted, anew) - clean < 1000.0)
+
+
 def queries(table, build):
     binary = build / "devel/lib/swarmanoid_space/swarmanoid_space_positional_index_benchmark"
     done = subprocess.run([binary, "--benchmark_format=json"], capture_output=True, text=True, check=True)

@@ -20,8 +20,9 @@ def adding(table, build):
     seen = [line.split(" ... ")[-1] for line in done.stderr.splitlines()
             if "new files" in line or line.startswith(("Ran ", "OK", "FAILED"))]
     table.add("a ring of light sensors for the footbot and a second implementation of its proximity sensors, added to a copy of the suite "
-              "as the pages say: simulator, topic, Python, mock, schema, list, page, errors",
-              "at most 5 and 2 new files, no other edited", "; ".join(seen), done.returncode == 0)
+              "as the pages say: simulator, topic, Python, mock, schema, list, page, errors; then an arena object with a property, a sensor of it "
+              "and a rule",
+              "at most 5, 2 and 8 new files, no other edited", "; ".join(seen), done.returncode == 0)
 
 
 def errors(table, build):

@@ -14,8 +14,10 @@
 namespace swarmanoid {
 
 /// Turns on the spot while the target is to the side; otherwise drives a curve towards it.
+/// @tparam Drive FootbotWheels, DifferentialDrive or MobileBase
 /// @param bearing of the target [rad]; @param speed when it is straight ahead [m/s]
-inline void steer(FootbotWheels& wheels, double bearing, double speed) {
+template <class Drive>
+void steer(Drive& wheels, double bearing, double speed) {
   constexpr double kGain = 2.0;         // 1/s
   constexpr double kFastestTurn = 1.5;  // rad/s
   const double ahead = std::max(0.0, std::cos(bearing));

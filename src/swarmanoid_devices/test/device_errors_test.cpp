@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "device_world.hpp"
+#include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
@@ -70,6 +71,62 @@ TEST(DeviceErrorsTest, RobotsThatComeAndGoKeepTheirErrors) {
   ++world.space.tick;
   world.sense(*sensor);
   EXPECT_EQ(last.value, readings[2]->value);
+}
+
+/// A footbot at (1, 1) whose camera sees a prey 0.5 m ahead; lists of readings lie elsewhere than the readings.
+class CameraFaultTest : public testing::Test {
+ protected:
+  CameraFaultTest() { world.addPrey(1.5, 1.0); }
+
+  static float distance(const FootbotCamera& readings) {
+    return readings.blobs.size() == 1 ? readings.blobs[0].distance : -1.0F;
+  }
+
+  DeviceWorld world;
+  Row robot = world.addFootbot(1.0, 1.0);
+};
+
+TEST_F(CameraFaultTest, ListsAreWhatTheyWereAsSoonAsTheFaultEnds) {
+  SensorUnderTest<FootbotCamera> camera(world, robot);
+  EXPECT_FLOAT_EQ(distance(camera.sense()), 0.5F);
+  camera.sensor->setFaults(world.space, robot, {bias("blobs[].distance", "0.25")});
+  ++world.space.tick;
+  EXPECT_FLOAT_EQ(distance(camera.sense()), 0.75F);
+  camera.sensor->setFaults(world.space, robot, {listed("dead", "")});
+  const FootbotCamera& readings = *world.space.readings.find<FootbotCamera>(robot);
+  EXPECT_FLOAT_EQ(distance(readings), 0.5F) << "before the next tick: that of the camera itself";
+  ++world.space.tick;
+  EXPECT_EQ(camera.sense().blobs.size(), 0U);
+  camera.sensor->setFaults(world.space, robot, {});
+  EXPECT_FLOAT_EQ(distance(readings), 0.5F);
+  EXPECT_TRUE(camera.sensor->faults(robot).empty());
+}
+
+TEST_F(CameraFaultTest, ListsWithErrorsAreToo) {
+  SensorUnderTest<FootbotCamera> camera(world, robot, {}, {bias("blobs[].distance", "0.125")});
+  EXPECT_FLOAT_EQ(distance(camera.sense()), 0.625F);
+  camera.sensor->setFaults(world.space, robot, {bias("blobs[].distance", "0.25")});
+  ++world.space.tick;
+  EXPECT_FLOAT_EQ(distance(camera.sense()), 0.875F);
+  camera.sensor->setFaults(world.space, robot, {});
+  EXPECT_FLOAT_EQ(distance(*world.space.readings.find<FootbotCamera>(robot)), 0.625F);
+  ++world.space.tick;
+  EXPECT_FLOAT_EQ(distance(camera.sense()), 0.625F);
+}
+
+TEST(DeviceErrorsTest, AFaultThatDoesNotSuitLeavesTheOneThatIsThere) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  ActuatorUnderTest<FootbotWheels> wheels(world, robot);
+  wheels.command.setAngularVelocity(1.0, 2.0);
+  wheels.actuator->setFaults(world.space, robot, {bias("left", "0.75")});
+  EXPECT_EQ(wheels.actuate().left, 1.75);
+  EXPECT_THROW(wheels.actuator->setFaults(world.space, robot, {listed("dead", "lft")}), ConfigError);
+  EXPECT_EQ(wheels.actuate().left, 1.75);
+  EXPECT_EQ(wheels.actuator->faults(robot).size(), 1U);
+  wheels.stop();
+  EXPECT_EQ(world.space.actuation.find<FootbotWheels>(robot)->left, 0.75) << "a safe stop goes through it";
+  EXPECT_EQ(world.space.actuation.find<FootbotWheels>(robot)->right, 0.0);
 }
 
 }  // namespace

@@ -112,6 +112,19 @@ TEST_F(GroundTest, WhiteReadsOneBlackReadsNothing) {
   }
 }
 
+/// Bare floor is 300 of 765; grey paint, of 384, is mixed with it channel by channel: by 0.4 of 200, 100 and 0 there
+/// become 171, 111 and 51, and after a half-life, by 0.2, 186, 106 and 26.
+TEST_F(GroundTest, PaintIsReadWhileItFades) {
+  SensorUnderTest<FootbotGround> ground(world, robot);
+  world.space.floor.paint = PaintLayer({10.0, 10.0}, 0.02, 9.0);
+  world.space.tick = 40;
+  expectNear(ground.sense().value, {kBare, kBare, kBare, kBare, kBare, kBare, kBare, kBare}, "clean");
+  world.space.floor.paint.paint({{4.13, 5.27}, 0.2, colors::kGray, 0.4}, 40);
+  EXPECT_NEAR(ground.sense().value[2], 333.0F / 765.0F, 1e-6);
+  world.space.tick = 49;
+  EXPECT_NEAR(ground.sense().value[2], 318.0F / 765.0F, 1e-6);
+}
+
 TEST_F(GroundTest, ATiltedRobotReadsWhereItLooks) {
   SensorUnderTest<FootbotGround> around(world, robot);
   SensorUnderTest<FootbotBaseGround> between(world, robot);

@@ -1,10 +1,11 @@
 """Makes requests for the services of a space: sensible ones, nearly sensible ones, and others."""
 
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import Point, PoseStamped
 from std_msgs.msg import ColorRGBA
 from std_srvs.srv import Trigger
-from swarmanoid_msgs.msg import EntityPose, EntitySpecification, TextParameter
-from swarmanoid_msgs.srv import Delete, Handover, Move, Register, Reset, SetCommandSource, SetProperty, Spawn, Step
+from swarmanoid_msgs.msg import DeviceError, EntityPose, EntitySpecification, TextParameter
+from swarmanoid_msgs.srv import (Delete, Handover, Move, PaintFloor, Register, Reset, SetCommandSource, SetFault, SetProperty, Spawn,
+                                 Step)
 
 NUMBERS = [float("nan"), float("inf"), float("-inf"), 1e308, -1e308, 1e40, 1e12, 1e9, 1e6, 1e4, 100.0, 1e-9, 1e-40, 5e-324, 0.0, -0.0, -1.0]
 NAMES = ["", " ", "a/b", "/a", "1", "world", "space", "é", "a" * 10000, "a.b", "\x00", "%s%n", "../x", "fb_1", "eb", "hb", "prey"]
@@ -25,7 +26,8 @@ class Requests:
     def make(self):
         """@return name of a service, its kind, its request"""
         ways = [self._spawn] * 6 + [self._move] * 6 + [self._delete, self._handover, self._handover, self._source, self._source,
-                                                       self._property, self._reset, self._step, self._trigger, self._register]
+                                                       self._property, self._paint, self._fault, self._reset, self._step, self._trigger,
+                                                       self._register]
         return self._random.choice(ways)()
 
     def _number(self, low=0.0, high=4.0):
@@ -83,6 +85,23 @@ class Requests:
         return "set_property", SetProperty, {"names": self._names(),
                                              "property": self._random.choice(["intensity", "color", "charge", "", "x" * 5000]),
                                              "value": self._random.choice(["0", "1", "nan", "-1", "red", "1,2,3", "300,0,0", ""])}
+
+    def _paint(self):
+        return "paint_floor", PaintFloor, {"positions": [Point(*(self._number(-1.0, 6.0) for _ in range(3))) for _ in range(self._random.randint(0, 3))],
+                                           "radius": self._number(-0.1, 0.5), "color": self._random.choice(["black", "red", "", "1,2,300"]),
+                                           "strength": self._number(-0.1, 1.5)}
+
+    def _fault(self):
+        errors = []
+        for _ in range(self._random.choice([0, 1, 1, 2])):
+            error = DeviceError(kind=self._random.choice(["stuck", "dead", "gaussian", "latency", "", "x" * 5000]))
+            error.field = self._random.choice(["", "", "value", "value[3]", "left", "value[999999999999]", "é"])
+            error.from_tick = self._random.choice([0, 0, 20, 2**64 - 1])
+            for name in self._random.choice([[], ["deviation"], ["ticks"], ["deviation", "deviation"]]):
+                error.parameters.append(TextParameter(name, self._random.choice(["0.1", "3", "nan", "-1", "1e9", "10001", ""])))
+            errors.append(error)
+        return "set_fault", SetFault, {"names": self._names(), "errors": errors,
+                                       "device": self._random.choice(["footbot_proximity", "footbot_wheels", "eyebot_camera", "x"])}
 
     def _reset(self):
         return "reset", Reset, {"scope": self._random.choice([0, 0, 1, 6, 7, 255]), "seed": self._random.choice([0, 1, 2**64 - 1]),

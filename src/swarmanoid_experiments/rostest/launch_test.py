@@ -4,6 +4,7 @@ land where they are looked for, and Ctrl-C leaves a complete bag; and what `swar
 
 import os
 import pathlib
+import shutil
 import signal
 import socket
 import subprocess
@@ -102,6 +103,24 @@ class LaunchTest(RoslaunchTest):
                 self.assertEqual(code, found, output)
                 self.assertEqual(code == 0 or "RLException" in output, ALARM not in output, output)
         self.assertEqual([], list(pathlib.Path(self.folder.name).glob("swarmanoid_launch_*")), "it leaves files")
+
+    def test_a_bag_of_a_launched_run_is_made_again_elsewhere_without_ros(self):
+        own = pathlib.Path(self.folder.name, "own.xml")
+        own.write_text((LAUNCH_FILE.parents[1] / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text())
+        done = pathlib.Path(self.folder.name, "done.xml")
+        done.write_text('<interventions><delete tick="4" entity="fb_1"/></interventions>')
+        code, output = self.output_of("experiment:=own.xml", "max_ticks:=12", "seed:=7", "real_time_factor:=0",
+                                      "record:=run.bag", "interventions:=done.xml")
+        self.assertEqual(0, code, output)
+        own.unlink()
+        done.unlink()
+        with tempfile.TemporaryDirectory() as elsewhere:
+            bag = shutil.move(self.folder.name + "/run.bag", elsewhere)
+            environment = {name: value for name, value in os.environ.items() if not name.startswith("ROS_MASTER")}
+            again = subprocess.run(["swarmanoid", "rerun", bag], cwd=elsewhere, env=environment, universal_newlines=True,
+                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=TIMEOUT)
+        self.assertEqual((0, "each of 12 ticks has the state of the recorded run\n"), (again.returncode, again.stdout),
+                         again.stderr)
 
     def test_the_command_refuses_what_it_says_itself(self):
         code, output = self.code_of("object_retrieval", "exit_code:=mine.txt")

@@ -23,10 +23,11 @@ STARTS = int(os.environ.get("LOCKSTEP_STARTS", 0))
 PATIENCE = 20.0  # [s] of wall time for each answer
 PACES = [(factor, paused) for factor in (0, 1, 10) for paused in ("false", "true")]
 # experiment: robot, its controller
-REMOTE = {"climbing": ("hb", "climbing"), "conformance": ("hb", "conformance"), "diffusion": ("fb_1", "diffusion"),
+REMOTE = {"charging": ("fb_1", "footbot_charging"), "climbing": ("hb", "climbing"), "conformance": ("hb", "conformance"),
+          "diffusion": ("fb_1", "diffusion"),
           "foraging": ("fb_1", "footbot_foraging"), "gap": ("fb_3", "chain"), "group_pull": ("fb_7", "pulling"),
-          "object_retrieval": ("eb", "eyebot_retrieval"), "rough_terrain": ("summit_1", "diffusion"),
-          "shelf_retrieval": ("hb", "climbing")}
+          "object_retrieval": ("eb", "eyebot_retrieval"), "phototaxis": ("fb_1", "phototaxis"),
+          "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb", "climbing"), "trail": ("fb_1", "trail_following")}
 QUICK = [("object_retrieval", 0, "false"), ("shelf_retrieval", 1, "false"), ("diffusion", 10, "true")]
 
 

@@ -8,9 +8,9 @@ import unittest
 
 import rospy
 import rostest
-from geometry_msgs.msg import PoseStamped
+from geometry_msgs.msg import Point, PoseStamped
 from rosgraph_msgs.msg import Clock
-from swarmanoid_msgs.msg import EntityPose, EntitySpecification, Event, RunResult, TextParameter, WorldState
+from swarmanoid_msgs.msg import DeviceError, EntityPose, EntitySpecification, Event, RunResult, TextParameter, WorldState
 from swarmanoid_msgs.srv import ResetRequest
 from visualization_msgs.msg import MarkerArray
 
@@ -211,6 +211,39 @@ class ServicesTest(unittest.TestCase):
         self.assertEqual((False, 0), (answer.success, answer.count))
         self.assertEqual("cylindric_prey 'prey_yellow': found the property 'colour', allowed: color; did you mean 'color'?",
                          answer.message)
+
+    def test_a_floor_that_takes_no_paint_is_not_painted(self):
+        answer = self.space.paint_floor([Point(1.0, 1.0, 0.0)], 0.1, "black", 0.5)
+        self.assertEqual((False, 0), (answer.success, answer.count))
+        self.assertEqual("found paint for the floor, allowed: in an arena with <floor_paint>", answer.message)
+
+    def test_a_device_breaks_and_is_mended(self):
+        def x_after(tick):
+            state = self.state_after(tick)
+            return state.poses[state.names.index("fb_1")].position.x
+
+        self.space.step(1)
+        dead = DeviceError(kind="dead")
+        answer = self.space.set_fault(["fb_1"], "footbot_wheels", [dead])
+        self.assertTrue(answer.success, answer.message)
+        self.assertEqual((1, 1), (answer.count, answer.tick))
+        self.space.step(1)
+        x = x_after(2)
+        self.space.step(9)
+        self.assertEqual(x, x_after(11))
+        event = self.events.wait_for(lambda e: e.kind == Event.INTERVENTION)
+        self.assertEqual(("fb_1", "footbot_wheels: dead"), (event.entity, event.text))
+        answer = self.space.set_fault(["fb_1", "prey_yellow"], "footbot_wheels", [])
+        self.assertEqual((False, 1), (answer.success, answer.count))
+        self.assertEqual("there is no robot 'prey_yellow' with a controller", answer.message)
+        self.space.step(10)
+        self.assertNotEqual(x, x_after(21))
+        noise = DeviceError(kind="gaussian", field="lft", parameters=[TextParameter("deviation", "0.1")])
+        answer = self.space.set_fault(["fb_1"], "footbot_wheels", [noise])
+        self.assertIn("did you mean 'left'?", answer.message)
+        noise.parameters[0].name = "devation"
+        answer = self.space.set_fault(["fb_1"], "footbot_wheels", [noise])
+        self.assertIn("did you mean 'deviation'?", answer.message)
 
     def test_reset_undoes_interventions(self):
         self.space.spawn([footbot("fb_9", 4.5, 4.5)])

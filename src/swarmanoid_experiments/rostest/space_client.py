@@ -8,7 +8,7 @@ import time
 import rospy
 from nodelet.srv import NodeletLoad, NodeletLoadRequest, NodeletUnload, NodeletUnloadRequest
 from std_srvs.srv import Trigger
-from swarmanoid_msgs.srv import Delete, Handover, Move, Reset, ResetRequest, SetProperty, Spawn, Step
+from swarmanoid_msgs.srv import Delete, Handover, Move, PaintFloor, Reset, ResetRequest, SetFault, SetProperty, Spawn, Step
 
 TIMEOUT = 15.0  # [s] of wall time
 
@@ -19,7 +19,7 @@ class Space:
     def __init__(self):
         services = {"pause": Trigger, "resume": Trigger, "toggle_pause": Trigger, "step": Step, "reset": Reset,
                     "spawn": Spawn, "delete": Delete, "move": Move, "handover": Handover,
-                    "set_property": SetProperty}
+                    "set_property": SetProperty, "paint_floor": PaintFloor, "set_fault": SetFault}
         for name, service in services.items():
             rospy.wait_for_service("/space/" + name, TIMEOUT)
             setattr(self, name, rospy.ServiceProxy("/space/" + name, service))

@@ -9,6 +9,7 @@
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
+#include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
@@ -24,12 +25,14 @@ class Bench {
  public:
   explicit Bench(const std::string& label) : robot_("robot", "any", 1) {
     robot_.provideSensor(FootbotProximity::kType, &proximity_);
+    robot_.provideSensor(FootbotGround::kType, &ground_);
     robot_.provideSensor(FootbotGripperState::kType, &gripper_state_);
     robot_.provideSensor(FootbotCamera::kType, &footbot_camera_);
     robot_.provideSensor(EyebotCamera::kType, &eyebot_camera_);
     robot_.provideActuator(FootbotWheels::kType, &wheels_);
     robot_.provideActuator(FootbotGripper::kType, &gripper_);
     robot_.provideActuator(FootbotLeds::kType, &leds_);
+    robot_.provideActuator(EyebotLeds::kType, &eyebot_leds_);
     robot_.provideActuator(EyebotVelocity::kType, &velocity_);
     robot_.provideActuator(EyebotLaser::kType, &laser_);
     loadPluginLibrary(label, {}, {});
@@ -41,6 +44,12 @@ class Bench {
     }
     if (label == "sample_footbot_controller") {
       parameters.set("min_distance", "7");
+    }
+    if (label == "scout") {
+      parameters.set("second", "green");
+    }
+    if (label == "footbot_charging") {
+      parameters.set("endurance", "5");
     }
     controller_->init(robot_, parameters);
   }
@@ -70,6 +79,10 @@ class Bench {
     if (scene.uniform() < 0.4) {
       proximity_.value[scene.below(FootbotProximity::kCount)] = 0.5F;
     }
+    ground_.value.fill(scene.uniform() < 0.3 ? 0.667F : 1.0F);
+    if (scene.uniform() < 0.5) {
+      ground_.value[scene.below(FootbotGround::kCount)] = 0.1F;
+    }
     robot_.startTick(tick, kEpoch + tick * kTick);
     controller_->step(kEpoch + tick * kTick, kTick);
   }
@@ -82,10 +95,14 @@ class Bench {
                             velocity_.linear.x(), velocity_.linear.y(),  velocity_.linear.z(),
                             velocity_.yaw_rate,   laser_.on ? 1.0 : 0.0, laser_.pan,
                             laser_.tilt};
-    for (const Color led : leds_.ring) {
-      all.insert(all.end(),
-                 {static_cast<double>(led.red), static_cast<double>(led.green), static_cast<double>(led.blue)});
-    }
+    const auto add = [&all](const auto& ring) {
+      for (const Color led : ring) {
+        all.insert(all.end(),
+                   {static_cast<double>(led.red), static_cast<double>(led.green), static_cast<double>(led.blue)});
+      }
+    };
+    add(leds_.ring);
+    add(eyebot_leds_.ring);
     return all;
   }
 
@@ -102,12 +119,14 @@ class Bench {
   Robot robot_;
   std::vector<ColorBlob> blobs_;
   FootbotProximity proximity_;
+  FootbotGround ground_;
   FootbotGripperState gripper_state_;
   FootbotCamera footbot_camera_;
   EyebotCamera eyebot_camera_;
   FootbotWheels wheels_;
   FootbotGripper gripper_;
   FootbotLeds leds_;
+  EyebotLeds eyebot_leds_;
   EyebotVelocity velocity_;
   EyebotLaser laser_;
   std::shared_ptr<Controller> controller_;
@@ -142,7 +161,8 @@ TEST_P(ControllerResetTest, GoesOnLikeAFreshOneWheneverItIsReset) {
 INSTANTIATE_TEST_SUITE_P(Controllers, ControllerResetTest,
                          testing::Values(std::pair("diffusion", 1), std::pair("sample_footbot_controller", 1),
                                          std::pair("footbot_retrieval", 5), std::pair("eyebot_retrieval", 5),
-                                         std::pair("footbot_foraging", 4)),
+                                         std::pair("footbot_foraging", 4), std::pair("footbot_charging", 3),
+                                         std::pair("scout", 2), std::pair("trail_following", 6)),
                          [](const auto& controller) { return std::string(controller.param.first); });
 
 }  // namespace

@@ -94,6 +94,8 @@ class World {
     addTag("arena", "arena");
     addTag("arena.distribute", "arena/distribute");
     addTag("arena.nest", "arena/floor_patch");
+    addTag("arena.floor_image", "arena/floor_image");
+    addTag("arena.floor_paint", "arena/floor_paint");
     addTag("arena_physics.rule.inside", "arena_physics/handover/inside");
     add("engines.e", Registry::instance().find(PluginKind::kEngine, engine_)->description.parameters);
   }
@@ -180,6 +182,10 @@ class World {
            entity("block", "wall", "5,3,0.2", size) + entity("block", "crate", "5,1,0.2", size + "<mass>1</mass>") +
            entity("light", "lamp", "5,5,2", "") +
            "<floor_patch id='nest'><position>1,5,0</position><radius>0.4</radius></floor_patch>\n"
+           "<floor_image><file>" +
+           findShared("swarmanoid_experiments", "experiments/rough_terrain.png") +
+           "</file><position>8,8,0</position><size>2,2</size></floor_image>\n"
+           "<floor_paint><cell>0.5</cell><half_life>3</half_life></floor_paint>\n"
            "<distribute quantity='2' layout='grid'><minimum>7,1,0</minimum><maximum>9,2,0</maximum><cylindric_prey "
            "id='group'><radius>0.1</radius><height>0.1</height></cylindric_prey></distribute>\n";
   }

@@ -60,10 +60,16 @@ class InterventionsTest(ProgramTest):
                                       "entity 'wall'\n")
         self.assertIn('"ticks":4', done.stdout.replace(" ", ""))
 
+    def test_nobody_waits_for_a_participant_that_cannot_come(self):
+        file = self.write('<interventions><command_source tick="2" robot="fb" source="remote"/></interventions>')
+        done = self.call("run", self.world(), "--quiet", "--out", self.out, "--interventions", file)
+        self.assertEqual(done.returncode, STOPPED, done.stderr)
+        self.assertIn("'fb' cannot be commanded by remote: no process elsewhere can answer here, that needs ROS\n", done.stderr)
+
     def test_mistakes_in_the_file_are_bad_input(self):
         file = self.write('<interventions>\n<delte tick="2" entity="wall"/>\n</interventions>')
         self.assert_refused(f"{file}:2: found tag 'delte', allowed: spawn, delete, move, handover, engine_parameters, "
-                            "command_source, property; did you mean 'delete'? (in <interventions>)",
+                            "command_source, property, paint, fault; did you mean 'delete'? (in <interventions>)",
                             "run", self.world(), "--interventions", file, "--out", self.out)
         done = self.call("run", self.world(), "--all-interventions")
         self.assertEqual(done.returncode, BAD_INPUT)
@@ -99,13 +105,13 @@ class InterventionsTest(ProgramTest):
                        visualisations='<intervention_recorder id="r"><file>r.xml</file></intervention_recorder>')
         self.assertEqual((self.out / "r.xml").read_text(), (self.folder / "saved.xml").read_text())
 
-    def test_the_listings_of_the_pages_can_be_read(self):
-        for page in ("reference/intervention_file.md", "how-to/repeat_what_was_done.md"):
-            listing = re.search(r"^    <interventions.*?^    </interventions>$", (DOCS / page).read_text(), re.M | re.S)
-            file = self.write(textwrap.dedent(listing.group()))
-            done = self.call("run", "object_retrieval", "--ticks", 1, "--quiet", "--interventions", file)
-            self.assertEqual(done.returncode, FINISHED, done.stderr)
-            self.assertIn("on will not be played, the run ends after 1 ticks", done.stderr)
+    def test_the_listing_of_the_page_can_be_read(self):
+        page = (DOCS / "reference/intervention_file.md").read_text()
+        listing = re.search(r"^    <interventions.*?^    </interventions>$", page, re.M | re.S)
+        done = self.call("run", "object_retrieval", "--ticks", 1, "--quiet", "--interventions",
+                         self.write(textwrap.dedent(listing.group())))
+        self.assertEqual(done.returncode, FINISHED, done.stderr)
+        self.assertIn("on will not be played, the run ends after 1 ticks", done.stderr)
 
 
 if __name__ == "__main__":

@@ -30,8 +30,8 @@ class ListTest(ProgramTest):
         self.assertEqual([line for line in everything.splitlines() if not line.startswith(" ")], HEADINGS)
         self.assertEqual("".join(self.list(heading) for heading in HEADINGS), everything)
         self.assertEqual(self.list("experiment"),
-                         "experiment\n  climbing\n  conformance\n  diffusion\n  foraging\n  gap\n  group_pull\n"
-                         "  object_retrieval\n  rough_terrain\n  shelf_retrieval\n")
+                         "experiment\n  charging\n  climbing\n  conformance\n  diffusion\n  foraging\n  gap\n  group_pull\n"
+                         "  object_retrieval\n  phototaxis\n  rough_terrain\n  shelf_retrieval\n  trail\n")
         sensors = self.list("sensor")
         self.assertIn("  footbot_proximity (polynomial, default): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)

@@ -28,7 +28,7 @@ class VersionTest(ProgramTest):
         """What a build writes. @return the commit in it"""
         file = self.folder / "out.cpp"
         subprocess.run(["cmake", f"-DSOURCE={source or self.folder}", "-DVERSION=1.2.3", f"-DGIT={git}",
-                        f"-DOUTPUT={file}", "-P", PACKAGE / "cmake/write_version.cmake"], check=True)
+                        f"-DOUTPUT={file}", "-P", PACKAGE.parent / "swarmanoid_space/cmake/write_version.cmake"], check=True)
         return re.search(r'return "1\.2\.3\+(.*)"; ', file.read_text()).group(1)
 
     def test_the_commit_follows_the_clone(self):

@@ -33,6 +33,12 @@ std::string shortNumber(double value, int digits) {
   return {text.data(), end.ptr};
 }
 
+std::string hashText(std::uint64_t hash) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return text.data();
+}
+
 void restoreLocale() {
   if (uselocale(nullptr) != LC_GLOBAL_LOCALE) {
     reportOnce();

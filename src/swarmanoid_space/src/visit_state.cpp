@@ -1,3 +1,4 @@
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -20,6 +21,19 @@ void visitLaserSpots(const Space& space, StateVisitor& visitor) {
   }
 }
 
+void visitPaint(const Space& space, StateVisitor& visitor) {
+  const PaintLayer& paint = space.floor.paint;
+  if (!paint.exists()) {
+    return;
+  }
+  if (visitor.wantsDetail()) {
+    visitor.number({"floor", "painted_cells"}, static_cast<double>(paint.spotCount()));
+    visitor.text({"floor", "paint"}, hashText(paint.digest()));
+  } else {
+    visitor.ordinal(paint.digest());
+  }
+}
+
 }  // namespace
 
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Engine* mover) {
@@ -36,6 +50,7 @@ void visitState(const Space& space, StateVisitor& visitor) {
   }
   visitor.beginWorld();
   visitLaserSpots(space, visitor);
+  visitPaint(space, visitor);
 }
 
 }  // namespace swarmanoid

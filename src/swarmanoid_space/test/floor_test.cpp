@@ -1,7 +1,14 @@
-// The colours of the floor: patches, the last one of the file on top, and the bare floor around them.
+// The colours of the floor: paint, patches, the last one of the file on top, an image, and the bare floor around them.
 #include "swarmanoid_space/state/floor.hpp"
 
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "swarmanoid_interface/process/temporary_folder.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+#include "write_png.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -42,9 +49,9 @@ FloorPatch rectangle(double x, double y, const Eigen::Vector2d& size, Color colo
 
 TEST(FloorTest, IsWhiteWhereNobodySaysOtherwise) {
   Floor floor;
-  EXPECT_EQ(floor.colorAt({3.0, -4.0, 0.0}), colors::kWhite);
+  EXPECT_EQ(floor.colorAt({3.0, -4.0, 0.0}, 0), colors::kWhite);
   floor.bare = {7, 8, 9};
-  EXPECT_EQ(floor.colorAt({3.0, -4.0, 0.0}), (Color{7, 8, 9}));
+  EXPECT_EQ(floor.colorAt({3.0, -4.0, 0.0}, 0), (Color{7, 8, 9}));
 }
 
 /// A red disc, a strip across it, and a blue disc on both.
@@ -52,20 +59,20 @@ TEST(FloorTest, LaterPatchesLieOnEarlierOnes) {
   Floor floor;
   floor.patches = {disc(1.0, 2.0, 0.5, colors::kRed), rectangle(1.0, 2.0, {2.0, 0.2}, colors::kGreen),
                    disc(1.4, 2.0, 0.05, colors::kBlue)};
-  EXPECT_EQ(floor.colorAt({1.0, 2.3, 0.0}), colors::kRed);
-  EXPECT_EQ(floor.colorAt({1.0, 2.05, 0.0}), colors::kGreen);
-  EXPECT_EQ(floor.colorAt({1.9, 1.95, 0.0}), colors::kGreen) << "beside the disc";
-  EXPECT_EQ(floor.colorAt({1.42, 2.03, 0.0}), colors::kBlue);
-  EXPECT_EQ(floor.colorAt({1.44, 2.04, 0.0}), colors::kGreen) << "0.057 m from its middle";
-  EXPECT_EQ(floor.colorAt({1.4, 2.4, 0.0}), colors::kWhite) << "0.566 m from the middle of the red one";
+  EXPECT_EQ(floor.colorAt({1.0, 2.3, 0.0}, 0), colors::kRed);
+  EXPECT_EQ(floor.colorAt({1.0, 2.05, 0.0}, 0), colors::kGreen);
+  EXPECT_EQ(floor.colorAt({1.9, 1.95, 0.0}, 0), colors::kGreen) << "beside the disc";
+  EXPECT_EQ(floor.colorAt({1.42, 2.03, 0.0}, 0), colors::kBlue);
+  EXPECT_EQ(floor.colorAt({1.44, 2.04, 0.0}, 0), colors::kGreen) << "0.057 m from its middle";
+  EXPECT_EQ(floor.colorAt({1.4, 2.4, 0.0}, 0), colors::kWhite) << "0.566 m from the middle of the red one";
   floor.patches.push_back(floor.patches.front());
-  EXPECT_EQ(floor.colorAt({1.42, 2.03, 0.0}), colors::kRed);
+  EXPECT_EQ(floor.colorAt({1.42, 2.03, 0.0}, 0), colors::kRed);
 }
 
 TEST(FloorTest, BlackIsAColourToo) {
   Floor floor;
   floor.patches = {disc(0.0, 0.0, 1.0, colors::kGreen), rectangle(0.0, 0.0, {0.5, 0.5}, colors::kBlack)};
-  EXPECT_EQ(floor.colorAt({0.2, -0.2, 0.0}), colors::kBlack) << "and does not show what lies under it";
+  EXPECT_EQ(floor.colorAt({0.2, -0.2, 0.0}, 0), colors::kBlack) << "and does not show what lies under it";
 }
 
 TEST(FloorTest, HeightsDoNotCount) {
@@ -73,9 +80,80 @@ TEST(FloorTest, HeightsDoNotCount) {
   floor.patches = {disc(0.0, 0.0, 1.0, colors::kGreen)};
   floor.patches[0].position.z() = 0.3;
   for (const double height : {-1.0, 0.0, 0.3, 5.0}) {
-    EXPECT_EQ(floor.colorAt({0.5, 0.5, height}), colors::kGreen) << height;
-    EXPECT_EQ(floor.colorAt({0.8, 0.8, height}), colors::kWhite) << height;
+    EXPECT_EQ(floor.colorAt({0.5, 0.5, height}, 0), colors::kGreen) << height;
+    EXPECT_EQ(floor.colorAt({0.8, 0.8, height}, 0), colors::kWhite) << height;
   }
+}
+
+/// Of 3 x 2 pixels, from (1, 2) to (4, 3.2); the one in the middle below is transparent.
+std::shared_ptr<const FloorImage> smallImage() {
+  auto image = std::make_shared<FloorImage>();
+  image->corner = {1.0, 2.0};
+  image->size = {3.0, 1.2};
+  image->columns = 3;
+  image->rows = 2;
+  image->colors = {{10, 0, 0}, {20, 0, 0}, {30, 0, 0}, {40, 0, 0}, {50, 0, 0}, {60, 0, 0}};
+  image->is_opaque = {1, 1, 1, 1, 0, 1};
+  return image;
+}
+
+TEST(FloorTest, AnImageLiesWithItsTopAtTheGreatestY) {
+  Floor floor;
+  floor.image = smallImage();
+  EXPECT_EQ(floor.colorAt({1.3, 3.1, 0.0}, 0), (Color{10, 0, 0}));
+  EXPECT_EQ(floor.colorAt({3.9, 2.65, 0.0}, 0), (Color{30, 0, 0}));
+  EXPECT_EQ(floor.colorAt({1.99, 2.55, 0.0}, 0), (Color{40, 0, 0}));
+  EXPECT_EQ(floor.colorAt({2.5, 2.3, 0.0}, 0), colors::kWhite) << "transparent";
+  EXPECT_EQ(floor.colorAt({3.01, 2.1, 0.0}, 0), (Color{60, 0, 0}));
+  EXPECT_EQ(floor.colorAt({0.999, 2.5, 0.0}, 0), colors::kWhite) << "beside it";
+  EXPECT_EQ(floor.colorAt({2.5, 3.201, 0.0}, 0), colors::kWhite);
+}
+
+TEST(FloorTest, AnImageEndsAtItsBorders) {
+  Floor floor;
+  floor.image = smallImage();
+  EXPECT_EQ(floor.colorAt({1.0, 2.0, 0.0}, 0), (Color{40, 0, 0}));
+  EXPECT_EQ(floor.colorAt({4.0, 3.2, 0.0}, 0), (Color{30, 0, 0}));
+  EXPECT_EQ(floor.colorAt({2.0, 3.0, 0.0}, 0), (Color{20, 0, 0})) << "of two pixels the one with the larger x";
+}
+
+/// Of 2 x 2 pixels, from (1.5, 0.5) to (4.5, 1.9), in a folder beside the experiment file.
+TEST(FloorTest, AnExperimentFileNamesAnImage) {
+  const TemporaryFolder folder("floor_test");
+  std::filesystem::create_directory(folder.path() / "images");
+  test::writePng(folder.path() / "images/small.png", 2, 8, {201, 2, 3, 4, 205, 6, 7, 8, 209, 210, 211, 12},
+                 PNG_COLOR_TYPE_RGB);
+  const std::filesystem::path file = folder.path() / "floor.xml";
+  std::ofstream(file) << R"(<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>10</maxclock></framework>
+  <arena size="5,4,1" optimization="2D" floor="10,20,30">
+    <floor_image><file>images/small.png</file><position>3, 1.2, 0</position><size>3, 1.4</size></floor_image>
+  </arena>
+</ahss-config>)";
+  Simulation simulation(readExperiment(file));
+  simulation.start();
+  const Floor& floor = simulation.space().floor;
+  EXPECT_EQ(floor.colorAt({1.6, 1.8, 0.0}, 0), (Color{201, 2, 3})) << "its upper left: small x, large y";
+  EXPECT_EQ(floor.colorAt({4.4, 1.3, 0.0}, 0), (Color{4, 205, 6}));
+  EXPECT_EQ(floor.colorAt({2.9, 0.6, 0.0}, 0), (Color{7, 8, 209}));
+  EXPECT_EQ(floor.colorAt({3.1, 1.1, 0.0}, 0), (Color{210, 211, 12}));
+  for (const Eigen::Vector3d& outside : {Eigen::Vector3d(1.4, 1.2, 0.0), Eigen::Vector3d(4.6, 1.2, 0.0),
+                                         Eigen::Vector3d(3.1, 0.4, 0.0), Eigen::Vector3d(3.1, 2.0, 0.0)}) {
+    EXPECT_EQ(floor.colorAt(outside, 0), (Color{10, 20, 30})) << outside.transpose();
+  }
+}
+
+TEST(FloorTest, PatchesLieOnTheImageAndPaintOnThem) {
+  Floor floor;
+  floor.image = smallImage();
+  floor.patches = {disc(1.5, 3.0, 0.1, colors::kGreen)};
+  floor.paint = PaintLayer({5.0, 5.0}, 0.1, 10.0);
+  EXPECT_EQ(floor.colorAt({1.5, 3.05, 0.0}, 0), colors::kGreen);
+  floor.paint.paint({{1.5, 3.0}, 0.3, colors::kRed, 0.5}, 0);
+  EXPECT_EQ(floor.colorAt({1.5, 3.05, 0.0}, 0), (Color{128, 128, 0}));
+  EXPECT_EQ(floor.colorAt({1.5, 3.05, 0.0}, 10), (Color{64, 191, 0})) << "0.25 of it is left";
+  EXPECT_EQ(floor.unpaintedColorAt({1.5, 3.05, 0.0}), colors::kGreen);
+  EXPECT_EQ(floor.colorAt({1.5, 2.85, 0.0}, 0), (Color{133, 0, 0})) << "over the image";
 }
 
 }  // namespace

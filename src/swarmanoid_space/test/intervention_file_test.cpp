@@ -128,6 +128,50 @@ TEST(InterventionFileTest, TheOtherKindsHaveTheirWords) {
   EXPECT_EQ(property.value, "0.30000000000000004");
 }
 
+TEST(InterventionFileTest, PaintHasItsDiscsToTheLastBit) {
+  const PaintFloor paint{
+      {{{2.0 / 3.0, kAwkward}, 0.30000000000000004, colors::kRed, 1.0 / 3.0}, {{0.0, 5.0}, 0.0, {1, 2, 3}, 1.0}}};
+  const PaintFloor read = throughAFile(paint);
+  ASSERT_EQ(read.discs.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(areSameBits(read.discs[i].position, paint.discs[i].position));
+    EXPECT_EQ(read.discs[i].radius, paint.discs[i].radius);
+    EXPECT_EQ(read.discs[i].color, paint.discs[i].color);
+    EXPECT_EQ(read.discs[i].strength, paint.discs[i].strength);
+  }
+  EXPECT_EQ(toXml({PaintFloor{{paint.discs[1]}}, "", 3, false}, 1),
+            "  <paint tick=\"3\">\n    <disc position=\"0, 5\" radius=\"0\" color=\"1,2,3\" strength=\"1\"/>\n"
+            "  </paint>\n");
+}
+
+TEST(InterventionFileTest, AFaultHasItsErrorsInTheirOrder) {
+  SetFault fault{"fb_1", "footbot_proximity", {}};
+  EXPECT_EQ(throughAFile(fault).robot, "fb_1");
+  EXPECT_EQ(throughAFile(fault).device, "footbot_proximity");
+  EXPECT_TRUE(throughAFile(fault).errors.empty());
+  fault.errors.resize(2);
+  fault.errors[0].kind = "stuck";
+  fault.errors[0].field = "value[3]";
+  fault.errors[0].from_tick = 999999999999999;
+  fault.errors[1].kind = "factor";
+  fault.errors[1].parameters.set("mean", "1");
+  fault.errors[1].parameters.set("deviation", "0.10000000000000002");
+  const std::vector<ErrorModelDescription> read = throughAFile(fault).errors;
+  ASSERT_EQ(read.size(), 2U);
+  EXPECT_EQ(read[0].kind, "stuck");
+  EXPECT_EQ(read[0].field, "value[3]");
+  EXPECT_EQ(read[0].from_tick, 999999999999999U);
+  EXPECT_EQ(read[1].kind, "factor");
+  EXPECT_EQ(read[1].field, "");
+  EXPECT_EQ(read[1].parameters.number("mean"), 1.0);
+  EXPECT_EQ(read[1].parameters.number("deviation"), kAwkward);
+  EXPECT_EQ(toXml({fault, "", 5, false}),
+            "<fault tick=\"5\" robot=\"fb_1\" device=\"footbot_proximity\">\n"
+            "  <error kind=\"stuck\" field=\"value[3]\" from_tick=\"999999999999999\"/>\n"
+            "  <error kind=\"factor\" deviation=\"0.10000000000000002\"/>\n"
+            "</fault>\n");
+}
+
 TEST(InterventionFileTest, OfAValueThatIsSetTwiceTheLastOneStaysThere) {
   const SetEngineParameters twice{"ground", {{"gravity", "1"}, {"friction", "2"}, {"gravity", "3"}}};
   const std::string text = interventionsBegin("x", 0) + toXml({twice, "", 0, false}) + interventionsEnd();

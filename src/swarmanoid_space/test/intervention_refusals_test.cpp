@@ -29,7 +29,7 @@ TEST(InterventionRefusalsTest, AnotherRootOrKindIsRefused) {
   EXPECT_EQ(refusalOf("<interventions seed='-1'/>"), "f.xml:1: seed: found '-1', allowed: a whole number from 0");
   EXPECT_EQ(refusalIn("<mov tick='1'/>"),
             "f.xml:2: found tag 'mov', allowed: spawn, delete, move, handover, engine_parameters, command_source, "
-            "property; did you mean 'move'? (in <interventions>)");
+            "property, paint, fault; did you mean 'move'? (in <interventions>)");
   EXPECT_EQ(refusalIn("text"), "f.xml:2: found the text 'text' in <interventions>, allowed: only elements");
   EXPECT_EQ(refusalOf(""), "f.xml: found an empty file, allowed: an <interventions> element");
   EXPECT_EQ(refusalOf(fileOf("")), "");
@@ -71,6 +71,42 @@ TEST(InterventionRefusalsTest, WhatAKindDoesNotHaveIsRefused) {
   EXPECT_EQ(refusalIn("<command_source tick='1' robot='x' source='topic'/>"),
             "f.xml:2: source: found the value 'topic', allowed: controller, remote, topics, none; did you mean "
             "'topics'?");
+}
+
+TEST(InterventionRefusalsTest, PaintHasDiscsWithinTheirBounds) {
+  const auto disc = [](const std::string& attributes) {
+    return refusalIn("<paint tick='1'>\n<disc " + attributes + "/></paint>");
+  };
+  EXPECT_EQ(refusalIn("<paint tick='1'/>"), "f.xml:2: found no <disc> in <paint>, allowed: one or more");
+  EXPECT_EQ(disc("position='1, 1' radius='0.1' color='red'"), "");
+  EXPECT_EQ(disc("position='1, 1' radius='0.1'"), "f.xml:3: <disc> needs the attribute color=\"...\"");
+  EXPECT_EQ(disc("position='1' radius='0.1' color='red'").rfind("f.xml:3: position: found '1', allowed: 2 numbers", 0),
+            0U);
+  EXPECT_EQ(disc("position='1, 1' radius='-1' color='red'").rfind("f.xml:3: radius: found '-1', allowed: ", 0), 0U);
+  EXPECT_EQ(
+      disc("position='1, 1' radius='1' color='red' strength='0'").rfind("f.xml:3: strength: found '0', allowed: ", 0),
+      0U);
+  EXPECT_EQ(disc("position='1, 1' radius='1' color='redd'").rfind("f.xml:3: color: found 'redd', allowed: ", 0), 0U);
+}
+
+TEST(InterventionRefusalsTest, AFaultIsOfADeviceAndHasErrorsAsInAnExperiment) {
+  const auto refusalOfError = [](const std::string& error) {
+    return refusalIn("<fault tick='1' robot='x' device='footbot_proximity'>\n" + error + "</fault>");
+  };
+  EXPECT_EQ(refusalIn("<fault tick='1' robot='x' device='footbot_proximty'/>"),
+            "f.xml:2: found the device 'footbot_proximty', allowed: footbot_proximity; did you mean "
+            "'footbot_proximity'?");
+  EXPECT_EQ(refusalIn("<fault tick='1' device='footbot_proximity'/>"),
+            "f.xml:2: <fault> needs the attribute robot=\"...\"");
+  EXPECT_EQ(refusalOfError("<eror kind='dead'/>"),
+            "f.xml:3: found tag 'eror', allowed: error; did you mean 'error'? (in <fault>)");
+  EXPECT_EQ(refusalOfError("<error kind='bias' field='value[3]'/>"),
+            "f.xml:3: <error> of the kind 'bias' needs the attribute offset=\"...\"");
+  EXPECT_EQ(refusalOfError("<error kind='dead' deviation='1'/>"),
+            "f.xml:3: found attribute 'deviation', allowed: kind, id, field, from_tick (in <error>)");
+  EXPECT_EQ(refusalOfError("<error kind='stuck' field='valu'/>"),
+            "f.xml:3: found the field 'valu', allowed: value; did you mean 'value'? (of footbot_proximity)");
+  EXPECT_EQ(refusalOfError("<error kind='dead'/>"), "");
 }
 
 TEST(InterventionRefusalsTest, AMoveHasOnePositionAndOneOrientation) {

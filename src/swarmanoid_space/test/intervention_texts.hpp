@@ -4,10 +4,11 @@
 #include <string>
 
 #include "small_world.hpp"
+#include "swarmanoid_interface/devices/footbot_proximity.hpp"
 
 namespace swarmanoid::test {
 
-/// The small world, and two engines and a controller, which files may name.
+/// The small world, and two engines and a controller with a device, which files may name.
 inline Experiment namedParts() {
   Experiment experiment = smallWorld()->experiment();
   for (const char* id : {"ground", "air"}) {
@@ -18,6 +19,9 @@ inline Experiment namedParts() {
   }
   ControllerDescription controller;
   controller.id = "drive";
+  DeviceDescription proximity;
+  proximity.type = FootbotProximity::kType;
+  controller.sensors.push_back(proximity);
   experiment.controllers.push_back(controller);
   return experiment;
 }

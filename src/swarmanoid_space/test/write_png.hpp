@@ -1,4 +1,4 @@
-/// Small grey images for tests.
+/// Small images for tests.
 #pragma once
 
 #include <png.h>

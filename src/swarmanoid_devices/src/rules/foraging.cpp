@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../parameters.hpp"
+#include "floor_patch.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/rule.hpp"
 
@@ -50,18 +51,11 @@ class Foraging final : public Rule {
 
   void reset(const Space& space, InterventionQueue&) override {
     waiting_.clear();
-    if (nestIn(space) == nullptr) {
-      std::vector<std::string> known;
-      for (const FloorPatch& patch : space.floor.patches) {
-        known.push_back(patch.id);
-      }
-      throw ConfigError(location_, "nest: found '" + nest_ + "', allowed: the id of a floor patch (" +
-                                       joinNames(known) + ")" + didYouMean(nest_, known));
-    }
+    nest_patch_ = requireFloorPatch(space, "nest", nest_, location_);
   }
 
   void afterTick(const Space& space, InterventionQueue& queue) override {
-    const FloorPatch& nest = *nestIn(space);
+    const FloorPatch& nest = space.floor.patches[nest_patch_];
     forgetThoseThatAreBack(space);
     for (const Row row : space.entities.order) {
       const bool is_prey = space.entities.name[row].compare(0, prey_.size(), prey_) == 0;
@@ -93,12 +87,6 @@ class Foraging final : public Rule {
     std::uint64_t since = 0;  ///< the tick that was to come
   };
 
-  const FloorPatch* nestIn(const Space& space) const {
-    const auto nest = std::find_if(space.floor.patches.begin(), space.floor.patches.end(),
-                                   [this](const FloorPatch& patch) { return patch.id == nest_; });
-    return nest == space.floor.patches.end() ? nullptr : &*nest;
-  }
-
   bool isWaiting(EntityNumber number) const {
     return std::any_of(waiting_.begin(), waiting_.end(),
                        [number](const Waiting& waiting) { return waiting.number == number; });
@@ -126,6 +114,7 @@ class Foraging final : public Rule {
 
   std::string prey_;
   std::string nest_;
+  std::size_t nest_patch_ = 0;
   Eigen::Vector3d minimum_ = Eigen::Vector3d::Zero();  // m
   Eigen::Vector3d maximum_ = Eigen::Vector3d::Zero();  // m
   double enough_ = 0.0;

@@ -99,7 +99,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
       const Eigen::Vector3d direction = rotation * ring.direction.col(column);
       const double way = wayToGround(space, spot, direction, range_);
       Spots::valueOf(instance, i) =
-          way == kInfinity ? 0.0F : Ground::reflection(space.floor.colorAt(spot + way * direction));
+          way == kInfinity ? 0.0F : Ground::reflection(space.floor.colorAt(spot + way * direction, space.tick));
     }
   }
 

@@ -13,6 +13,8 @@ using Command = std::function<ExitCode()>;
 
 /// `run FILE` runs an experiment without ROS.
 Command addRunCommand(CLI::App& app);
+/// `rerun RUN` makes a recorded run again, and compares the state of each tick.
+Command addRerunCommand(CLI::App& app);
 /// `launch EXPERIMENT [ARGUMENT...]` runs an experiment under ROS, with the same exit codes as `run`.
 Command addLaunchCommand(CLI::App& app);
 /// `diff RUN1 RUN2` finds the first tick in which two recorded runs differ, and the fields that differ in it.

@@ -9,14 +9,6 @@
 namespace swarmanoid::program {
 namespace {
 
-/// Refuses -1 and numbers above the largest one, which the option parser would read as the largest one.
-std::string refuseWrappedNumber(const std::string& text) {
-  std::uint64_t number = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_whole = error == std::errc() && stop == text.data() + text.size();
-  return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
-}
-
 /// Refuses "nan", which the option parser would accept.
 std::string refuseBadWatchdog(const std::string& text) {
   try {
@@ -50,6 +42,13 @@ void change(Experiment& experiment, const ExperimentOptions& options) {
 }
 
 }  // namespace
+
+std::string refuseWrappedNumber(const std::string& text) {
+  std::uint64_t number = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  const bool is_whole = error == std::errc() && stop == text.data() + text.size();
+  return is_whole ? "" : "found '" + text + "', allowed: a whole number from 0 to 18446744073709551615";
+}
 
 void addExperimentOptions(CLI::App& command, ExperimentOptions& options) {
   command.add_option("file", options.file, "an experiment file, or the name of an installed experiment")->required();

@@ -21,6 +21,10 @@ struct ExperimentOptions {
   double watchdog = 0.0;  ///< [s]; 0: none
 };
 
+/// For the option parser, which would read -1 and numbers above the largest one as the largest one.
+/// @return why it is no count; "" if it is one
+std::string refuseWrappedNumber(const std::string& text);
+
 void addExperimentOptions(CLI::App& command, ExperimentOptions& options);
 
 /// Reads the experiment with the changes of the options. Warnings go to the error stream. @throws ConfigError

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "hosts_program.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/process/last_seconds.hpp"
@@ -22,8 +23,8 @@ ExitCode call(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "swarmanoid " + version());
   std::vector<std::pair<CLI::App*, Command>> commands;
-  for (const auto add : {addRunCommand, addLaunchCommand, addDiffCommand, addValidateCommand, addListCommand,
-                         addDescribeCommand, addSchemaCommand}) {
+  for (const auto add : {addRunCommand, addRerunCommand, addLaunchCommand, addDiffCommand, addValidateCommand,
+                         addListCommand, addDescribeCommand, addSchemaCommand}) {
     Command command = add(app);
     commands.emplace_back(app.get_subcommands({}).back(), std::move(command));
   }
@@ -50,6 +51,8 @@ ExitCode callSafely(int argc, char** argv) {
       throw ConfigError({"standard output", 0}, "found it closed, allowed: a file, a pipe or /dev/null");
     }
     return call(argc, argv);
+  } catch (const HostsProgramFailed& failed) {
+    return failed.code;
   } catch (const ConfigError& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
     return ExitCode::kBadInput;

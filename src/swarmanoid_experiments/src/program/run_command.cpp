@@ -4,15 +4,19 @@
 #include <iostream>
 #include <memory>
 
+#include "command_line_observers.hpp"
 #include "commands.hpp"
 #include "experiment_options.hpp"
 #include "interruption.hpp"
 #include "progress_bar.hpp"
+#include "recorded_bag.hpp"
 #include "run_summary.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
+#include "swarmanoid_space/records/record_folder.hpp"
 #include "swarmanoid_space/simulation/run_files.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
+#include "version.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -30,6 +34,7 @@ struct RunOptions : ExperimentOptions {
   std::optional<std::string> save_interventions;
   std::string interventions;
   bool all_interventions = false;
+  std::optional<std::string> record;
   bool quiet = false;
   bool profile = false;
 };
@@ -43,17 +48,6 @@ void refuseRobotsOfOthers(const Experiment& experiment) {
                                              "\"), which needs ROS; allowed: roslaunch, or another source");
     }
   }
-}
-
-/// Adds an observer that an option of the command line requests, not the file.
-void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& option,
-                        const std::string& label, const std::string& file, const NamedValues& others = {}) {
-  Configuration parameters(label, "", {});
-  parameters.set("file", file.empty() ? file : std::filesystem::absolute(file).lexically_normal().string());
-  for (const auto& [name, value] : others) {
-    parameters.set(name, value);
-  }
-  addObserver(simulation, context, option, "command_line_" + label, parameters);
 }
 
 /// Prints the wall time of each phase.
@@ -76,8 +70,24 @@ void printProfile(const PhaseTimes& total, const Space& space) {
   }
 }
 
+/// Prints the summary, which is the result in the record, too. @return whether that could be written
+bool conclude(const std::string& summary, RecordFolder* record) {
+  bool is_written = true;
+  try {
+    if (record != nullptr) {
+      record->finish(summary);
+    }
+  } catch (...) {
+    std::cerr << "swarmanoid: " << describeException() << '\n';
+    is_written = false;
+  }
+  print(summary);
+  return is_written;
+}
+
 /// Saves the files and the summary of a run that ends in the middle of a plugin's call.
-void keepWhatIsThere(Simulation& simulation, const RunEnd& run_end, const RunFacts& facts, const UserCodeEnd& end) {
+void keepWhatIsThere(Simulation& simulation, const RunEnd& run_end, const RunFacts& facts, RecordFolder* record,
+                     const UserCodeEnd& end) {
   simulation.giveUp(end.part);
   try {
     simulation.finish();
@@ -88,10 +98,11 @@ void keepWhatIsThere(Simulation& simulation, const RunEnd& run_end, const RunFac
   if (end.exit_code == ExitCode::kControllerFailed && !end.robot.empty()) {
     result.failures.push_back({end.robot, result.ticks, end.reason});
   }
-  print(toText(summarise(result, facts)) + "\n");
+  conclude(toText(summarise(result, facts)) + "\n", record);
 }
 
-ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar& bar, UserCodeWatch& watch) {
+ExitCode runToEnd(Simulation& simulation, const RunOptions& options, RecordFolder* record, ProgressBar& bar,
+                  UserCodeWatch& watch) {
   RunEnd run_end;
   RunFacts facts;
   facts.overrides = options.overrides;
@@ -103,7 +114,7 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
   };
   const UserCodeWatch::Closing closing(watch, [&](const UserCodeEnd& end) {
     run_end.wall_s = passed();
-    keepWhatIsThere(simulation, run_end, facts, end);
+    keepWhatIsThere(simulation, run_end, facts, record, end);
   });
   try {
     simulation.start();
@@ -144,7 +155,9 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, ProgressBar
   if (code == ExitCode::kFinished && !result.failures.empty()) {
     code = ExitCode::kControllerFailed;
   }
-  print(toText(summarise(result, facts)) + "\n");
+  if (!conclude(toText(summarise(result, facts)) + "\n", record)) {
+    code = ExitCode::kStopped;
+  }
   return code;
 }
 
@@ -154,8 +167,23 @@ RunFiles filesOf(const RunOptions& options) {
   files.folder = options.out;
   files.rules = {options.write_anywhere, options.force};
   files.records_bag = options.bag.has_value();
-  files.interventions = options.interventions;
+  files.reads = {options.interventions};
   return files;
+}
+
+/// Adds what writes the record. @return null if none is asked for
+std::unique_ptr<RecordFolder> startRecord(Simulation& simulation, const RunContext& context,
+                                          const std::optional<std::string>& folder) {
+  if (!folder) {
+    return nullptr;
+  }
+  const std::string place = fullName(*folder);
+  auto record = std::make_unique<RecordFolder>(*context.out, place, OutFolder::Writer{"--record", {}, false},
+                                               recordOf(simulation.experiment(), version()));
+  addFromCommandLine(simulation, context, "--record", "hash_recorder", place + "/" + record_files::kHashes);
+  addFromCommandLine(simulation, context, "--record", "intervention_recorder",
+                     place + "/" + record_files::kInterventions);
+  return record;
 }
 
 ExitCode run(const RunOptions& options) {
@@ -164,10 +192,14 @@ ExitCode run(const RunOptions& options) {
   RunContext context;
   context.out = openOutFolder(filesOf(options), experiment);
   refuseRobotsOfOthers(experiment);
+  const RecordPlace place = isBag(options.interventions) ? interventionsOfBag(options.interventions) : RecordPlace{};
   InterventionPlayer player = readPlayer(
+      place.folder.empty() ? options.interventions : place.folder + "/" + record_files::kInterventions,
       options.interventions, options.all_interventions ? AskedByRules::kPlayed : AskedByRules::kLeftOut, experiment,
       [](const std::string& warning) { std::cerr << "swarmanoid: warning: " << warning << '\n'; });
-  Simulation simulation(std::move(experiment), context);
+  SuppliedParts supplied;
+  supplied.takes_participants = false;
+  Simulation simulation(std::move(experiment), context, std::move(supplied));
   simulation.play(std::move(player));
   if (options.hashes) {
     addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes,
@@ -182,7 +214,11 @@ ExitCode run(const RunOptions& options) {
     addFromCommandLine(simulation, context, "--save-interventions", "intervention_recorder",
                        *options.save_interventions);
   }
+  const std::unique_ptr<RecordFolder> record = startRecord(simulation, context, options.record);
   context.out->keep();
+  if (record != nullptr) {
+    record->begin();
+  }
   // the sink shares it, and controllers may still use the sink while the simulation is destroyed
   const FrameworkDescription& framework = simulation.experiment().framework;
   const auto bar = std::make_shared<ProgressBar>(simulation.experiment().name, framework.max_clock,
@@ -193,7 +229,7 @@ ExitCode run(const RunOptions& options) {
     }
   });
   noteInterruptions();
-  return runToEnd(simulation, options, *bar, watch);
+  return runToEnd(simulation, options, record.get(), *bar, watch);
 }
 
 /// Returns the given values of the options that replace values of the file.
@@ -228,10 +264,11 @@ Command addRunCommand(CLI::App& app) {
       ->needs(bag);
   CLI::Option* hashes = command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_flag("--deep", options->hashes_deep, "and a hash of all readings and commands, too")->needs(hashes);
+  command->add_option("--record", options->record, "a folder: all that `swarmanoid rerun` makes the same run of again");
   command->add_option("--save-interventions", options->save_interventions,
                       "write what is done to the run by rules or from outside");
-  CLI::Option* interventions =
-      command->add_option("--interventions", options->interventions, "a file of that: do it to this run, too");
+  CLI::Option* interventions = command->add_option("--interventions", options->interventions,
+                                                   "a file of that, or a bag: do it to this run, too");
   command
       ->add_flag("--all-interventions", options->all_interventions,
                  "also what rules asked for, into a run without these rules")

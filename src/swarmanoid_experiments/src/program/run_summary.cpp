@@ -1,7 +1,6 @@
 #include "run_summary.hpp"
 
-#include <cstdio>
-
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "version.hpp"
 
@@ -36,8 +35,6 @@ ordered_json summarise(const RunResult& result, const RunFacts& facts) {
   for (const ControllerFailure& failure : result.failures) {
     failures.push_back({{"robot", failure.robot}, {"tick", failure.tick}, {"reason", failure.reason}});
   }
-  char hash[17];
-  std::snprintf(hash, sizeof hash, "%016llx", static_cast<unsigned long long>(result.state_hash));
 
   ordered_json summary;
   summary["version"] = version();
@@ -54,7 +51,7 @@ ordered_json summarise(const RunResult& result, const RunFacts& facts) {
   summary["wall_s"] = result.wall_s;
   summary["real_time_factor"] = result.wall_s > 0.0 ? result.simulated_s / result.wall_s : 0.0;
   summary["robot_ticks_per_s"] = result.wall_s > 0.0 ? facts.robot_ticks / result.wall_s : 0.0;
-  summary["state_hash"] = hash;
+  summary["state_hash"] = hashText(result.state_hash);
   return summary;
 }
 

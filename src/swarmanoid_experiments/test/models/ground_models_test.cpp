@@ -60,5 +60,35 @@ TEST(ModelsPageTest, GroundReading) {
   EXPECT_EQ(seen.size(), 3U);
 }
 
+/// Of the paint under a footbot that stands, painted twice; white floor, half of what is painted is left after 1.7 s.
+TEST(ModelsPageTest, Paint) {
+  constexpr double kRounding = 0.5 / 255.0;  // of each channel
+  ModelWorld world;
+  world.footbot_sensors = "<footbot_ground/>";
+  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0);
+  world.extras = "<floor_paint><cell>0.05</cell><half_life>1.7</half_life></floor_paint>";
+  world.members = "fb";
+  float value = 0.0F;
+  setProgram([&](Robot& robot) { value = robot.sensor<FootbotGround>().value[3]; });
+  auto simulation = world.start();
+  const double dt = toSeconds(simulation->space().clocktick);
+  const double first = (200.0 + 90.0 + 17.0) / 765.0;
+  const double second = (10.0 + 70.0 + 31.0) / 765.0;
+  double strength = 0.35;
+  double color = first;
+  simulation->apply(PaintFloor{{{{5.0, 5.0}, 0.2, {200, 90, 17}, strength}}});
+  for (int n = 0; n < 40; ++n) {
+    if (n == 13) {
+      const double left = strength * std::exp2(-n * dt / 1.7);
+      color = (0.6 * second + 0.4 * left * color) / (0.6 + 0.4 * left);
+      strength = 0.6 + 0.4 * left;
+      simulation->apply(PaintFloor{{{{5.0, 5.0}, 0.2, {10, 70, 31}, 0.6}}});
+    }
+    tick(*simulation);
+    const double seen = strength * std::exp2(-(n < 13 ? n : n - 13) * dt / 1.7);
+    EXPECT_NEAR(value, 1.0 + seen * (color - 1.0), 2.0 * kRounding) << "tick " << n;
+  }
+}
+
 }  // namespace
 }  // namespace swarmanoid::test

@@ -2,6 +2,7 @@
 /// "1000000".
 #pragma once
 
+#include <cstdint>
 #include <locale>
 #include <sstream>
 #include <string>
@@ -16,6 +17,9 @@ class PlainTextStream : public std::ostringstream {
 
 /// Formats the number as "%.*g" does.
 std::string shortNumber(double value, int digits);
+
+/// A hash as files contain it: 16 hexadecimal digits.
+std::string hashText(std::uint64_t hash);
 
 /// Restores the locale of the process, of C++ and of this thread after users' code has changed it; the first time a
 /// warning is written to standard error. It is called after users' code, while other threads may still be in a step.

@@ -27,6 +27,9 @@ class RandomStream {
     draw_ = 0;
   }
 
+  /// The ticks that start from now on have the sequences of another seed.
+  void reseed(std::uint64_t seed) { seed_ = seed; }
+
   /// Returns 64 random bits.
   std::uint64_t bits();
   /// Returns a number uniform in [0, 1).

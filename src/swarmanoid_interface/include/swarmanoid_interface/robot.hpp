@@ -76,6 +76,8 @@ class Robot {
   void provideSensor(const std::string& type, const void* readings);
   void provideActuator(const std::string& type, void* command);
   void setLogSink(LogSink sink) { log_sink_ = std::move(sink); }
+  /// The steps from now on draw with another seed.
+  void reseed(std::uint64_t seed) { random_.reseed(seed); }
   /// Is called before each step.
   void startTick(std::uint64_t tick, Time time);
 

@@ -2,11 +2,13 @@
 /// their commands, checks, limits and disturbs them, and passes what comes of it on to the robots' mechanisms, which
 /// engines read.
 ///
-/// Phases   configure, add, remove, stop: between phases. actuate: the phase of this name. afterMove: in `connect`.
+/// Phases   configure, add, remove, setFaults, stop: between phases. actuate: the phase of this name.
+///          afterMove: in `connect`.
 /// Noise    drawn from the instance's own stream.
 /// Errors   those of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
 ///          parameter of the actuator mean such an error, which draws from a stream of the same name as the instance's
-///          own: the numbers are the same, so an actuator that draws itself should have no aliases that draw.
+///          own: the numbers are the same, so an actuator that draws itself should have no aliases that draw. Faults of
+///          single robots (setFaults) act after these, and before `limit`.
 ///
 /// To add an actuator: write its struct in an interface header, derive from ActuatorOf<Struct>, end with
 /// REGISTER_ACTUATOR. Beside the struct stands its descriptor (swarmanoid_interface/device_type.hpp), for the check of
@@ -14,6 +16,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -23,6 +26,7 @@
 #include "swarmanoid_interface/safe_stop.hpp"
 #include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
+#include "swarmanoid_space/error_models/device_fault.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -43,13 +47,22 @@ class Actuator {
   virtual void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
+  /// What is wrong with the actuator of that robot from the next tick on, instead of what setFaults said before;
+  /// nothing: it is mended. @throws ConfigError if it does not suit the device; then nothing has changed
+  virtual void setFaults(const Space& space, Row row, const std::vector<ErrorModelDescription>& errors) = 0;
+  /// As setFaults said; nothing for robots without such an actuator.
+  virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
+  /// Between ticks: what is drawn from now on is that of another seed.
+  virtual void reseed(std::uint64_t seed) = 0;
+
   /// Commands to actuation. Rows whose command holds a number that is not finite are added to `faulty`; their
   /// actuation stays what it was.
   virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
   /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.
   virtual void afterMove(Space&) {}
   /// The robot's command becomes that of its safe stop, and is carried out at once. Starts from the last command that
-  /// is sound. Errors of <error> elements act on it too. @return whether the stop is over: the command stays now
+  /// is sound. Errors of <error> elements and faults act on it too. @return whether the stop is over: the command stays
+  /// now
   virtual bool stop(Space& space, Row row, const SafeStopMoment& moment) = 0;
 
   const char* type() const { return type_; }
@@ -68,6 +81,7 @@ struct BasicActuatorInstance {
   Device* command = nullptr;
   Device* actuation = nullptr;
   RandomStream random;
+  std::unique_ptr<DeviceFault> fault;  ///< null as long as nothing is wrong with this one alone
 };
 
 template <class Device, class Instance = BasicActuatorInstance<Device>>
@@ -101,16 +115,62 @@ class ActuatorOf : public Actuator {
     space.commands.template bank<Device>().remove(row);
     space.actuation.template bank<Device>().remove(row);
     const auto is_meant = [&](const auto& candidate) { return candidate.row == row; };
+    const auto has_fault = [&](const Instance& other) { return other.row == row && other.fault != nullptr; };
+    fault_count_ -= static_cast<std::size_t>(std::count_if(instances_.begin(), instances_.end(), has_fault));
     instances_.erase(std::remove_if(instances_.begin(), instances_.end(), is_meant), instances_.end());
     error_states_.erase(std::remove_if(error_states_.begin(), error_states_.end(), is_meant), error_states_.end());
   }
 
+  void setFaults(const Space& space, Row row, const std::vector<ErrorModelDescription>& errors) override {
+    for (Instance& instance : instances_) {
+      if (instance.row == row) {
+        std::unique_ptr<DeviceFault> fault;
+        if (!errors.empty()) {
+          fault = std::make_unique<DeviceFault>(Device::kType, errors, space.seed, space.entities.name[row], 0);
+        }
+        fault_count_ -= instance.fault != nullptr ? 1 : 0;
+        instance.fault = std::move(fault);
+        fault_count_ += instance.fault != nullptr ? 1 : 0;
+      }
+    }
+  }
+
+  std::vector<ErrorModelDescription> faults(Row row) const override {
+    for (const Instance& instance : instances_) {
+      if (instance.row == row && instance.fault != nullptr) {
+        return instance.fault->errors();
+      }
+    }
+    return {};
+  }
+
+  void reseed(std::uint64_t seed) override {
+    for (Instance& instance : instances_) {
+      instance.random.reseed(seed);
+      if (instance.fault != nullptr) {
+        instance.fault->reseed(seed);
+      }
+    }
+    for (Disturbed& disturbed : error_states_) {
+      disturbed.errors.reseed(seed);
+    }
+  }
+
   void actuate(Space& space, std::vector<Row>& faulty) override {
-    if (errors_.isEmpty()) {
+    if (errors_.isEmpty() && fault_count_ == 0) {
       actuateEach(space, faulty, [](std::size_t) {});
-    } else {
+    } else if (fault_count_ == 0) {
       actuateEach(space, faulty,
                   [&](std::size_t k) { errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick); });
+    } else {
+      actuateEach(space, faulty, [&](std::size_t k) {
+        if (!errors_.isEmpty()) {
+          errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick);
+        }
+        if (DeviceFault* fault = instances_[k].fault.get()) {
+          fault->apply(instances_[k].actuation, space.tick);
+        }
+      });
     }
   }
 
@@ -123,10 +183,15 @@ class ActuatorOf : public Actuator {
           *instance.command = *instance.actuation;
         }
         is_over = detail::stop(*instance.command, moment);
-        if (errors_.hasListed()) {
+        if (errors_.hasListed() || instance.fault != nullptr) {
           // a motor that is stuck or late is so for a safe stop too
           *instance.actuation = *instance.command;
-          errors_.applyListed(instance.actuation, error_states_[k].errors, space.tick);
+          if (errors_.hasListed()) {
+            errors_.applyListed(instance.actuation, error_states_[k].errors, space.tick);
+          }
+          if (instance.fault != nullptr) {
+            instance.fault->apply(instance.actuation, space.tick);
+          }
           limit(space, instance);
         } else {
           detail::stop(*instance.actuation, moment);
@@ -181,6 +246,7 @@ class ActuatorOf : public Actuator {
 
   DeviceErrors errors_{Device::kType};
   std::vector<Disturbed> error_states_;
+  std::size_t fault_count_ = 0;
 };
 
 }  // namespace swarmanoid

@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "swarmanoid_space/error_models/error_model_description.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 
@@ -75,8 +76,28 @@ struct SetProperty {
   std::string value;
 };
 
+/// Paints discs on the floor, each over those before it and over what was there (PaintLayer). Refused: an arena without
+/// <floor_paint>, a middle outside the arena, a radius or strength out of bounds, no disc.
+struct PaintFloor {
+  static constexpr Range kRadius{0.0, 10000.0};  ///< [m]
+  static constexpr Range kStrength{0.001, 1.0};
+
+  std::vector<PaintDisc> discs;
+};
+
+/// What is wrong with a sensor or an actuator of one robot from the next tick on, beside and after the errors of its
+/// configuration, whoever commands the robot; until the next fault of that device, which takes the place of this one,
+/// until a reset, or as long as the robot is there. Parameters that are left out have their defaults. Nothing happens
+/// if the same is wrong with it already. Refused: no robot with a controller, a device that it does not have, and what
+/// the experiment file refuses of an <error>.
+struct SetFault {
+  std::string robot;
+  std::string device;                         ///< its type, "footbot_proximity"
+  std::vector<ErrorModelDescription> errors;  ///< in the order in which they act; none: the device is mended
+};
+
 using Intervention = std::variant<SpawnEntity, DeleteEntity, MoveEntity, HandOverEntity, SetEngineParameters,
-                                  SetCommandSource, SetProperty>;
+                                  SetCommandSource, SetProperty, PaintFloor, SetFault>;
 
 /// An intervention that has been carried out.
 struct TakenIntervention {

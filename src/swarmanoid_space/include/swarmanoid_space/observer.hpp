@@ -9,8 +9,11 @@
 /// To add one: derive, end with REGISTER_OBSERVER.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/registry.hpp"
@@ -21,12 +24,23 @@ namespace swarmanoid {
 
 class OutFolder;
 
+/// What has come of a run, when it is over.
+struct RunOutcome {
+  bool is_finished = false;  ///< it came to its end; false: it was stopped
+  std::optional<bool> success;
+  Metrics metrics;
+  std::vector<std::string> failed_robots;  ///< whose controllers failed
+};
+
 /// The run that an observer looks at.
 struct RunContext {
   std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: all, as code that has none likes
   std::string asked_by;            ///< the option that asks for the observer, "--bag"; "": the experiment file
   bool headless = true;
+  bool is_open = false;  ///< other processes can command robots
+  bool is_fork = false;  ///< the seed will change in the middle: a record of the run could not be made again
   const Experiment* experiment = nullptr;
+  std::function<RunOutcome()> outcome;  ///< for `finish` of observers that an option asks for; empty: it is not known
 };
 
 class Observer {

@@ -60,6 +60,8 @@ class Rule {
     }
   }
   void startTick(std::uint64_t tick) { random_.startTick(tick); }
+  /// The ticks from now on draw with another seed.
+  void reseed(std::uint64_t seed) { random_.reseed(seed); }
 
  protected:
   /// Numbers of this rule alone; each tick has its own, which do not depend on the draws of others.

@@ -1,12 +1,13 @@
 /// The base classes of simulated sensors. One object serves all robots of one controller configuration: it reads the
 /// space and fills their readings, the structs of swarmanoid_interface/devices.
 ///
-/// Phases   configure, add, remove: between ticks. sense: the phase of this name; sees the space const.
+/// Phases   configure, add, remove, setFaults: between ticks. sense: the phase of this name; sees the space const.
 /// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
 /// Errors   those of <error> elements act on what `sense` has filled in, which stays as it is. addErrorAlias makes a
 ///          parameter of the sensor mean such an error, which draws from a stream of the same name as the instance's
-///          own: the numbers are the same, so a sensor that draws itself should have no aliases that draw.
+///          own: the numbers are the same, so a sensor that draws itself should have no aliases that draw. Faults of
+///          single robots (setFaults) act after these.
 ///
 /// To add a sensor: write its struct and descriptor in an interface header, derive from SensorOf<Struct>, end with
 /// REGISTER_SENSOR.
@@ -23,6 +24,7 @@
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/device_description.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
+#include "swarmanoid_space/error_models/device_fault.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -43,13 +45,21 @@ class Sensor {
   virtual const void* add(Space& space, Row row) = 0;
   virtual void remove(Space& space, Row row) = 0;
 
+  /// What is wrong with the sensor of that robot from the next tick on, instead of what setFaults said before; nothing:
+  /// it is mended. @throws ConfigError if it does not suit the device; then nothing has changed
+  virtual void setFaults(const Space& space, Row row, const std::vector<ErrorModelDescription>& errors) = 0;
+  /// As setFaults said; nothing for robots without such a sensor.
+  virtual std::vector<ErrorModelDescription> faults(Row row) const = 0;
+  /// Between ticks: what is drawn from now on is that of another seed.
+  virtual void reseed(std::uint64_t seed) = 0;
+
   virtual std::size_t instanceCount() const = 0;
   /// Refreshes the readings of instances first .. last - 1, which are in the order of entity numbers.
   virtual void sense(const Space& space, std::size_t first, std::size_t last) = 0;
-  /// The same, and then what errors make of the readings.
+  /// The same, and then what errors and faults make of the readings.
   void update(const Space& space, std::size_t first, std::size_t last) {
     sense(space, first, last);
-    if (has_errors_) {
+    if (delivers_) {
       deliver(space, first, last);
     }
   }
@@ -64,10 +74,18 @@ class Sensor {
   /// Copies readings to where they are read, with their errors.
   virtual void deliver(const Space& space, std::size_t first, std::size_t last) = 0;
 
-  bool has_errors_ = false;
+  bool delivers_ = false;  ///< there are errors, or a robot has faults
 
  private:
   const char* type_;
+};
+
+/// What is wrong with the sensor of one robot alone.
+template <class Device>
+struct SensorFault {
+  DeviceFault errors;
+  Device* delivered = nullptr;  ///< where the readings are read
+  Device readings{};            ///< without errors, if the configuration has none: else they have a place already
 };
 
 /// The sensor of one robot, in the bank of its type.
@@ -77,6 +95,7 @@ struct BasicSensorInstance {
   EntityNumber number = kNoEntity;
   Device* readings = nullptr;  ///< without errors
   RandomStream random;
+  std::unique_ptr<SensorFault<Device>> fault;  ///< null as long as nothing is wrong with this one alone
 };
 
 /// A sensor whose readings are a `Device`. `Instance` may be replaced by a struct that derives from BasicSensorInstance
@@ -91,7 +110,7 @@ class SensorOf : public Sensor {
 
   void takeErrors(const std::vector<ErrorModelDescription>& errors) override {
     errors_.add(errors);
-    has_errors_ = !errors_.isEmpty();
+    chooseDelivery();
   }
 
   const void* add(Space& space, Row row) override {
@@ -102,7 +121,7 @@ class SensorOf : public Sensor {
     instance.readings = &delivered;
     instance.random = RandomStream(space.seed, space.entities.name[row], Device::kType);
     Disturbed disturbed{row, nullptr, &delivered, {}};
-    if (has_errors_) {
+    if (!errors_.isEmpty()) {
       // the readings have a place of their own, since a sensor may go on from what it has written there
       disturbed.readings = std::make_unique<Device>();
       disturbed.errors = errors_.makeState(space.seed, space.entities.name[row], mostElements());
@@ -111,7 +130,7 @@ class SensorOf : public Sensor {
     prepareInstance(space, instance);
     // entity numbers only grow, so the order is kept
     instances_.push_back(std::move(instance));
-    if (has_errors_) {
+    if (!errors_.isEmpty()) {
       disturbed_.push_back(std::move(disturbed));
     }
     return &delivered;
@@ -120,8 +139,43 @@ class SensorOf : public Sensor {
   void remove(Space& space, Row row) override {
     space.readings.template bank<Device>().remove(row);
     const auto is_meant = [&](const auto& candidate) { return candidate.row == row; };
+    forget(row);
     instances_.erase(std::remove_if(instances_.begin(), instances_.end(), is_meant), instances_.end());
     disturbed_.erase(std::remove_if(disturbed_.begin(), disturbed_.end(), is_meant), disturbed_.end());
+  }
+
+  void setFaults(const Space& space, Row row, const std::vector<ErrorModelDescription>& errors) override {
+    const std::size_t k = indexOf(row);
+    if (k == instances_.size()) {
+      return;
+    }
+    std::unique_ptr<SensorFault<Device>> fault;
+    if (!errors.empty()) {
+      fault.reset(new SensorFault<Device>{
+          {Device::kType, errors, space.seed, space.entities.name[row], mostElements()}, nullptr, {}});
+    }
+    mend(k);
+    if (fault != nullptr) {
+      begin(k, std::move(fault));
+    }
+  }
+
+  std::vector<ErrorModelDescription> faults(Row row) const override {
+    const std::size_t k = indexOf(row);
+    return k == instances_.size() || instances_[k].fault == nullptr ? std::vector<ErrorModelDescription>()
+                                                                    : instances_[k].fault->errors.errors();
+  }
+
+  void reseed(std::uint64_t seed) override {
+    for (Instance& instance : instances_) {
+      instance.random.reseed(seed);
+      if (instance.fault != nullptr) {
+        instance.fault->errors.reseed(seed);
+      }
+    }
+    for (Disturbed& disturbed : disturbed_) {
+      disturbed.errors.reseed(seed);
+    }
   }
 
   std::size_t instanceCount() const override { return instances_.size(); }
@@ -133,7 +187,7 @@ class SensorOf : public Sensor {
   /// @param kind of the error @param field that it acts on, "" for all @param parameter of the kind
   void addErrorAlias(const char* kind, const char* field, const char* parameter, double value) {
     errors_.addAlias(kind, field, parameter, value);
-    has_errors_ = !errors_.isEmpty();
+    chooseDelivery();
   }
   /// The most elements that a span of the readings has; errors on spans get room for so many.
   virtual std::size_t mostElements() const { return 0; }
@@ -142,10 +196,19 @@ class SensorOf : public Sensor {
   virtual void prepareInstance(const Space&, Instance&) {}
 
   void deliver(const Space& space, std::size_t first, std::size_t last) override {
-    for (std::size_t k = first; k < last; ++k) {
-      Disturbed& disturbed = disturbed_[k];
-      *disturbed.delivered = *disturbed.readings;
-      errors_.apply(disturbed.delivered, disturbed.errors, space.tick);
+    if (!errors_.isEmpty()) {
+      for (std::size_t k = first; k < last; ++k) {
+        Disturbed& disturbed = disturbed_[k];
+        *disturbed.delivered = *disturbed.readings;
+        errors_.apply(disturbed.delivered, disturbed.errors, space.tick);
+      }
+    }
+    if (fault_count_ > 0) {
+      for (std::size_t k = first; k < last; ++k) {
+        if (SensorFault<Device>* fault = instances_[k].fault.get()) {
+          deliverFault(*fault, space.tick);
+        }
+      }
     }
   }
 
@@ -160,8 +223,72 @@ class SensorOf : public Sensor {
     ErrorState errors;
   };
 
+  void chooseDelivery() { delivers_ = !errors_.isEmpty() || fault_count_ > 0; }
+
+  /// @return the number of instances if there is none
+  std::size_t indexOf(Row row) const {
+    const auto found =
+        std::find_if(instances_.begin(), instances_.end(), [&](const Instance& other) { return other.row == row; });
+    return static_cast<std::size_t>(found - instances_.begin());
+  }
+
+  void deliverFault(SensorFault<Device>& fault, std::uint64_t tick) {
+    if (errors_.isEmpty()) {
+      *fault.delivered = fault.readings;
+    }
+    fault.errors.apply(fault.delivered, tick);
+  }
+
+  void begin(std::size_t k, std::unique_ptr<SensorFault<Device>> fault) {
+    Instance& instance = instances_[k];
+    if (errors_.isEmpty()) {
+      fault->delivered = instance.readings;
+      fault->readings = *instance.readings;
+      instance.readings = &fault->readings;
+    } else {
+      fault->delivered = disturbed_[k].delivered;
+    }
+    instance.fault = std::move(fault);
+    ++fault_count_;
+    chooseDelivery();
+  }
+
+  /// The readings are again what they would be without the fault: at once, since spans among them may point into it.
+  void mend(std::size_t k) {
+    Instance& instance = instances_[k];
+    if (instance.fault == nullptr) {
+      return;
+    }
+    Device* const delivered = instance.fault->delivered;
+    if (errors_.isEmpty()) {
+      *delivered = instance.fault->readings;
+      instance.readings = delivered;
+    } else {
+      // the errors of the last tick once more
+      Disturbed& disturbed = disturbed_[k];
+      *delivered = *disturbed.readings;
+      if (disturbed.errors.tick != ErrorState::kNoTick) {
+        errors_.apply(delivered, disturbed.errors, disturbed.errors.tick);
+      }
+    }
+    instance.fault.reset();
+    --fault_count_;
+    chooseDelivery();
+  }
+
+  /// The robot of a fault is gone, with its readings.
+  void forget(Row row) {
+    const std::size_t k = indexOf(row);
+    if (k < instances_.size() && instances_[k].fault != nullptr) {
+      instances_[k].fault.reset();
+      --fault_count_;
+      chooseDelivery();
+    }
+  }
+
   DeviceErrors errors_{Device::kType};
   std::vector<Disturbed> disturbed_;
+  std::size_t fault_count_ = 0;
 };
 
 }  // namespace swarmanoid

@@ -27,7 +27,8 @@ const DeviceType& requireDeviceType(const std::string& type, const SourceLocatio
   return *device;
 }
 
-ErrorChain::ErrorChain(const DeviceType& device) : device_(device), spans_(spansOf(device)) {}
+ErrorChain::ErrorChain(const DeviceType& device, ErrorOrigin origin)
+    : device_(device), origin_(origin), spans_(spansOf(device)) {}
 
 void ErrorChain::addAlias(const std::string& kind, const std::string& field, const std::string& parameter,
                           double value) {
@@ -53,7 +54,8 @@ void ErrorChain::add(const ErrorModelDescription& description) {
              selectFields(device_, description.field, found->subject, description.kind, description.field_location));
   entry.from_tick = description.from_tick;
   // an <error> keeps its numbers whatever stands before or behind it, but for one of the same kind and field
-  const std::string name = device_.type + " error " + description.kind + " " + description.field;
+  const char* const origin = origin_ == ErrorOrigin::kFault ? " fault " : " error ";
+  const std::string name = device_.type + origin + description.kind + " " + description.field;
   const auto is_same = [&](const Entry& other) { return other.stream.rfind(name + " #", 0) == 0; };
   entry.stream = name + " #" + std::to_string(std::count_if(entries_.begin(), entries_.end(), is_same));
   entry.stream_index = entries_.size() - alias_count_;

@@ -165,25 +165,6 @@ void readDistribute(const XmlElement& element, Reader& reader) {
   reader.experiment.arena.entities.push_back(std::move(prototypes[0]));
 }
 
-void readFloorPatch(const XmlElement& element, Reader& reader) {
-  element.allowAttributes(attributesOf("arena/floor_patch"));
-  FloorPatch patch;
-  patch.location = element.location();
-  patch.id = element.requireAttribute("id");
-  reader.takeId("entity", patch.id, element);
-  const Configuration values = readParameters(element, floorPatchParameters());
-  patch.position = values.vector3("position");
-  patch.radius = values.number("radius");
-  patch.size = values.vector2("size");
-  patch.color = values.color("color");
-  const bool has_size = patch.size != Eigen::Vector2d::Zero();
-  if ((patch.radius > 0.0) == has_size || (has_size && !(patch.size.minCoeff() > 0.0))) {
-    element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
-                   values.text("size") + "', allowed: one of them greater than 0");
-  }
-  reader.experiment.arena.floor.patches.push_back(patch);
-}
-
 }  // namespace
 
 EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment) {
@@ -216,6 +197,10 @@ void readArena(const XmlElement& section, Reader& reader) {
       readDistribute(element, reader);
     } else if (element.name() == "floor_patch") {
       readFloorPatch(element, reader);
+    } else if (element.name() == "floor_image") {
+      readFloorImage(element, reader);
+    } else if (element.name() == "floor_paint") {
+      readFloorPaint(element, reader);
     } else if (element.name() == "heightfield") {
       readHeightfield(element, reader);
     } else {

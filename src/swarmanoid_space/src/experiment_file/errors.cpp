@@ -1,24 +1,64 @@
 // <error> in a sensor or an actuator.
+#include <algorithm>
+
 #include "reader.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
 
-/// The kind's own parameters, which are attributes.
+/// Those of the kind's own parameters, which are attributes, that are given.
 Configuration readErrorParameters(const XmlElement& element, const ErrorKind& kind) {
   Configuration parameters("error", "", element.location());
   for (const Parameter& parameter : kind.description.parameters) {
-    const auto text = element.attribute(parameter.name.c_str());
-    if (!text && !parameter.value) {
-      element.refuse("<error> of the kind '" + kind.description.name + "' needs the attribute " + parameter.name +
-                     "=\"...\"");
+    if (const auto text = element.attribute(parameter.name.c_str())) {
+      parameters.add(Configuration(parameter.name, *text, element.attributeLocation(parameter.name.c_str())));
     }
-    const SourceLocation location = element.attributeLocation(parameter.name.c_str());
-    checkValue(parameter, text.value_or(parameter.value.value_or("")), location);
-    parameters.add(Configuration(parameter.name, text.value_or(parameter.value.value_or("")), location));
   }
   return parameters;
+}
+
+std::vector<std::string> attributesOfKind(const ErrorKind& kind) {
+  std::vector<std::string> names{"kind", "id", "field", "from_tick"};
+  for (const Parameter& parameter : kind.description.parameters) {
+    names.push_back(parameter.name);
+  }
+  return names;
+}
+
+/// @throws ConfigError for a parameter that the kind does not have, or that is given twice
+void refuseStrangeParameters(const ErrorModelDescription& error, const ErrorKind& kind) {
+  const std::vector<Parameter>& known = kind.description.parameters;
+  for (const Configuration& given : error.parameters.children()) {
+    const auto is_same = [&](const auto& other) { return other.name() == given.name(); };
+    const auto is_meant = [&](const Parameter& parameter) { return parameter.name == given.name(); };
+    if (std::none_of(known.begin(), known.end(), is_meant)) {
+      throw ConfigError(given.location(),
+                        unknownName("attribute", given.name(), attributesOfKind(kind)) + " (in <error>)");
+    }
+    const std::vector<Configuration>& all = error.parameters.children();
+    if (std::count_if(all.begin(), all.end(), is_same) > 1) {
+      throw ConfigError(given.location(), "found '" + given.name() + "' twice in <error>, allowed: once");
+    }
+  }
+}
+
+/// What `error` gives, and defaults. @throws ConfigError
+Configuration completeParameters(const ErrorModelDescription& error, const ErrorKind& kind) {
+  Configuration result("error", "", error.location);
+  refuseStrangeParameters(error, kind);
+  for (const Parameter& parameter : kind.description.parameters) {
+    const Configuration* given = error.parameters.find(parameter.name);
+    if (given == nullptr && !parameter.value) {
+      throw ConfigError(error.location, "<error> of the kind '" + kind.description.name + "' needs the attribute " +
+                                            parameter.name + "=\"...\"");
+    }
+    const SourceLocation location = given != nullptr ? given->location() : error.location;
+    const std::string text = given != nullptr ? given->text() : parameter.value.value_or("");
+    checkValue(parameter, text, location);
+    result.add(Configuration(parameter.name, text, location));
+  }
+  return result;
 }
 
 ErrorModelDescription readError(const XmlElement& element) {
@@ -36,21 +76,29 @@ ErrorModelDescription readError(const XmlElement& element) {
   if (kind == nullptr) {
     throw ConfigError(element.attributeLocation("kind"), unknownName("the error kind", error.kind, errorKindNames()));
   }
-  std::vector<std::string> allowed{"kind", "id", "field", "from_tick"};
-  for (const Parameter& parameter : kind->description.parameters) {
-    allowed.push_back(parameter.name);
-  }
-  element.allowAttributes(allowed);
+  element.allowAttributes(attributesOfKind(*kind));
   error.field = element.attribute("field").value_or("");
   if (const auto text = element.attribute("from_tick")) {
     const SourceLocation location = element.attributeLocation("from_tick");
     error.from_tick = static_cast<std::uint64_t>(parseInteger(*text, "from_tick", location, kTickRange));
   }
   error.parameters = readErrorParameters(element, *kind);
+  completeError(error);
   return error;
 }
 
 }  // namespace
+
+void completeError(ErrorModelDescription& error) {
+  const ErrorKind* kind = findErrorKind(error.kind);
+  if (kind == nullptr) {
+    throw ConfigError(error.location, unknownName("the error kind", error.kind, errorKindNames()));
+  }
+  if (static_cast<double>(error.from_tick) > kTickRange.maximum) {
+    parseInteger(std::to_string(error.from_tick), "from_tick", error.location, kTickRange);  // refuses it
+  }
+  error.parameters = completeParameters(error, *kind);
+}
 
 std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device) {
   std::vector<ErrorModelDescription> errors;

@@ -1,5 +1,4 @@
 // <heightfield>: the arena's rough ground, from an image.
-#include <filesystem>
 #include <stdexcept>
 
 #include "reader.hpp"
@@ -16,12 +15,9 @@ void readHeightfield(const XmlElement& element, Reader& reader) {
   const Configuration values = readParameters(element, heightfieldParameters());
   const Eigen::Vector2d size = values.vector2("size");
   const std::string file = values.text("file");
-  // an absolute name stays what it is
-  const std::filesystem::path folder = std::filesystem::path(reader.experiment.file).parent_path();
-  reader.experiment.files.push_back((folder / file).string());
   try {
     arena.terrain = std::make_shared<const Terrain>(
-        readTerrain(reader.experiment.files.back(), values.vector3("position"), size, values.number("height")));
+        readTerrain(takeFile(file, reader), values.vector3("position"), size, values.number("height")));
   } catch (const std::runtime_error& error) {
     element.child("file")->refuse("file: found '" + file + "', which " + error.what() +
                                   "; allowed: a grey PNG image of 8 or 16 bits, 2 x 2 to 4096 x 4096 pixels");

@@ -104,6 +104,25 @@ const std::vector<Parameter>& floorPatchParameters() {
   return table;
 }
 
+const std::vector<Parameter>& floorImageParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("file", Type::kText, "", std::nullopt, {},
+                    "A PNG image; its folder is relative to the experiment file's."),
+      makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, "Of its middle."),
+      makeParameter("size", Type::kVector2, "m", std::nullopt, limits::kLength, "Along x and y.")};
+  return table;
+}
+
+const std::vector<Parameter>& floorPaintParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("cell", Type::kNumber, "m", "0.02", limits::kLength, "The side of the squares that are painted."),
+      makeParameter("half_life", Type::kNumber, "s", "0", limits::kHalfLife,
+                    "After which half of the paint is left; 0: it does not fade.")};
+  return table;
+}
+
 const std::vector<Parameter>& heightfieldParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{

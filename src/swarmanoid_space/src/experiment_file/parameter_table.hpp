@@ -27,6 +27,10 @@ std::vector<Parameter> placementParameters(bool is_distributed);
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& floorPatchParameters();
+/// Of <floor_image>.
+const std::vector<Parameter>& floorImageParameters();
+/// Of <floor_paint>.
+const std::vector<Parameter>& floorPaintParameters();
 /// Of <heightfield>.
 const std::vector<Parameter>& heightfieldParameters();
 /// Of <distribute>; quantity and layout are attributes.

@@ -192,11 +192,18 @@ void readText(const std::string& text, const std::string& name, const std::vecto
   reader.experiment.file = name;
   reader.experiment.name = std::filesystem::path(name).stem().string();
   reader.experiment.text = text;
+  reader.experiment.overrides = overrides;
   reader.experiment.files = {name};
   experiment::readDocument(root_element, reader);
 }
 
 }  // namespace
+
+std::string experiment::takeFile(const std::string& name, Reader& reader) {
+  const std::filesystem::path folder = std::filesystem::path(reader.experiment.file).parent_path();
+  reader.experiment.files.push_back((folder / name).string());  // an absolute name stays what it is
+  return reader.experiment.files.back();
+}
 
 std::string experiment::textOf(const std::string& file) {
   std::error_code ignored;

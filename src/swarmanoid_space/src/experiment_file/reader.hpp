@@ -73,6 +73,9 @@ void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
 /// All <error> of a sensor or an actuator. @param device its type; "" if that is not known
 std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const std::string& device);
+/// Checks an error as far as that goes without its device, whoever describes it, and fills in defaults of its kind.
+/// @throws ConfigError
+void completeError(ErrorModelDescription& error);
 void readArena(const XmlElement& section, Reader& reader);
 /// An entity as it stands in <arena>, for a run that is under way. Beside <orientation> in degrees it may have
 /// <angles>, the same in radians, to the last bit. Whether its id is taken is not looked at.
@@ -80,6 +83,14 @@ void readArena(const XmlElement& section, Reader& reader);
 EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment);
 /// <heightfield> in <arena>, at most one.
 void readHeightfield(const XmlElement& element, Reader& reader);
+void readFloorPatch(const XmlElement& element, Reader& reader);
+/// <floor_image> in <arena>, at most one.
+void readFloorImage(const XmlElement& element, Reader& reader);
+/// <floor_paint> in <arena>, at most one.
+void readFloorPaint(const XmlElement& element, Reader& reader);
+/// A file that the experiment names, from now on one of its files. @return its path: a name that is not absolute is
+/// relative to the experiment file's folder
+std::string takeFile(const std::string& name, Reader& reader);
 void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
 /// @param entities, engines the ids that there are

@@ -5,15 +5,6 @@
 #include "swarmanoid_interface/contains.hpp"
 
 namespace swarmanoid::experiment {
-namespace {
-
-std::string trimmed(const std::string& text) {
-  constexpr const char* kSpace = " \t\r\n";
-  const auto first = text.find_first_not_of(kSpace);
-  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
-
-}  // namespace
 
 SourceLocation XmlElement::location() const {
   for (const xmlNode* node = element_; node != nullptr; node = node->parent) {

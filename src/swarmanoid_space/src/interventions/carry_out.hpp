@@ -17,6 +17,8 @@ bool carryOut(World& world, const HandOverEntity& intervention);
 bool carryOut(World& world, const SetEngineParameters& intervention);
 bool carryOut(World& world, const SetCommandSource& intervention);
 bool carryOut(World& world, const SetProperty& intervention);
+bool carryOut(World& world, const PaintFloor& intervention);
+bool carryOut(World& world, const SetFault& intervention);
 
 /// @throws ConfigError if there is none, naming the one that may be meant
 Row requireEntity(const World& world, const std::string& name);

@@ -109,7 +109,11 @@ InterventionFile parseInterventions(const std::string& text, const std::string& 
 }
 
 InterventionFile readInterventions(const std::string& file, const Experiment& experiment) {
-  return parseInterventions(experiment::textOf(file), file, experiment);
+  return readInterventions(file, file, experiment);
+}
+
+InterventionFile readInterventions(const std::string& file, const std::string& name, const Experiment& experiment) {
+  return parseInterventions(experiment::textOf(file), name, experiment);
 }
 
 const char* kindOf(const Intervention& intervention) { return interventionGrammars()[intervention.index()].tag; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "../experiment_file/parameter_table.hpp"
+#include "fault_form.hpp"
 #include "spawn_form.hpp"
 
 namespace swarmanoid {
@@ -166,6 +167,64 @@ struct InterventionForm<SetProperty> {
     text.attribute("name", what.property);
     text.attribute("value", what.value);
   }
+};
+
+template <>
+struct InterventionForm<PaintFloor> {
+  static constexpr const char* kTag = "paint";
+  static std::vector<std::string> attributes() { return {}; }
+
+  static PaintFloor read(const XmlElement& element, const Experiment& /*experiment*/) {
+    element.allowChildren({"disc"});
+    PaintFloor result;
+    for (const XmlElement& disc : element.children()) {
+      result.discs.push_back(readDisc(disc));
+    }
+    if (result.discs.empty()) {
+      element.refuse("found no <disc> in <paint>, allowed: one or more");
+    }
+    return result;
+  }
+
+  static void write(const PaintFloor& what, ElementText& text) {
+    for (const PaintDisc& disc : what.discs) {
+      text.begin("disc");
+      text.attribute("position", numbersText(std::array<double, 2>{disc.position.x(), disc.position.y()}));
+      text.attribute("radius", numberText(disc.radius));
+      text.attribute("color", toString(disc.color));
+      text.attribute("strength", numberText(disc.strength));
+      text.end();
+    }
+  }
+
+ private:
+  static PaintDisc readDisc(const XmlElement& element) {
+    element.allowAttributes({"position", "radius", "color", "strength"});
+    element.allowChildren({});
+    const auto number = [&](const char* name, const std::string& text, Range range) {
+      return parseNumber(text, name, element.attributeLocation(name), range);
+    };
+    const std::vector<double> position =
+        parseNumbers(element.requireAttribute("position"), 2, "position", element.attributeLocation("position"));
+    PaintDisc disc;
+    disc.position = {position[0], position[1]};
+    disc.radius = number("radius", element.requireAttribute("radius"), PaintFloor::kRadius);
+    disc.color = parseColorOrThrow(element.requireAttribute("color"), "color", element.attributeLocation("color"));
+    disc.strength = number("strength", element.attribute("strength").value_or("1"), PaintFloor::kStrength);
+    return disc;
+  }
+};
+
+template <>
+struct InterventionForm<SetFault> {
+  static constexpr const char* kTag = "fault";
+  static std::vector<std::string> attributes() { return {"robot", "device"}; }
+
+  static SetFault read(const XmlElement& element, const Experiment& experiment) {
+    return readFault(element, experiment);
+  }
+
+  static void write(const SetFault& what, ElementText& text) { writeFault(what, text); }
 };
 
 template <class What>

@@ -24,6 +24,9 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
                                    instance->group->description->parameters);
     }
     refuseUnlessReachable(*instance, source);
+    if (source == CommandSource::kRemote && !world.supplied.takes_participants) {
+      throw std::runtime_error("no process elsewhere can answer here, that needs ROS");
+    }
     if (source == CommandSource::kTopics && world.supplied.commands == nullptr) {
       throw std::runtime_error("nobody listens to topics here, that needs ROS");
     }

@@ -28,7 +28,7 @@ std::shared_ptr<OutFolder> openOutFolder(const SpaceOptions& options, const Expe
   files.folder = options.out;
   files.rules = {options.write_anywhere, options.force};
   files.records_bag = !options.record.empty();
-  files.interventions = options.interventions;
+  files.reads = {options.interventions};
   return openOutFolder(files, experiment);
 }
 

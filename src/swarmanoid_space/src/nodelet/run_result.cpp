@@ -1,23 +1,10 @@
 #include "run_result.hpp"
 
-#include <sstream>
-#include <type_traits>
-
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
+#include "swarmanoid_space/ros/metric_text.hpp"
 
 namespace swarmanoid {
-namespace {
-
-std::string toText(const Metrics::mapped_type& value) {
-  PlainTextStream text;
-  text.precision(17);
-  std::visit([&](const auto& held) { text << std::boolalpha << held; }, value);
-  return text.str();
-}
-
-}  // namespace
-
 swarmanoid_msgs::RunResult toMessage(const RunResult& result, const std_msgs::Header& header) {
   swarmanoid_msgs::RunResult message;
   message.header = header;
@@ -34,7 +21,7 @@ swarmanoid_msgs::RunResult toMessage(const RunResult& result, const std_msgs::He
   for (const auto& [name, value] : result.metrics) {
     swarmanoid_msgs::TextParameter metric;
     metric.name = name;
-    metric.value = toText(value);
+    metric.value = metricText(value);
     message.metrics.push_back(metric);
   }
   for (const ControllerFailure& failure : result.failures) {
@@ -54,7 +41,7 @@ std::string describe(const RunResult& result) {
     text << "; " << (*result.success ? "success" : "no success");
   }
   for (const auto& [name, value] : result.metrics) {
-    text << "; " << name << " = " << toText(value);
+    text << "; " << name << " = " << metricText(value);
   }
   for (const ControllerFailure& failure : result.failures) {
     text << "; the controller of " << failure.robot << " failed";

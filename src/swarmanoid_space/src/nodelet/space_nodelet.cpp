@@ -215,6 +215,7 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   RunContext context;
   context.out = openOutFolder(options_, experiment);
   context.headless = false;
+  context.is_open = true;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
   display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
   display_->follow(*simulation);
@@ -227,7 +228,8 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   for (const std::string& line : addRecorders(*simulation, context, options_, getName())) {
     NODELET_INFO("%s", line.c_str());
   }
-  simulation->play(readPlayer(options_.interventions, AskedByRules::kLeftOut, simulation->experiment(),
+  simulation->play(readPlayer(options_.interventions, options_.interventions, AskedByRules::kLeftOut,
+                              simulation->experiment(),
                               [this](const std::string& warning) { NODELET_WARN("%s", warning.c_str()); }));
   NODELET_INFO("files go to %s, unless their names say otherwise",
                (std::filesystem::current_path() / options_.out).lexically_normal().c_str());

@@ -1,6 +1,7 @@
 #include "space_services.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 #include "../ros/entity_specification.hpp"
 #include "swarmanoid_hosts/ros/device_messages.hpp"
@@ -70,6 +71,21 @@ std::optional<std::uint64_t> seedOf(const swarmanoid_msgs::Reset::Request& reque
   return is_given ? std::optional<std::uint64_t>(request.seed) : std::nullopt;
 }
 
+std::vector<ErrorModelDescription> errorsOf(const swarmanoid_msgs::SetFault::Request& request) {
+  std::vector<ErrorModelDescription> errors;
+  for (const swarmanoid_msgs::DeviceError& given : request.errors) {
+    ErrorModelDescription error;
+    error.kind = given.kind;
+    error.field = given.field;
+    error.from_tick = given.from_tick;
+    for (const swarmanoid_msgs::TextParameter& parameter : given.parameters) {
+      error.parameters.add(Configuration(parameter.name, parameter.value, {}));
+    }
+    errors.push_back(std::move(error));
+  }
+  return errors;
+}
+
 void checkScope(std::uint8_t scope) {
   using Request = swarmanoid_msgs::Reset::Request;
   constexpr int kState = Request::STATE + Request::SPAWNED;
@@ -93,7 +109,9 @@ SpaceServices::SpaceServices(ros::NodeHandle own, SimulationThread& thread) : th
               own.advertiseService("move", &SpaceServices::move, this),
               own.advertiseService("handover", &SpaceServices::handover, this),
               own.advertiseService("set_command_source", &SpaceServices::setCommandSource, this),
-              own.advertiseService("set_property", &SpaceServices::setProperty, this)};
+              own.advertiseService("set_property", &SpaceServices::setProperty, this),
+              own.advertiseService("paint_floor", &SpaceServices::paintFloor, this),
+              own.advertiseService("set_fault", &SpaceServices::setFault, this)};
 }
 
 bool SpaceServices::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -183,6 +201,29 @@ bool SpaceServices::setProperty(swarmanoid_msgs::SetProperty::Request& request,
       thread_, request.names, response,
       [property = request.property, value = request.value](Simulation& simulation, const std::string& name) {
         simulation.apply(SetProperty{name, property, value});
+      });
+}
+
+bool SpaceServices::paintFloor(swarmanoid_msgs::PaintFloor::Request& request,
+                               swarmanoid_msgs::PaintFloor::Response& response) {
+  return intervene(thread_, request.positions, response,
+                   [radius = request.radius, color = request.color, strength = request.strength](
+                       Simulation& simulation, const geometry_msgs::Point& position) {
+                     PaintDisc disc;
+                     disc.position = {position.x, position.y};
+                     disc.radius = radius;
+                     disc.color = parseColorOrThrow(color, "color", {});
+                     disc.strength = strength == 0.0 ? 1.0 : strength;
+                     simulation.apply(PaintFloor{{disc}});
+                   });
+}
+
+bool SpaceServices::setFault(swarmanoid_msgs::SetFault::Request& request,
+                             swarmanoid_msgs::SetFault::Response& response) {
+  return intervene(
+      thread_, request.names, response,
+      [device = request.device, errors = errorsOf(request)](Simulation& simulation, const std::string& name) {
+        simulation.apply(SetFault{name, device, errors});
       });
 }
 

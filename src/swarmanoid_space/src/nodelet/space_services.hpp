@@ -1,5 +1,5 @@
 /// Provides the services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover,
-/// ~set_command_source, ~set_property.
+/// ~set_command_source, ~set_property, ~paint_floor, ~set_fault.
 ///
 /// Each service answers when its action is done. Several may be under way at once, so that a pause ends a long step.
 #pragma once
@@ -9,8 +9,10 @@
 #include <swarmanoid_msgs/Delete.h>
 #include <swarmanoid_msgs/Handover.h>
 #include <swarmanoid_msgs/Move.h>
+#include <swarmanoid_msgs/PaintFloor.h>
 #include <swarmanoid_msgs/Reset.h>
 #include <swarmanoid_msgs/SetCommandSource.h>
+#include <swarmanoid_msgs/SetFault.h>
 #include <swarmanoid_msgs/SetProperty.h>
 #include <swarmanoid_msgs/Spawn.h>
 #include <swarmanoid_msgs/Step.h>
@@ -39,6 +41,8 @@ class SpaceServices {
   bool setCommandSource(swarmanoid_msgs::SetCommandSource::Request& request,
                         swarmanoid_msgs::SetCommandSource::Response& response);
   bool setProperty(swarmanoid_msgs::SetProperty::Request& request, swarmanoid_msgs::SetProperty::Response& response);
+  bool paintFloor(swarmanoid_msgs::PaintFloor::Request& request, swarmanoid_msgs::PaintFloor::Response& response);
+  bool setFault(swarmanoid_msgs::SetFault::Request& request, swarmanoid_msgs::SetFault::Response& response);
 
   SimulationThread& thread_;
   std::vector<ros::ServiceServer> servers_;

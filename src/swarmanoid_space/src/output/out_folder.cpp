@@ -39,19 +39,35 @@ OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules
   if (folder.empty()) {
     return;
   }
+  if (const std::error_code problem = make(folder)) {
+    throw ConfigError({prefix + "out", 0}, "cannot make the folder '" + folder + "': " + problem.message());
+  }
+}
+
+/// Makes the folder with all that lead to it, and notes which of them were not there.
+std::error_code OutFolder::make(const fs::path& folder) {
   std::error_code problem;
+  std::vector<fs::path> made;
   fs::path missing = fs::absolute(folder, problem).lexically_normal();
   while (!problem && !missing.empty() && !fs::exists(missing, problem) && missing != missing.parent_path()) {
-    made_folders_.push_back(missing);
+    made.push_back(missing);
     missing = missing.parent_path();
   }
+  made_folders_.insert(made_folders_.begin(), made.begin(), made.end());
   problem.clear();
   fs::create_directories(folder, problem);
   if (!problem && !fs::is_directory(folder)) {
     problem = std::make_error_code(std::errc::not_a_directory);
   }
-  if (problem) {
-    throw ConfigError({prefix + "out", 0}, "cannot make the folder '" + folder + "': " + problem.message());
+  return problem;
+}
+
+void OutFolder::makeFolder(const std::string& name, const Writer& writer) {
+  if (name.empty()) {
+    refuse(writer, name, "allowed: a folder");
+  }
+  if (const std::error_code problem = make(folder_ / name)) {
+    throw ConfigError({writer.name, 0}, "cannot make the folder '" + name + "': " + problem.message());
   }
 }
 

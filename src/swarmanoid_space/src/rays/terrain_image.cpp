@@ -1,5 +1,5 @@
 // From a grey image to a terrain.
-#include "read_png.hpp"
+#include "../images/read_png.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 
 namespace swarmanoid {

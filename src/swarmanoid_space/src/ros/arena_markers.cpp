@@ -9,22 +9,6 @@ namespace {
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
 
-/// How thick patches are drawn, and how far the floor lies below them [m]: apart enough not to flicker in rviz.
-constexpr double kPatchHeight = 0.002;
-
-void drawFloorPatches(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
-  int id = 0;
-  for (const FloorPatch& patch : space.floor.patches) {
-    const bool is_disc = patch.radius > 0.0;
-    const Eigen::Vector3d scale = is_disc ? Eigen::Vector3d(2.0 * patch.radius, 2.0 * patch.radius, kPatchHeight)
-                                          : Eigen::Vector3d(patch.size.x(), patch.size.y(), kPatchHeight);
-    Marker marker = makeMarker(header, "floor_patches", id++, is_disc ? Marker::CYLINDER : Marker::CUBE, scale,
-                               opaque(patch.color));
-    marker.pose.position = toMessage(patch.position);
-    markers.markers.push_back(marker);
-  }
-}
-
 /// The parts of a rectangle that another one leaves free.
 std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const Eigen::AlignedBox2d& hole) {
   const Eigen::AlignedBox2d cut = whole.intersection(hole);
@@ -48,6 +32,7 @@ std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const 
 
 void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
   constexpr double kThickness = 0.01;
+  constexpr double kBelowPatches = 0.002;  // apart enough not to flicker in rviz
   const Eigen::AlignedBox2d whole(Eigen::Vector2d::Zero(), Eigen::Vector2d(space.size.head<2>()));
   std::vector<Eigen::AlignedBox2d> parts{whole};
   if (space.terrain) {
@@ -61,14 +46,14 @@ void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& 
     Marker floor = makeMarker(header, "floor", part_id++, Marker::CUBE, {size.x(), size.y(), kThickness},
                               rgba(0.82F, 0.83F, 0.85F, 1.0F));
     const Eigen::Vector2d middle = part.center();
-    floor.pose.position = toMessage(Eigen::Vector3d(middle.x(), middle.y(), -0.5 * kThickness - kPatchHeight));
+    floor.pose.position = toMessage(Eigen::Vector3d(middle.x(), middle.y(), -0.5 * kThickness - kBelowPatches));
     markers.markers.push_back(floor);
   }
   Marker grid = gridMarker(header, space.size.head<2>(), parts);
   if (!grid.points.empty()) {
     markers.markers.push_back(std::move(grid));
   }
-  drawFloorPatches(space, header, markers);
+  addFloorColors(space, header, markers);
 }
 
 void drawEntity(const Space& space, Row row, const std_msgs::Header& header, int& id, MarkerArray& markers) {

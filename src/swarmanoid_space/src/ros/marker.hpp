@@ -26,6 +26,13 @@ visualization_msgs::Marker shapeMarker(const std_msgs::Header& header, const std
 /// The terrain's surface, and the cliffs between its rim and the floor.
 visualization_msgs::Marker terrainMarker(const std_msgs::Header& header, const Terrain& terrain);
 
+/// The image and the patches of the floor.
+void addFloorColors(const Space& space, const std_msgs::Header& header, visualization_msgs::MarkerArray& markers);
+
+/// The paint on the floor, by its cells, or by fewer and larger squares where there are very many; without points if
+/// there is none to be seen.
+visualization_msgs::Marker paintMarker(const Space& space, const std_msgs::Header& header);
+
 /// Lines around the cells of a floor of this size [m], in those parts of it that are level; without points where none
 /// is.
 visualization_msgs::Marker gridMarker(const std_msgs::Header& header, const Eigen::Vector2d& size,

@@ -149,6 +149,7 @@ const MarkerArray& MovingMarkers::draw(const Space& space) {
   } else {
     drawSwarm(canvas);
   }
+  canvas.addList(paintMarker(space, canvas.header));
   drawPreys(canvas);
   drawLeds(canvas);
   drawLasers(canvas);

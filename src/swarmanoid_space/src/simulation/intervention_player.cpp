@@ -77,14 +77,20 @@ std::vector<std::string> playingWarnings(const InterventionFile& file, AskedByRu
   return warnings;
 }
 
-InterventionPlayer readPlayer(const std::string& file, AskedByRules asked_by_rules, const Experiment& experiment,
-                              const std::function<void(const std::string&)>& warn) {
+InterventionPlayer readPlayer(const std::string& file, const std::string& name, AskedByRules asked_by_rules,
+                              const Experiment& experiment, const std::function<void(const std::string&)>& warn) {
   if (file.empty()) {
     return {};
   }
-  InterventionFile interventions = readInterventions(file, experiment);
+  InterventionFile interventions = readInterventions(file, name, experiment);
   for (const std::string& warning : playingWarnings(interventions, asked_by_rules, experiment)) {
     warn(warning);
+  }
+  for (RecordedIntervention& recorded : interventions.interventions) {
+    // the run's own rule asks for its own: of these, whoever makes the run again must know that they came from outside
+    if (asked_by_rules == AskedByRules::kPlayed && hasRule(experiment, recorded.taken.asked_by)) {
+      recorded.taken.asked_by.clear();
+    }
   }
   return InterventionPlayer(std::move(interventions), asked_by_rules);
 }

@@ -23,6 +23,7 @@ Simulation::Simulation(Experiment experiment, RunContext context, SuppliedParts 
   build(*world_);
   buildRules(*world_);
   resetRules();
+  world_->context.outcome = [this] { return outcome(); };
   buildObservers(*world_);
 }
 
@@ -82,8 +83,18 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
   start();
 }
 
-bool Simulation::isFinished() const {
-  return finish_asked_ || finished_ || world_->space.tick >= world_->experiment.framework.max_clock;
+RunOutcome Simulation::outcome() const {
+  RunOutcome outcome{hasReachedEnd(), success(), metrics(), {}};
+  for (const ControllerFailure& failure : failures()) {
+    outcome.failed_robots.push_back(failure.robot);
+  }
+  return outcome;
+}
+
+bool Simulation::isFinished() const { return finished_ || hasReachedEnd(); }
+
+bool Simulation::hasReachedEnd() const {
+  return finish_asked_ || world_->space.tick >= world_->experiment.framework.max_clock;
 }
 
 namespace {
@@ -155,6 +166,25 @@ void Simulation::playInterventions(bool after_rules) {
       throw std::runtime_error(due->location.toString() + ": <" + kindOf(due->taken.what) + "> is refused in tick " +
                                std::to_string(world.space.tick) + ": " + describeException());
     }
+  }
+}
+
+void Simulation::reseed(std::uint64_t seed) {
+  World& world = *world_;
+  world.space.seed = seed;
+  for (const auto& group : world.assembly.groups) {
+    for (const auto& sensor : group->sensors) {
+      sensor->reseed(seed);
+    }
+    for (const auto& actuator : group->actuators) {
+      actuator->reseed(seed);
+    }
+  }
+  for (RobotInstance& instance : world.assembly.robots) {
+    instance.robot->reseed(seed);
+  }
+  for (RuleInstance& rule : world.assembly.rules) {
+    rule->reseed(seed);
   }
 }
 

@@ -12,8 +12,10 @@ std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment
   for (const std::string& file : experiment.files) {
     out->protect(file);
   }
-  if (!files.interventions.empty()) {
-    out->protect(files.interventions);
+  for (const std::string& file : files.reads) {
+    if (!file.empty()) {
+      out->protect(file);
+    }
   }
   out->protectLoadedLibraries();
   return out;
@@ -25,6 +27,7 @@ void addObserver(Simulation& simulation, RunContext context, const std::string& 
   auto observer = makePlugin<Observer>(entry);
   context.experiment = &simulation.experiment();
   context.asked_by = asked_by;
+  context.outcome = [&simulation] { return simulation.outcome(); };  // the simulation owns the observer
   observer->configure(id, parameters, context);
   simulation.addObserver(observer);
 }

@@ -1,6 +1,6 @@
 // The hashes of every tick, for comparing runs.
-#include <iomanip>
 
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/output/out_file.hpp"
 
 namespace swarmanoid {
@@ -39,7 +39,7 @@ class HashRecorder final : public Observer {
   void finish() override { file_.flush(); }
 
  private:
-  void write(std::uint64_t hash) { file_ << ' ' << std::hex << std::setw(16) << std::setfill('0') << hash << std::dec; }
+  void write(std::uint64_t hash) { file_ << ' ' << hashText(hash); }
 
   OutFile file_;
   bool is_deep_ = false;

@@ -137,6 +137,16 @@ void buildEntities(World& world) {
   }
 }
 
+/// The floor, clean.
+Floor floorOf(const Experiment& experiment) {
+  Floor floor = experiment.arena.floor;
+  if (const auto& paint = experiment.arena.paint) {
+    floor.paint = PaintLayer(experiment.arena.size.head<2>(), paint->cell,
+                             paint->half_life / toSeconds(experiment.framework.clocktick));
+  }
+  return floor;
+}
+
 }  // namespace
 
 void buildEngines(World& world) {
@@ -167,7 +177,7 @@ void build(World& world) {
   world.space.tick = 0;
   world.space.time = kEpoch;
   world.space.size = world.experiment.arena.size;
-  world.space.floor = world.experiment.arena.floor;
+  world.space.floor = floorOf(world.experiment);
   world.space.terrain = world.experiment.arena.terrain;
   constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
   world.space.events.reserve(kUsualEvents);

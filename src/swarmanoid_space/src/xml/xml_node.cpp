@@ -12,6 +12,12 @@ std::string textIn(const xmlNode* first_child) {
   return text;
 }
 
+std::string trimmed(const std::string& text) {
+  constexpr const char* kSpace = " \t\r\n";
+  const auto first = text.find_first_not_of(kSpace);
+  return first == std::string::npos ? "" : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
+}
+
 std::optional<std::string> attributeOf(const xmlNode& element, const char* name) {
   const xmlAttr* attribute = xmlHasProp(&element, xmlCharacters(name));
   return attribute == nullptr ? std::nullopt : std::optional<std::string>(textIn(attribute->children));

@@ -16,6 +16,9 @@ inline const xmlChar* xmlCharacters(const char* text) { return reinterpret_cast<
 /// The text that stands in an element or attribute itself, given the first of its children.
 std::string textIn(const xmlNode* first_child);
 
+/// Without white space at either end.
+std::string trimmed(const std::string& text);
+
 /// Of an element, without the prefix of a namespace.
 inline std::string nameOf(const xmlNode& element) { return characters(element.name); }
 

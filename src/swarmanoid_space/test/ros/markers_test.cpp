@@ -69,6 +69,96 @@ TEST(MarkersTest, TheFloorLeavesRoomForTheTerrain) {
   EXPECT_DOUBLE_EQ(mesa.points.back().x, 1.0);
 }
 
+FloorImage imageOf(int columns, int rows, const Eigen::Vector2d& size) {
+  FloorImage image;
+  image.corner = {1.0, 0.5};
+  image.size = size;
+  image.columns = columns;
+  image.rows = rows;
+  image.colors.resize(static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows));
+  image.is_opaque.assign(image.colors.size(), 1);
+  return image;
+}
+
+Marker drawn(const FloorImage& image) {
+  Space space;
+  space.size = {5.0, 4.0, 1.0};
+  space.floor.image = std::make_shared<const FloorImage>(image);
+  const std::vector<Marker> found = inNamespace(arenaMarkers(space), "floor_image");
+  return found.empty() ? Marker() : found[0];
+}
+
+/// Pixels of 1.5 m x 0.25 m, the one at the upper right transparent.
+TEST(MarkersTest, AnImageOnTheFloorIsASquareForEachPixel) {
+  FloorImage image = imageOf(2, 2, {3.0, 0.5});
+  image.colors = {{51, 102, 153}, {1, 2, 3}, {0, 0, 0}, {255, 204, 0}};
+  image.is_opaque = {1, 0, 1, 1};
+  const Marker marker = drawn(image);
+  EXPECT_EQ(marker.type, Marker::CUBE_LIST);
+  EXPECT_DOUBLE_EQ(marker.scale.x, 1.5);
+  EXPECT_DOUBLE_EQ(marker.scale.y, 0.25);
+  ASSERT_EQ(marker.points.size(), 3U);
+  ASSERT_EQ(marker.colors.size(), 3U);
+  EXPECT_DOUBLE_EQ(marker.points[0].x, 1.75);
+  EXPECT_DOUBLE_EQ(marker.points[0].y, 0.875) << "its top is at the greatest y";
+  EXPECT_LT(marker.points[0].z, 0.0) << "below patches and paint";
+  EXPECT_DOUBLE_EQ(marker.points[2].x, 3.25);
+  EXPECT_DOUBLE_EQ(marker.points[2].y, 0.625);
+  EXPECT_FLOAT_EQ(marker.colors[0].r, 0.2F);
+  EXPECT_FLOAT_EQ(marker.colors[0].g, 0.4F);
+  EXPECT_FLOAT_EQ(marker.colors[0].b, 0.6F);
+  EXPECT_FLOAT_EQ(marker.colors[1].a, 1.0F) << "black is a colour too";
+  EXPECT_FLOAT_EQ(marker.colors[2].g, 0.8F);
+  image.is_opaque.assign(4, 0);
+  EXPECT_TRUE(drawn(image).points.empty()) << "nothing of it is to be seen";
+}
+
+/// 129 columns are one too many: squares of 2 x 2 pixels of 1 cm, the last one moved inwards.
+TEST(MarkersTest, ALargeImageIsDrawnByMeanColours) {
+  FloorImage image = imageOf(129, 2, {1.29, 0.02});
+  image.colors[0] = {102, 0, 0};
+  image.colors[1] = {51, 0, 0};
+  const Marker marker = drawn(image);
+  ASSERT_EQ(marker.points.size(), 65U);
+  EXPECT_DOUBLE_EQ(marker.scale.x, 0.02);
+  EXPECT_FLOAT_EQ(marker.colors[0].r, 0.15F);
+  EXPECT_NEAR(marker.points[0].x, 1.01, 1e-9);
+  EXPECT_NEAR(marker.points[64].x, 1.0 + 1.28, 1e-9);
+}
+
+/// Cells of 5 cm; half a second, so five ticks, halves what is painted.
+TEST(MarkersTest, PaintIsDrawnByItsCellsAsStrongAsItIs) {
+  Experiment experiment = test::smallWorld()->experiment();
+  experiment.arena.paint = PaintDescription{0.05, 0.5};
+  Simulation simulation(std::move(experiment));
+  simulation.start();
+  MovingMarkers markers;
+  const auto paint = [&] { return inNamespace(markers.draw(simulation.space()), "paint"); };
+  EXPECT_TRUE(paint().empty()) << "a clean floor";
+  simulation.apply(PaintFloor{{{{3.07, 2.02}, 0.0, colors::kBlue, 0.8}}});
+  const auto expectOne = [](const std::vector<Marker>& drawn, double strength) {
+    ASSERT_EQ(drawn.size(), 1U);
+    EXPECT_DOUBLE_EQ(drawn[0].scale.x, 0.05);
+    ASSERT_EQ(drawn[0].points.size(), 1U);
+    EXPECT_NEAR(drawn[0].points[0].x, 3.075, 1e-9);
+    EXPECT_NEAR(drawn[0].points[0].y, 2.025, 1e-9);
+    EXPECT_EQ(drawn[0].colors[0].r, 0.0F);
+    EXPECT_EQ(drawn[0].colors[0].b, 1.0F);
+    EXPECT_NEAR(drawn[0].colors[0].a, strength, 1e-6);
+  };
+  expectOne(paint(), 0.8);
+  for (int i = 0; i < 5; ++i) {
+    simulation.tick();
+  }
+  expectOne(paint(), 0.4);
+  for (int i = 0; i < 40; ++i) {
+    simulation.tick();
+  }
+  const std::vector<Marker> gone = paint();  // 0.8 / 512 is left
+  ASSERT_EQ(gone.size(), 1U);
+  EXPECT_EQ(gone[0].action, Marker::DELETE);
+}
+
 TEST(MarkersTest, IdsStayTheSameAndWhatIsGoneIsDeletedOnce) {
   const auto simulation = test::smallWorld();
   simulation->start();

@@ -5,6 +5,7 @@
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/String.h>
 #include <swarmanoid_msgs/Intervention.h>
+#include <swarmanoid_msgs/RunRecord.h>
 #include <swarmanoid_msgs/WorldState.h>
 #include <tf2_msgs/TFMessage.h>
 
@@ -134,13 +135,21 @@ TEST_F(RosbagRecorderTest, GoesOnAfterAReset) {
   simulation->start();
   runToEnd(*simulation);
   simulation->finish();
-  simulation->reset();
+  simulation->reset(18446744073709551615U);
   runToEnd(*simulation);
   simulation->finish();
   const auto states = read<swarmanoid_msgs::WorldState>("/space/world_state");
   ASSERT_EQ(22U, states.size());
   EXPECT_EQ(1U, states.back()->run);
   EXPECT_GT(states[11]->header.stamp, states[10]->header.stamp);
+  const auto records = read<swarmanoid_msgs::RunRecord>("/space/record");
+  ASSERT_EQ(2U, records.size()) << "one a run";
+  EXPECT_EQ(1U, records[1]->run);
+  ASSERT_EQ(2U, records[1]->files.size());
+  EXPECT_EQ("record.xml", records[1]->files[0].name);
+  const auto& content = records[1]->files[0].content;
+  EXPECT_NE(std::string(content.begin(), content.end()).find("seed=\"18446744073709551615\""), std::string::npos);
+  EXPECT_EQ("experiment.xml", records[1]->files[1].name);
 }
 
 TEST_F(RosbagRecorderTest, SaysWhenItCannotWrite) {

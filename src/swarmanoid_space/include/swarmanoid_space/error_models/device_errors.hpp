@@ -18,7 +18,8 @@ namespace swarmanoid {
 class DeviceErrors {
  public:
   /// @param type Device::kType: the text must outlive the object
-  explicit DeviceErrors(const char* type) : type_(type) {}
+  explicit DeviceErrors(const char* type, ErrorOrigin origin = ErrorOrigin::kConfiguration)
+      : type_(type), origin_(origin) {}
 
   bool isEmpty() const { return chain_ == nullptr; }
   /// Whether there are errors besides the aliases.
@@ -58,12 +59,13 @@ class DeviceErrors {
  private:
   ErrorChain& require(const SourceLocation& location) {
     if (chain_ == nullptr) {
-      chain_ = std::make_unique<ErrorChain>(requireDeviceType(type_, location));
+      chain_ = std::make_unique<ErrorChain>(requireDeviceType(type_, location), origin_);
     }
     return *chain_;
   }
 
   const char* type_;
+  ErrorOrigin origin_;
   std::unique_ptr<ErrorChain> chain_;
 };
 

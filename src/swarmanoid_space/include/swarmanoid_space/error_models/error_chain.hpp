@@ -7,7 +7,8 @@
 ///          allocates nothing unless a span is longer than ever before, and does not lock, log or throw.
 /// Repeats  what an <error> draws depends on the seed, the robot's name, the device, the kind, the field and the
 ///          tick, not on the errors beside it, but for those of the same kind on the same field: they are numbered
-///          in the order of the file, and without the first the second draws what the first drew.
+///          in the order of the file, and without the first the second draws what the first drew. Faults of single
+///          robots (device_fault.hpp) draw from streams of their own.
 ///          A tick may be made again: each error starts from what it kept after the tick before.
 #pragma once
 
@@ -36,12 +37,25 @@ struct ErrorState {
   std::vector<double> memory_before;    ///< the same after the tick before
   std::vector<FieldHistory> histories;  ///< by error
   std::vector<ElementBuffer> elements;  ///< by span of the device
+
+  /// What is drawn from the next tick on is that of another seed; what is kept stays.
+  void reseed(std::uint64_t seed) {
+    for (RandomStream& stream : streams) {
+      stream.reseed(seed);
+    }
+  }
+};
+
+/// Why there is an error; those of different origins draw from different streams.
+enum class ErrorOrigin {
+  kConfiguration,  ///< of all robots of a controller configuration
+  kFault           ///< of one robot, since an intervention
 };
 
 class ErrorChain {
  public:
   /// @param device must outlive the chain
-  explicit ErrorChain(const DeviceType& device);
+  explicit ErrorChain(const DeviceType& device, ErrorOrigin origin = ErrorOrigin::kConfiguration);
 
   /// Adds an error that a parameter of the device means. Aliases act before all that is added with `add`, and share the
   /// device's own random stream.
@@ -89,6 +103,7 @@ class ErrorChain {
   void apply(void* device, ErrorState& state, std::uint64_t tick, std::size_t first_entry) const;
 
   const DeviceType& device_;
+  ErrorOrigin origin_;
   std::vector<SpanPlace> spans_;
   std::vector<std::size_t> used_spans_;  // those that errors act on or in, by index in spans_
   std::vector<Entry> entries_;

@@ -101,7 +101,8 @@ struct ArenaDescription {
   PositionalIndex::Optimization optimization = PositionalIndex::Optimization::k2D;
   bool bounded = false;  ///< walls along the four sides, in every engine
   std::vector<EntityDescription> entities;
-  Floor floor;
+  Floor floor;                             ///< without paint
+  std::optional<PaintDescription> paint;   ///< `<floor_paint>`; nothing: the floor takes none
   std::shared_ptr<const Terrain> terrain;  ///< `<heightfield>`; null: the floor is level
   SourceLocation location;
 };
@@ -160,11 +161,19 @@ struct HandoverDescription {
   SourceLocation location;
 };
 
+/// One `path=value` that replaces what the file says, such as "framework.maxclock=200" or
+/// "controllers.fc.parameters.wheels_speed=8" (elements by tag or, where they have one, by id).
+struct Override {
+  std::string path;
+  std::string value;
+};
+
 struct Experiment {
   std::string name;  ///< the file's name without folder and ending
   std::string file;
-  std::string text;                ///< the file as it was read, for recordings
-  std::vector<std::string> files;  ///< that it was read from: its own, images
+  std::string text;                 ///< the file as it was read, for recordings
+  std::vector<Override> overrides;  ///< that were applied to it
+  std::vector<std::string> files;   ///< that it was read from: its own, images
   FrameworkDescription framework;
   std::vector<ControllerDescription> controllers;
   ArenaDescription arena;
@@ -173,13 +182,6 @@ struct Experiment {
   std::vector<HandoverDescription> handovers;
   std::vector<RuleDescription> rules;
   std::vector<VisualisationDescription> visualisations;
-};
-
-/// One `path=value` that replaces what the file says, such as "framework.maxclock=200" or
-/// "controllers.fc.parameters.wheels_speed=8" (elements by tag or, where they have one, by id).
-struct Override {
-  std::string path;
-  std::string value;
 };
 
 /// Reads and checks an experiment file, and loads the libraries it names.

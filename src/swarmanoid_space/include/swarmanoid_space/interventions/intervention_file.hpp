@@ -32,11 +32,13 @@ struct InterventionFile {
 /// @param experiment which they are to be done to: its engines, controllers and arena are what can be meant
 /// @throws ConfigError for the first mistake
 InterventionFile readInterventions(const std::string& file, const Experiment& experiment);
+/// The same; `name` stands for the file in messages about what is in it.
+InterventionFile readInterventions(const std::string& file, const std::string& name, const Experiment& experiment);
 /// The same from a text; `name` stands for the file in messages.
 InterventionFile parseInterventions(const std::string& text, const std::string& name, const Experiment& experiment);
 
 /// The tag of an intervention: "spawn", "delete", "move", "handover", "engine_parameters", "command_source",
-/// "property".
+/// "property", "paint", "fault".
 const char* kindOf(const Intervention& intervention);
 
 /// As an element, in lines. @param depth by how many levels it is indented

@@ -30,6 +30,8 @@ constexpr Range kPatch{0.0, 10000.0};
 constexpr double kFarthestInSinglePrecision = 1000.0;
 /// Between neighbours of a heightfield's vertices: a robot stands on some ten thousand triangles then.
 constexpr double kLeastTerrainStep = 0.001;
+/// Of paint on the floor [s]; 0: it does not fade.
+constexpr Range kHalfLife{0.0, 1e9};
 /// Of white over black in a heightfield.
 constexpr Range kTerrainHeight{0.0, 1000.0};
 

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -51,12 +52,17 @@ class OutFolder {
   /// @throws ConfigError if it may not or cannot be written
   OutDescriptor open(const std::string& name, const Writer& writer);
 
+  /// Makes a folder that a user names, with all that lead to it; one that is there already is as good.
+  /// @param name relative to the folder of the run @throws ConfigError if it cannot be made
+  void makeFolder(const std::string& name, const Writer& writer);
+
   /// The run begins: from here on folder and files stay.
   void keep();
 
  private:
   using Identity = std::pair<dev_t, ino_t>;  // a file has one, however many names
 
+  std::error_code make(const std::filesystem::path& folder);
   std::filesystem::path placeOf(const std::string& name, const Writer& writer) const;
   bool mayReplace(const std::filesystem::path& path, const std::string& name, const Writer& writer) const;
   [[noreturn]] static void refuse(const Writer& writer, const std::string& name, const std::string& problem);

@@ -14,7 +14,8 @@
 
 namespace swarmanoid {
 
-/// The floor, its grid and patches, the terrain, what nobody moves, and robots' bodies. Replaces what was there before.
+/// The floor, its grid, image and patches, the terrain, what nobody moves, and robots' bodies. Replaces what was there
+/// before.
 visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 
 /// What the engines work with: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine

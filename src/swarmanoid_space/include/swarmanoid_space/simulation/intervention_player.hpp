@@ -38,10 +38,10 @@ class InterventionPlayer {
   std::size_t next_ = 0;
 };
 
-/// The player of a file for runs of the experiment. @param file "": none is played
+/// The player of a file for runs of the experiment. @param file "": none is played @param name of it in messages
 /// @param warn gets what is strange about it, each by itself @throws ConfigError as readInterventions
-InterventionPlayer readPlayer(const std::string& file, AskedByRules asked_by_rules, const Experiment& experiment,
-                              const std::function<void(const std::string&)>& warn);
+InterventionPlayer readPlayer(const std::string& file, const std::string& name, AskedByRules asked_by_rules,
+                              const Experiment& experiment, const std::function<void(const std::string&)>& warn);
 
 /// What is strange about playing the file into a run of the experiment, in sentences: another experiment or seed, ticks
 /// that do not come, rules that are not there to ask, or are there to ask a second time.

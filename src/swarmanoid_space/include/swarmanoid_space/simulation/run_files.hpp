@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "swarmanoid_space/output/out_folder.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
@@ -11,11 +12,11 @@
 namespace swarmanoid {
 
 struct RunFiles {
-  std::string prefix;         ///< of the options, for messages: "--", "~"
-  std::string folder;         ///< made if it is not there; "": the current one
-  OutFolder::Rules rules;     ///< for what is written in it
-  bool records_bag = false;   ///< there is to be a bag: what writes it is loaded
-  std::string interventions;  ///< a file that is played; "": none
+  std::string prefix;              ///< of the options, for messages: "--", "~"
+  std::string folder;              ///< made if it is not there; "": the current one
+  OutFolder::Rules rules;          ///< for what is written in it
+  bool records_bag = false;        ///< there is to be a bag: what writes it is loaded
+  std::vector<std::string> reads;  ///< files that the run reads beside those of the experiment; "" is none
 };
 
 /// The folder of a run's files, in which nothing that the run reads or needs is replaced. To be asked for when the

@@ -57,6 +57,8 @@ class Simulation {
   bool tick(const std::function<bool()>& is_disturbed = nullptr);
   /// maxclock is reached, or a rule or an observer asked to finish.
   bool isFinished() const;
+  /// The same, but not for a run that `finish` has ended before.
+  bool hasReachedEnd() const;
   /// What observers have written goes to the system: a process that is killed loses nothing of it. A tick does so
   /// once a second of wall time; for callers that make none for some time. @throws what observers throw
   void flush();
@@ -87,6 +89,9 @@ class Simulation {
   /// What the rules and observers that judge it agree on; nothing if none judges.
   std::optional<bool> success() const;
 
+  /// What has come of the run so far.
+  RunOutcome outcome() const;
+
   /// For code that carries frames between this simulation and participants.
   Lockstep& lockstep();
   /// A tick that waits for participants ends with an exception; later ticks do not wait. From any thread.
@@ -110,6 +115,9 @@ class Simulation {
   void play(InterventionPlayer player);
   /// How many of those that are played are still to come.
   std::size_t interventionsLeft() const { return player_.left(); }
+  /// Between ticks: from the next one on sensors, actuators, controllers of this process, rules and what is spawned
+  /// draw their random numbers with another seed. What was drawn stays: places, what an error keeps.
+  void reseed(std::uint64_t seed);
   /// Back to the state before tick 0: spawned, deleted and handed over entities included, and parameters of engines as
   /// in the file. `seed` replaces the experiment's if given. Space::time_before_reset grows so that ROS time keeps
   /// rising, unless `rewind` sets it back to 0.

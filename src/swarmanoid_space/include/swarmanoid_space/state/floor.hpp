@@ -1,18 +1,22 @@
-/// The colours of the floor: patches on bare ground. Whoever needs the floor's colour at a place asks Floor::colorAt,
-/// and looks at no patch for it; cameras, which see a patch as a thing, and drawings look at the patches.
+/// The colours of the floor, one over the other: bare ground, an image, patches, paint. Whoever needs the floor's
+/// colour at a place asks Floor::colorAt, and looks at none of them for it; cameras, which see a patch as a thing, and
+/// drawings look at what they show.
 ///
 /// Frame W, SI. A colour belongs to a place of the plan: it is the same at any height, on rough ground too. An
-/// experiment file says what the floor is like; it is the same in all ticks, and in no hash. Threads: const from any
-/// number of them.
+/// experiment file says what bare ground, image and patches are like; they are the same in all ticks, and in no hash.
+/// Paint is put on the floor while the experiment runs, and is in the hash. Threads: const from any number of them.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
+#include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/state/paint_layer.hpp"
 
 namespace swarmanoid {
 
@@ -37,19 +41,40 @@ struct FloorPatch {
   Eigen::Vector3d nearestPoint(const Eigen::Vector3d& point) const;
 };
 
-struct Floor {
-  std::vector<FloorPatch> patches;  ///< in the order of the file: later ones lie on earlier ones
-  Color bare = colors::kWhite;      ///< where there is no patch
+/// A picture on the bare floor, below the patches. Its upper edge is where y is largest. A pixel is a rectangle of one
+/// colour; of two that a point lies between the one with the larger coordinates counts, but at the outer border.
+struct FloorImage {
+  Eigen::Vector2d corner = Eigen::Vector2d::Zero();  ///< the one with the smallest coordinates [m]
+  Eigen::Vector2d size = Eigen::Vector2d::Ones();    ///< along x and y [m]
+  int columns = 0;
+  int rows = 0;
+  std::vector<Color> colors;    ///< row after row from the top
+  std::vector<char> is_opaque;  ///< likewise; 0: bare floor is seen there
 
-  /// The colour above, on or below which the point lies: that of the last patch there, else that of the bare floor.
+  /// @return null where the image is not, or is transparent
+  const Color* colorAt(const Eigen::Vector3d& point) const;
+};
+
+struct Floor {
+  Color bare = colors::kWhite;              ///< where there is nothing else
+  std::shared_ptr<const FloorImage> image;  ///< null: none
+  std::vector<FloorPatch> patches;          ///< in the order of the file: later ones lie on earlier ones
+  PaintLayer paint;
+
+  /// The colour above, on or below which the point lies. @param tick under way (Space::tick)
   /// In the header, since sensors ask for it often.
-  Color colorAt(const Eigen::Vector3d& point) const {
+  Color colorAt(const Eigen::Vector3d& point, std::uint64_t tick) const {
+    return paint.over(unpaintedColorAt(point), point.head<2>(), tick);
+  }
+  /// The same without paint: of the last patch there, else of the image, else of the bare floor.
+  Color unpaintedColorAt(const Eigen::Vector3d& point) const {
     for (auto patch = patches.rbegin(); patch != patches.rend(); ++patch) {
       if (patch->contains(point)) {
         return patch->color;
       }
     }
-    return bare;
+    const Color* of_image = image ? image->colorAt(point) : nullptr;
+    return of_image != nullptr ? *of_image : bare;
   }
 };
 

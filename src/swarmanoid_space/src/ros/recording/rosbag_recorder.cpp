@@ -3,6 +3,7 @@
 
 #include "bag_writer.hpp"
 #include "controller_recorder.hpp"
+#include "run_messages.hpp"
 #include "state_message.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_space/output/out_file.hpp"
@@ -54,6 +55,7 @@ class RosbagRecorder final : public Observer {
     bag_.open(openOutFile(context, parameters, id), compression == "lz4"   ? BagFile::Compression::kLz4
                                                     : compression == "bz2" ? BagFile::Compression::kBz2
                                                                            : BagFile::Compression::kNone);
+    run_ = RunMessages(context, every_);
     math_library_.data = mathLibrary();
     if (context.experiment != nullptr) {
       experiment_text_.data = context.experiment->text;
@@ -63,6 +65,8 @@ class RosbagRecorder final : public Observer {
   void draw(const Space& space) override {
     const ros::Time stamp = stampOf(space);
     transforms_.advance(space);
+    run_.begin(space, topics_, bag_);
+    run_.follow(space);
     for (const Event& event : space.events) {
       toMessage(space, event, event_);
       bag_.write(topics_ + "events", stamp, event_);
@@ -96,7 +100,10 @@ class RosbagRecorder final : public Observer {
   }
 
   void flush() override { bag_.flush(); }
-  void finish() override { bag_.complete(); }
+  void finish() override {
+    run_.finish(topics_, world_state_, bag_);
+    bag_.complete();
+  }
 
  private:
   std::uint64_t every_ = 1;
@@ -109,6 +116,7 @@ class RosbagRecorder final : public Observer {
   MovingMarkers markers_;
   OutsideChanges changes_;
   ControllerRecorder controllers_;
+  RunMessages run_;
   bool has_state_ = false;
   StateMessage state_;
   swarmanoid_msgs::WorldState world_state_;

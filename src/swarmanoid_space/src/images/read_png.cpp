@@ -55,6 +55,19 @@ bool readPixels(Reading& reading) {
   return true;
 }
 
+/// libpng may leave its functions here too, of a palette that is none.
+bool updateInfo(Reading& reading, void (*prepare)(Reading&)) {
+  if (setjmp(png_jmpbuf(reading.png)) != 0) {
+    return false;
+  }
+  if (prepare != nullptr) {
+    prepare(reading);
+  }
+  png_set_interlace_handling(reading.png);
+  png_read_update_info(reading.png, reading.info);
+  return true;
+}
+
 bool hasSignature(std::FILE* file) {
   constexpr std::size_t kLength = 8;
   std::array<png_byte, kLength> bytes{};
@@ -74,9 +87,17 @@ void makeRoom(Reading& reading) {
 }
 
 /// What the image is that it should not be; "" if it is as it should be.
-std::string complaint(const Reading& reading) {
+std::string sizeComplaint(const Reading& reading) {
   const int columns = static_cast<int>(png_get_image_width(reading.png, reading.info));
   const int rows = static_cast<int>(png_get_image_height(reading.png, reading.info));
+  if (columns < kFewest || rows < kFewest || columns > kMost || rows > kMost) {
+    return "has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
+  }
+  return "";
+}
+
+/// The same, of one that must be grey.
+std::string greyComplaint(const Reading& reading) {
   const int bits = png_get_bit_depth(reading.png, reading.info);
   const int channels = png_get_color_type(reading.png, reading.info);
   if (channels != PNG_COLOR_TYPE_GRAY) {
@@ -85,15 +106,22 @@ std::string complaint(const Reading& reading) {
   if (bits != 8 && bits != 16) {
     return "has " + std::to_string(bits) + (bits == 1 ? " bit" : " bits");
   }
-  if (columns < kFewest || rows < kFewest || columns > kMost || rows > kMost) {
-    return "has " + std::to_string(columns) + " x " + std::to_string(rows) + " pixels";
-  }
-  return "";
+  return sizeComplaint(reading);
 }
 
-}  // namespace
+/// Pixels of four bytes, red, green, blue and opacity, whatever the file has.
+void askForFourBytes(Reading& reading) {
+  png_set_expand(reading.png);
+  png_set_strip_16(reading.png);
+  png_set_gray_to_rgb(reading.png);
+  png_set_add_alpha(reading.png, 0xff, PNG_FILLER_AFTER);
+}
 
-GreyImage readGreyPng(const std::string& name) {
+using Complaint = std::string (*)(const Reading&);
+using Preparation = void (*)(Reading&);
+
+/// @param complaint about its header @param prepare says what pixels are wanted; null: those of the file
+void read(Reading& reading, const std::string& name, Complaint complaint, Preparation prepare) {
   std::error_code ignored;
   const std::filesystem::file_status status = std::filesystem::status(name, ignored);
   if (std::filesystem::is_other(status)) {
@@ -106,7 +134,6 @@ GreyImage readGreyPng(const std::string& name) {
   if (!hasSignature(file.get())) {
     throw std::runtime_error("is no PNG image");
   }
-  Reading reading;
   reading.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &reading, &takeError, &ignoreWarning);
   reading.info = reading.png == nullptr ? nullptr : png_create_info_struct(reading.png);
   if (reading.info == nullptr) {
@@ -118,12 +145,20 @@ GreyImage readGreyPng(const std::string& name) {
   if (const std::string problem = complaint(reading); !problem.empty()) {
     throw std::runtime_error(problem);
   }
-  png_set_interlace_handling(reading.png);
-  png_read_update_info(reading.png, reading.info);
+  if (!updateInfo(reading, prepare)) {
+    throw std::runtime_error("is damaged (" + reading.problem + ")");
+  }
   makeRoom(reading);
   if (!readPixels(reading)) {
     throw std::runtime_error("is damaged (" + reading.problem + ")");
   }
+}
+
+}  // namespace
+
+GreyImage readGreyPng(const std::string& file) {
+  Reading reading;
+  read(reading, file, &greyComplaint, nullptr);
   const bool is_wide = png_get_bit_depth(reading.png, reading.info) == 16;
   GreyImage image;
   image.columns = static_cast<int>(png_get_image_width(reading.png, reading.info));
@@ -132,6 +167,21 @@ GreyImage readGreyPng(const std::string& name) {
   for (std::size_t i = 0; i < reading.bytes.size(); i += is_wide ? 2 : 1) {
     image.values.push_back(
         static_cast<std::uint16_t>(is_wide ? 256 * reading.bytes[i] + reading.bytes[i + 1] : reading.bytes[i]));
+  }
+  return image;
+}
+
+ColorImage readColorPng(const std::string& file) {
+  constexpr png_byte kHalf = 128;
+  Reading reading;
+  read(reading, file, &sizeComplaint, &askForFourBytes);
+  ColorImage image;
+  image.columns = static_cast<int>(png_get_image_width(reading.png, reading.info));
+  image.rows = static_cast<int>(png_get_image_height(reading.png, reading.info));
+  for (std::size_t i = 0; i < reading.bytes.size(); i += 4) {
+    const png_byte* pixel = &reading.bytes[i];
+    image.colors.push_back({pixel[0], pixel[1], pixel[2]});
+    image.is_opaque.push_back(pixel[3] >= kHalf ? 1 : 0);
   }
   return image;
 }

@@ -1,0 +1,102 @@
+// Trips: how often robots come from one place of the floor to another, to judge foragers that carry nothing.
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "../parameters.hpp"
+#include "floor_patch.hpp"
+#include "swarmanoid_space/rule.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class Trips final : public Rule {
+ public:
+  static PluginDescription describe() {
+    using Type = Parameter::Type;
+    PluginDescription description;
+    description.label = "trips";
+    description.summary = "Counts how often robots come from one floor patch to another, there and back.";
+    description.parameters = {
+        makeParameter("robots", Type::kText, "", "", {},
+                      "What the names of those that count begin with; empty: all robots."),
+        makeParameter("from", Type::kText, "", "nest", {}, "Id of a floor patch."),
+        makeParameter("to", Type::kText, "", "food", {}, "Id of another one."),
+        integer("enough", "0", {0.0, 1e9}, "Trips after which the run ends, a success; 0: it does not.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    robots_ = parameters.text("robots");
+    ids_ = {parameters.text("from"), parameters.text("to")};
+    if (ids_[0] == ids_[1]) {
+      throw ConfigError(parameters.location(),
+                        "to: found '" + ids_[1] + "', which is from too, allowed: another floor patch");
+    }
+    enough_ = static_cast<double>(parameters.integer("enough"));
+    location_ = parameters.location();
+    trips_ = &addMetric("trips", "", "From one patch to the other, in either direction.");
+    trips_per_minute_ = &addMetric("trips_per_minute", "1/min", "As many in each minute of simulated time.");
+  }
+
+  void reset(const Space& space, InterventionQueue&) override {
+    last_.clear();
+    for (std::size_t i = 0; i < ids_.size(); ++i) {
+      patches_[i] = requireFloorPatch(space, i == 0 ? "from" : "to", ids_[i], location_);
+    }
+  }
+
+  void afterTick(const Space& space, InterventionQueue&) override {
+    for (const Row row : space.entities.order) {
+      if (space.entities.model[row]->is_robot && space.entities.name[row].compare(0, robots_.size(), robots_) == 0) {
+        look(space, row);
+      }
+    }
+    constexpr double kSecondsInMinute = 60.0;
+    trips_per_minute_->value = trips_->value * kSecondsInMinute / toSeconds(space.time - kEpoch);
+  }
+
+  bool isFinished() const override { return enough_ > 0.0 && trips_->value >= enough_; }
+  std::optional<bool> success() const override {
+    return enough_ > 0.0 ? std::optional<bool>(isFinished()) : std::nullopt;
+  }
+
+ private:
+  /// The patch on which a robot was last.
+  struct Last {
+    EntityNumber robot = kNoEntity;
+    std::size_t patch = 0;
+  };
+
+  void look(const Space& space, Row row) {
+    for (std::size_t i = 0; i < patches_.size(); ++i) {
+      if (!space.floor.patches[patches_[i]].contains(space.entities.pose[row].position)) {
+        continue;
+      }
+      const EntityNumber number = space.entities.number[row];
+      const auto last =
+          std::find_if(last_.begin(), last_.end(), [number](const Last& each) { return each.robot == number; });
+      if (last == last_.end()) {
+        last_.push_back({number, i});
+      } else if (last->patch != i) {
+        last->patch = i;
+        trips_->value += 1.0;
+      }
+      return;
+    }
+  }
+
+  std::string robots_;
+  std::array<std::string, 2> ids_;
+  std::array<std::size_t, 2> patches_{};
+  double enough_ = 0.0;
+  SourceLocation location_;
+  Metric* trips_ = nullptr;
+  Metric* trips_per_minute_ = nullptr;
+  std::vector<Last> last_;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::Trips)

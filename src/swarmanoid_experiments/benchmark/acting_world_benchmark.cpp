@@ -1,0 +1,116 @@
+// What a world costs that acts: a rule that looks at every robot after each tick, and a floor that is painted and
+// fades.
+//
+// Rule: sparse diffusion of simulation_benchmark.cpp; `rule_share` is the part of a tick that the rule takes.
+// Floor: 100 footbots that read it, on 10 m x 10 m; of 1,000 x 1,000 cells all are painted, and fade. A tick with its
+// state hash is measured, on the clean floor, on the painted one, and while 100 discs of about 50 cells are painted
+// before each tick.
+#include <benchmark/benchmark.h>
+
+#include "swarmanoid_space/rule.hpp"
+#include "swarmanoid_space/simulation/simulation.hpp"
+#include "swarmanoid_space/testing/diffusion_experiment.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// Finds the mean place of all robots, and how many are within a metre of the origin.
+class Watcher final : public Rule {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "watcher";
+    return description;
+  }
+  void configure(const Configuration&) override {
+    middle_ = &addMetric("middle", "m", "Distance of the mean place from the origin.");
+    near_ = &addMetric("near", "", "Robots within a metre of the origin.");
+  }
+  void afterTick(const Space& space, InterventionQueue&) override {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double near = 0.0;
+    for (const Row row : space.entities.order) {
+      if (space.entities.model[row]->is_robot) {
+        const Eigen::Vector3d& position = space.entities.pose[row].position;
+        sum += position;
+        near += position.squaredNorm() < 1.0 ? 1.0 : 0.0;
+      }
+    }
+    middle_->value = sum.norm() / static_cast<double>(space.entities.order.size());
+    near_->value = near;
+  }
+
+ private:
+  Metric* middle_ = nullptr;
+  Metric* near_ = nullptr;
+};
+
+std::string with(std::string text, const std::string& before, const std::string& added) {
+  return text.insert(text.find(before), added);
+}
+
+std::unique_ptr<Simulation> start(const std::string& text) {
+  loadBuiltInPlugins();
+  auto simulation = std::make_unique<Simulation>(parseExperiment(text, "benchmark.xml"));
+  simulation->start();
+  constexpr int kWarmUp = 50;
+  for (int i = 0; i < kWarmUp; ++i) {
+    simulation->tick();
+  }
+  return simulation;
+}
+
+void BM_Rule(benchmark::State& state) {
+  const auto simulation =
+      start(with(diffusionExperiment(static_cast<int>(state.range(0)), 1.6, "<kinematics2d id='ground'/>"),
+                 "</ahss-config>", "<rules><watcher id='w'/></rules>"));
+  double of_rule = 0.0;
+  double of_all = 0.0;
+  for (auto _ : state) {
+    simulation->tick();
+    const PhaseTimes& times = simulation->phaseTimes();
+    of_rule += times.rule;
+    of_all += times.sense + times.control + times.actuate + times.move + times.connect + times.index + times.rule +
+              times.show;
+  }
+  state.counters["rule_share"] = of_rule / of_all;
+}
+
+enum class Paint { kNone, kAll, kAnew };
+
+void BM_Floor(benchmark::State& state) {
+  const auto paint = static_cast<Paint>(state.range(0));
+  std::string text = diffusionExperiment(100, 1.0, "<kinematics2d id='ground'/>");
+  text = with(text, "<footbot_proximity>", "<footbot_ground/>");
+  text = with(text, "<distribute", "<floor_paint><cell>0.01</cell><half_life>1000000</half_life></floor_paint>");
+  const auto simulation = start(text);
+  if (paint != Paint::kNone) {
+    simulation->apply(PaintFloor{{{{5.0, 5.0}, 8.0, colors::kBlack, 1.0}}});
+  }
+  PaintFloor anew;
+  for (int i = 0; i < 100; ++i) {
+    anew.discs.push_back({{0.5 + i % 10, 0.5 + i / 10}, 0.04, colors::kRed, 0.3});
+  }
+  for (auto _ : state) {
+    if (paint == Paint::kAnew) {
+      simulation->apply(anew);
+    }
+    simulation->tick();
+    benchmark::DoNotOptimize(simulation->stateHash());
+  }
+  state.counters["cells"] = static_cast<double>(simulation->space().floor.paint.spotCount());
+}
+
+BENCHMARK(BM_Rule)->Arg(10000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_Floor)
+    ->Arg(static_cast<int>(Paint::kNone))
+    ->Arg(static_cast<int>(Paint::kAll))
+    ->Arg(static_cast<int>(Paint::kAnew))
+    ->Unit(benchmark::kMicrosecond);
+
+}  // namespace
+}  // namespace swarmanoid
+
+REGISTER_RULE(swarmanoid::Watcher)
+
+BENCHMARK_MAIN();

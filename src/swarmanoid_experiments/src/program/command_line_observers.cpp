@@ -1,0 +1,23 @@
+#include "command_line_observers.hpp"
+
+#include <filesystem>
+
+#include "swarmanoid_space/simulation/run_files.hpp"
+
+namespace swarmanoid::program {
+
+std::string fullName(const std::string& file) {
+  return file.empty() ? file : std::filesystem::absolute(file).lexically_normal().string();
+}
+
+void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& option,
+                        const std::string& label, const std::string& file, const NamedValues& others) {
+  Configuration parameters(label, "", {});
+  parameters.set("file", fullName(file));
+  for (const auto& [name, value] : others) {
+    parameters.set(name, value);
+  }
+  addObserver(simulation, context, option, "command_line_" + label, parameters);
+}
+
+}  // namespace swarmanoid::program

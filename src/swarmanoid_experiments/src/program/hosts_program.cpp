@@ -1,0 +1,66 @@
+#include "hosts_program.hpp"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <stdexcept>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid::program {
+namespace {
+
+/// Returns the path of the other program, beside this one in a devel space as in an install space.
+std::string pathOf(const std::string& name) {
+  const std::filesystem::path own = std::filesystem::read_symlink("/proc/self/exe");
+  return (own.parent_path().parent_path() / "lib/swarmanoid_hosts" / name).string();
+}
+
+/// Returns only if it cannot be started.
+void become(const std::string& program, const std::vector<std::string>& arguments) {
+  std::vector<char*> words{const_cast<char*>(program.c_str())};
+  for (const std::string& argument : arguments) {
+    words.push_back(const_cast<char*>(argument.c_str()));  // execv changes nothing, but its type lacks the const
+  }
+  words.push_back(nullptr);
+  execv(words[0], words.data());
+}
+
+}  // namespace
+
+void becomeHostsProgram(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string program = pathOf(name);
+  become(program, arguments);
+  throw ConfigError({program, 0}, std::string("cannot be started: ") + std::strerror(errno));
+}
+
+void callHostsProgram(const std::string& name, const std::vector<std::string>& arguments) {
+  const std::string program = pathOf(name);
+  const pid_t child = fork();
+  if (child < 0) {
+    throw ConfigError({program, 0}, std::string("cannot be started: ") + std::strerror(errno));
+  }
+  if (child == 0) {
+    become(program, arguments);
+    std::cerr << "swarmanoid: " << program << ": cannot be started: " << std::strerror(errno) << std::endl;
+    _exit(toNumber(ExitCode::kBadInput));
+  }
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) {
+      throw std::runtime_error(program + ": is lost: " + std::strerror(errno));
+    }
+  }
+  if (!WIFEXITED(status)) {
+    throw std::runtime_error(program + ": ended by a signal");
+  }
+  if (WEXITSTATUS(status) != 0) {
+    throw HostsProgramFailed{static_cast<ExitCode>(WEXITSTATUS(status))};
+  }
+}
+
+}  // namespace swarmanoid::program

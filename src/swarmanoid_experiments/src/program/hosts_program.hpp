@@ -1,0 +1,23 @@
+/// Programs of the package swarmanoid_hosts that read bags, with ROS's library, which this program does not use.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/process/exit_code.hpp"
+
+namespace swarmanoid::program {
+
+/// Such a program has ended with this code, and has said why.
+struct HostsProgramFailed {
+  ExitCode code;
+};
+
+/// Becomes that program. @param name of it @throws ConfigError if it cannot be started
+[[noreturn]] void becomeHostsProgram(const std::string& name, const std::vector<std::string>& arguments);
+
+/// Runs that program and waits for its end. @throws HostsProgramFailed if it ends with another code than 0, ConfigError
+/// if it cannot be started, std::runtime_error if a signal has ended it
+void callHostsProgram(const std::string& name, const std::vector<std::string>& arguments);
+
+}  // namespace swarmanoid::program

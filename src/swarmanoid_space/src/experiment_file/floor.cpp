@@ -1,0 +1,68 @@
+// What lies on the arena's floor: patches, an image, and what may be painted.
+#include <stdexcept>
+
+#include "../images/read_png.hpp"
+#include "reader.hpp"
+
+namespace swarmanoid::experiment {
+
+void readFloorPatch(const XmlElement& element, Reader& reader) {
+  element.allowAttributes(attributesOf("arena/floor_patch"));
+  FloorPatch patch;
+  patch.location = element.location();
+  patch.id = element.requireAttribute("id");
+  reader.takeId("entity", patch.id, element);
+  const Configuration values = readParameters(element, floorPatchParameters());
+  patch.position = values.vector3("position");
+  patch.radius = values.number("radius");
+  patch.size = values.vector2("size");
+  patch.color = values.color("color");
+  const bool has_size = patch.size != Eigen::Vector2d::Zero();
+  if ((patch.radius > 0.0) == has_size || (has_size && !(patch.size.minCoeff() > 0.0))) {
+    element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
+                   values.text("size") + "', allowed: one of them greater than 0");
+  }
+  reader.experiment.arena.floor.patches.push_back(patch);
+}
+
+void readFloorImage(const XmlElement& element, Reader& reader) {
+  Floor& floor = reader.experiment.arena.floor;
+  if (floor.image) {
+    element.refuse("found a second <floor_image>, allowed: one");
+  }
+  element.allowAttributes(attributesOf("arena/floor_image"));
+  const Configuration values = readParameters(element, floorImageParameters());
+  const std::string file = values.text("file");
+  auto image = std::make_shared<FloorImage>();
+  image->size = values.vector2("size");
+  image->corner = values.vector3("position").head<2>() - 0.5 * image->size;
+  try {
+    ColorImage pixels = readColorPng(takeFile(file, reader));
+    image->columns = pixels.columns;
+    image->rows = pixels.rows;
+    image->colors = std::move(pixels.colors);
+    image->is_opaque = std::move(pixels.is_opaque);
+  } catch (const std::runtime_error& error) {
+    element.child("file")->refuse("file: found '" + file + "', which " + error.what() +
+                                  "; allowed: a PNG image, 2 x 2 to 4096 x 4096 pixels");
+  }
+  floor.image = std::move(image);
+}
+
+void readFloorPaint(const XmlElement& element, Reader& reader) {
+  ArenaDescription& arena = reader.experiment.arena;
+  if (arena.paint) {
+    element.refuse("found a second <floor_paint>, allowed: one");
+  }
+  element.allowAttributes(attributesOf("arena/floor_paint"));
+  const Configuration values = readParameters(element, floorPaintParameters());
+  arena.paint = PaintDescription{values.number("cell"), values.number("half_life")};
+  const double cells = PaintLayer::cellsFor(arena.size.head<2>(), arena.paint->cell);
+  if (cells > static_cast<double>(PaintLayer::kMostCells)) {
+    element.child("cell").value_or(element).refuse(
+        "cell: found '" + values.text("cell") + "', of which the arena has " + numberText(cells) +
+        ", allowed: at most " + std::to_string(PaintLayer::kMostCells) + " cells");
+  }
+}
+
+}  // namespace swarmanoid::experiment

@@ -1,0 +1,53 @@
+// Paint on the floor: trails that robots leave, signs that a rule gives.
+#include "carry_out.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// "disc 2: "; of a single one ""
+std::string describeDisc(const PaintFloor& intervention, std::size_t disc) {
+  return intervention.discs.size() == 1 ? "" : "disc " + std::to_string(disc + 1) + ": ";
+}
+
+void requireIn(const Range& range, double value, const std::string& what) {
+  if (!range.contains(value)) {
+    throw ConfigError({}, what + ": found " + numberText(value) + ", allowed: " + range.toString());
+  }
+}
+
+void check(const PaintDisc& disc, const std::string& what, const Eigen::Vector3d& size) {
+  const Eigen::Vector2d& at = disc.position;
+  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= size.x() && at.y() <= size.y())) {
+    throw ConfigError({}, what + "position: found " + numberText(at.x()) + ", " + numberText(at.y()) +
+                              ", allowed: in the arena, from 0, 0 to " + numberText(size.x()) + ", " +
+                              numberText(size.y()));
+  }
+  requireIn(PaintFloor::kRadius, disc.radius, what + "radius");
+  requireIn(PaintFloor::kStrength, disc.strength, what + "strength");
+}
+
+}  // namespace
+
+bool carryOut(World& world, const PaintFloor& intervention) {
+  PaintLayer& paint = world.space.floor.paint;
+  if (!paint.exists()) {
+    throw ConfigError({}, "found paint for the floor, allowed: in an arena with <floor_paint>");
+  }
+  if (intervention.discs.empty()) {
+    throw ConfigError({}, "found no disc to paint, allowed: one or more");
+  }
+  for (std::size_t i = 0; i < intervention.discs.size(); ++i) {
+    check(intervention.discs[i], describeDisc(intervention, i), world.space.size);
+  }
+  for (const PaintDisc& disc : intervention.discs) {
+    paint.paint(disc, world.space.tick);
+  }
+  const PaintDisc& first = intervention.discs.front();
+  const std::size_t count = intervention.discs.size();
+  world.pending_events.push_back({Event::Kind::kIntervention, "", "",
+                                  "paint at " + numberText(first.position.x()) + ", " + numberText(first.position.y()) +
+                                      (count == 1 ? "" : " and " + std::to_string(count - 1) + " more discs")});
+  return true;
+}
+
+}  // namespace swarmanoid

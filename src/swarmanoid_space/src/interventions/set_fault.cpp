@@ -1,0 +1,79 @@
+// What goes wrong with a device of a robot, and that it is mended.
+#include <utility>
+
+#include "../experiment_file/reader.hpp"
+#include "carry_out.hpp"
+#include "fault_form.hpp"
+
+namespace swarmanoid {
+namespace {
+
+RobotInstance& requireRobot(World& world, const std::string& name) {
+  const Entities& entities = world.space.entities;
+  RobotInstance* robot = world.assembly.findRobot(entities, entities.find(name));
+  if (robot == nullptr) {
+    std::vector<std::string> known;
+    for (const RobotInstance& other : world.assembly.robots) {
+      known.push_back(entities.name[other.row]);
+    }
+    throw ConfigError({}, "there is no robot '" + name + "' with a controller" + didYouMean(name, known));
+  }
+  return *robot;
+}
+
+[[noreturn]] void refuseDevice(const World& world, const RobotInstance& robot, const std::string& device) {
+  std::vector<std::string> names;
+  for (const DeviceUse& use : robot.group->devices) {
+    names.push_back(use.type);
+  }
+  const Entities& entities = world.space.entities;
+  throw ConfigError({}, entities.model[robot.row]->type + " '" + entities.name[robot.row] +
+                            "': " + unknownName("the device", device, names));
+}
+
+/// @return null if there is none
+template <class Device>
+Device* findDevice(const std::vector<Named<Device>>& devices, const std::string& type) {
+  for (const Named<Device>& device : devices) {
+    if (device->type() == type) {
+      return device.get();
+    }
+  }
+  return nullptr;
+}
+
+std::vector<ErrorModelDescription> completed(std::vector<ErrorModelDescription> errors) {
+  for (ErrorModelDescription& error : errors) {
+    experiment::completeError(error);
+  }
+  return errors;
+}
+
+/// @return whether that is something else than before @throws ConfigError if they do not suit the device
+template <class Device>
+bool change(World& world, Device& device, Row row, const SetFault& intervention) {
+  const std::vector<ErrorModelDescription> errors = completed(intervention.errors);
+  const std::string text = describeFaults(errors);
+  if (text == describeFaults(device.faults(row))) {
+    return false;
+  }
+  device.setFaults(world.space, row, errors);
+  world.pending_events.push_back(
+      {Event::Kind::kIntervention, intervention.robot, "", intervention.device + ": " + text});
+  return true;
+}
+
+}  // namespace
+
+bool carryOut(World& world, const SetFault& intervention) {
+  const RobotInstance& robot = requireRobot(world, intervention.robot);
+  if (Sensor* sensor = findDevice(robot.group->sensors, intervention.device)) {
+    return change(world, *sensor, robot.row, intervention);
+  }
+  if (Actuator* actuator = findDevice(robot.group->actuators, intervention.device)) {
+    return change(world, *actuator, robot.row, intervention);
+  }
+  refuseDevice(world, robot, intervention.device);
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,43 @@
+/// What a bag needs so that its run can be made again: the record of the run, and what has come of it.
+///
+/// Threads  one at a time.
+#pragma once
+
+#include <swarmanoid_msgs/RunRecord.h>
+#include <swarmanoid_msgs/RunResult.h>
+#include <swarmanoid_msgs/WorldState.h>
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "bag_writer.hpp"
+#include "swarmanoid_space/observer.hpp"
+#include "swarmanoid_space/records/run_record.hpp"
+
+namespace swarmanoid {
+
+class RunMessages {
+ public:
+  RunMessages() = default;
+  /// @param every ticks from one state hash in the bag to the next
+  /// @throws ConfigError if a file that the experiment names cannot be read
+  RunMessages(const RunContext& context, std::uint64_t every);
+
+  /// Writes the record where a run begins. @param topics "/space/" @throws std::runtime_error
+  void begin(const Space& space, const std::string& topics, BagWriter& bag);
+  /// Writes the result. @param last_state that was recorded @throws std::runtime_error
+  void finish(const std::string& topics, const swarmanoid_msgs::WorldState& last_state, BagWriter& bag);
+
+  /// The last state of a run has been seen. Allocates nothing.
+  void follow(const Space& space);
+
+ private:
+  std::optional<RunRecord> record_;  // none: the experiment is not known
+  std::function<RunOutcome()> outcome_;
+  std::optional<std::uint64_t> run_;   // whose record is in the bag
+  swarmanoid_msgs::RunResult result_;  // of that run, as far as it has come
+};
+
+}  // namespace swarmanoid

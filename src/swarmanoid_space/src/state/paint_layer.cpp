@@ -1,0 +1,131 @@
+#include "swarmanoid_space/state/paint_layer.hpp"
+
+#include <xxhash.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "swarmanoid_interface/expects.hpp"
+
+namespace swarmanoid {
+namespace {
+
+constexpr double kInvisible = 1.0 / 512.0;  // half a step of a colour's 8 bits
+constexpr double kMostHalfLives = 64.0;     // after which nothing is left of a strength of 1
+
+/// The value of a colour's channel between two others.
+std::uint8_t between(std::uint8_t from, std::uint8_t to, double part) {
+  return static_cast<std::uint8_t>(std::lround(from + part * (to - from)));
+}
+
+Color between(Color from, Color to, double part) {
+  return {between(from.red, to.red, part), between(from.green, to.green, part), between(from.blue, to.blue, part)};
+}
+
+std::size_t cellsAlong(double length, double cell) { return static_cast<std::size_t>(std::ceil(length / cell)); }
+
+/// The cell of a coordinate that is in the arena.
+std::size_t cellAt(double coordinate, double cell, std::size_t count) {
+  return std::min(static_cast<std::size_t>(coordinate / cell), count - 1);
+}
+
+}  // namespace
+
+PaintLayer::PaintLayer(const Eigen::Vector2d& size, double cell, double half_life)
+    : size_(size), cell_size_(cell), columns_(cellsAlong(size.x(), cell)), rows_(cellsAlong(size.y(), cell)) {
+  SWARMANOID_EXPECTS(cellsFor(size, cell) <= static_cast<double>(kMostCells));
+  cells_.resize(columns_ * rows_);
+  fade_.fill(1.0);
+  if (half_life > 0.0) {
+    vanishes_after_ = static_cast<std::uint64_t>(std::ceil(kMostHalfLives * half_life));
+    fade_[0] = std::exp2(-1.0 / half_life);
+    for (std::size_t i = 1; i < fade_.size(); ++i) {
+      fade_[i] = fade_[i - 1] * fade_[i - 1];
+    }
+  }
+}
+
+double PaintLayer::cellsFor(const Eigen::Vector2d& size, double cell) {
+  return std::ceil(size.x() / cell) * std::ceil(size.y() / cell);
+}
+
+double PaintLayer::strengthOf(const Cell& cell, std::uint64_t tick) const {
+  std::uint64_t age = tick - cell.tick;
+  if (vanishes_after_ == 0 || age == 0) {
+    return cell.strength;
+  }
+  if (age >= vanishes_after_) {
+    return 0.0;
+  }
+  double strength = cell.strength;
+  for (std::size_t bit = 0; age != 0; ++bit, age >>= 1U) {
+    if ((age & 1U) != 0) {
+      strength *= fade_[bit];
+    }
+  }
+  return strength;
+}
+
+Color PaintLayer::blend(Color floor, const Eigen::Vector2d& point, std::uint64_t tick) const {
+  if (!(point.x() >= 0.0 && point.y() >= 0.0 && point.x() <= size_.x() && point.y() <= size_.y())) {
+    return floor;
+  }
+  const Cell& cell = cells_[cellAt(point.y(), cell_size_, rows_) * columns_ + cellAt(point.x(), cell_size_, columns_)];
+  const double strength = strengthOf(cell, tick);
+  return strength < kInvisible ? floor : between(floor, cell.color, strength);
+}
+
+PaintLayer::Spot PaintLayer::spot(std::size_t number, std::uint64_t tick) const {
+  const Cell& cell = cells_[painted_[number]];
+  const double strength = strengthOf(cell, tick);
+  return {cell_size_ * Eigen::Vector2d(columnOf(number) + 0.5, rowOf(number) + 0.5), cell.color,
+          strength < kInvisible ? 0.0 : strength};
+}
+
+void PaintLayer::paint(const PaintDisc& disc, std::uint64_t tick) {
+  SWARMANOID_EXPECTS(exists());
+  const auto within = [this](double coordinate, double length, std::size_t count) {
+    return cellAt(std::clamp(coordinate, 0.0, length), cell_size_, count);
+  };
+  const std::size_t first_column = within(disc.position.x() - disc.radius, size_.x(), columns_);
+  const std::size_t last_column = within(disc.position.x() + disc.radius, size_.x(), columns_);
+  const std::size_t first_row = within(disc.position.y() - disc.radius, size_.y(), rows_);
+  const std::size_t last_row = within(disc.position.y() + disc.radius, size_.y(), rows_);
+  bool is_painted = false;
+  for (std::size_t row = first_row; row <= last_row; ++row) {
+    for (std::size_t column = first_column; column <= last_column; ++column) {
+      const Eigen::Vector2d middle =
+          cell_size_ * Eigen::Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
+      if ((middle - disc.position).squaredNorm() <= disc.radius * disc.radius) {
+        paintCell(row * columns_ + column, disc, tick);
+        is_painted = true;
+      }
+    }
+  }
+  if (!is_painted) {
+    paintCell(within(disc.position.y(), size_.y(), rows_) * columns_ + within(disc.position.x(), size_.x(), columns_),
+              disc, tick);
+  }
+}
+
+void PaintLayer::paintCell(std::size_t index, const PaintDisc& disc, std::uint64_t tick) {
+  const auto digestOf = [index](const Cell& cell) {
+    std::array<std::uint64_t, 3> words{index, cell.tick, 0};
+    std::memcpy(&words[2], &cell.strength, sizeof(cell.strength));
+    std::memcpy(reinterpret_cast<char*>(&words[2]) + sizeof(cell.strength), &cell.color, sizeof(cell.color));
+    return XXH3_64bits(words.data(), sizeof(words));
+  };
+  Cell& cell = cells_[index];
+  if (cell.strength == 0.0F) {
+    painted_.push_back(static_cast<std::uint32_t>(index));
+  } else {
+    digest_ -= digestOf(cell);
+  }
+  const double old_part = strengthOf(cell, tick) * (1.0 - disc.strength);
+  const double strength = disc.strength + old_part;
+  cell = {tick, static_cast<float>(strength), between(cell.color, disc.color, disc.strength / strength)};
+  digest_ += digestOf(cell);
+}
+
+}  // namespace swarmanoid
