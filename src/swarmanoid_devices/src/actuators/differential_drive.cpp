@@ -6,18 +6,17 @@
 namespace swarmanoid::devices {
 namespace {
 
-class DifferentialDriveActuator final : public WheelDriveActuator<DifferentialDrive> {
+class DifferentialDriveActuator final : public WheelDriveActuator<DifferentialDriveActuator, DifferentialDrive> {
  public:
   static PluginDescription describe() {
     return describeDrive("Speed and turn rate; each wheel is limited to its motor's maximum.");
   }
 
- protected:
-  Speeds toSpeeds(const DifferentialDrive& command, const EntityModel::Wheels& wheels) const override {
+  static WheelSpeeds toSpeeds(const DifferentialDrive& command, const EntityModel::Wheels& wheels) {
     const double difference = 0.5 * command.turn_rate * wheels.separation;
     return {(command.speed - difference) / wheels.radius, (command.speed + difference) / wheels.radius};
   }
-  void fromSpeeds(const Speeds& speeds, const EntityModel::Wheels& wheels, DifferentialDrive& command) const override {
+  static void fromSpeeds(const WheelSpeeds& speeds, const EntityModel::Wheels& wheels, DifferentialDrive& command) {
     command.speed = 0.5 * (speeds.left + speeds.right) * wheels.radius;
     command.turn_rate = (speeds.right - speeds.left) * wheels.radius / wheels.separation;
   }

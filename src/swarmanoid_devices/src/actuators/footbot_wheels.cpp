@@ -7,7 +7,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-class FootbotWheelsActuator final : public WheelSpeedActuator<FootbotWheels> {
+class FootbotWheelsActuator final : public WheelSpeedActuator<FootbotWheelsActuator, FootbotWheels> {
  public:
   static PluginDescription describe() {
     PluginDescription description =

@@ -14,8 +14,16 @@ struct WheelDriveInstance : BasicActuatorInstance<Device> {
   EntityModel::Wheels wheels;
 };
 
-/// `Device` has `left` and `right` [rad/s], or the derived class says how it becomes these and how they become it.
-template <class Device>
+/// Angular velocities [rad/s].
+struct WheelSpeeds {
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// `Drive` derives from this, and says how a command becomes the speeds of two wheels and how these become it:
+/// `static WheelSpeeds toSpeeds(const Device&, const EntityModel::Wheels&)` and
+/// `static void fromSpeeds(const WheelSpeeds&, const EntityModel::Wheels&, Device&)`.
+template <class Drive, class Device>
 class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>> {
  public:
   using Instance = WheelDriveInstance<Device>;
@@ -23,12 +31,6 @@ class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>>
   void configure(const Configuration& /*parameters*/) override {}
 
  protected:
-  /// Angular velocities [rad/s].
-  struct Speeds {
-    double left = 0.0;
-    double right = 0.0;
-  };
-
   static PluginDescription describeDrive(const std::string& summary) {
     PluginDescription description;
     description.label = Device::kType;
@@ -39,9 +41,6 @@ class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>>
     return description;
   }
 
-  virtual Speeds toSpeeds(const Device& command, const EntityModel::Wheels& wheels) const = 0;
-  virtual void fromSpeeds(const Speeds& speeds, const EntityModel::Wheels& wheels, Device& command) const = 0;
-
   void prepareInstance(const Space& space, Instance& instance) override {
     const EntityModel& model = *space.entities.model[instance.row];
     if (!model.wheels) {
@@ -51,29 +50,27 @@ class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>>
   }
 
   void limit(const Space& /*space*/, Instance& instance) override {
-    Speeds speeds = toSpeeds(*instance.actuation, instance.wheels);
+    WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, instance.wheels);
     const double fastest = instance.wheels.max_speed;
     speeds.left = std::clamp(speeds.left, -fastest, fastest);
     speeds.right = std::clamp(speeds.right, -fastest, fastest);
-    fromSpeeds(speeds, instance.wheels, *instance.actuation);
+    Drive::fromSpeeds(speeds, instance.wheels, *instance.actuation);
   }
 
   void apply(Space& space, Instance& instance) override {
-    const Speeds speeds = toSpeeds(*instance.actuation, instance.wheels);
+    const WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, instance.wheels);
     space.wheels[instance.row] = {true, speeds.left, speeds.right};
   }
 };
 
-/// A device with a field for each wheel.
-template <class Device>
-class WheelSpeedActuator : public WheelDriveActuator<Device> {
- protected:
-  using Speeds = typename WheelDriveActuator<Device>::Speeds;
-
-  Speeds toSpeeds(const Device& command, const EntityModel::Wheels& /*wheels*/) const override {
+/// A device with a field for each wheel, `left` and `right` [rad/s].
+template <class Drive, class Device>
+class WheelSpeedActuator : public WheelDriveActuator<Drive, Device> {
+ public:
+  static WheelSpeeds toSpeeds(const Device& command, const EntityModel::Wheels& /*wheels*/) {
     return {command.left, command.right};
   }
-  void fromSpeeds(const Speeds& speeds, const EntityModel::Wheels& /*wheels*/, Device& command) const override {
+  static void fromSpeeds(const WheelSpeeds& speeds, const EntityModel::Wheels& /*wheels*/, Device& command) {
     command.left = speeds.left;
     command.right = speeds.right;
   }

@@ -6,7 +6,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-class WheelsActuator final : public WheelSpeedActuator<Wheels> {
+class WheelsActuator final : public WheelSpeedActuator<WheelsActuator, Wheels> {
  public:
   static PluginDescription describe() {
     return describeDrive("Angular velocities of the two wheels, limited to the motors' maximum.");
