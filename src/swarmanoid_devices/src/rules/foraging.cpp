@@ -8,6 +8,7 @@
 #include "floor_patch.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/rule.hpp"
+#include "tally.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -36,7 +37,6 @@ class Foraging final : public Rule {
     nest_ = parameters.text("nest");
     minimum_ = parameters.vector3("minimum");
     maximum_ = parameters.vector3("maximum");
-    enough_ = static_cast<double>(parameters.integer("enough"));
     location_ = parameters.location();
     if (prey_.empty()) {
       throw ConfigError(location_, "prey: found '', allowed: what names begin with");
@@ -45,8 +45,9 @@ class Foraging final : public Rule {
       throw ConfigError(location_, "maximum: found '" + parameters.text("maximum") +
                                        "', allowed: nothing below minimum, '" + parameters.text("minimum") + "'");
     }
-    preys_ = &addMetric("preys", "", "Preys that were brought into the nest so far.");
-    preys_per_minute_ = &addMetric("preys_per_minute", "1/min", "As many in each minute of simulated time.");
+    Metric& preys = addMetric("preys", "", "Preys that were brought into the nest so far.");
+    Metric& per_minute = addMetric("preys_per_minute", "1/min", "As many in each minute of simulated time.");
+    tally_ = Tally(preys, per_minute, static_cast<double>(parameters.integer("enough")));
   }
 
   void reset(const Space& space, InterventionQueue&) override {
@@ -64,21 +65,18 @@ class Foraging final : public Rule {
       }
       const EntityNumber number = space.entities.number[row];
       if (!isWaiting(number) && nest.contains(space.entities.pose[row].position)) {
-        preys_->value += 1.0;
+        tally_.add();
         waiting_.push_back({number, space.tick});
       }
       if (isWaiting(number)) {
         tryToPutElsewhere(space.entities.name[row], nest, queue);
       }
     }
-    constexpr double kSecondsInMinute = 60.0;
-    preys_per_minute_->value = preys_->value * kSecondsInMinute / toSeconds(space.time - kEpoch);
+    tally_.measure(space);
   }
 
-  bool isFinished() const override { return enough_ > 0.0 && preys_->value >= enough_; }
-  std::optional<bool> success() const override {
-    return enough_ > 0.0 ? std::optional<bool>(isFinished()) : std::nullopt;
-  }
+  bool isFinished() const override { return tally_.isEnough(); }
+  std::optional<bool> success() const override { return tally_.success(); }
 
  private:
   /// A prey that was counted, and for which there was no free place yet.
@@ -117,10 +115,8 @@ class Foraging final : public Rule {
   std::size_t nest_patch_ = 0;
   Eigen::Vector3d minimum_ = Eigen::Vector3d::Zero();  // m
   Eigen::Vector3d maximum_ = Eigen::Vector3d::Zero();  // m
-  double enough_ = 0.0;
   SourceLocation location_;
-  Metric* preys_ = nullptr;
-  Metric* preys_per_minute_ = nullptr;
+  Tally tally_;
   std::vector<Waiting> waiting_;
 };
 

@@ -1,4 +1,6 @@
 // A trail: robots that show a colour paint the floor under them, for others to find (stigmergy).
+#include <algorithm>
+
 #include "../parameters.hpp"
 #include "swarmanoid_space/rule.hpp"
 
@@ -57,14 +59,7 @@ class Trail final : public Rule {
   }
 
  private:
-  bool shows(Span<const Color> leds) const {
-    for (const Color& color : leds) {
-      if (color == led_color_) {
-        return true;
-      }
-    }
-    return false;
-  }
+  bool shows(Span<const Color> leds) const { return std::find(leds.begin(), leds.end(), led_color_) != leds.end(); }
 
   Color led_color_;
   PaintDisc disc_;

@@ -6,6 +6,7 @@
 #include "../parameters.hpp"
 #include "floor_patch.hpp"
 #include "swarmanoid_space/rule.hpp"
+#include "tally.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -33,10 +34,10 @@ class Trips final : public Rule {
       throw ConfigError(parameters.location(),
                         "to: found '" + ids_[1] + "', which is from too, allowed: another floor patch");
     }
-    enough_ = static_cast<double>(parameters.integer("enough"));
     location_ = parameters.location();
-    trips_ = &addMetric("trips", "", "From one patch to the other, in either direction.");
-    trips_per_minute_ = &addMetric("trips_per_minute", "1/min", "As many in each minute of simulated time.");
+    Metric& trips = addMetric("trips", "", "From one patch to the other, in either direction.");
+    Metric& per_minute = addMetric("trips_per_minute", "1/min", "As many in each minute of simulated time.");
+    tally_ = Tally(trips, per_minute, static_cast<double>(parameters.integer("enough")));
   }
 
   void reset(const Space& space, InterventionQueue&) override {
@@ -52,14 +53,11 @@ class Trips final : public Rule {
         look(space, row);
       }
     }
-    constexpr double kSecondsInMinute = 60.0;
-    trips_per_minute_->value = trips_->value * kSecondsInMinute / toSeconds(space.time - kEpoch);
+    tally_.measure(space);
   }
 
-  bool isFinished() const override { return enough_ > 0.0 && trips_->value >= enough_; }
-  std::optional<bool> success() const override {
-    return enough_ > 0.0 ? std::optional<bool>(isFinished()) : std::nullopt;
-  }
+  bool isFinished() const override { return tally_.isEnough(); }
+  std::optional<bool> success() const override { return tally_.success(); }
 
  private:
   /// The patch on which a robot was last.
@@ -74,13 +72,13 @@ class Trips final : public Rule {
         continue;
       }
       const EntityNumber number = space.entities.number[row];
-      const auto last =
-          std::find_if(last_.begin(), last_.end(), [number](const Last& each) { return each.robot == number; });
-      if (last == last_.end()) {
-        last_.push_back({number, i});
+      const auto last = std::lower_bound(last_.begin(), last_.end(), number,
+                                         [](const Last& each, EntityNumber robot) { return each.robot < robot; });
+      if (last == last_.end() || last->robot != number) {
+        last_.insert(last, {number, i});
       } else if (last->patch != i) {
         last->patch = i;
-        trips_->value += 1.0;
+        tally_.add();
       }
       return;
     }
@@ -89,11 +87,9 @@ class Trips final : public Rule {
   std::string robots_;
   std::array<std::string, 2> ids_;
   std::array<std::size_t, 2> patches_{};
-  double enough_ = 0.0;
   SourceLocation location_;
-  Metric* trips_ = nullptr;
-  Metric* trips_per_minute_ = nullptr;
-  std::vector<Last> last_;
+  Tally tally_;
+  std::vector<Last> last_;  // by number
 };
 
 }  // namespace

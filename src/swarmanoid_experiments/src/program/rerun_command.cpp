@@ -194,11 +194,10 @@ ExitCode rerun(const RerunOptions& options) {
   experiment.framework.threads = options.threads.value_or(experiment.framework.threads);
   const TemporaryFolder nowhere("swarmanoid_rerun");
   RunContext context;
+  context.is_open = false;
   context.out = openOutFolder(filesOf(options, place, nowhere), experiment);
   context.is_fork = fork.seed.has_value();
-  SuppliedParts supplied;
-  supplied.takes_participants = false;
-  Simulation simulation(std::move(experiment), context, std::move(supplied));
+  Simulation simulation(std::move(experiment), context);
   simulation.play(InterventionPlayer(withoutThoseOfRules(std::move(interventions), simulation.experiment()),
                                      AskedByRules::kPlayed));
   addRecorders(simulation, context, options);

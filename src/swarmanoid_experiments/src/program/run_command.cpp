@@ -190,6 +190,7 @@ ExitCode run(const RunOptions& options) {
   UserCodeWatch watch({nullptr, options.watchdog});
   Experiment experiment = readExperiment(options);
   RunContext context;
+  context.is_open = false;
   context.out = openOutFolder(filesOf(options), experiment);
   refuseRobotsOfOthers(experiment);
   const RecordPlace place = isBag(options.interventions) ? interventionsOfBag(options.interventions) : RecordPlace{};
@@ -197,9 +198,7 @@ ExitCode run(const RunOptions& options) {
       place.folder.empty() ? options.interventions : place.folder + "/" + record_files::kInterventions,
       options.interventions, options.all_interventions ? AskedByRules::kPlayed : AskedByRules::kLeftOut, experiment,
       [](const std::string& warning) { std::cerr << "swarmanoid: warning: " << warning << '\n'; });
-  SuppliedParts supplied;
-  supplied.takes_participants = false;
-  Simulation simulation(std::move(experiment), context, std::move(supplied));
+  Simulation simulation(std::move(experiment), context);
   simulation.play(std::move(player));
   if (options.hashes) {
     addFromCommandLine(simulation, context, "--hashes", "hash_recorder", *options.hashes,

@@ -37,10 +37,10 @@ struct RunContext {
   std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: all, as code that has none likes
   std::string asked_by;            ///< the option that asks for the observer, "--bag"; "": the experiment file
   bool headless = true;
-  bool is_open = false;  ///< other processes can command robots
+  bool is_open = true;   ///< other processes can command robots, over topics or as participants of lockstep
   bool is_fork = false;  ///< the seed will change in the middle: a record of the run could not be made again
   const Experiment* experiment = nullptr;
-  std::function<RunOutcome()> outcome;  ///< for `finish` of observers that an option asks for; empty: it is not known
+  std::function<RunOutcome()> outcome;  ///< for `finish` of observers; empty: it is not known
 };
 
 class Observer {

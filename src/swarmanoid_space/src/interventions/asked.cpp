@@ -19,6 +19,19 @@ Row requireEntity(const World& world, const std::string& name) {
   return row;
 }
 
+RobotInstance& requireRobot(World& world, const std::string& name) {
+  const Entities& entities = world.space.entities;
+  RobotInstance* robot = world.assembly.findRobot(entities, entities.find(name));
+  if (robot == nullptr) {
+    std::vector<std::string> known;
+    for (const RobotInstance& other : world.assembly.robots) {
+      known.push_back(entities.name[other.row]);
+    }
+    throw ConfigError({}, "there is no robot '" + name + "' with a controller" + didYouMean(name, known));
+  }
+  return *robot;
+}
+
 void take(World& world, const Intervention& intervention, const std::string& asked_by, bool after_rules) {
   if (std::visit([&](const auto& kind) { return carryOut(world, kind); }, intervention)) {
     world.pending_interventions.push_back({intervention, asked_by, world.space.tick, after_rules});

@@ -23,6 +23,9 @@ bool carryOut(World& world, const SetFault& intervention);
 /// @throws ConfigError if there is none, naming the one that may be meant
 Row requireEntity(const World& world, const std::string& name);
 
+/// A robot with a controller, whoever commands it. @throws ConfigError as requireEntity
+RobotInstance& requireRobot(World& world, const std::string& name);
+
 /// Carries out an intervention of any kind; one that changes something is recorded.
 /// @param asked_by, after_rules as TakenIntervention has them
 /// @throws ConfigError if it is refused; then nothing has changed

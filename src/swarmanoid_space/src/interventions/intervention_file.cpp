@@ -1,5 +1,7 @@
 #include "swarmanoid_space/interventions/intervention_file.hpp"
 
+#include <algorithm>
+
 #include "../experiment_file/reader.hpp"
 #include "intervention_forms.hpp"
 
@@ -114,6 +116,11 @@ InterventionFile readInterventions(const std::string& file, const Experiment& ex
 
 InterventionFile readInterventions(const std::string& file, const std::string& name, const Experiment& experiment) {
   return parseInterventions(experiment::textOf(file), name, experiment);
+}
+
+bool hasRule(const Experiment& experiment, const std::string& asked_by) {
+  return std::any_of(experiment.rules.begin(), experiment.rules.end(),
+                     [&](const RuleDescription& rule) { return asked_by.rfind("rule '" + rule.id + "'", 0) == 0; });
 }
 
 const char* kindOf(const Intervention& intervention) { return interventionGrammars()[intervention.index()].tag; }

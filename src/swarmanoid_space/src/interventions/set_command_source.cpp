@@ -10,10 +10,7 @@ namespace swarmanoid {
 bool carryOut(World& world, const SetCommandSource& intervention) {
   const std::string& robot = intervention.robot;
   const CommandSource source = intervention.source;
-  RobotInstance* instance = world.assembly.findRobot(world.space.entities, world.space.entities.find(robot));
-  if (instance == nullptr) {
-    throw ConfigError({}, "there is no robot '" + robot + "' with a controller");
-  }
+  RobotInstance* instance = &requireRobot(world, robot);
   if (instance->source == source) {
     return false;
   }
@@ -24,7 +21,7 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
                                    instance->group->description->parameters);
     }
     refuseUnlessReachable(*instance, source);
-    if (source == CommandSource::kRemote && !world.supplied.takes_participants) {
+    if (source == CommandSource::kRemote && !world.context.is_open) {
       throw std::runtime_error("no process elsewhere can answer here, that needs ROS");
     }
     if (source == CommandSource::kTopics && world.supplied.commands == nullptr) {

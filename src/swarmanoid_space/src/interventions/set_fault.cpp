@@ -8,19 +8,6 @@
 namespace swarmanoid {
 namespace {
 
-RobotInstance& requireRobot(World& world, const std::string& name) {
-  const Entities& entities = world.space.entities;
-  RobotInstance* robot = world.assembly.findRobot(entities, entities.find(name));
-  if (robot == nullptr) {
-    std::vector<std::string> known;
-    for (const RobotInstance& other : world.assembly.robots) {
-      known.push_back(entities.name[other.row]);
-    }
-    throw ConfigError({}, "there is no robot '" + name + "' with a controller" + didYouMean(name, known));
-  }
-  return *robot;
-}
-
 [[noreturn]] void refuseDevice(const World& world, const RobotInstance& robot, const std::string& device) {
   std::vector<std::string> names;
   for (const DeviceUse& use : robot.group->devices) {

@@ -18,12 +18,7 @@ swarmanoid_msgs::RunResult toMessage(const RunResult& result, const std_msgs::He
   message.success = result.success.value_or(false);
   message.state_hash = result.state_hash;
   message.wall_s = result.wall_s;
-  for (const auto& [name, value] : result.metrics) {
-    swarmanoid_msgs::TextParameter metric;
-    metric.name = name;
-    metric.value = metricText(value);
-    message.metrics.push_back(metric);
-  }
+  message.metrics = toMessages(result.metrics);
   for (const ControllerFailure& failure : result.failures) {
     message.failed_robots.push_back(failure.robot);
   }

@@ -215,7 +215,6 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   RunContext context;
   context.out = openOutFolder(options_, experiment);
   context.headless = false;
-  context.is_open = true;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
   display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
   display_->follow(*simulation);

@@ -194,8 +194,8 @@ RecordedRun readRecordedRun(const std::string& folder) {
     throw ConfigError({hashes, static_cast<int>(run.hashes.size()) + 1},
                       "found '" + rest + "' at the end, allowed: whole lines, at least that of tick 0");
   }
-  std::string interventions = experiment::textOf(inFolder(run, record_files::kInterventions));
-  const bool is_cut = completeInterventions(interventions, run.record);
+  run.interventions = experiment::textOf(inFolder(run, record_files::kInterventions));
+  const bool is_cut = completeInterventions(run.interventions, run.record);
   if (is_cut && run.has_result) {
     throw ConfigError({inFolder(run, record_files::kInterventions), 0},
                       "found no </interventions> at the end, allowed: a file that ends with it");
@@ -217,17 +217,12 @@ Experiment experimentOf(const RecordedRun& run) {
 }
 
 InterventionFile interventionsOf(const RecordedRun& run, const Experiment& experiment) {
-  const std::string file = inFolder(run, record_files::kInterventions);
-  std::string text = experiment::textOf(file);
-  completeInterventions(text, run.record);
-  return parseInterventions(text, file, experiment);
+  return parseInterventions(run.interventions, inFolder(run, record_files::kInterventions), experiment);
 }
 
 InterventionFile withoutThoseOfRules(InterventionFile interventions, const Experiment& experiment) {
   const auto comes_again = [&](const RecordedIntervention& recorded) {
-    return std::any_of(experiment.rules.begin(), experiment.rules.end(), [&](const RuleDescription& rule) {
-      return recorded.taken.asked_by.rfind("rule '" + rule.id + "'", 0) == 0;
-    });
+    return hasRule(experiment, recorded.taken.asked_by);
   };
   std::vector<RecordedIntervention>& all = interventions.interventions;
   all.erase(std::remove_if(all.begin(), all.end(), comes_again), all.end());

@@ -14,4 +14,14 @@ std::string metricText(const Metrics::mapped_type& value) {
   return text.str();
 }
 
+std::vector<swarmanoid_msgs::TextParameter> toMessages(const Metrics& metrics) {
+  std::vector<swarmanoid_msgs::TextParameter> messages;
+  for (const auto& [name, value] : metrics) {
+    messages.emplace_back();
+    messages.back().name = name;
+    messages.back().value = metricText(value);
+  }
+  return messages;
+}
+
 }  // namespace swarmanoid

@@ -26,12 +26,6 @@ const RecordedIntervention* InterventionPlayer::takeDue(std::uint64_t tick, bool
 
 namespace {
 
-/// As TakenIntervention::asked_by has it, without the label.
-bool hasRule(const Experiment& experiment, const std::string& asked_by) {
-  return std::any_of(experiment.rules.begin(), experiment.rules.end(),
-                     [&](const RuleDescription& rule) { return asked_by.rfind("rule '" + rule.id + "'", 0) == 0; });
-}
-
 std::string countOf(std::size_t number) {
   return std::to_string(number) + (number == 1 ? " intervention" : " interventions");
 }

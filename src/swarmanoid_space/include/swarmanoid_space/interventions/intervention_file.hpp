@@ -37,6 +37,10 @@ InterventionFile readInterventions(const std::string& file, const std::string& n
 /// The same from a text; `name` stands for the file in messages.
 InterventionFile parseInterventions(const std::string& text, const std::string& name, const Experiment& experiment);
 
+/// Whether the experiment has the rule that asked for it. @param asked_by as TakenIntervention has it; its label does
+/// not count
+bool hasRule(const Experiment& experiment, const std::string& asked_by);
+
 /// The tag of an intervention: "spawn", "delete", "move", "handover", "engine_parameters", "command_source",
 /// "property", "paint", "fault".
 const char* kindOf(const Intervention& intervention);

@@ -1,4 +1,4 @@
-/// Writes a record into a folder while the run is made. The files obey the rules of the run's out folder.
+/// Writes a record into a folder while the run is made. For its files the rules of the run's out folder hold.
 #pragma once
 
 #include <string>

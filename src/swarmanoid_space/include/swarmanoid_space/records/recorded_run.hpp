@@ -21,6 +21,7 @@ struct RecordedHash {
 struct RecordedRun {
   std::string folder;
   RunRecord record;                  ///< without texts and contents, which are in the folder
+  std::string interventions;         ///< text of a file of interventions, with its end
   std::vector<RecordedHash> hashes;  ///< from tick 0 on, RunRecord::every ticks apart; at least one
   bool has_result = false;
   std::vector<std::string> missing;  ///< what a run that was killed has not written, in sentences

@@ -1,7 +1,10 @@
 /// Metrics in messages and logs.
 #pragma once
 
+#include <swarmanoid_msgs/TextParameter.h>
+
 #include <string>
+#include <vector>
 
 #include "swarmanoid_space/metrics.hpp"
 
@@ -9,5 +12,8 @@ namespace swarmanoid {
 
 /// Numbers with as many digits as their bits need, "true", "false", texts as they are.
 std::string metricText(const Metrics::mapped_type& value);
+
+/// All of them, in their order.
+std::vector<swarmanoid_msgs::TextParameter> toMessages(const Metrics& metrics);
 
 }  // namespace swarmanoid

@@ -17,7 +17,6 @@ struct SuppliedParts {
   std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
   std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
   std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
-  bool takes_participants = true;            ///< false: no process elsewhere can answer, so none may command a robot
 };
 
 }  // namespace swarmanoid

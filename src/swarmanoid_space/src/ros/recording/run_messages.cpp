@@ -52,13 +52,7 @@ void RunMessages::finish(const std::string& topics, const swarmanoid_msgs::World
   result_.failed_robots = outcome.failed_robots;
   const bool is_last = last_state.tick == result_.ticks && last_state.run == result_.run;
   result_.state_hash = is_last ? last_state.state_hash : 0;
-  result_.metrics.clear();
-  for (const auto& [name, value] : outcome.metrics) {
-    swarmanoid_msgs::TextParameter metric;
-    metric.name = name;
-    metric.value = metricText(value);
-    result_.metrics.push_back(metric);
-  }
+  result_.metrics = toMessages(outcome.metrics);
   bag.writeLatched(topics + "result", result_.header.stamp, result_);
 }
 
