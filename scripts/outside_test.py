@@ -264,7 +264,7 @@ class OutsideTest(unittest.TestCase):
         ahead, turned = 0.0, 0.0
         while (ahead < 0.15 or turned < 0.1) and time.monotonic() < end:
             self.assertIsNone(controller.poll(), "the controller has ended")
-            code, printed, _ = run(["timeout", "5", "rostopic", "echo", "-n", "1", "-p", "/e/odom/pose/pose"], environment)
+            code, printed, _ = run(["timeout", "5", "rostopic", "echo", "-n", "1", "-p", "/e/ground_truth/odom/pose/pose"], environment)
             if code == 0:
                 values = dict(zip(*(line.split(",") for line in printed.split())))
                 ahead = max(ahead, float(values["field.position.x"]))

@@ -99,7 +99,7 @@ class RobotTest(unittest.TestCase):
 
     def odometry(self, robot):
         """The position of a robot [m]."""
-        output = succeed(["timeout", "20", "rostopic", "echo", "-n1", f"/{robot}/odom/pose/pose/position"],
+        output = succeed(["timeout", "20", "rostopic", "echo", "-n1", f"/{robot}/ground_truth/odom/pose/pose/position"],
                          self.environment)
         return {name: float(value) for name, value in re.findall(r"^([xyz]): (\S+)$", output, re.M)}
 
@@ -138,7 +138,7 @@ class RobotTest(unittest.TestCase):
         robot = self.check("footbot", lambda name: "True" in self.reading(f"/{name}/gripper/state/gripping"))
         position = self.odometry(robot)
         self.assertGreater(abs(position["x"]) + abs(position["y"]), 0.3)
-        self.assertEqual(0.0, float(self.reading(f"/{robot}/odom/twist/twist/linear/x").split()[0]), "it stands")
+        self.assertEqual(0.0, float(self.reading(f"/{robot}/ground_truth/odom/twist/twist/linear/x").split()[0]), "it stands")
 
     def test_eyebot_flies_over_the_prey_and_comes_down_in_the_end(self):
         robot = self.check("eyebot", lambda name: self.odometry(name)["x"] > 0.7)

@@ -29,6 +29,7 @@ FIGURES = {
     "robots": robots.robots,
     "benchmark": benchmarks.benchmark,
     "acting_world": benchmarks.acting_world,
+    "sensing": benchmarks.sensing,
     "queries": benchmarks.queries,
     "long_tests": long_tests.long_tests,
     "mappings": lambda table, build: engines.mappings(table),

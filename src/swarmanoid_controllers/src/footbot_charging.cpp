@@ -1,7 +1,7 @@
-// A footbot that is charged beside perches: it wanders; after some time it looks for a perch that shows that it is
-// free, stands beside it for as long as charging takes, and wanders again. It has no device that tells how much it has
-// left, so it counts the time. While it is charged it shines blue, and whoever sees that leaves the perch alone. A
-// robot that ran empty beside a perch starts anew there, and stays until it is full.
+// A footbot that is charged beside perches: it wanders; when little is left in its battery it looks for a perch that
+// shows that it is free, stands beside it until the battery is full, and wanders again. While it is charged it shines
+// blue, and whoever sees that leaves the perch alone. A robot that ran empty beside a perch starts anew there, and
+// stays until it is full.
 #include <algorithm>
 #include <string>
 
@@ -9,6 +9,7 @@
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/battery.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
 
 namespace swarmanoid {
@@ -21,12 +22,13 @@ class FootbotCharging final : public Controller {
     leds_ = &robot.actuator<FootbotLeds>();
     proximity_ = &robot.sensor<FootbotProximity>();
     camera_ = &robot.sensor<FootbotCamera>();
+    battery_ = &robot.sensor<Battery>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
-    endurance_ = parameters.number("endurance", 50.0, {0.1, 1e6});
-    charging_time_ = parameters.number("charging_time", 20.0, {0.1, 1e6});
+    little_ = parameters.number("little", 0.6, {0.0, 1.0});
+    plenty_ = parameters.number("plenty", 0.98, {0.0, 1.0});
     free_color_ = parameters.color("free_color", colors::kGreen);
     taken_color_ = parameters.color("taken_color", colors::kYellow);
-    parameters.refuseUnread({"speed", "endurance", "charging_time", "free_color", "taken_color"});
+    parameters.refuseUnread({"speed", "little", "plenty", "free_color", "taken_color"});
     reset();
   }
 
@@ -40,14 +42,12 @@ class FootbotCharging final : public Controller {
     dt_ = toSeconds(dt);
     if (!memory_.has_looked) {
       memory_.has_looked = true;
-      // robots that have the same time to go would all come at once
-      memory_.patience = robot_->random().uniform(0.7, 1.0) * endurance_;
+      chooseLimit();
       const std::optional<Sighting> perch = nearestUnattended(taken_color_);
       if (perch && perch->distance() < kTaken) {
         enter(State::kCharge);
       }
     }
-    memory_.time_in_state += dt_;
     switch (memory_.state) {
       case State::kWander:
         return wander();
@@ -79,7 +79,6 @@ class FootbotCharging final : public Controller {
 
   void enter(State state) {
     memory_.state = state;
-    memory_.time_in_state = 0.0;
     memory_.turn_rate = 0.0;
     memory_.avoiding_turn = 0.0;
     memory_.escape_left = 0.0;
@@ -88,8 +87,11 @@ class FootbotCharging final : public Controller {
     robot_->debug("state", nameOf(state));
   }
 
+  /// Robots that have the same left would all come at once.
+  void chooseLimit() { memory_.limit = robot_->random().uniform(0.7, 1.0) * little_; }
+
   void wander() {
-    if (memory_.time_in_state > memory_.patience) {
+    if (battery_->fraction() < memory_.limit) {
       return enter(State::kSeek);
     }
     if (isAvoiding()) {
@@ -135,8 +137,8 @@ class FootbotCharging final : public Controller {
     if (memory_.time_unserved > kUnserved) {
       return enter(State::kSeek);
     }
-    if (memory_.time_in_state > charging_time_) {
-      memory_.patience = robot_->random().uniform(0.7, 1.0) * endurance_;
+    if (battery_->fraction() >= plenty_) {
+      chooseLimit();
       enter(State::kWander);
     }
   }
@@ -190,9 +192,10 @@ class FootbotCharging final : public Controller {
   FootbotLeds* leds_ = nullptr;
   const FootbotProximity* proximity_ = nullptr;
   const FootbotCamera* camera_ = nullptr;
-  double speed_ = 0.0;          // m/s
-  double endurance_ = 0.0;      // s of wandering, at most
-  double charging_time_ = 0.0;  // s
+  const Battery* battery_ = nullptr;
+  double speed_ = 0.0;   // m/s
+  double little_ = 0.0;  // part of the capacity below which it looks for a perch, at most
+  double plenty_ = 0.0;  // part of it with which it leaves
   Color free_color_;
   Color taken_color_;
   double dt_ = 0.0;  // s
@@ -201,8 +204,7 @@ class FootbotCharging final : public Controller {
   struct Memory {
     State state = State::kWander;
     bool has_looked = false;     // it has taken a step
-    double patience = 0.0;       // s for which it wanders
-    double time_in_state = 0.0;  // s
+    double limit = 0.0;          // part of the capacity below which it looks for a perch
     double turn_rate = 0.0;      // rad/s, while wandering
     double avoiding_turn = 0.0;  // rad/s, while it turns away from an obstacle
     double escape_left = 0.0;    // s of driving on after an obstacle

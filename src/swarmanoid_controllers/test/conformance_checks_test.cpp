@@ -68,10 +68,10 @@ TEST(ConformanceChecks, OfARobotsOwnDevicesAreInTheirOrder) {
                    "gripper_closes", "footbot_turret", "gripper_opens"}),
             checksOf("footbot", {"footbot_wheels"}))
       << "those that are not listed too: they are named as unchecked";
-  EXPECT_EQ((Names{"eyebot_leds", "eyebot_camera", "velocity_in_the_plane", "yaw_left", "eyebot_laser", "velocity_up",
-                   "eyebot_magnet"}),
+  EXPECT_EQ((Names{"eyebot_leds", "eyebot_altitude", "eyebot_camera", "eyebot_position", "eyebot_pressure",
+                   "velocity_in_the_plane", "yaw_left", "eyebot_laser", "velocity_up", "eyebot_magnet"}),
             checksOf("eyebot", {}));
-  EXPECT_EQ((Names{"handbot_arms", "handbot_hands", "handbot_rope"}), checksOf("handbot", {}));
+  EXPECT_EQ((Names{"handbot_leds", "handbot_arms", "handbot_hands", "handbot_rope"}), checksOf("handbot", {}));
 }
 
 TEST(ConformanceChecks, OfOtherRobotsAreThoseOfTheirDevices) {
@@ -79,8 +79,11 @@ TEST(ConformanceChecks, OfOtherRobotsAreThoseOfTheirDevices) {
   EXPECT_EQ(Names{"whistles"}, checksOf("epuck", {Whistle::kType}));
   EXPECT_EQ("whistles", checksOf("handbot", {Whistle::kType}).back());
   EXPECT_EQ(Names{"imu_at_rest"}, checksOf("epuck", {"imu"}));
+  EXPECT_EQ((Names{"battery_plausible", "battery_drains"}), checksOf("epuck", {"battery"}));
   EXPECT_EQ((Names{"differential_drive", "imu_at_rest", "imu_turns"}),
             checksOf("epuck", {"differential_drive", "imu"}));
+  EXPECT_EQ((Names{"differential_drive", "odometry", "wheel_encoders"}),
+            checksOf("epuck", {"differential_drive", "odometry", "wheel_encoders"}));
 }
 
 TEST(ConformanceChecks, AnObserverLooksThroughTheCameraThatIsListed) {

@@ -10,9 +10,17 @@ MASS = 2.0
 LED_COUNT = 16
 LED_HEIGHT = 0.2
 RANGE_AND_BEARING_HEIGHT = 0.22  # in the hub, over its LEDs
+DISTANCE_COUNT = 16  # infrared sensors around the body
+DISTANCE_HEIGHT = 0.29  # half way up the ducts
+OMNIDIRECTIONAL_CAMERA_HEIGHT = 0.42  # on the mast, over the rotors
+PAN_TILT_CAMERA = (0.085, 0, 0.17)  # ahead of the hub, under its LEDs; drawn as it stands at rest
 DUCT_RADIUS = 0.1
 DUCT_BOTTOM, DUCT_TOP = 0.24, 0.34
 DUCT_WALL = 0.006
+ROTOR_RADIUS = 0.092
+CONSUMPTION = {"eyebot_camera": 1, "eyebot_laser": 0.1, "range_and_bearing": 0.5, "eyebot_omnidirectional_camera": 1,
+               "eyebot_pan_tilt_camera": 1, "eyebot_distance": 0.18, "loudspeaker": 0.2, "wifi": 0.8,
+               "bluetooth": 0.1}  # W, docs/reference/battery.md
 DUCT_PLATES = 16
 
 MATERIALS = {
@@ -41,7 +49,7 @@ def duct(azimuth):
         shapes.append(box((DUCT_WALL, width, DUCT_TOP - DUCT_BOTTOM), place, "green", (0, 0, angle)))
     blade = box((0.18, 0.018, 0.003), (x, y, middle + 0.02), "black", (0, 0, azimuth + 0.6))
     return shapes + [disc(0.016, middle - 0.03, middle + 0.025, "black", (x, y)), blade,
-                     disc(0.092, middle + 0.0185, middle + 0.0215, "blur", (x, y)),
+                     disc(ROTOR_RADIUS, middle + 0.0185, middle + 0.0215, "blur", (x, y)),
                      box((0.19, 0.012, 0.012), (x, y, middle - 0.03), "dark_grey", (0, 0, azimuth))]
 
 
@@ -75,10 +83,22 @@ def make():
                inertia=disc(0.18, 0.2, 0.36))
     for i, xyz, rpy in ring(LED_COUNT, 0.1, LED_HEIGHT):
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.006, material="light_grey")])
-    robot.link("camera", xyz=(0, 0, 0.15), rpy=DOWN)
+    for i, xyz, rpy in ring(DISTANCE_COUNT, RADIUS, DISTANCE_HEIGHT):
+        robot.link(f"distance_{i}", xyz=xyz, rpy=rpy)
+    robot.link(f"distance_{DISTANCE_COUNT}", xyz=(-0.05, 0, 0.36), rpy=UP)  # on the hub
+    robot.link(f"distance_{DISTANCE_COUNT + 1}", xyz=(-0.05, 0, 0.15), rpy=DOWN)  # beside the camera
+    robot.camera("camera", (0, 0, 0.15), DOWN)
+    robot.link("omnidirectional_camera", xyz=(0, 0, OMNIDIRECTIONAL_CAMERA_HEIGHT),
+               visuals=[disc(0.014, -0.015, 0.015, "black")])
+    robot.camera("pan_tilt_camera", PAN_TILT_CAMERA, visuals=[sphere(0.015, (-0.005, 0, 0), "black")])
     robot.link("range_and_bearing", xyz=(0, 0, RANGE_AND_BEARING_HEIGHT))
+    robot.link("altimeter", xyz=(0, 0, 0), rpy=DOWN)
     robot.link("laser_pointer", xyz=(0.05, 0, 0.15), rpy=DOWN)
     robot.link("magnet", xyz=(0, 0, HEIGHT), rpy=UP)
     robot.can("magnet", name="magnet", link="magnet")
     robot.can("leds", links="led")
+    robot.can("battery", capacity=199800, voltage=11.1, electronics=4, led=0.2, rotors=4, rotor_radius=ROTOR_RADIUS,
+              rotor_efficiency=0.5)
+    for device, power in CONSUMPTION.items():
+        robot.can("consumption", device=device, power=power)
     return robot

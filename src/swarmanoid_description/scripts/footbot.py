@@ -7,6 +7,10 @@ RADIUS = 0.085  # 17 cm across
 HEIGHT = 0.146  # of the body, up to the camera
 MASS = 1.8
 WHEEL_MASS = 0.1
+CONSUMPTION = {"footbot_proximity": 0.24, "proximity": 0.24, "footbot_ground": 0.04, "footbot_base_ground": 0.08,
+               "ground": 0.12, "footbot_camera": 1, "range_and_bearing": 0.5, "footbot_turret": 0.3,
+               "footbot_gripper": 0.3, "footbot_front_camera": 1, "footbot_scanner": 0.3, "footbot_microphones": 0.05,
+               "microphones": 0.05, "loudspeaker": 0.2, "rfid_reader": 0.3, "wifi": 0.8, "bluetooth": 0.1}  # W, docs/reference/battery.md
 WHEEL_RADIUS = 0.029
 WHEEL_SEPARATION = 0.14
 RIM_SPEED = 0.3  # [m/s]
@@ -23,7 +27,12 @@ GROUND_HEIGHT = 0.005
 LED_COUNT = 12
 LED_HEIGHT = 0.12
 CAMERA_HEIGHT = 0.28
+MICROPHONE_COUNT = 4
+MICROPHONE_RADIUS = 0.07
+RFID_HEIGHT = 0.01  # of the antenna, at the bottom of the body
+FRONT_CAMERA = (0.08, 0, 0.09)  # over the gripper
 RANGE_AND_BEARING_HEIGHT = 0.13  # under the top of the body, so that footbots hide each other
+SCANNER_HEIGHT = 0.13  # likewise: the beams see other footbots
 
 ROLLED = (math.pi / 2, 0, 0)  # turns a cylinder's axis from z to y
 MATERIALS = {
@@ -109,11 +118,19 @@ def make():
     for i, xyz, rpy in ring(LED_COUNT, RADIUS, LED_HEIGHT):
         robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.005, (-0.003, 0, 0), "light_grey")])
     robot.link("camera", xyz=(0, 0, CAMERA_HEIGHT))
+    robot.camera("front_camera", FRONT_CAMERA, visuals=[box((0.008, 0.012, 0.012), (-0.004, 0, 0), "black")])
     robot.link("range_and_bearing", xyz=(0, 0, RANGE_AND_BEARING_HEIGHT))
+    for i, xyz, rpy in ring(MICROPHONE_COUNT, MICROPHONE_RADIUS, HEIGHT):
+        robot.link(f"microphone_{i}", xyz=xyz, rpy=rpy)
+    robot.link("rfid_antenna", xyz=(0, 0, RFID_HEIGHT))
+    robot.link("scanner", xyz=(0, 0, SCANNER_HEIGHT))  # the axis of its head, which only the scanner itself turns
     add_turret(robot)
     robot.link("gripping_strip", xyz=(0, 0, GRIPPER_HEIGHT), collisions=[cylinder(RADIUS, 0.012)])
     robot.can("wheels", left="left_wheel", right="right_wheel")
     robot.can("gripper", name="gripper", link="gripper_tip")
     robot.can("gripping_strip", link="gripping_strip")
     robot.can("leds", links="led")
+    robot.can("battery", capacity=133200, voltage=3.7, electronics=3.2, capacitor=60, drive=4, led=0.2)
+    for device, power in CONSUMPTION.items():
+        robot.can("consumption", device=device, power=power)
     return robot

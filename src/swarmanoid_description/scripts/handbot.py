@@ -1,16 +1,23 @@
 """The handbot: a climber with two arms that resembles a lobster (thesis 1, figures 1.2 and 3.9)."""
 import math
 
+from footbot import ring
 from urdf_writer import Robot, box, cylinder, disc, sphere
 
 LENGTH, WIDTH, HEIGHT = 0.41, 0.29, 0.29  # with the arms stretched ahead
 BODY_LENGTH = 0.3  # without them, from the tail on
 BODY_MASS = 2.1
+CONSUMPTION = {"handbot_arms": 2, "handbot_hands": 0.6, "handbot_rope": 1, "handbot_camera": 1, "handbot_distance": 0.12,
+               "loudspeaker": 0.2, "wifi": 0.8, "bluetooth": 0.1}  # W, docs/reference/battery.md
 UPPER_ARM_MASS, FOREARM_MASS, HAND_MASS = 0.15, 0.1, 0.15  # together with the body 2.9 kg
 STRIP_RADIUS = WIDTH / 2  # footbots that come from the sides meet the strip and the body at once
 ROPE_LENGTH = 3  # on the winch [m]
 STRIP_HEIGHT = 0.05  # of the footbots' grippers
+DISTANCE_COUNT = 12  # infrared sensors around the body
+DISTANCE_HEIGHT = 0.07  # just over the strip
 RANGE_AND_BEARING_HEIGHT = 0.205  # on the carapace
+LED_COUNT = 12
+LED_RADIUS, LED_HEIGHT = 0.05, 0.205  # on the carapace, around the rope launcher
 
 FORWARD = (0, math.pi / 2, 0)  # turns a cylinder's axis from z to x
 UP = (0, -math.pi / 2, 0)  # x axis, the direction that a device points in, straight up
@@ -75,12 +82,20 @@ def make():
                collisions=[box((BODY_LENGTH, WIDTH, HEIGHT), ((BODY_LENGTH - LENGTH) / 2, 0, HEIGHT / 2))])
     arm(robot, "left", 1)
     arm(robot, "right", -1)
-    robot.link("camera", xyz=(0.105, 0, 0.16))
+    for i, xyz, rpy in ring(DISTANCE_COUNT, STRIP_RADIUS, DISTANCE_HEIGHT):
+        robot.link(f"distance_{i}", xyz=xyz, rpy=rpy)
+    robot.camera("camera", (0.105, 0, 0.16))
     robot.link("range_and_bearing", xyz=(-0.005, 0, RANGE_AND_BEARING_HEIGHT))
+    for i, xyz, rpy in ring(LED_COUNT, LED_RADIUS, LED_HEIGHT):
+        robot.link(f"led_{i}", xyz=xyz, rpy=rpy, visuals=[sphere(0.005, material="light_grey")])
     robot.link("rope_launcher", xyz=(-0.02, 0, HEIGHT), rpy=UP)
     robot.link("gripping_strip", xyz=(0, 0, STRIP_HEIGHT), collisions=[cylinder(STRIP_RADIUS, 0.012)])
     robot.can("suction", name="left hand", link="left_suction")
     robot.can("suction", name="right hand", link="right_suction")
     robot.can("rope", name="rope", link="rope_launcher", length=ROPE_LENGTH)
     robot.can("gripping_strip", link="gripping_strip")
+    robot.can("leds", links="led")
+    robot.can("battery", capacity=133200, voltage=3.7, electronics=4, led=0.2)
+    for device, power in CONSUMPTION.items():
+        robot.can("consumption", device=device, power=power)
     return robot

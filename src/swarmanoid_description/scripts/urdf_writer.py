@@ -2,6 +2,7 @@
 
 Units: metres, kilograms, radians. A link's elements are placed in the link's frame; a link in its parent's.
 """
+import math
 
 ORIGIN = (0.0, 0.0, 0.0)
 
@@ -93,6 +94,11 @@ class Robot:
             self.lines += [f'  <link name="{name}">', *(f"    {element}" for element in elements), "  </link>"]
         else:
             self.lines.append(f'  <link name="{name}"/>')
+
+    def camera(self, name, xyz, rpy=ORIGIN, visuals=()):
+        """Adds a camera that looks along its x axis, and the frame of its pictures: z ahead, x right (REP-103)."""
+        self.link(name, xyz=xyz, rpy=rpy, visuals=visuals)
+        self.link(name + "_optical", parent=name, rpy=(-math.pi / 2, 0, -math.pi / 2))
 
     def can(self, element, **attributes):
         """Adds to what the robot says to the suite: a mechanism, its LEDs."""

@@ -1,36 +1,41 @@
 #include "color_blob_finder.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <vector>
+#include <limits>
 
-#include "keep_nearest.hpp"
+#include "light_cone.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-/// A blob, and its rank in the order defined by ColorBlobs.
-struct Found {
-  ColorBlob blob;
-  std::size_t place = 0;
-};
+/// How far from the body's origin a LED is at most [m].
+double reachOfLeds(const EntityModel& model) {
+  double squared = 0.0;
+  for (const Eigen::Vector3d& led : model.led_positions) {
+    squared = std::max(squared, led.squaredNorm());
+  }
+  return std::sqrt(squared);
+}
 
 class Finder {
  public:
-  Finder(const Space& space, const BlobView& view, std::vector<Found>& found)
-      : space_(space), view_(view), found_(found) {}
+  Finder(const Space& space, const BlobView& view, NearObstacles& obstacles, std::vector<Sighting>& found)
+      : space_(space), view_(view), obstacles_(obstacles), found_(found) {}
 
   void lookAtEntity(Row row) {
     const EntityModel& model = *space_.entities.model[row];
+    if (model.led_positions.empty()) {
+      return;
+    }
     const Pose& pose = space_.entities.pose[row];
-    std::array<Eigen::Vector3d, LedSet{}.size()> points;
+    LedPoints points;
     LedSet lit;
     const std::size_t count = std::min(model.led_positions.size(), lit.size());
     const Span<const Color> leds = space_.leds[row];
-    const Color own = space_.ownColor(row);
+    const Color own = model.is_robot ? colors::kBlack : space_.ownColor(row);
     const auto color_of = [&](std::size_t led) { return model.is_robot ? leds[led] : own; };
     for (std::size_t k = 0; k < count; ++k) {
       if (color_of(k).isLit()) {
@@ -38,40 +43,51 @@ class Finder {
         lit[k] = view_.inView(points[k]);
       }
     }
-    if (lit.none()) {
+    if (lit.none() || !lightConeOf(space_, row).holds(view_.eye.position - pose.position)) {
       return;
     }
-    const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.position - pose.position);
-    const LedSet seen = lit & ~hiddenLeds(model, space_.joints[row], eye, lit);
-    for (std::size_t k = 0; k < count; ++k) {
-      if (seen[k]) {
-        see(points[k], color_of(k), row);
-      }
-    }
+    const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.eye.position - pose.position);
+    LedSet seen = lit & ~hiddenLeds(model, space_.joints[row], eye, lit);
+    seen &= ~obstacles_.hidden(points, seen, row);
+    // what has no body is a lamp
+    const double radius = model.is_robot || model.shapes.empty() ? ColorBlob::kPointRadius : model.horizontal_radius;
+    visitLeds(seen, [&](std::size_t k) { note(points[k], color_of(k), radius); });
   }
 
   /// @return whether the point is in sight
-  bool look(const Eigen::Vector3d& point, Color color, Row owner) {
-    return view_.inView(point) && see(point, color, owner);
+  bool look(const Eigen::Vector3d& point, Color color, double radius) {
+    if (!view_.inView(point) || obstacles_.hides(point, kNoRow)) {
+      return false;
+    }
+    note(point, color, radius);
+    return true;
   }
 
  private:
-  /// @pre the point is in view @return whether nothing hides it
-  bool see(const Eigen::Vector3d& point, Color color, Row owner) {
-    const RayHit hit = space_.castRay({view_.position, point}, view_.self, owner);
-    if (hit.fraction < 1.0 - kOwnSurface) {
-      return false;
-    }
-    const Eigen::Vector2d offset = (point - view_.position).head<2>();
-    const float bearing = toBearing(std::atan2(offset.y(), offset.x()) - view_.heading);
-    found_.push_back({{color, bearing, static_cast<float>(offset.norm())}, found_.size()});
-    return true;
+  void note(const Eigen::Vector3d& point, Color color, double radius) {
+    found_.push_back(sightingOf(view_.eye, point, color, radius, found_.size()));
   }
 
   const Space& space_;
   const BlobView& view_;
-  std::vector<Found>& found_;
+  NearObstacles& obstacles_;
+  std::vector<Sighting>& found_;
 };
+
+/// Half across; of a rectangle, along its longer side [m].
+double radiusOf(const FloorPatch& patch) { return patch.radius > 0.0 ? patch.radius : 0.5 * patch.size.maxCoeff(); }
+
+/// Leaves out what neither has a LED in range nor can stand before one: lines of sight go no farther.
+void leaveInRange(const Entities& entities, const BlobView& view, std::vector<Row>& rows) {
+  const auto is_far = [&](Row row) {
+    const EntityModel& model = *entities.model[row];
+    const double distance = (entities.pose[row].position - view.eye.position).head<2>().norm();
+    const double beyond = distance - view.range - kSightRounding;
+    // the corners of the box around its sphere, which prisms may reach
+    return beyond > M_SQRT2 * model.moving_reach && beyond > reachOfLeds(model);
+  };
+  rows.erase(std::remove_if(rows.begin(), rows.end(), is_far), rows.end());
+}
 
 }  // namespace
 
@@ -82,46 +98,63 @@ float toBearing(double angle) {
 }
 
 bool BlobView::inView(const Eigen::Vector3d& point) const {
-  const double horizontal = (point - position).head<2>().norm();
-  return horizontal <= range && (slope == 0.0 || horizontal <= slope * (position.z() - point.z()));
+  const Eigen::Vector3d way = point - eye.position;
+  const double horizontal = way.head<2>().norm();
+  return horizontal <= range && field->contains(eye, way, horizontal);
 }
 
-FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity) {
+Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, double radius, std::size_t place) {
+  const Eigen::Vector3d way = point - eye.position;
+  return {color, way, static_cast<float>(way.head<2>().norm()), radius, place};
+}
+
+ColorBlob blobOf(const Sighting& sighting, const Eye& eye, bool knows_distance) {
+  const Eigen::Vector3d& way = sighting.way;
+  ColorBlob blob;
+  blob.color = sighting.color;
+  blob.bearing = toBearing(std::atan2(way.y(), way.x()) - eye.heading);
+  blob.distance = knows_distance ? sighting.distance : std::numeric_limits<float>::quiet_NaN();
+  blob.elevation = std::atan2(static_cast<float>(way.z()), sighting.distance);
+  blob.size = ColorBlob::sizeOf(static_cast<float>(sighting.radius), static_cast<float>(way.norm()));
+  return blob;
+}
+
+void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>& found) {
   // kept between calls so that a steady state allocates nothing
   thread_local std::vector<Row> near;
-  thread_local std::vector<Found> found;
+  thread_local NearObstacles obstacles;
   near.clear();
   found.clear();
-  found.reserve(capacity);
-  Finder finder(space, view, found);
-  // entities may be at any height within the arena, so the sphere must contain the whole cylinder of view
+  // entities may be at any height within the arena, so the sphere must contain the whole cylinder of view, and a little
+  // more: spots on the ground may be under it by rounding
+  constexpr double kBelow = 1e-3;  // m
   const double lowest = space.lowestGround();
   const double half_height = 0.5 * (space.size.z() - lowest);
-  const Eigen::Vector3d centre(view.position.x(), view.position.y(), lowest + half_height);
-  space.index.collect(centre, std::hypot(view.range, half_height), near);
+  const Eigen::Vector3d& eye = view.eye.position;
+  const Eigen::Vector3d centre(eye.x(), eye.y(), lowest + half_height);
+  const double radius = std::hypot(view.range, half_height + kBelow);
+  space.index.collect(centre, radius + space.index.prismMargin(), near);
   const Entities& entities = space.entities;
+  leaveInRange(entities, view, near);
   std::sort(near.begin(), near.end(), [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
+  obstacles.begin(space, view.self, eye, near, lowest - kBelow, space.size.z());
+  Finder finder(space, view, obstacles, found);
   for (const Row row : near) {
     if (row != view.self) {
       finder.lookAtEntity(row);
     }
   }
   for (const LaserSpot& spot : space.laser_spots) {
-    finder.look(spot.position, spot.color, kNoRow);
+    finder.look(spot.position, spot.color, ColorBlob::kPointRadius);
   }
   if (view.sees_floor) {
     for (const FloorPatch& patch : space.floor.patches) {
       // if the middle of the patch is hidden or too far, its nearest part is used instead
-      if (!finder.look(patch.position, patch.color, kNoRow)) {
-        finder.look(patch.nearestPoint(view.position), patch.color, kNoRow);
+      if (!finder.look(patch.position, patch.color, radiusOf(patch))) {
+        finder.look(patch.nearestPoint(eye), patch.color, radiusOf(patch));
       }
     }
   }
-  FoundBlobs result;
-  result.overflowed = keepNearest(found, capacity, [](const Found& each) { return each.blob.distance; });
-  result.count = found.size();
-  std::transform(found.begin(), found.end(), blobs, [](const Found& each) { return each.blob; });
-  return result;
 }
 
 }  // namespace swarmanoid::devices

@@ -1,17 +1,17 @@
-/// Finds the blobs that a colour-blob camera has in sight: lit LEDs, coloured preys, laser spots and floor patches,
-/// unless another entity or the robot that carries the LED (hiddenLeds) is in between. All cameras share it; they
-/// differ in the result of `inView`.
+/// Finds the blobs that a colour-blob camera has in sight: lit LEDs and lamps, coloured preys, laser spots and floor
+/// patches, unless another entity or the robot that carries the LED (hiddenLeds) is in between. All cameras share it;
+/// they differ in their FieldOfView.
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
+#include "field_of_view.hpp"
+#include "near_obstacles.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::devices {
-
-/// A surface this near to the point looked at is the point's own surface, not an obstacle (fraction of the way).
-constexpr double kOwnSurface = 1e-6;
 
 /// Converts an angle to the form of ColorBlob, in (-pi, pi] [rad].
 float toBearing(double angle);
@@ -19,22 +19,30 @@ float toBearing(double angle);
 /// One camera of one robot, at this tick.
 struct BlobView {
   Row self = kNoRow;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the camera, in W [m]
-  double heading = 0.0;                                ///< of the robot's x axis in W [rad]
-  double range = 0.0;                                  ///< maximum horizontal distance of a blob [m]
-  double slope = 0.0;  ///< blobs are in the cone below the camera: horizontal <= slope * depth; 0: no cone
+  Eye eye;
+  double range = 0.0;                  ///< maximum horizontal distance of a blob [m]
+  const FieldOfView* field = nullptr;  ///< not null
   bool sees_floor = false;
 
   bool inView(const Eigen::Vector3d& point) const;
 };
 
-struct FoundBlobs {
-  std::size_t count = 0;    ///< number of blobs that were written
-  bool overflowed = false;  ///< more blobs were in sight than the capacity
+/// What gives a blob.
+struct Sighting {
+  Color color;
+  Eigen::Vector3d way = Eigen::Vector3d::Zero();  ///< from the camera, in W [m]
+  float distance = 0.0F;                          ///< the horizontal length of the way [m]
+  double radius = 0.0;                            ///< of what is seen [m]
+  std::size_t place = 0;                          ///< rank in the order defined by ColorBlobs
 };
 
-/// Fills `blobs` (room for `capacity`) in the order defined by ColorBlobs. If more are in sight the nearest are kept,
-/// by horizontal distance; of equally near ones the first in that order. Thread-safe.
-FoundBlobs findBlobs(const Space& space, const BlobView& view, ColorBlob* blobs, std::size_t capacity);
+/// @param point in W @param radius of what is there [m]
+Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, double radius, std::size_t place);
+
+/// What the camera reports of it. @param knows_distance or it is NaN
+ColorBlob blobOf(const Sighting& sighting, const Eye& eye, bool knows_distance);
+
+/// Writes all that is in sight, in the order defined by ColorBlobs. Thread-safe.
+void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>& found);
 
 }  // namespace swarmanoid::devices

@@ -26,6 +26,10 @@ struct IlluminatedRing {
   Span<IlluminatedSensor> sensors;
 };
 
+/// Whether nothing shines around a ring, so that its sensors need not be placed: in a large world most robots are in
+/// the dark. @param reach radius and range of the ring [m] Thread-safe.
+bool isDark(const Space& space, Row self, const Eigen::Vector3d& centre, double reach);
+
 /// Adds to each sensor's sum what shines on it, in the order of entity numbers and LEDs. Thread-safe.
 void illuminate(const Space& space, const IlluminatedRing& ring);
 

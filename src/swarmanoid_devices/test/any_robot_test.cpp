@@ -103,7 +103,9 @@ TEST(AnyRobotTest, RobotsWithoutThePartsAreRefused) {
             "found the device 'wheels' on a eyebot, allowed: on robots with wheels");
   EXPECT_EQ(refusalOf<ActuatorUnderTest<DifferentialDrive>>(robotModel("handbot")),
             "found the device 'differential_drive' on a handbot, allowed: on robots with wheels");
-  EXPECT_EQ(refusalOf<ActuatorUnderTest<Leds>>(robotModel("handbot")),
+  auto dark = std::make_shared<EntityModel>(*robotModel("handbot"));
+  dark->led_positions.clear();
+  EXPECT_EQ(refusalOf<ActuatorUnderTest<Leds>>(dark),
             "found the device 'leds' on a handbot, allowed: on robots with LEDs");
   DeviceWorld world;
   const Row eyebot = world.addEyebot(1.0, 1.0, 1.0);

@@ -75,6 +75,7 @@ class DeviceWorld {
   /// Updates all instances of a sensor from the present state of the space.
   void sense(Sensor& sensor) {
     space.index.rebuild(space.entities);
+    sensor.prepare(space);
     sensor.update(space, 0, sensor.instanceCount());
     sensor.report(space);
   }

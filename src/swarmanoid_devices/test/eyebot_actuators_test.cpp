@@ -151,6 +151,23 @@ TEST_F(EyebotLaserTest, TheBeamEndsOnTheFirstSurface) {
   EXPECT_LT((spots(laser).at(0).position - Vector3d(5.0, 6.05, 2.15 - 1.0 / std::tan(0.8))).norm(), 1e-9);
 }
 
+TEST_F(EyebotLaserTest, InAHoleThereIsNoSpot) {
+  laser.command.on = true;
+  FloorHole hole;
+  hole.position = {5.0, 5.05, 0.0};
+  hole.radius = 0.3;
+  world.space.floor.holes = {hole};
+  EXPECT_TRUE(spots(laser).empty());
+  // the floor is 2.15 m below: 0.3 m to the side at 0.138637 rad
+  laser.command.tilt = 0.1386;
+  EXPECT_TRUE(spots(laser).empty());
+  laser.command.tilt = 0.1387;
+  EXPECT_EQ(spots(laser).size(), 1U);
+  laser.command.tilt = 0.0;
+  world.addPrey(5.0, 5.05, colors::kYellow, 0.06, 0.1);
+  EXPECT_EQ(spots(laser).size(), 1U) << "on what stands over it";
+}
+
 TEST_F(EyebotLaserTest, ANumberThatIsNoneTurnsItOff) {
   laser.command.on = true;
   laser.command.pan = std::numeric_limits<double>::quiet_NaN();

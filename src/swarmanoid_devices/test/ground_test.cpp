@@ -183,6 +183,48 @@ TEST_F(GroundTest, TheGroundOfAHoleIsDeep) {
   expectNear(ground.sense().value, {kBare, kBare, 0.0F, 0.0F, 0.0F, 0.0F, kBare, kBare}, "5.1 cm below the spots");
 }
 
+FloorHole hole(double x, double y, double radius) {
+  FloorHole result;
+  result.position = {x, y, 0.0};
+  result.radius = radius;
+  return result;
+}
+
+/// Where a disc lies under spots 5 to 7 in EachSpotReadsThePatchUnderIt, there is no ground, whatever lies there.
+TEST_F(GroundTest, OverAHoleNothingComesBack) {
+  world.space.floor.holes = {hole(4.17, 5.25, 0.06)};
+  world.space.floor.patches = {disc(4.17, 5.25, 0.2)};
+  SensorUnderTest<FootbotGround> around(world, robot);
+  SensorUnderTest<FootbotBaseGround> between(world, robot);
+  expectNear(around.sense().value, {kDisc, kDisc, kDisc, kDisc, kDisc, 0.0F, 0.0F, 0.0F}, "around");
+  EXPECT_EQ(between.sense().value[3], 0.0F);
+  world.space.floor.paint = PaintLayer({10.0, 10.0}, 0.02, 9.0);
+  world.space.floor.paint.paint({{4.17, 5.25}, 0.3, colors::kWhite, 1.0}, 0);
+  EXPECT_EQ(around.sense().value[6], 0.0F) << "paint does not fill it";
+}
+
+TEST_F(GroundTest, ASpotReadsTheRimAsTheLineOfSightMeetsIt) {
+  // it looks ahead and down by 0.6 rad from (2.02, 3.01, 0.02): 0.02 / tan(0.6) = 0.0292339 m ahead on the floor
+  const Row own = world.add(robotWithSpot({0.02, 0.01, 0.02}, pitchedDown(0.6)), {2.0, 3.0, 0.0});
+  SensorUnderTest<Ground> ground(world, own);
+  world.space.floor.holes = {hole(2.0, 3.01, 0.0492)};
+  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "behind the rim";
+  world.space.floor.holes = {hole(2.0, 3.01, 0.0493)};
+  EXPECT_EQ(ground.sense().spots[0].value, 0.0F);
+  world.space.floor.holes = {hole(2.1, 3.01, 0.0507)};
+  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "before it";
+  world.space.floor.holes.push_back(hole(2.1, 3.01, 0.0508));
+  EXPECT_EQ(ground.sense().spots[0].value, 0.0F) << "of the second hole";
+}
+
+TEST_F(GroundTest, ATerrainHasNoHolesButItsOwn) {
+  world.pose(robot) = {{6.01, 5.0, 0.0}, Eigen::Quaterniond::Identity()};
+  world.space.terrain = groundOf([](double) { return 0.0; });
+  world.space.floor.holes = {hole(6.0, 5.0, 0.2)};
+  SensorUnderTest<FootbotGround> ground(world, robot);
+  expectNear(ground.sense().value, {0.0F, 0.0F, kBare, kBare, kBare, kBare, 0.0F, 0.0F}, "at its border");
+}
+
 TEST_F(GroundTest, ASlopeIsNearerThanTheFloor) {
   world.space.terrain = groundOf([](double x) { return 0.5 * std::max(0.0, x - 5.0); });
   // it looks ahead and down by 45 degrees from (5.02, 5.01, 0.03), and meets the slope at x = 5.0333, not at 5.05

@@ -261,6 +261,51 @@ TEST(MessageReceiverTest, ErrorsActOnWhatIsMeasuredAndOnBytes) {
   EXPECT_NEAR(statistics.deviation, 0.1, 4.0 * 0.1 / std::sqrt(2.0 * 4000.0));
 }
 
+TEST(MessageReceiverTest, NoiseOfBearingsGoesAroundAndThatOfRangesStaysOverZero) {
+  MessageWorld world({}, {errorOn("gaussian", "messages[].range", "deviation", "0.2"),
+                          errorOn("gaussian", "messages[].bearing", "deviation", "0.3")});
+  const Board robot = world.footbot(5.0, 5.0, 0.2);
+  const Board other = world.footbot(5.0 - 0.3 * std::cos(0.1), 5.0 - 0.3 * std::sin(0.1));  // bearing pi - 0.1
+  other.command->send({1});
+  std::vector<double> turns;
+  int behind_left = 0;
+  int at_zero = 0;
+  constexpr int kTicks = 4000;
+  for (int i = 0; i < kTicks; ++i) {
+    world.exchange();
+    ASSERT_EQ(robot.messages().size(), 1U);
+    const RangeAndBearingMessage& message = robot.messages()[0];
+    ASSERT_GE(message.range, 0.0F);
+    ASSERT_LE(std::abs(message.bearing), static_cast<float>(M_PI));
+    ASSERT_NEAR(message.elevation, 0.0, 1e-6) << "has no error";
+    const double turn = message.bearing - (M_PI - 0.1);
+    turns.push_back(turn < -M_PI ? turn + 2.0 * M_PI : turn);
+    behind_left += message.bearing > 0.0F ? 1 : 0;
+    at_zero += message.range == 0.0F ? 1 : 0;
+  }
+  const Statistics statistics(turns);
+  EXPECT_NEAR(statistics.mean, 0.0, 4.0 * 0.3 / std::sqrt(kTicks));
+  EXPECT_NEAR(statistics.deviation, 0.3, 4.0 * 0.3 / std::sqrt(2.0 * kTicks));
+  // 0.1 of 0.3 to the limit: 63.06 % are before it; a range of 0.3 m falls below 0 in 6.68 %
+  EXPECT_NEAR(behind_left, 0.6306 * kTicks, 4.0 * std::sqrt(0.6306 * 0.3694 * kTicks));
+  EXPECT_NEAR(at_zero, 0.0668 * kTicks, 4.0 * std::sqrt(0.0668 * 0.9332 * kTicks));
+}
+
+TEST(MessageReceiverTest, DistanceLosesMessagesOfBoardsTooIfTheExperimentSaysSo) {
+  Circle circle({1.5, 0.6}, {{"loss_at_range", "0.8"}, {"loss_exponent", "1"}});
+  constexpr int kTicks = 8000;
+  std::vector<int> of_sender(3, 0);
+  for (int i = 0; i < kTicks; ++i) {
+    circle.world.exchange();
+    for (const int byte : firstBytes(circle.middle)) {
+      ++of_sender[static_cast<std::size_t>(byte)];
+    }
+  }
+  // of a range of 3 m
+  EXPECT_NEAR(of_sender[1], 0.6 * kTicks, 4.0 * std::sqrt(0.6 * 0.4 * kTicks));
+  EXPECT_NEAR(of_sender[2], 0.84 * kTicks, 4.0 * std::sqrt(0.84 * 0.16 * kTicks));
+}
+
 TEST(MessageReceiverTest, SensingAllocatesNothing) {
   if (SWARMANOID_COUNTS_ALLOCATIONS == 0) {
     GTEST_SKIP() << "the sanitizer has its own malloc";
@@ -271,6 +316,7 @@ TEST(MessageReceiverTest, SensingAllocatesNothing) {
   circle.world.exchange();
   circle.world.exchange();
   const long before = heap_allocations;
+  circle.world.receiver->prepare(circle.world.space);
   circle.world.receiver->sense(circle.world.space, 0, circle.world.receiver->instanceCount());
   EXPECT_EQ(heap_allocations - before, 0);
 }

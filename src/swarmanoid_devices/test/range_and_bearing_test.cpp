@@ -55,6 +55,28 @@ TEST(RangeAndBearingTest, AnEyebotAndAFootbotBelowItMeasureElevations) {
   expectPlace(only(eyebot), 1.5811388, -2.6142974, -1.2490458);
 }
 
+/// The places of the transmitters, by hand: of the handbot (4.996176, 4.996779, 0.205), of the footbot (5.9, 4.6,
+/// 0.13), of the eyebot (4.4, 5.8, 1.32).
+TEST(RangeAndBearingTest, RobotsOfAllTypesHearEachOther) {
+  MessageWorld world;
+  const Board handbot = world.equip(world.add(robotModel("handbot"), {5.0, 5.0, 0.0}, 0.7));
+  const Board footbot = world.footbot(5.9, 4.6, -1.3);
+  const Board eyebot = world.eyebot(4.4, 5.8, 1.1, 2.9);
+  for (const Board& board : {handbot, footbot, eyebot}) {
+    board.command->send({1});
+  }
+  world.exchange();
+  for (const Board& board : {handbot, footbot, eyebot}) {
+    ASSERT_EQ(board.messages().size(), 2U);
+  }
+  expectPlace(handbot.messages()[0], 0.9899276, -1.1136688, -0.0758358);
+  expectPlace(handbot.messages()[1], 1.4979368, 1.5093069, 0.8395717);
+  expectPlace(footbot.messages()[0], 0.9899276, -2.2552615, 0.0758358);
+  expectPlace(footbot.messages()[1], 2.2596681, -2.5163336, 0.5546267);
+  expectPlace(eyebot.messages()[0], 1.4979368, 2.4508995, -0.8395717);
+  expectPlace(eyebot.messages()[1], 2.2596681, 2.7084444, -0.5546267);
+}
+
 TEST(RangeAndBearingTest, DirectionsAreThoseOfTheRobotsFrameHoweverItLies) {
   MessageWorld world;
   const Board lying = world.eyebot(5.22, 5.0, 1.0);

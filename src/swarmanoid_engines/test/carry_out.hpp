@@ -97,7 +97,8 @@ inline std::vector<DeviceUse> uses(const std::vector<std::string>& devices) {
   std::vector<DeviceUse> result;
   for (const std::string& device : devices) {
     const auto found = mechanisms.find(device);
-    result.push_back({device, found == mechanisms.end() ? std::vector<Mechanism>{} : found->second});
+    result.push_back({device, found == mechanisms.end() ? std::vector<Mechanism>{} : found->second,
+                      findDeviceType(device) == nullptr ? DeviceKind::kSensor : findDeviceType(device)->kind});
   }
   return result;
 }

@@ -51,6 +51,16 @@ TEST_F(CommandedPartsTest, OneDeviceCommandsAJointAndOthersReadIt) {
          "device 'my_joints' cannot be simulated: the device 'joints' commands the robot's joints already");
 }
 
+TEST_F(CommandedPartsTest, OneDeviceDrivesTheRobotAndOthersMeasureIt) {
+  const DeviceUse encoders{"wheel_encoders", {{Kind::kWheels}}};
+  const DeviceUse odometry{"odometry", {{Kind::kWheels}}};
+  expect("footbot", {encoders, actuator("footbot_wheels", {Kind::kWheels}), odometry}, "");
+  expect("footbot", {encoders, odometry}, "");
+  expect("eyebot", {odometry}, "device 'odometry' cannot be simulated: a robot of this type has no wheels");
+  expect("eyebot", {actuator("eyebot_velocity", {Kind::kFlight}), actuator("eyebot_position", {Kind::kFlight})},
+         "device 'eyebot_position' cannot be simulated: another device drives the robot already");
+}
+
 TEST_F(CommandedPartsTest, OneDeviceCommandsAHolder) {
   expect("footbot", {kJoints, kHolders}, "");
   expect("footbot", {kGripper, kHolders},

@@ -22,10 +22,12 @@ from space_client import Space
 REPOSITORY = pathlib.Path(rospkg.RosPack().get_path("swarmanoid_experiments")).parents[1]
 PAGE = (REPOSITORY / "docs/reference/ros_interface.md").read_text()
 ROBOTS = {"<footbot>": ("fb_1", "fb_2", "fb_3"), "<eyebot>": ("eb",)}
-# of devices that this experiment does not use: turret_test.py and climbing_test.py look at them
+# of devices that this experiment does not use: turret_test.py, climbing_test.py and tests of messages look at them
 ELSEWHERE = ("/turret/state", "/joint_states", "/hands/state", "/rope/state", "/magnet/state", "/turret/command",
              "/arms/command", "/hands/command", "/rope/command", "/magnet/command",
-             "<eyebot>/leds/command")
+             "<eyebot>/leds/command", "/front_camera/blobs", "/omnidirectional_camera/blobs", "/pan_tilt_camera/blobs",
+             "<handbot>/camera/blobs", "/pan_tilt_camera/command", "/altitude", "/pressure", "/flight/command",
+             "/command/pose")
 
 
 def section(title):
@@ -76,6 +78,16 @@ class InterfaceTest(unittest.TestCase):
                           for kind in ("shapes", "contacts", "joints", "forces")}, set(markers))
         self.assertGreater(len(markers["engines/ground/shapes"].points), 100)
         self.assertEqual(Marker.DELETE, markers["engines/sky/joints"].action)
+
+    def test_devices_show_what_they_do(self):
+        markers = rospy.wait_for_message("/space/device_markers", MarkerArray, timeout=10).markers
+        found = {(m.ns, m.id): m for m in markers}
+        self.assertEqual(len(markers), len(found))
+        rays = found["devices/footbot_proximity", 0]
+        self.assertEqual((Marker.LINE_LIST, "world"), (rays.type, rays.header.frame_id))
+        self.assertEqual([2 * 24 * len(ROBOTS["<footbot>"])] * 2, [len(rays.points), len(rays.colors)])
+        self.assertIn(("devices/eyebot_camera", 0), found)
+        self.assertNotIn("devices/footbot_wheels", {m.ns for m in markers})
 
     def test_the_manager_publishes_everything(self):
         for topic, nodes in self.publishers.items():

@@ -20,7 +20,7 @@ SCRIPT = pathlib.Path(__file__).resolve().parents[1] / "scripts/bag_to_csv.py"
 RESULTS = ["events.csv", "poses.csv", "trajectories.png"]
 KINDS = ["attached", "released", "controller_failed", "left_arena", "overflow", "spawned", "deleted", "moved",
          "intervention", "finished", "handed_over", "handover_refused", "engine_trouble", "participant_late",
-         "participant_joined", "answer_refused"]
+         "participant_joined", "answer_refused", "intervention_refused", "fell_into_hole"]
 
 
 def world_state(run, tick, names=("fb_10", "fb_2", "fb_1"), kind="footbot"):

@@ -105,8 +105,9 @@ TEST_P(PlanarEyebotTest, PassesAndNamesWhatIsUnchecked) {
   const auto simulation = start(text);
   EXPECT_EQ(all_passed, verdictsOf(*simulation));
   EXPECT_EQ(
-      "velocity_up (the robot cannot move up and down here (upwards is false)); eyebot_magnet (not listed: "
-      "eyebot_magnet)",
+      "eyebot_altitude (not listed: eyebot_altitude); eyebot_position (not listed: eyebot_position); eyebot_pressure "
+      "(not listed: eyebot_pressure); velocity_up (the robot cannot move up and down here (upwards is false)); "
+      "eyebot_magnet (not listed: eyebot_magnet)",
       debugOf(*simulation, "eb", "unchecked"));
   EXPECT_EQ("eyebot_leds, eyebot_magnet_state", debugOf(*simulation, "eb", "unchecked_devices"));
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/battery.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
@@ -29,6 +30,7 @@ class Bench {
     robot_.provideSensor(FootbotGripperState::kType, &gripper_state_);
     robot_.provideSensor(FootbotCamera::kType, &footbot_camera_);
     robot_.provideSensor(EyebotCamera::kType, &eyebot_camera_);
+    robot_.provideSensor(Battery::kType, &battery_);
     robot_.provideActuator(FootbotWheels::kType, &wheels_);
     robot_.provideActuator(FootbotGripper::kType, &gripper_);
     robot_.provideActuator(FootbotLeds::kType, &leds_);
@@ -49,7 +51,7 @@ class Bench {
       parameters.set("second", "green");
     }
     if (label == "footbot_charging") {
-      parameters.set("endurance", "5");
+      parameters.set("little", "0.9");
     }
     controller_->init(robot_, parameters);
   }
@@ -75,6 +77,8 @@ class Bench {
     footbot_camera_.blobs = blobs_;
     eyebot_camera_.blobs = blobs_;
     gripper_state_.gripping = scene.uniform() < 0.5;
+    battery_.capacity = 1.0F;
+    battery_.charge = scene.uniform() < 0.2 ? 1.0F : 0.2F;
     proximity_.value.fill(0.0F);
     if (scene.uniform() < 0.4) {
       proximity_.value[scene.below(FootbotProximity::kCount)] = 0.5F;
@@ -123,6 +127,7 @@ class Bench {
   FootbotGripperState gripper_state_;
   FootbotCamera footbot_camera_;
   EyebotCamera eyebot_camera_;
+  Battery battery_;
   FootbotWheels wheels_;
   FootbotGripper gripper_;
   FootbotLeds leds_;

@@ -55,6 +55,27 @@ TEST(HandoverMirrorTest, MirrorAndMoverChangePlaces) {
             "intervention fb handover to twin; handed_over fb from ground to twin; ");
 }
 
+TEST(HandoverMirrorTest, FromTheStartAMirrorIsHitByTheEngineThatMovesItOnly) {
+  for (const bool is_mirror_first : {false, true}) {
+    World world = mirroredWorld(is_mirror_first ? member("fb") : "<entity id=\"fb\" role=\"mirror\"/>");
+    world.members = is_mirror_first ? "<entity id=\"fb\" role=\"mirror\"/>" : member("fb");
+    const auto simulation = started(world);
+    const Space& space = simulation->space();
+    const Row fb = space.entities.find("fb");
+    const Segment line{{1, 5, 0.1}, {3, 5, 0.1}};
+    RayBundle rays;
+    rays.segments = Span<const Segment>(&line, 1);
+    rays.centre = {2, 5, 0.1};
+    rays.radius = 1.0;
+    for (const Engine* engine : space.engines) {
+      RayHit hit;
+      engine->raycast(rays, Span<RayHit>(&hit, 1));
+      EXPECT_EQ(hit.row, engine == space.mover[fb] ? fb : kNoRow) << engine->id();
+    }
+    EXPECT_EQ(moverOf(*simulation, "fb"), is_mirror_first ? "twin" : "ground");
+  }
+}
+
 TEST(HandoverMirrorTest, AnEngineThatTheFileDoesNotNameForgetsWhatItGivesUp) {
   auto simulation = started(mirroredWorld(""));
   simulation->apply(HandOverEntity{"fb", "twin"});

@@ -94,6 +94,7 @@ class World {
     addTag("arena", "arena");
     addTag("arena.distribute", "arena/distribute");
     addTag("arena.nest", "arena/floor_patch");
+    addTag("arena.pit", "arena/hole");
     addTag("arena.floor_image", "arena/floor_image");
     addTag("arena.floor_paint", "arena/floor_paint");
     addTag("arena_physics.rule.inside", "arena_physics/handover/inside");
@@ -151,12 +152,24 @@ class World {
       const bool is_spatial = device.label.rfind("handbot_", 0) == 0 || device.label.rfind("eyebot_magnet", 0) == 0;
       const bool is_carried = std::find(device.robots.begin(), device.robots.end(), robot) != device.robots.end();
       const bool is_usual = Registry::instance().find(kind, device.label) == entry;  // of several implementations
-      if (is_usual && is_carried && (!is_spatial || engine_ == "dynamics3d")) {
+      if (is_usual && is_carried && (!is_spatial || engine_ == "dynamics3d") && isChosen(device.label)) {
         text += "<" + device.label + "/>";
         add("controllers." + robot + "_idle." + section + "." + device.label, device.parameters);
       }
     }
     return text + "</" + section + ">";
+  }
+
+  /// Of devices that cannot be on one robot, each engine has another one.
+  bool isChosen(const std::string& device) const {
+    const std::map<std::string, std::string> only_in{{"footbot_leds", "kinematics2d"},
+                                                     {"footbot_beacon", "dynamics2d"},
+                                                     {"footbot_preferential_direction", "dynamics3d"},
+                                                     {"eyebot_velocity", "kinematics2d"},
+                                                     {"eyebot_position", "dynamics3d"}};
+    const auto found = only_in.find(device);
+    return found == only_in.end() || found->second == engine_ ||
+           (device == "eyebot_velocity" && engine_ == "dynamics2d");
   }
 
   std::string controllerOf(const std::string& robot) {
@@ -182,6 +195,7 @@ class World {
            entity("block", "wall", "5,3,0.2", size) + entity("block", "crate", "5,1,0.2", size + "<mass>1</mass>") +
            entity("light", "lamp", "5,5,2", "") +
            "<floor_patch id='nest'><position>1,5,0</position><radius>0.4</radius></floor_patch>\n"
+           "<hole id='pit'><position>9.5,9.5,0</position><radius>0.2</radius></hole>\n"
            "<floor_image><file>" +
            findShared("swarmanoid_experiments", "experiments/rough_terrain.png") +
            "</file><position>8,8,0</position><size>2,2</size></floor_image>\n"

@@ -130,6 +130,19 @@ TEST(LockstepTest, NamesRobotsThatNobodyCommands) {
   EXPECT_THROW(simulation->tick(), std::runtime_error);
 }
 
+TEST(LockstepTest, WhoWasNamedIsNotWaitedForAgainBecauseAnotherGoes) {
+  auto simulation = remoteRetrieval({kFootbots});
+  simulation->lockstep().setOptions({LatePolicy::kSkip, Lockstep::Seconds(0.02), Lockstep::Seconds(0.02)});
+  simulation->tick();
+  EXPECT_EQ(1U, textsOf(*simulation, Event::Kind::kParticipantLate).size());
+  simulation->apply(SetCommandSource{"fb_2", CommandSource::kNone});
+  simulation->tick();
+  EXPECT_TRUE(textsOf(*simulation, Event::Kind::kParticipantLate).empty());
+  simulation->apply(SetCommandSource{"fb_2", CommandSource::kRemote});
+  simulation->tick();
+  EXPECT_EQ(1U, textsOf(*simulation, Event::Kind::kParticipantLate).size()) << "it is offered anew";
+}
+
 TEST(LockstepTest, RefusesAnswersThatNobodyWaitsFor) {
   auto simulation = oneRobot();
   FakeParticipant participant(*simulation, "a", {"fb"});
@@ -228,6 +241,27 @@ TEST(LockstepTest, TheSourceChangesWhileItRuns) {
   simulation->reset();
   hashesOf(*simulation, 5);
   EXPECT_EQ(1.0, xOf(*simulation)) << "a reset puts the file's source back";
+}
+
+TEST(LockstepTest, NobodyAsksForTheCommandsOfARobotThatHasFallen) {
+  World world;
+  std::string robot = footbot("fb", 1, 1, 0);
+  robot.replace(robot.find("<controller>"), 12, "<controller source=\"remote\">");
+  world.entities = robot + "<hole id=\"pit\"><position>1.15,1,0</position><radius>0.1</radius></hole>";
+  world.members = member("fb");
+  world.drive = "<left>5</left><right>5</right>";
+  auto simulation = world.make();
+  simulation->start();
+  FakeParticipant participant(*simulation, "a", {"fb"});
+  participant.join();
+  hashesOf(*simulation, 4);  // by 14.5 mm a tick, to the rim at 1.05
+  EXPECT_EQ(std::vector<std::string>{"fb: hole 'pit'"}, textsOf(*simulation, Event::Kind::kFellIntoHole));
+  hashesOf(*simulation, 5);
+  EXPECT_EQ(4, participant.frames);
+  EXPECT_EQ(std::vector<std::string>(4, ""), participant.refusals);
+  EXPECT_EQ(9U, simulation->space().tick);
+  simulation->reset();
+  EXPECT_EQ(1U, simulation->robotCount());
 }
 
 TEST(LockstepTest, ARobotMayGoAndComeBack) {

@@ -42,6 +42,7 @@ class DescribeTest(ProgramTest):
         self.assertIn("\n| `angle` | `float64` | rad | (-pi, pi] | 0 | ", self.describe("footbot_turret_state"))
         camera = self.describe("footbot_camera")
         self.assertIn("\n| `blobs[].distance` | `float32` | m | at least 0 | | ", camera)
+        self.assertIn("\n| `blobs[].size` | `float32` | rad | at least 0 | | ", camera)
         self.assertIn("\n| `overflowed` | `bool` | | | false | ", camera)
 
     def test_the_channels_of_a_colour_share_a_row(self):

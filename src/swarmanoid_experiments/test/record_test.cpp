@@ -94,6 +94,33 @@ std::unique_ptr<Simulation> wandering(std::uint64_t seed) {
   return simulation;
 }
 
+/// One robot drives over an edge, another one is put onto a hole, a third one is spawned with the name of the first.
+TEST_F(RecordTest, WhoFellFallsAgain) {
+  World world = wanderingWorld();
+  world.drive = "<left>5</left><right>5</right>";
+  world.entities += "<hole id=\"pit\"><position>3.2,3,0</position><size>0.1,4</size></hole>";
+  auto simulation = world.make();
+  const auto folder = record(*simulation);
+  simulation->start();
+  auto expected = hashesOf(*simulation, 15);
+  ASSERT_EQ(simulation->robotCount(), 1U);
+  simulation->apply(MoveEntity{"fb_2", {{3.2, 2.5, 0}, Eigen::Quaterniond::Identity()}});
+  EntityDescription entity;
+  entity.type = "footbot";
+  entity.id = "fb_1";
+  entity.position = {5, 5, 0};
+  entity.controller = "drive";
+  simulation->apply(SpawnEntity{entity, {"ground"}});
+  const auto more = hashesOf(*simulation, 15);
+  expected.insert(expected.end(), more.begin(), more.end());
+  EXPECT_EQ(simulation->robotCount(), 1U);
+  simulation->finish();
+  folder->finish("{}\n");
+  const auto second = again(recorded());
+  EXPECT_EQ(hashesOf(*second, expected.size()), expected);
+  EXPECT_EQ(deepHash(second->space()), deepHash(simulation->space()));
+}
+
 /// Nothing of that world is drawn before its first tick.
 TEST_F(RecordTest, AnotherSeedBeforeTheFirstTickIsARunOfThatSeed) {
   const auto with_nine = wandering(9);

@@ -246,13 +246,17 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
     }
   }
   expect_name("rules");
-  for (const char* name :
-       {"clocktick",   "maxclock",     "controller_path", "random_seed",    "threads",    "real_time_factor",
-        "size",        "optimization", "bounded",         "floor_patch",    "distribute", "quantity",
-        "layout",      "minimum",      "maximum",         "random_heading", "max_trials", "controller",
-        "role",        "library",      "handover",        "entity",         "to",         "inside",
-        "outside",     "attached",     "released",        "debug",          "as",         "key",
-        "heightfield", "floor"}) {
+  for (const char* name : {"clocktick",      "maxclock",     "controller_path",
+                           "random_seed",    "threads",      "real_time_factor",
+                           "size",           "optimization", "bounded",
+                           "floor_patch",    "distribute",   "quantity",
+                           "layout",         "minimum",      "maximum",
+                           "random_heading", "max_trials",   "controller",
+                           "role",           "library",      "handover",
+                           "entity",         "to",           "inside",
+                           "outside",        "attached",     "released",
+                           "debug",          "as",           "key",
+                           "heightfield",    "floor",        "hole"}) {
     expect_name(name);
   }
 }

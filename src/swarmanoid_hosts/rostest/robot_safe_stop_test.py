@@ -66,7 +66,7 @@ class RobotSafeStopTest(unittest.TestCase):
         robot = f"{kind}_{name}"
         commands = Arrivals(f"/{robot}/{KINDS[kind].topic}", KINDS[kind].message)
         self.others = [(Arrivals(f"/{robot}/{topic}", message), is_held) for topic, message, is_held in HELD[kind]]
-        self.odometry = Arrivals(f"/{robot}/odom", Odometry)
+        self.odometry = Arrivals(f"/{robot}/ground_truth/odom", Odometry)
         self.processes.append(Drivers(robot, kind))
         self.processes.append(Host(robot, configuration(kind, parameters=parameters)))
         self.assertIsNotNone(commands.wait_for(KINDS[kind].moves), self.processes[-1].output())

@@ -86,14 +86,14 @@ TEST(MockDevices, ThatAreNotKnownAreRefused) {
 
 /// Drivers publish what people see: the colours of LEDs, on whichever robot.
 TEST(MockDevices, AreShownIfPeopleSeeThem) {
-  const Bench bench(std::vector<std::string>{"eyebot_leds", "footbot_leds", "footbot_wheels", "leds"});
+  const Bench bench(std::vector<std::string>{"eyebot_leds", "footbot_leds", "footbot_wheels", "handbot_leds", "leds"});
   std::vector<std::string> shown;
   for (const MockRobot::Device& device : bench.robot->devices()) {
     if (device.mock->isShown()) {
       shown.push_back(device.type->type);
     }
   }
-  EXPECT_EQ((std::vector<std::string>{"eyebot_leds", "footbot_leds", "leds"}), shown);
+  EXPECT_EQ((std::vector<std::string>{"eyebot_leds", "footbot_leds", "handbot_leds", "leds"}), shown);
 }
 
 TEST(MockDevices, WithoutAMockOfTheirOwnRestAndStop) {
@@ -249,6 +249,20 @@ TEST(MockWorld, BeaconsSayBytes) {
   for (const char* wrong : {"256", "-1", "1.5", "1,", ",1", "1,,2", "one", "1,2,3,4,5,6,7,8,9,10,11"}) {
     EXPECT_THROW(beaconThatSays(wrong), ConfigError) << wrong;
   }
+}
+
+TEST(MockWorld, BeaconsSoundIfAskedTo) {
+  Configuration values("world", "", {"/w", 0});
+  Configuration& beacon = values.add(Configuration("beacons", "", {"/w", 0})).add(Configuration("horn", "", {"/w", 0}));
+  beacon.set("at", "1, 2, 3");
+  beacon.set("color", "green");
+  EXPECT_EQ(0.0, readWorld(values).beacons.at(0).sound_level);
+  beacon.set("sound_level", "62.5");
+  beacon.set("sound_frequency", "441");
+  EXPECT_EQ(62.5, readWorld(values).beacons.at(0).sound_level);
+  EXPECT_EQ(441.0, readWorld(values).beacons.at(0).sound_frequency);
+  beacon.set("sound_level", "141");
+  EXPECT_THROW(readWorld(values), ConfigError);
 }
 
 TEST(MockWorld, SaysWhatRingOfSensorsARobotHas) {

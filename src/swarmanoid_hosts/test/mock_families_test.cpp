@@ -4,13 +4,18 @@
 #include <cmath>
 
 #include "mock_bench.hpp"
+#include "swarmanoid_interface/devices/battery.hpp"
+#include "swarmanoid_interface/devices/bluetooth.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
+#include "swarmanoid_interface/devices/floor_color.hpp"
+#include "swarmanoid_interface/devices/footbot_microphones.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
 #include "swarmanoid_interface/devices/holders.hpp"
 #include "swarmanoid_interface/devices/imu.hpp"
 #include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
+#include "swarmanoid_interface/devices/wifi.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -37,6 +42,37 @@ TEST(MockRangeAndBearing, HearsBeaconsThatSaySomething) {
   EXPECT_EQ(9, received.messages[1].payload[0]);
 }
 
+TEST(MockRadios, HearBeaconsByTheAddressesOfTheirNames) {
+  World world;
+  world.beacons.push_back({"mute", {0.5, 0.0, 0.0}, colors::kRed, false});
+  world.beacons.push_back({"nest", {-6.0, 7.9, 1.0}, colors::kGreen, false, {7, 255}});
+  world.beacons.push_back({"far", {-6.0, 8.1, 0.0}, colors::kGreen, false, {9}});
+  Bench bench({"bluetooth_received", "wifi", "wifi_received"}, world);
+  bench.command<Wifi>().send({1});
+  bench.advance(0.1);
+  const Span<const BluetoothMessage> near = bench.reading<BluetoothReceived>().messages;
+  ASSERT_EQ(1U, near.size()) << "within 10 m";
+  EXPECT_EQ(addressOf("nest"), near[0].sender);
+  EXPECT_EQ((Bluetooth::Payload{7, 255}), near[0].payload);
+  const Span<const WifiMessage> all = bench.reading<WifiReceived>().messages;
+  ASSERT_EQ(2U, all.size()) << "it does not hear itself";
+  EXPECT_EQ(addressOf("far"), all[1].sender);
+  EXPECT_EQ(9, all[1].payload[0]);
+}
+
+TEST(MockRobotOfAnyType, UsesUpItsBatteryAndMoreOfItInMotion) {
+  Bench bench(std::vector<std::string>{"differential_drive", "battery"});
+  const Battery& battery = bench.reading<Battery>();
+  EXPECT_EQ(1.0F, battery.fraction());
+  EXPECT_EQ(3.7F, battery.voltage);
+  bench.advance(10.0);
+  EXPECT_NEAR(133200.0F - 32.0F, battery.charge, 0.05F) << "3.2 W";
+  bench.command<DifferentialDrive>().drive(0.1, 0.0);
+  bench.advance(10.0);
+  EXPECT_NEAR(7.2F, battery.power, 1e-5F);
+  EXPECT_NEAR(133200.0F - 104.0F, battery.charge, 0.5F) << "7.2 W, but for the first moment of the motion";
+}
+
 /// The simulator's sensor has the same law: a test of its own holds it against the same formula.
 TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
   Bench bench(std::vector<std::string>{Light::kType}, worldWith({"lamp", {0.0, 0.535, 0.0}, colors::kWhite, false}));
@@ -51,6 +87,44 @@ TEST(MockRobotOfAnyType, FeelsTheLightOfBeacons) {
   EXPECT_EQ(0.0F, light.sensors[6].value);
   bench.robot->place({{0.0, -1.6, 0.0}, 0.0});
   EXPECT_EQ(0.0F, light.sensors[2].value) << "2.1 m away";
+}
+
+World worldThatSounds() {
+  World world;
+  world.beacons.push_back({"mute", {0.5, 0.0, 0.0}, colors::kRed, false});
+  world.beacons.push_back({"horn", {0.6, 0.8, 0.5}, colors::kGreen, false, {}, 70.0, 440.0});
+  world.beacons.push_back({"siren", {-4.9, 0.0, 0.0}, colors::kGreen, false, {}, 80.0, 990.0});
+  return world;
+}
+
+/// The levels are 10 lg of the sum of 10^(L / 10) / d^2 over horn, siren and 30 dB.
+TEST(MockRobotOfAnyType, HearsBeaconsThatSound) {
+  World world = worldThatSounds();
+  world.ring = {3, 0.05};
+  Bench bench(std::vector<std::string>{Microphones::kType}, world);
+  const Microphones& heard = bench.reading<Microphones>();
+  ASSERT_EQ(3U, heard.microphones.size());
+  EXPECT_NEAR(70.957954, heard.microphones[0].level, 1e-5);
+  EXPECT_NEAR(70.952031, heard.microphones[1].level, 1e-5);
+  EXPECT_NEAR(70.646851, heard.microphones[2].level, 1e-5);
+  EXPECT_NEAR(-0.025, heard.microphones[1].x, 1e-6);
+  EXPECT_NEAR(0.0433013, heard.microphones[1].y, 1e-6);
+  EXPECT_NEAR(0.927295, heard.loudest.bearing, 1e-6);
+  EXPECT_NEAR(0.657574, heard.loudest.confidence, 1e-6);
+  EXPECT_EQ(440.0F, heard.loudest.frequency);
+}
+
+TEST(MockRobotOfAnyType, HearsNothingFromAfar) {
+  Bench bench(std::vector<std::string>{FootbotMicrophones::kType}, worldThatSounds());
+  bench.robot->place({{5.0, -3.0, 0.0}, 1.0});
+  const FootbotMicrophones& heard = bench.reading<FootbotMicrophones>();
+  for (const float level : heard.level) {
+    EXPECT_NEAR(30.0, level, 1e-5);
+  }
+  EXPECT_EQ(0.0F, heard.loudest.frequency);
+  bench.robot->place({{2.0, -1.0, 0.0}, 1.0});
+  EXPECT_NEAR(1.231839, heard.loudest.bearing, 1e-6) << "1.8 to the left and 1.4 behind, before it turns";
+  EXPECT_EQ(440.0F, heard.loudest.frequency);
 }
 
 TEST(MockRobotOfAnyType, ReadsTheFloorUnderIt) {
@@ -70,6 +144,18 @@ TEST(MockRobotOfAnyType, ReadsTheFloorUnderIt) {
   EXPECT_EQ(1.0F, ground.spots[1].value);
   bench.robot->place({{0.13, 0.27, 0.051}, 0.83});
   EXPECT_EQ(0.0F, ground.spots[1].value) << "too high over it";
+}
+
+TEST(MockRobotOfAnyType, ReadsTheColourOfTheFloorUnderIt) {
+  Bench bench(std::vector<std::string>{FloorColor::kType}, worldWithDiscs());
+  const FloorColor& floor = bench.reading<FloorColor>();
+  for (const auto& [x, color] : {std::pair(0.06, colors::kGreen), std::pair(0.144, colors::kGreen),
+                                 std::pair(0.146, colors::kGray), std::pair(0.231, colors::kWhite)}) {
+    bench.robot->place({{x, 0.25, 0.0}, 0.83});
+    EXPECT_EQ(color, floor.color) << x;
+  }
+  bench.robot->place({{0.1, 0.25, 0.051}, 0.83});
+  EXPECT_EQ(colors::kBlack, floor.color) << "too high over it";
 }
 
 TEST(MockRobotOfAnyType, FeelsGravityAndItsOwnTurning) {

@@ -8,6 +8,7 @@
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+#include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
@@ -181,6 +182,50 @@ TEST(MockEyebot, SeesTheSpotOfItsLaser) {
   bench.command<EyebotLaser>().on = false;
   bench.advance(kStep);
   EXPECT_TRUE(bench.robot->state().spots.empty());
+}
+
+TEST(MockEyebot, SeesAllAroundAtAnyHeight) {
+  Pose start;
+  start.position.z() = 1.0;
+  Bench bench("eyebot", worldWith({"other", {-1.2, 0.9, 2.3}, colors::kYellow, false}), start);
+  const auto& camera = bench.reading<EyebotOmnidirectionalCamera>();
+  ASSERT_EQ(1U, camera.blobs.size());
+  EXPECT_NEAR(1.5, camera.blobs[0].distance, 1e-6);
+  EXPECT_NEAR(std::atan2(0.9, -1.2), camera.blobs[0].bearing, 1e-6);
+  EXPECT_NEAR(std::atan2(0.88, 1.5), camera.blobs[0].elevation, 1e-6) << "from 1.42 m";
+  EXPECT_NEAR(2.0 * std::atan(0.005 / std::hypot(1.5, 0.88)), camera.blobs[0].size, 1e-8);
+  EXPECT_TRUE(bench.reading<EyebotCamera>().blobs.empty()) << "which looks down";
+}
+
+TEST(MockEyebot, TurnsACameraTowardsWhatItShallSee) {
+  Pose start;
+  start.position.z() = 1.0;
+  // 1.7 rad to the left of where the camera is, and 0.6 rad below it
+  const double distance = 2.1;
+  const Eigen::Vector3d at(0.085 + distance * std::cos(1.7), distance * std::sin(1.7), 1.17 - distance * std::tan(0.6));
+  Bench bench("eyebot", worldWith({"lamp", at, colors::kYellow, false}), start);
+  const auto& camera = bench.reading<EyebotPanTiltCamera>();
+  EXPECT_TRUE(camera.blobs.empty());
+  bench.command<EyebotPanTilt>() = {1.7, -0.6};
+  bench.advance(0.5);
+  EXPECT_TRUE(camera.blobs.empty()) << "panned by 1 rad: 0.7 rad are more than half of 60 degrees";
+  bench.advance(0.4);
+  ASSERT_EQ(1U, camera.blobs.size());
+  EXPECT_NEAR(1.7, camera.blobs[0].bearing, 1e-6);
+  EXPECT_NEAR(-0.6, camera.blobs[0].elevation, 1e-6);
+  EXPECT_TRUE(std::isnan(camera.blobs[0].distance));
+}
+
+TEST(MockFootbot, LooksAheadThroughALens) {
+  for (const auto& [left, is_seen] : {std::pair(0.57, true), std::pair(0.584, false)}) {
+    Bench bench("footbot", worldWith({"prey", {1.08, left, 0.05}, colors::kYellow, false}));
+    const auto& camera = bench.reading<FootbotFrontCamera>();
+    ASSERT_EQ(is_seen ? 1U : 0U, camera.blobs.size()) << "tan 30 degrees is 0.57735";
+    if (is_seen) {
+      EXPECT_NEAR(std::atan(0.57), camera.blobs[0].bearing, 1e-6);
+      EXPECT_TRUE(std::isnan(camera.blobs[0].distance));
+    }
+  }
 }
 
 TEST(MockEyebot, SeesWhatIsInTheConeBelow) {

@@ -8,14 +8,17 @@
 #include <sstream>
 
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/eyebot_distance.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_magnet.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
+#include "swarmanoid_interface/devices/footbot_microphones.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_distance.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
 namespace swarmanoid {
@@ -68,6 +71,15 @@ TEST(RobotDimensions, OfFootbots) {
   }
 }
 
+TEST(RobotDimensions, OfTheMicrophonesOfFootbots) {
+  for (std::size_t i = 0; i < FootbotMicrophones::kCount; ++i) {
+    const std::vector<double> place = numbersOf("footbot", "microphone_" + std::to_string(i) + "_joint", "xyz");
+    for (std::size_t k = 0; k < 3; ++k) {
+      EXPECT_NEAR(FootbotMicrophones::place(i)[static_cast<Eigen::Index>(k)], place[k], kRounding) << i;
+    }
+  }
+}
+
 /// The spots of a footbot's ground sensor are where its links are.
 template <class Spots>
 void expectPlaces(const std::string& link) {
@@ -83,13 +95,50 @@ TEST(RobotDimensions, OfTheGroundSensorsOfFootbots) {
   expectPlaces<FootbotBaseGround>("base_ground");
 }
 
+/// The distance sensors around a robot are where its links are.
+template <class Device>
+void expectRing(const std::string& robot, std::size_t count) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string joint = "distance_" + std::to_string(i) + "_joint";
+    const std::vector<double> sensor = numbersOf(robot, joint, "xyz");
+    EXPECT_NEAR(Device::kRingRadius * std::cos(Device::angle(i)), sensor[0], kRounding) << joint;
+    EXPECT_NEAR(Device::kRingRadius * std::sin(Device::angle(i)), sensor[1], kRounding) << joint;
+    EXPECT_NEAR(Device::angle(i), numbersOf(robot, joint, "rpy")[2], kRounding) << joint;
+  }
+}
+
+TEST(RobotDimensions, OfDistanceSensors) {
+  expectRing<EyebotDistance>("eyebot", EyebotDistance::kAround);
+  EXPECT_NEAR(EyebotDistance::kUpHeight, numbersOf("eyebot", "distance_16_joint", "xyz")[2], kRounding);
+  EXPECT_NEAR(EyebotDistance::kDownHeight, numbersOf("eyebot", "distance_17_joint", "xyz")[2], kRounding);
+  expectRing<HandbotDistance>("handbot", HandbotDistance::kCount);
+}
+
 TEST(RobotDimensions, OfEyebots) {
   EXPECT_NEAR(EyebotCamera::kMount, numbersOf("eyebot", "camera_joint", "xyz")[2], kRounding);
+  EXPECT_NEAR(EyebotOmnidirectionalCamera::kMount, numbersOf("eyebot", "omnidirectional_camera_joint", "xyz")[2],
+              kRounding);
   EXPECT_NEAR(EyebotMagnet::kMount, numbersOf("eyebot", "magnet_joint", "xyz")[2], kRounding);
   const std::vector<double> laser = numbersOf("eyebot", "laser_pointer_joint", "xyz");
   for (std::size_t axis = 0; axis < laser.size(); ++axis) {
     EXPECT_NEAR(EyebotLaser::kMount[axis], laser[axis], kRounding);
   }
+}
+
+/// Cameras with a lens are not on the axis.
+template <class Camera>
+void expectMount(const std::string& link) {
+  const std::vector<double> mount = numbersOf(Camera::kRobot, link + "_joint", "xyz");
+  for (std::size_t axis = 0; axis < mount.size(); ++axis) {
+    EXPECT_NEAR(Camera::kMount[axis], mount[axis], kRounding) << link << ", axis " << axis;
+  }
+}
+
+TEST(RobotDimensions, OfCamerasWithALens) {
+  expectMount<EyebotPanTiltCamera>("pan_tilt_camera");
+  expectMount<FootbotFrontCamera>("front_camera");
+  expectMount<HandbotCamera>("camera");
+  EXPECT_NEAR(FootbotCamera::kMount, numbersOf("footbot", "camera_joint", "xyz")[2], kRounding);
 }
 
 TEST(RobotDimensions, OfHandbots) {

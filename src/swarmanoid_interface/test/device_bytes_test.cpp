@@ -77,7 +77,7 @@ TEST(DeviceBytesTest, EveryFieldGoesThereAndBack) {
 
 TEST(DeviceBytesTest, LayoutsNameTheFields) {
   EXPECT_EQ("f8 f8", findDeviceType("footbot_wheels")->layout);
-  EXPECT_EQ("(u1 u1 u1 f4 f4)* b1", findDeviceType("footbot_camera")->layout);
+  EXPECT_EQ("(u1 u1 u1 f4 f4 f4 f4)* b1", findDeviceType("footbot_camera")->layout);
   EXPECT_EQ("u1 f8 f8", findDeviceType("footbot_turret")->layout);
   EXPECT_EQ("b1 f8 f8", findDeviceType("eyebot_laser")->layout);
   EXPECT_EQ("(f8 f8 f8)*", findDeviceType("joint_states")->layout);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <filesystem>
 #include <fstream>
@@ -15,6 +16,7 @@
 #include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_distance.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
@@ -108,7 +110,8 @@ TEST(DeviceTypeTest, NumbersHaveNamesInTheOrderOfTheBytes) {
   EXPECT_EQ("joints[5].effort", namesOf("handbot_arms_state")[17]);
   EXPECT_EQ("ring[11].blue", namesOf("footbot_leds").back());
   EXPECT_EQ((std::vector<std::string>{"blobs", "blobs[].color.red", "blobs[].color.green", "blobs[].color.blue",
-                                      "blobs[].bearing", "blobs[].distance", "overflowed"}),
+                                      "blobs[].bearing", "blobs[].distance", "blobs[].elevation", "blobs[].size",
+                                      "overflowed"}),
             namesOf("eyebot_camera"));
 }
 
@@ -116,7 +119,7 @@ TEST(DeviceTypeTest, NamesAreOneTextForThoseWithoutTheStruct) {
   EXPECT_EQ(fieldNames(*findDeviceType("footbot_wheels")), "left right");
   EXPECT_EQ(fieldNames(*findDeviceType("eyebot_velocity")), "linear[0] linear[1] linear[2] yaw_rate");
   EXPECT_EQ(fieldNames(*findDeviceType("footbot_camera")),
-            "blobs(color.red color.green color.blue bearing distance) overflowed");
+            "blobs(color.red color.green color.blue bearing distance elevation size) overflowed");
 }
 
 TEST(DeviceTypeTest, NumbersHaveTheirPlaces) {
@@ -131,7 +134,7 @@ TEST(DeviceTypeTest, NumbersHaveTheirPlaces) {
   const DeviceType& camera = *findDeviceType("footbot_camera");
   ASSERT_EQ(Kind::kSpan, camera.numbers[0].kind);
   EXPECT_EQ(Kind::kTruthValue, camera.numbers[1].kind);
-  const DeviceNumber& distance = camera.numbers[0].elements.back();
+  const DeviceNumber& distance = camera.numbers[0].elements[4];
   EXPECT_EQ(offsetof(ColorBlob, distance), distance.offset);
   EXPECT_EQ("blobs[].distance", camera.fields[distance.field].name);
   EXPECT_TRUE(camera.fields[camera.numbers[0].elements[3].field].wraps);
@@ -157,12 +160,12 @@ TEST(DeviceTypeTest, FieldsAreDescribed) {
   EXPECT_EQ("joints[].speed", joints[1].name);
   EXPECT_EQ(6U, joints[1].count);
   const std::vector<FieldDescription>& camera = findDeviceType("footbot_camera")->fields;
-  ASSERT_EQ(6U, camera.size());
+  ASSERT_EQ(8U, camera.size());
   EXPECT_EQ("blobs[].color.red", camera[0].name);
   EXPECT_EQ(255.0, camera[0].range.maximum);
   EXPECT_EQ(0U, camera[0].count) << "as many as are in sight";
-  EXPECT_EQ("overflowed", camera[5].name);
-  EXPECT_EQ("b1", camera[5].type);
+  EXPECT_EQ("overflowed", camera[7].name);
+  EXPECT_EQ("b1", camera[7].type);
   const std::vector<FieldDescription>& ring = findDeviceType("footbot_proximity")->fields;
   ASSERT_EQ(1U, ring.size());
   EXPECT_EQ("value[]", ring[0].name);
@@ -237,8 +240,8 @@ TEST(DeviceTypeTest, NamesSayHowManyNumbersAnElementHas) {
 TEST(DeviceTypeTest, FieldsThatSayNothingMeanWhatTheyAreIn) {
   const std::vector<FieldDescription>& camera = findDeviceType("footbot_camera")->fields;
   EXPECT_EQ("of the thing that is seen", camera[2].meaning) << "blue, of a colour";
-  EXPECT_EQ("horizontal, from the camera's vertical axis", camera[4].meaning) << "its own";
-  EXPECT_EQ("more was in sight than is reported; what is farthest is left out", camera[5].meaning);
+  EXPECT_EQ("horizontal, from the camera's vertical axis; NaN if it cannot know", camera[4].meaning) << "its own";
+  EXPECT_EQ("more was in sight than is reported; what is farthest is left out", camera[7].meaning);
   const std::vector<FieldDescription>& winch = findDeviceType("winch_of_a_test")->fields;
   EXPECT_EQ("on one axle", winch[0].meaning) << "elements of an array";
   EXPECT_EQ("", winch[1].meaning);
@@ -296,6 +299,22 @@ TEST(DeviceTypeTest, EveryNumberIsLookedAtForFiniteness) {
   EyebotVelocity velocity;
   velocity.linear.y() = -std::numeric_limits<double>::infinity();
   EXPECT_FALSE(findDeviceType("eyebot_velocity")->is_finite(&velocity));
+}
+
+/// By REP-117, that is, what is too far or too near.
+TEST(DeviceTypeTest, MeasuredDistancesNeedNotBeFinite) {
+  const DeviceType& type = *findDeviceType(HandbotDistance::kType);
+  HandbotDistance ring;
+  EXPECT_TRUE(std::isnan(ring.distance[0])) << "at rest nothing is measured";
+  ring.distance[3] = std::numeric_limits<float>::infinity();
+  ring.distance[4] = -std::numeric_limits<float>::infinity();
+  EXPECT_TRUE(type.is_finite(&ring));
+  limitToRanges(ring);
+  EXPECT_EQ(std::numeric_limits<float>::infinity(), ring.distance[3]);
+  EXPECT_TRUE(type.fields[0].is_distance);
+  EXPECT_FALSE(type.fields[1].is_distance);
+  ring.range_max = std::numeric_limits<float>::infinity();
+  EXPECT_FALSE(type.is_finite(&ring));
 }
 
 TEST(DeviceTypeTest, AnActuatorWithoutASafeStopOfItsOwnRests) {

@@ -15,4 +15,10 @@ std::string Engine::unsupportedStateReason(const Space& space, Row row) const {
   return reason;
 }
 
+bool Engine::blocks(Row /*row*/, const RayBundle& ray) const {
+  RayHit hit;
+  raycast(ray, Span<RayHit>(&hit, 1));
+  return hit.isHit();
+}
+
 }  // namespace swarmanoid

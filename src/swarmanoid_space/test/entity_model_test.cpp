@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <stdexcept>
+#include <vector>
+
+#include "swarmanoid_space/state/joints.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -150,6 +155,59 @@ TEST(EntityModelTest, AllShapesAreMeasuredTogether) {
   EXPECT_DOUBLE_EQ(model.lowest, -0.5);
   EXPECT_DOUBLE_EQ(model.highest, 3.1);
   EXPECT_DOUBLE_EQ(model.bounding_radius, std::hypot(0.1, 3.1));
+}
+
+/// A sphere at the end of two links, the second folded back on the first.
+EntityModel foldedArm(const Vector3d& shoulder, const Vector3d& axis) {
+  EntityModel model;
+  EntityModel::Joint joint;
+  joint.axis = axis;
+  joint.frame.position = shoulder;
+  model.joints.push_back(joint);
+  joint.carrier = 0;
+  joint.frame.position = shoulder + Vector3d(0.3, 0.0, 0.0);
+  model.joints.push_back(joint);
+  CollisionShape hand;
+  hand.kind = CollisionShape::Kind::kSphere;
+  hand.half_extent.setConstant(0.05);
+  hand.position = shoulder + Vector3d(0.1, 0.0, 0.0);
+  hand.joint = 1;
+  model.shapes.push_back(hand);
+  model.measureShapes();
+  return model;
+}
+
+TEST(EntityModelTest, AnArmReachesAsFarAsItStretches) {
+  const EntityModel model = foldedArm({0.0, 0.0, 0.5}, Vector3d::UnitY());
+  EXPECT_DOUBLE_EQ(model.bounding_radius, std::hypot(0.1, 0.5) + 0.05);
+  EXPECT_DOUBLE_EQ(model.moving_reach, 0.5 + 0.3 + 0.2 + 0.05);
+  EXPECT_FALSE(model.joints_keep_outline);
+  EXPECT_FALSE(foldedArm({0.1, 0.0, 0.5}, Vector3d::UnitZ()).joints_keep_outline) << "upright, but not on body z";
+}
+
+TEST(EntityModelTest, ATurretLeavesTheOutlineAsItIs) {
+  const auto footbot = robotModel("footbot");
+  EXPECT_TRUE(footbot->joints_keep_outline);
+  EXPECT_EQ(footbot->moving_reach, footbot->bounding_radius) << "to the last bit";
+  EXPECT_EQ(blockModel({0.3, 0.4, 0.5})->moving_reach, blockModel({0.3, 0.4, 0.5})->bounding_radius);
+}
+
+TEST(EntityModelTest, AHandbotsArmsRiseOverItAndStayInItsMovingReach) {
+  const auto handbot = robotModel("handbot");
+  EXPECT_FALSE(handbot->joints_keep_outline);
+  std::mt19937 random(5);
+  double highest = 0.0;
+  for (int i = 0; i < 500; ++i) {
+    std::vector<JointState> states(handbot->joints.size());
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      const EntityModel::Joint& joint = handbot->joints[k];
+      states[k].angle = std::uniform_real_distribution<double>(joint.lower, joint.upper)(random);
+    }
+    const auto posed = posedModel(handbot, Span<const JointState>(states.data(), states.size()));
+    ASSERT_LE(posed->bounding_radius, handbot->moving_reach);
+    highest = std::max(highest, posed->highest);
+  }
+  EXPECT_GT(highest, handbot->highest + 0.01);
 }
 
 TEST(EntityModelTest, NamesTheMountThatIsMissing) {

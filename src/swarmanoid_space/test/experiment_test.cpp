@@ -86,6 +86,20 @@ TEST_F(ExperimentTest, ReadsArenaInRadians) {
   EXPECT_EQ(arena.floor.patches[0].color, (Color{1, 2, 3}));
 }
 
+TEST_F(ExperimentTest, ReadsHoles) {
+  std::string text = kFile;
+  text.insert(text.find("<distribute"),
+              "<hole id=\"pit\"><position>3, 2, 0</position><radius>0.25</radius></hole>"
+              "<hole id=\"ditch\"><position>5, 2, 0</position><size>0.5, 2</size></hole>");
+  const std::vector<FloorHole> holes =
+      parseExperiment(text, "some.xml", {{"arena.ditch.size", "0.5, 3"}}).arena.floor.holes;
+  ASSERT_EQ(holes.size(), 2U);
+  EXPECT_EQ(holes[0].id, "pit");
+  EXPECT_EQ(holes[0].position, Eigen::Vector3d(3, 2, 0));
+  EXPECT_EQ(holes[0].radius, 0.25);
+  EXPECT_EQ(holes[1].size, Eigen::Vector2d(0.5, 3));
+}
+
 TEST_F(ExperimentTest, ReadsTheColourOfTheBareFloor) {
   EXPECT_EQ(parse().arena.floor.bare, colors::kWhite) << "unless the file says otherwise";
   std::string text = kFile;

@@ -47,6 +47,28 @@ FloorPatch rectangle(double x, double y, const Eigen::Vector2d& size, Color colo
   return patch;
 }
 
+TEST(FloorHoleTest, IsWhereThereIsNoTerrain) {
+  Space space;
+  EXPECT_EQ(space.holeAt({1.0, 1.0, 0.0}), nullptr);
+  FloorHole hole;
+  hole.id = "disc";
+  hole.position = {1.0, 1.0, 0.0};
+  hole.radius = 0.5;
+  FloorHole other;
+  other.id = "strip";
+  other.position = {1.4, 1.0, 0.0};
+  other.size = {0.6, 3.0};
+  space.floor.holes = {hole, other};
+  ASSERT_NE(space.holeAt({1.3, 1.4, 0.7}), nullptr);
+  EXPECT_EQ(space.holeAt({1.3, 1.4, 0.7})->id, "disc") << "its border, and at any height";
+  EXPECT_EQ(space.holeAt({1.31, 1.4, 0.0})->id, "strip");
+  EXPECT_EQ(space.holeAt({0.7, 0.59, 0.0}), nullptr);
+  space.terrain = std::make_shared<const Terrain>(Eigen::Vector2d(1.0, 0.0), Eigen::Vector2d(1.0, 2.0), 2, 2,
+                                                  std::vector<double>(4, 0.0));
+  EXPECT_EQ(space.holeAt({1.3, 1.4, 0.0}), nullptr) << "there the terrain is the ground";
+  EXPECT_NE(space.holeAt({0.9, 1.0, 0.0}), nullptr);
+}
+
 TEST(FloorTest, IsWhiteWhereNobodySaysOtherwise) {
   Floor floor;
   EXPECT_EQ(floor.colorAt({3.0, -4.0, 0.0}, 0), colors::kWhite);

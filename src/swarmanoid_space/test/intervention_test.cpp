@@ -102,7 +102,9 @@ class InterventionTest : public testing::Test {
 TEST_F(InterventionTest, AnUnknownTypeIsRefusedAndTheRightOneNamed) {
   const std::string message = refusal(description("fotbot", "x"));
   EXPECT_EQ(message.rfind("a test: type: found 'fotbot', allowed: block, ", 0), 0U) << message;
-  EXPECT_NE(message.find("footbot, handbot, light; did you mean 'footbot'?"), std::string::npos) << message;
+  EXPECT_NE(message.find("footbot, handbot, light, loudspeaker, rfid_tag, spot_light; did you mean 'footbot'?"),
+            std::string::npos)
+      << message;
 }
 
 TEST_F(InterventionTest, AControllerForAnotherRobotIsRefused) {

@@ -149,6 +149,35 @@ TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff)
   }
 }
 
+/// A sphere on a link that is folded over the body's origin. @param length of the link, and height of its joint [m]
+std::shared_ptr<const EntityModel> foldedArm(double length) {
+  auto model = std::make_shared<EntityModel>();
+  model->joints.resize(1);
+  model->joints[0].axis = Vector3d::UnitY();
+  model->joints[0].frame.position = {length, 0.0, length};
+  CollisionShape hand;
+  hand.kind = CollisionShape::Kind::kSphere;
+  hand.half_extent.setConstant(0.01);
+  hand.position = {0.0, 0.0, length};
+  hand.joint = 0;
+  model->shapes.push_back(hand);
+  model->measureShapes();
+  return model;
+}
+
+TEST_P(PositionalIndexTest, AnArmIsFoundWhereverItMayTurn) {
+  // the first is kept in a cell, the second is kept apart
+  for (const double length : {0.1, 0.9}) {
+    const Row row = add(foldedArm(length), {4.0, 3.0, 0.0});
+    index.rebuild(entities);
+    EXPECT_EQ(index.large().size(), length > 0.5 ? 1U : 0U);
+    EXPECT_EQ(collected({4.0 + 2.0 * length, 3.0, length}, 0.02), std::vector<Row>{row}) << "stretched ahead";
+    EXPECT_EQ(collected({4.0 + length, 3.0, 2.0 * length}, 0.02), std::vector<Row>{row}) << "turned up";
+    EXPECT_TRUE(collected({4.0 + 4.0 * length, 3.0, length}, 0.02).empty()) << "no arm is so long";
+    entities.remove(row);
+  }
+}
+
 TEST_P(PositionalIndexTest, FollowsWhatMovesComesAndGoes) {
   fill(200);
   for (int round = 0; round < 30; ++round) {

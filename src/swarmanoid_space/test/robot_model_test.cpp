@@ -151,7 +151,9 @@ TEST(RobotModelTest, HandbotIsABoxWithTwoArms) {
   EXPECT_NEAR(handbot->mass, 2.9, kTight);
   EXPECT_EQ(handbot->gripping_radius, 0.145);
   EXPECT_FALSE(handbot->wheels.has_value());
-  EXPECT_TRUE(handbot->led_positions.empty());
+  ASSERT_EQ(handbot->led_positions.size(), 12U);
+  EXPECT_LT((handbot->led_positions[0] - Vector3d(0.05, 0.0, 0.205)).norm(), kTight) << "straight ahead";
+  EXPECT_LT((handbot->led_positions[4] - Vector3d(-0.025, 0.05 * std::sqrt(0.75), 0.205)).norm(), kTight);
   for (const char* cup : {"left_cup_0", "left_cup_1", "right_cup_0", "right_cup_1"}) {
     EXPECT_NEAR(handbot->mount(cup).position.x(), 0.205, kTight) << cup;  // at the end of the hand
   }

@@ -207,8 +207,21 @@ TEST_F(RobotUrdfTest, RefusesBadDescriptions) {
   expectRefused("<robot name='r'>" + body + "\n<swarmanoid title='My rover' summary='It roves.'/></robot>",
                 "title: found 'My rover', allowed: one word", 2);
   refused("<griper name='g' link='base_link'/>",
-          "found tag 'griper', allowed: wheels, gripper, suction, magnet, rope, gripping_strip, leds, device; did you "
-          "mean 'gripper'? (in <swarmanoid>)");
+          "found tag 'griper', allowed: wheels, gripper, suction, magnet, rope, gripping_strip, leds, device, battery, "
+          "consumption; did you mean 'gripper'? (in <swarmanoid>)");
+  refused("<battery capacity='1' voltage='3'/>", "<battery> needs the attribute electronics=\"...\"");
+  refused("<battery capacity='0' voltage='3' electronics='1'/>",
+          "capacity: found '0', allowed: a number from 1e-06 to 1000000000");
+  refused("<battery capacity='1' voltage='3' electronics='1' rotors='4'/>",
+          "<battery> needs the attribute rotor_radius=\"...\"");
+  refused("<battery capacity='1' voltage='3' electronics='1' rotors='1.5' rotor_radius='0.1' rotor_efficiency='0.5'/>",
+          "rotors: found '1.5', allowed: a whole number from 1 to 100");
+  refused("<battery capacity='1' voltage='3' electronics='1' rotor_efficiency='0.5'/>",
+          "<battery> needs the attribute rotor_radius=\"...\"");
+  expectRefused("<robot name='r'>" + body +
+                    "\n<swarmanoid title='Rover' summary='It roves.'><consumption device='x' power='1'/></swarmanoid>"
+                    "</robot>",
+                "found <consumption> and no <battery> in <swarmanoid>, allowed: both", 2);
   refused("<magnet name='m' link='base_lnk'/>",
           "found the link 'base_lnk', allowed: base_link; did you mean 'base_link'? (in <magnet>)");
   refused("<magnet name='m' link='base_link' length='1'/>",

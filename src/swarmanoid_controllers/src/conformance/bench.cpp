@@ -70,13 +70,14 @@ void Bench::readSurroundings(const Configuration& parameters) {
   place.has_ceiling = parameters.boolean("ceiling", false);
   place.has_board = parameters.boolean("board", false);
   place.is_free_upwards = parameters.boolean("upwards", true);
+  place.has_sound = parameters.boolean("sound", false);
   place.observed_leds = static_cast<std::size_t>(parameters.integer("observed_leds", 12, {0.0, 360.0}));
   place.observed_radius = parameters.number("observed_radius", 0.085, {0.001, 1.0});
   place.observer_bearing = parameters.angle("observer_bearing", 90.0 * kDegree, {-180.0, 180.0});
   place.settling_time = parameters.number("settling_time", place.settling_time, {0.0, 10.0});
   tolerance_ = parameters.number("tolerance", 0.15, {0.001, 0.5});
   parameters.refuseUnread({"role", "beacon_color", "beacon_distance", "prey_color", "prey_distance", "prey_bearing",
-                           "wall_distance", "laser_height", "ceiling", "board", "upwards", "observed_leds",
+                           "wall_distance", "laser_height", "ceiling", "board", "upwards", "sound", "observed_leds",
                            "observed_radius", "observer_bearing", "settling_time", "tolerance"});
 }
 

@@ -24,6 +24,7 @@ struct Surroundings {
   bool has_ceiling = false;       ///< there is a ferromagnetic ceiling above
   bool has_board = false;         ///< upright, which only the left hand touches when its arm is stretched ahead
   bool is_free_upwards = true;    ///< the robot can move up and down
+  bool has_sound = false;         ///< something sounds, louder than all else
   double settling_time = 0.5;     ///< time after a motion until its effect can be measured [s]
   std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: no robot is observed
   double observed_radius = 0.0;   ///< of that ring [m]

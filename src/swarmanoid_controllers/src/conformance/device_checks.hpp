@@ -32,6 +32,9 @@ void restAtOnce(const Bench& bench) {
   *bench.actuator<Device>() = Device{};
 }
 
+/// A DeviceChecks::prepare: there is a wall, for sensors that feel it.
+inline void besideWall(Surroundings& usual) { usual.wall_distance = 0.4; }
+
 struct ChecksRegistration {
   explicit ChecksRegistration(DeviceChecks checks);
 };

@@ -1,9 +1,10 @@
-// The laser pointer: its beam ends on the first surface it hits, or on the ground, and makes a red spot there.
+// The laser pointer: its beam ends on the first surface it hits, or on the ground, and makes a red spot there; none in
+// a hole of the floor.
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 
-#include <algorithm>
 #include <cmath>
 
+#include "beam_to_ground.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
@@ -30,7 +31,11 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
     space.laser_spots.reserve(space.laser_spots.size() + instances_.size());
     for (const auto& instance : instances_) {
       if (instance.actuation->on) {
-        space.laser_spots.push_back(spotOf(space, instance));
+        const LaserSpot spot = spotOf(space, instance);
+        const bool is_on_floor = std::abs(spot.position.z()) < kOnFloor;
+        if (!is_on_floor || space.holeAt(spot.position) == nullptr) {
+          space.laser_spots.push_back(spot);
+        }
       }
     }
   }
@@ -41,24 +46,16 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
   }
 
  private:
+  static constexpr double kOnFloor = 1e-6;  // m
+
   static LaserSpot spotOf(const Space& space, const BasicActuatorInstance<EyebotLaser>& instance) {
     constexpr double kReach = 20.0;  // m
     const Pose& pose = space.entities.pose[instance.row];
     const double sine = std::sin(instance.actuation->tilt);
     const Eigen::Vector3d direction(sine * std::cos(instance.actuation->pan), sine * std::sin(instance.actuation->pan),
                                     -std::cos(instance.actuation->tilt));
-    Segment beam;
-    beam.from = pose.toWorld(space.entities.model[instance.row]->mount("laser_pointer").position);
-    const Eigen::Vector3d beam_direction = pose.orientation * direction;
-    // the beam goes down to the floor, or as far as its range
-    const auto downTo = [&](double height) -> Eigen::Vector3d {
-      const double way = beam_direction.z() < 0.0 ? (height - beam.from.z()) / beam_direction.z() : kReach;
-      return beam.from + std::clamp(way, 0.0, kReach) * beam_direction;
-    };
-    beam.to = downTo(0.0);
-    if (space.terrain && space.terrain->contains(beam.to.x(), beam.to.y())) {
-      beam.to = downTo(space.lowestGround());  // the terrain replaces the floor there
-    }
+    const Eigen::Vector3d pointer = pose.toWorld(space.entities.model[instance.row]->mount("laser_pointer").position);
+    const Segment beam = beamToGround(space, pointer, pose.orientation * direction, kReach);
     const RayHit hit = space.castRay(beam, instance.row);
     return {instance.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
   }

@@ -1,27 +1,18 @@
 // The LEDs of any robot.
 #include <algorithm>
 
+#include "led_ring.hpp"
 #include "mechanisms.hpp"
 #include "swarmanoid_interface/devices/led_array.hpp"
-#include "swarmanoid_space/actuator.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
 static_assert(Leds::kMost == EntityModel::kMaxLeds, "a robot's LEDs all have a colour");
 
-class LedsActuator final : public ActuatorOf<Leds> {
+class LedsActuator final : public LedActuator<Leds> {
  public:
-  static PluginDescription describe() {
-    PluginDescription description;
-    description.label = Leds::kType;
-    description.implementation = "default";
-    description.is_default = true;
-    description.summary = "The coloured LEDs of the robot.";
-    return description;
-  }
-
-  void configure(const Configuration&) override {}
+  static PluginDescription describe() { return describeLeds("The coloured LEDs of the robot."); }
 
  protected:
   void prepareInstance(const Space& space, BasicActuatorInstance<Leds>& instance) override {
@@ -29,6 +20,7 @@ class LedsActuator final : public ActuatorOf<Leds> {
     if (model.led_positions.empty()) {
       refuseWithout(Leds::kType, model, "LEDs");
     }
+    LedActuator<Leds>::prepareInstance(space, instance);
   }
 
   void apply(Space& space, BasicActuatorInstance<Leds>& instance) override {

@@ -1,4 +1,13 @@
-/// A simulated colour-blob camera; FootbotCamera and EyebotCamera differ in their mounting and their field of view.
+/// The family of simulated colour-blob cameras. They differ in where they sit, where they look, and in the shape of
+/// their field of view (field_of_view.hpp). A camera that sees all around is its struct and
+///
+///     class MyCameraSensor : public ColorBlobCameraSensor<MyCamera, RingView> {
+///      public:
+///       static PluginDescription describe() { ... }
+///     };
+///     REGISTER_CAMERA(swarmanoid::devices::MyCameraSensor)
+///
+/// with REGISTER_CAMERA of unreliable_camera.hpp. One with a lens has few lines more (lens_camera.hpp).
 #pragma once
 
 #include <algorithm>
@@ -7,6 +16,7 @@
 #include <vector>
 
 #include "color_blob_finder.hpp"
+#include "keep_nearest.hpp"
 #include "overflow_notes.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/sensor.hpp"
@@ -20,7 +30,8 @@ struct CameraInstance : BasicSensorInstance<Camera> {
   OverflowNote overflow;
 };
 
-template <class Camera>
+/// @tparam View a FieldOfView
+template <class Camera, class View>
 class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
  public:
   using Instance = CameraInstance<Camera>;
@@ -31,7 +42,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     noise_bearing_ = parameters.angle("noise_bearing", 0.0);
     max_blobs_ = static_cast<std::size_t>(parameters.integer("max_blobs", std::int64_t{128}));
     sees_floor_ = parameters.boolean("sees_floor", false);
-    configureView(parameters);
+    field_ = makeView(parameters);
   }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
@@ -62,40 +73,80 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     return description;
   }
 
-  virtual void configureView(const Configuration&) {}
-  virtual double slope() const { return 0.0; }
+  virtual View makeView(const Configuration& /*parameters*/) const { return View(); }
+  /// The link on which the camera sits.
+  virtual const char* link() const { return "camera"; }
+  /// How the camera is turned in the robot's frame: it looks along its x axis.
+  virtual Eigen::Quaterniond orientationOf(const Space& /*space*/, const Instance& instance) const {
+    return instance.mount.orientation;
+  }
+  /// Changes what is in sight to what the camera's filter makes of it.
+  virtual void filter(const Space& /*space*/, Instance& /*instance*/, const BlobView& /*view*/,
+                      std::vector<Sighting>& /*found*/) const {}
 
   std::size_t mostElements() const override { return max_blobs_; }
 
   void prepareInstance(const Space& space, Instance& instance) override {
     instance.buffer.resize(max_blobs_);
-    instance.mount = space.entities.model[instance.row]->mount("camera");
+    instance.mount = space.entities.model[instance.row]->mount(link());
   }
 
- private:
-  void senseOne(const Space& space, Instance& instance) const {
-    const Pose& pose = space.entities.pose[instance.row];
-    BlobView view;
-    view.self = instance.row;
-    view.position = pose.toWorld(instance.mount.position);
-    const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
-    view.heading = std::atan2(ahead.y(), ahead.x());
-    view.range = range_;
-    view.slope = slope();
-    view.sees_floor = sees_floor_;
-    const FoundBlobs found = findBlobs(space, view, instance.buffer.data(), max_blobs_);
-    instance.readings->overflowed = found.overflowed;
-    instance.readings->blobs = Span<const ColorBlob>(instance.buffer.data(), found.count);
-    if (noise_distance_ > 0.0 || noise_bearing_ > 0.0) {
-      disturb(space, instance);
+  /// The field of view, and a line in its colour to where the reading says that a blob is.
+  void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
+    const Eye eye = viewOf(space, instance).eye;
+    field_.draw(eye, range_, drawing);
+    for (const ColorBlob& blob : this->delivered(instance).blobs) {
+      // a camera that does not know how far away it is knows where it is in the picture
+      const double way = std::isfinite(blob.distance) ? blob.distance : range_ * std::cos(blob.elevation);
+      const double angle = eye.heading + blob.bearing;
+      const Eigen::Vector3d end =
+          eye.position + way * Eigen::Vector3d(std::cos(angle), std::sin(angle), std::tan(blob.elevation));
+      drawing.line(eye.position, end, blob.color);
+      drawing.point(end, blob.color);
     }
   }
 
-  void disturb(const Space& space, Instance& instance) const {
+ private:
+  BlobView viewOf(const Space& space, const Instance& instance) const {
+    const Pose& pose = space.entities.pose[instance.row];
+    BlobView view;
+    view.self = instance.row;
+    view.eye.position = pose.toWorld(instance.mount.position);
+    const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
+    view.eye.heading = std::atan2(ahead.y(), ahead.x());
+    view.eye.orientation = pose.orientation * orientationOf(space, instance);
+    view.eye.height = view.eye.position.z() - space.lowestGround();
+    view.range = range_;
+    view.field = &field_;
+    view.sees_floor = sees_floor_;
+    return view;
+  }
+
+  void senseOne(const Space& space, Instance& instance) const {
+    thread_local std::vector<Sighting> found;  // kept between calls so that a steady state allocates nothing
+    const BlobView view = viewOf(space, instance);
+    found.reserve(max_blobs_);
+    lookAround(space, view, found);
     instance.random.startTick(space.tick);
+    filter(space, instance, view, found);
+    instance.readings->overflowed =
+        keepNearest(found, max_blobs_, [](const Sighting& sighting) { return sighting.distance; });
+    const bool knows_distance = field_.knowsDistance();
+    std::transform(found.begin(), found.end(), instance.buffer.begin(),
+                   [&](const Sighting& sighting) { return blobOf(sighting, view.eye, knows_distance); });
+    instance.readings->blobs = Span<const ColorBlob>(instance.buffer.data(), found.size());
+    if (noise_distance_ > 0.0 || noise_bearing_ > 0.0) {
+      disturb(instance);
+    }
+  }
+
+  void disturb(Instance& instance) const {
     for (std::size_t i = 0; i < instance.readings->blobs.size(); ++i) {
       ColorBlob& blob = instance.buffer[i];
-      blob.distance = static_cast<float>(std::max(0.0, blob.distance * instance.random.gaussian(1.0, noise_distance_)));
+      const double distance = blob.distance * instance.random.gaussian(1.0, noise_distance_);
+      if (field_.knowsDistance()) {
+        blob.distance = static_cast<float>(std::max(0.0, distance));
+      }
       blob.bearing = toBearing(blob.bearing + instance.random.gaussian(0.0, noise_bearing_));
     }
   }
@@ -105,6 +156,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
   double noise_bearing_ = 0.0;
   std::size_t max_blobs_ = 128;
   bool sees_floor_ = false;
+  View field_;
 };
 
 }  // namespace swarmanoid::devices

@@ -1,10 +1,11 @@
 // The eyebot's camera: its field of view is a cone below it, so its area on the ground grows with the height.
 #include "color_blob_camera.hpp"
+#include "unreliable_camera.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class EyebotCameraSensor final : public ColorBlobCameraSensor<EyebotCamera> {
+class EyebotCameraSensor : public ColorBlobCameraSensor<EyebotCamera, ConeView> {
  public:
   static PluginDescription describe() {
     PluginDescription description = describeCamera(numberText(EyebotCamera::kUsualRange), "true");
@@ -15,16 +16,12 @@ class EyebotCameraSensor final : public ColorBlobCameraSensor<EyebotCamera> {
   }
 
  protected:
-  void configureView(const Configuration& parameters) override {
-    slope_ = std::tan(parameters.angle("aperture", EyebotCamera::kUsualAperture));
+  ConeView makeView(const Configuration& parameters) const override {
+    return ConeView(parameters.angle("aperture", EyebotCamera::kUsualAperture));
   }
-  double slope() const override { return slope_; }
-
- private:
-  double slope_ = 1.0;
 };
 
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::EyebotCameraSensor)
+REGISTER_CAMERA(swarmanoid::devices::EyebotCameraSensor)

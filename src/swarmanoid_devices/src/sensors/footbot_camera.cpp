@@ -1,10 +1,11 @@
 // The footbot's omnidirectional camera: its field of view covers all directions, up to the range of the mirror.
 #include "color_blob_camera.hpp"
+#include "unreliable_camera.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class FootbotCameraSensor final : public ColorBlobCameraSensor<FootbotCamera> {
+class FootbotCameraSensor : public ColorBlobCameraSensor<FootbotCamera, RingView> {
  public:
   static PluginDescription describe() {
     PluginDescription description = describeCamera(numberText(FootbotCamera::kUsualRange), "false");
@@ -18,4 +19,4 @@ class FootbotCameraSensor final : public ColorBlobCameraSensor<FootbotCamera> {
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::FootbotCameraSensor)
+REGISTER_CAMERA(swarmanoid::devices::FootbotCameraSensor)

@@ -2,9 +2,7 @@
 /// ground, by the law of Ground::reflection, and 0 if that is farther than the range. The spots are where links of the
 /// robot's description are, and look along the x axes of these.
 ///
-/// The ground is the level floor, z = 0, and the terrain where there is one: its holes are deep, its slopes are nearer.
 /// Engines let bodies sink in by a little: a spot that is pressed into the ground by up to 1 cm reads the floor there.
-/// Nothing else hides the floor. On level floor no ray is cast.
 ///
 /// Spots of a robot of its own are its struct with `std::array<float, kCount> value`, and a class such as
 ///
@@ -16,39 +14,20 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <string>
 
+#include "field_numbers.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
 #include "swarmanoid_space/sensor.hpp"
+#include "way_to_ground.hpp"
 
 namespace swarmanoid::devices {
 
 static_assert(Ground::kMostSpots == kMostRingSensors);
-
-constexpr double kDeepestSpot = 0.01;  // in the ground, along its line of sight, m
-
-/// How far along its line of sight a spot meets the ground. Thread-safe.
-/// @param spot its place in W [m] @param direction in which it looks, in W, of length 1 @param range [m]
-/// @return from -kDeepestSpot to range [m]; infinity if it meets none there
-inline double wayToGround(const Space& space, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction,
-                          double range) {
-  double way = direction.z() < 0.0 ? -spot.z() / direction.z() : kInfinity;  // to the level floor
-  if (way < -kDeepestSpot || way > range) {
-    way = kInfinity;
-  }
-  if (!space.terrain) {
-    return way;
-  }
-  if (way != kInfinity) {
-    const Eigen::Vector3d point = spot + way * direction;
-    way = space.terrain->contains(point.x(), point.y()) ? kInfinity : way;
-  }
-  const double fraction = space.terrain->closestHit({spot - kDeepestSpot * direction, spot + range * direction});
-  return fraction <= 1.0 ? std::min(way, fraction * (kDeepestSpot + range) - kDeepestSpot) : way;
-}
 
 template <class Device, int count>
 struct GroundInstance : BasicSensorInstance<Device> {
@@ -88,18 +67,45 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {Spots::kLinks});
   }
 
+  /// For each spot that meets the ground its line of sight, and a point there, in the grey of its `value`.
+  void drawOne(const Space& space, const InstanceOfSpots& instance, DeviceDrawing& drawing) const override {
+    const RingGeometry<count>& ring = *instance.ring;
+    const Pose& pose = space.entities.pose[instance.row];
+    const auto& values = numbersOf(this->delivered(instance), "value", ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const Eigen::Vector3d spot = pose.toWorld(ring.from.col(column));
+      const Eigen::Vector3d direction = pose.orientation * ring.direction.col(column);
+      const double way = wayToGround(space, spot, direction, range_);
+      if (way != kInfinity) {
+        const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(values[i], 0.0, 1.0)));
+        drawing.line(spot, spot + way * direction, {grey, grey, grey});
+        drawing.point(spot + way * direction, {grey, grey, grey});
+      }
+    }
+  }
+
  private:
+  static constexpr double kMargin = 1e-6;  // for rounding, m
+
   void senseOne(const Space& space, Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
+    const double reach = ring.centre.norm() + ring.radius + std::max(range_, kDeepestSpot) + kMargin;
+    const bool is_bare = space.floor.isBareAround(pose.position, reach);
+    const float bare = Ground::reflection(space.floor.bare);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       const Eigen::Vector3d spot = rotation * ring.from.col(column) + pose.position;
       const Eigen::Vector3d direction = rotation * ring.direction.col(column);
       const double way = wayToGround(space, spot, direction, range_);
-      Spots::valueOf(instance, i) =
-          way == kInfinity ? 0.0F : Ground::reflection(space.floor.colorAt(spot + way * direction, space.tick));
+      float& value = Spots::valueOf(instance, i);
+      if (way == kInfinity || is_bare) {
+        value = way == kInfinity ? 0.0F : bare;
+      } else {
+        value = Ground::reflection(space.floor.colorAt(spot + way * direction, space.tick));
+      }
     }
   }
 

@@ -34,6 +34,16 @@ class ImuSensor final : public SensorOf<Imu, ImuInstance> {
     }
   }
 
+ protected:
+  /// What the accelerometers feel, 2 cm for each m/s2, from the top of the robot over its origin.
+  void drawOne(const Space& space, const ImuInstance& instance, DeviceDrawing& drawing) const override {
+    constexpr double kScale = 0.02;  // m by m/s2
+    const Pose& pose = space.entities.pose[instance.row];
+    const Eigen::Vector3d top(0.0, 0.0, space.entities.model[instance.row]->highest);
+    drawing.arrow(pose.toWorld(top), pose.toWorld(top + kScale * delivered(instance).linear_acceleration),
+                  colors::kGreen);
+  }
+
  private:
   static void senseOne(const Space& space, double dt, ImuInstance& instance) {
     const Eigen::Quaterniond to_body = space.entities.pose[instance.row].orientation.conjugate();

@@ -15,6 +15,7 @@
 #include <memory>
 #include <string>
 
+#include "field_numbers.hpp"
 #include "light_sources.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
@@ -66,17 +67,41 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"light", "proximity"});
   }
 
+  /// For each sensor that feels light a ray to where it looks, by its `value` up to 10 cm long.
+  void drawOne(const Space& space, const InstanceOfRing& instance, DeviceDrawing& drawing) const override {
+    constexpr double kLongest = 0.1;  // m
+    const RingGeometry<count>& ring = *instance.ring;
+    const Pose& pose = space.entities.pose[instance.row];
+    const auto& values = numbersOf(this->delivered(instance), "value", ring.size());
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      if (values[i] > 0.0) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const Eigen::Vector3d from = ring.from.col(column);
+        drawing.line(pose.toWorld(from), pose.toWorld(from + kLongest * values[i] * ring.direction.col(column)),
+                     colors::kOrange);
+      }
+    }
+  }
+
  private:
   void senseOne(const Space& space, Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
+    const Eigen::Vector3d centre = pose.toWorld(ring.centre);
+    if (isDark(space, instance.row, centre, ring.radius + range_)) {
+      const float dark = Ring::response(0.0);
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        Ring::valueOf(instance, i) = dark;
+      }
+      return;
+    }
     std::array<IlluminatedSensor, RingGeometry<count>::kMost> sensors;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       sensors[i].position = pose.toWorld(ring.from.col(column));
       sensors[i].direction = pose.orientation * ring.direction.col(column);
     }
-    illuminate(space, {instance.row, pose.toWorld(ring.centre), ring.radius, range_, {sensors.data(), ring.size()}});
+    illuminate(space, {instance.row, centre, ring.radius, range_, {sensors.data(), ring.size()}});
     for (std::size_t i = 0; i < ring.size(); ++i) {
       Ring::valueOf(instance, i) = Ring::response(sensors[i].sum);
     }

@@ -1,17 +1,21 @@
 /// What all devices that receive messages have in common. A receiver reads, in the sense phase of a tick, what senders'
 /// actuations were after the tick before: messages arrive in the next tick, whichever robot is updated first, and
 /// nothing is kept for them. A message is heard if the two transmitters are within the range of the receiver, with
-/// `line_of_sight` nothing but the two robots stands between them, and it is not lost. Nobody hears itself.
+/// `line_of_sight` nothing but the two robots stands between them, and it is not lost (LossLaw). Nobody hears itself.
 ///
 /// A receiver is its struct, which derives from ReceivedMessages, and a class such as
 ///
-///     class MyRadioReceiver final : public MessageReceiver<MyRadioReceived, MyRadio> {
+///     class MyBoardReceiver final : public MessageReceiver<MyBoardReceived, MyBoard> {
 ///      public:
-///       static PluginDescription describe() { return describeReceiver("A radio."); }
+///       static PluginDescription describe() { return describeReceiver("A board."); }
 ///     };
 ///
 /// The struct has kUsualRange and kNeedsSight; its Message `payload`, and `measure(offset)`, which takes what the
 /// device measures of the sender, if anything, from the offset of its transmitter in the receiver's frame.
+///
+/// A radio derives from RadioReceiver (radio_receiver.hpp). It says kSharesChannel: `slots` are what its channel
+/// carries around it, for whomever. What is for others is dropped after that, so a receiver looks no farther than it
+/// takes to fill the slots.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +24,10 @@
 #include <vector>
 
 #include "keep_nearest.hpp"
+#include "loss_law.hpp"
 #include "overflow_notes.hpp"
 #include "parameters.hpp"
+#include "sender_search.hpp"
 #include "sight_lines.hpp"
 #include "span_readings.hpp"
 #include "swarmanoid_space/sensor.hpp"
@@ -33,21 +39,23 @@ template <class Received>
 struct MessageReceiverInstance : SpanReadings<BasicSensorInstance<Received>, typename Received::Message> {
   Transmitter transmitter;
   OverflowNote overflow;
+  double reach = 1.0;  ///< on a shared channel: how far it looked in the last tick, where the next one begins [m]
+  std::vector<EntityNumber> senders;  // of the messages of this tick, for whoever looks
 };
 
 /// @tparam Received struct of the readings @tparam Command of the senders' actuators
-template <class Received, class Command>
-class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Received>> {
-  using Base = SensorOf<Received, MessageReceiverInstance<Received>>;
+template <class Received, class Command, class InstanceOfReceiver = MessageReceiverInstance<Received>>
+class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
+  using Base = SensorOf<Received, InstanceOfReceiver>;
 
  public:
-  using Instance = MessageReceiverInstance<Received>;
+  using Instance = InstanceOfReceiver;
   using Message = typename Received::Message;
 
   void configure(const Configuration& parameters) override {
     range_ = parameters.number("range", Received::kUsualRange);
     needs_sight_ = parameters.boolean("line_of_sight", Received::kNeedsSight);
-    loss_ = parameters.number("loss", 0.0);
+    loss_ = LossLaw(parameters, range_);
     slots_ = static_cast<std::size_t>(parameters.integer("slots", std::int64_t{Received::kMostMessages}));
   }
 
@@ -57,10 +65,18 @@ class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Receiv
     return Base::add(space, row);
   }
 
+  void prepare(const Space& space) override {
+    if (this->instances_.empty()) {
+      return;  // no robot has the controller yet, or any more
+    }
+    // lines of sight need to know who is near, and not only who sends
+    const bool may_be_few = Received::kSharesChannel && !needs_sight_;
+    table_.fill(space, *commands_, may_be_few ? slots_ : 0);
+  }
+
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     // kept between calls so that a steady state allocates nothing
     thread_local Scratch scratch;
-    scratch.transmitters.clear();
     for (std::size_t k = first; k < last; ++k) {
       senseOne(space, this->instances_[k], scratch);
     }
@@ -87,8 +103,13 @@ class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Receiv
         boolean("line_of_sight", Received::kNeedsSight ? "true" : "false",
                 "Whether what stands between transmitters hides them."),
         number("loss", "", "0", {0.0, 1.0}, "Probability with which a message is lost, each by itself."),
+        number("loss_at_range", "", numberText(Received::kUsualLossAtRange), {0.0, 1.0},
+               "Probability with which distance loses a message from as far as the range, beside `loss`."),
+        integer("loss_exponent", "2", {1.0, 8.0}, "With which that grows with the distance."),
         integer("slots", most, {1.0, static_cast<double>(Received::kMostMessages)},
-                "Messages reported at the most in one tick, those of the nearest senders.")};
+                Received::kSharesChannel
+                    ? "Messages, for whomever, that come at the most in one tick, those of the nearest senders."
+                    : "Messages reported at the most in one tick, those of the nearest senders.")};
     return description;
   }
 
@@ -97,93 +118,126 @@ class MessageReceiver : public SensorOf<Received, MessageReceiverInstance<Receiv
   void prepareInstance(const Space& space, Instance& instance) override {
     instance.transmitter = transmitterOf(*space.entities.model[instance.row], Received::kType, Command::kLink);
     instance.makeRoom(slots_);
+    instance.senders.resize(slots_);
   }
 
+  /// The links of this tick: a line to the transmitter of each sender that was heard, before errors and faults, and a
+  /// point at the receiver's end.
+  void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
+    thread_local Transmitters transmitters;
+    transmitters.clear();
+    const Eigen::Vector3d own_position = positionOf(space, instance.row, instance.transmitter);
+    for (std::size_t i = 0; i < instance.readings->messages.size(); ++i) {
+      const Row sender = space.entities.find(instance.senders[i]);
+      if (sender != kNoRow) {
+        const Transmitter& transmitter = transmitters.of(*space.entities.model[sender], Command::kType, Command::kLink);
+        const Eigen::Vector3d position = positionOf(space, sender, transmitter);
+        drawing.line(position, own_position, colors::kMagenta);
+        drawing.point(own_position, colors::kMagenta);
+      }
+    }
+  }
+
+  /// What a message says beside what was sent and measured.
+  virtual void complete(const Space&, Row /*sender*/, Message&) const {}
+  /// Whether a message that came is for this robot.
+  virtual bool isFor(const Instance&, const Command&) const { return true; }
+
  private:
-  /// Somebody in range who sends.
-  struct Heard {
-    EntityNumber number = kNoEntity;
-    Row row = kNoRow;
-    Eigen::Vector3d position = Eigen::Vector3d::Zero();  // of the transmitter, in W, m
-    double squared_range = 0.0;                          // m2
-    const Command* command = nullptr;
-    std::size_t place = 0;  // among those in range, by entity number
-  };
+  using Search = SenderSearch<Command>;
+  using Found = typename Search::Found;
   struct Scratch {
-    std::vector<Row> near;
-    std::vector<Heard> heard;
-    Transmitters transmitters;
+    Search senders;
     SightLines lines;
   };
 
   void senseOne(const Space& space, Instance& instance, Scratch& scratch) const {
     const Eigen::Vector3d own_position = positionOf(space, instance.row, instance.transmitter);
-    findInRange(space, instance.row, own_position, scratch);
-    leaveOutUnheard(space, instance, own_position, scratch);
-    Received& readings = *instance.readings;
-    readings.overflowed = keepNearest(scratch.heard, slots_, [](const Heard& each) { return each.squared_range; });
-    const Eigen::Matrix3d to_body = space.entities.pose[instance.row].orientation.conjugate().toRotationMatrix();
-    for (std::size_t i = 0; i < scratch.heard.size(); ++i) {
-      const Heard& heard = scratch.heard[i];
-      instance.buffer[i].measure(to_body * (heard.position - own_position));
-      instance.buffer[i].payload = heard.command->payload;
+    if constexpr (Received::kSharesChannel) {
+      hearNearest(space, instance, own_position, scratch);
+    } else {
+      scratch.senders.find(space, table_, instance.row, own_position, range_);
+      leaveOutUnheard(space, instance, own_position, range_, scratch);
     }
-    readings.messages = Span<const Message>(instance.buffer.data(), scratch.heard.size());
-  }
-
-  /// Fills scratch.near, and scratch.heard with all who send in range, by entity number. @param own_position in W [m]
-  void findInRange(const Space& space, Row self, const Eigen::Vector3d& own_position, Scratch& scratch) const {
-    scratch.near.clear();
-    scratch.heard.clear();
-    space.index.collect(own_position, range_ + kMostOutside, scratch.near);
-    for (const Row row : scratch.near) {
-      const Command* command = row == self ? nullptr : commands_->find(row);
-      if (command == nullptr || !command->sends) {
+    std::vector<Found>& heard = scratch.senders.found;
+    Received& readings = *instance.readings;
+    readings.overflowed = keepNearest(heard, slots_, [](const Found& each) { return each.squared_range; });
+    const Eigen::Matrix3d to_body = space.entities.pose[instance.row].orientation.conjugate().toRotationMatrix();
+    std::size_t count = 0;
+    for (const Found& found : heard) {
+      const Sender<Command>& sender = *found.sender;
+      if (!isFor(instance, *sender.command)) {
         continue;
       }
-      const EntityModel& model = *space.entities.model[row];
-      const Eigen::Vector3d position =
-          positionOf(space, row, scratch.transmitters.of(model, Command::kType, Command::kLink));
-      const double squared_range = (position - own_position).squaredNorm();
-      if (squared_range <= range_ * range_) {
-        scratch.heard.push_back({space.entities.number[row], row, position, squared_range, command, 0});
-      }
+      instance.senders[count] = sender.number;
+      Message& message = instance.buffer[count++];
+      message.measure(to_body * (sender.position - own_position));
+      message.payload = sender.command->payload;
+      complete(space, sender.row, message);
     }
-    std::sort(scratch.heard.begin(), scratch.heard.end(),
-              [](const Heard& a, const Heard& b) { return a.number < b.number; });
-    for (std::size_t i = 0; i < scratch.heard.size(); ++i) {
-      scratch.heard[i].place = i;
+    readings.messages = Span<const Message>(instance.buffer.data(), count);
+  }
+
+  /// Leaves who is heard, all up to some distance: as far as there are senders for all slots, or as the range.
+  void hearNearest(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
+                   Scratch& scratch) const {
+    constexpr std::size_t kFarTooMany = 4;  // times the slots: half as far would do
+    constexpr double kNearest = 1e-3;       // m, from which it can grow again
+    const std::vector<Found>& heard = scratch.senders.found;
+    const bool looks_around = table_.few() == nullptr;
+    double reach = looks_around ? std::min(range_, instance.reach) : range_;
+    while (true) {
+      scratch.senders.find(space, table_, instance.row, own_position, reach);
+      leaveOutUnheard(space, instance, own_position, reach, scratch);
+      if (heard.size() > slots_ || reach >= range_) {
+        break;
+      }
+      reach = std::min(range_, 2.0 * reach);
+    }
+    if (looks_around) {
+      instance.reach = heard.size() > kFarTooMany * slots_ ? std::max(0.5 * reach, kNearest) : reach;
     }
   }
 
   /// Leaves out whom something hides, and what is lost.
-  void leaveOutUnheard(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
+  void leaveOutUnheard(const Space& space, Instance& instance, const Eigen::Vector3d& own_position, double reach,
                        Scratch& scratch) const {
-    if (needs_sight_ && !scratch.heard.empty()) {
-      scratch.lines.begin(space, instance.row, own_position, scratch.near);
+    std::vector<Found>& heard = scratch.senders.found;
+    if (needs_sight_ && !heard.empty()) {
+      scratch.lines.begin(space, instance.row, own_position, reach + kMostOutside, scratch.senders.near);
     }
-    if (loss_ > 0.0) {
+    std::uint64_t draws = 0;
+    if (loss_.loses()) {
       instance.random.startTick(space.tick);
+      draws = Received::kSharesChannel ? instance.random.bits() : 0;
     }
-    const auto is_unheard = [&](const Heard& heard) {
-      return (needs_sight_ && scratch.lines.isOccluded(heard.position, heard.row)) ||
-             (loss_ > 0.0 && instance.random.uniform() < loss_);
+    const auto is_lost = [&](const Found& found) {
+      const double probability = loss_.probability(found.squared_range);
+      if constexpr (Received::kSharesChannel) {
+        // a number of the pair's own, so that it does not depend on how far the receiver looks
+        RandomStream pair(draws, static_cast<std::uint64_t>(found.number));
+        return pair.uniform() < probability;
+      } else {
+        return instance.random.uniform() < probability;
+      }
     };
     // in their order: each that nothing hides draws a number
     std::size_t kept = 0;
-    for (const Heard& heard : scratch.heard) {
-      if (!is_unheard(heard)) {
-        scratch.heard[kept++] = heard;
+    for (const Found& found : heard) {
+      const bool is_hidden = needs_sight_ && scratch.lines.isOccluded(found.sender->position, found.sender->row);
+      if (!is_hidden && !(loss_.loses() && is_lost(found))) {
+        heard[kept++] = found;
       }
     }
-    scratch.heard.resize(kept);
+    heard.resize(kept);
   }
 
   double range_ = Received::kUsualRange;
   bool needs_sight_ = Received::kNeedsSight;
-  double loss_ = 0.0;
+  LossLaw loss_;
   std::size_t slots_ = Received::kMostMessages;
   const Bank<Command>* commands_ = nullptr;
+  SenderTable<Command> table_;  // of this tick
 };
 
 }  // namespace swarmanoid::devices

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 
+#include "field_numbers.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
@@ -22,7 +23,8 @@ struct ProximityInstance : BasicSensorInstance<Device> {
 };
 
 /// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
-/// Another law than the polynomial is a `static float response(double fraction)` of its own, as the one here.
+/// Another law than the polynomial is a `static float response(double fraction)` of its own, as the one here. Drawn are
+/// the rays as far as they reach, in the shade of the struct's `value`, with a point where they hit something.
 template <class Ring, class Device, int count, class Instance = ProximityInstance<Device, count>>
 class ProximityRingSensor : public SensorOf<Device, Instance> {
  public:
@@ -57,15 +59,56 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
     instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"proximity"});
   }
 
+  void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
+    const std::size_t size = instance.ring->size();
+    const std::vector<double>& values = numbersOf(this->delivered(instance), "value", size);
+    Segments segments;
+    Hits hits;
+    RayBundle rays = bundleOf(space, instance);
+    aim(space, instance, segments);
+    if (space.mayHit(rays)) {
+      rays.segments = Span<const Segment>(segments.data(), size);
+      space.raycast(rays, Span<RayHit>(hits.data(), size));
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      const auto& [from, to] = segments[i];
+      const Eigen::Vector3d end = from + hits[i].fraction * (to - from);
+      const Color shade = DeviceDrawing::shade(values[i]);
+      drawing.line(from, end, shade);
+      if (hits[i].isHit()) {
+        drawing.point(end, shade);
+      }
+    }
+  }
+
  private:
-  void senseOne(const Space& space, Instance& instance) const {
+  using Segments = std::array<Segment, RingGeometry<count>::kMost>;
+  using Hits = std::array<RayHit, RingGeometry<count>::kMost>;
+
+  /// All but the segments.
+  RayBundle bundleOf(const Space& space, const Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;
-    const std::size_t size = ring.size();
-    const Pose& pose = space.entities.pose[instance.row];
     RayBundle rays;
-    rays.centre = pose.toWorld(ring.centre);
+    rays.centre = space.entities.pose[instance.row].toWorld(ring.centre);
     rays.radius = ring.radius + range_;
     rays.ignored = instance.row;
+    return rays;
+  }
+
+  void aim(const Space& space, const Instance& instance, Segments& segments) const {
+    const RingGeometry<count>& ring = *instance.ring;
+    const Pose& pose = space.entities.pose[instance.row];
+    const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
+    const typename RingGeometry<count>::Points from = (rotation * ring.from).colwise() + pose.position;
+    const typename RingGeometry<count>::Points to = from + (range_ * rotation) * ring.direction;
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
+    }
+  }
+
+  void senseOne(const Space& space, Instance& instance) const {
+    const std::size_t size = instance.ring->size();
+    RayBundle rays = bundleOf(space, instance);
     if (!space.mayHit(rays)) {
       for (std::size_t i = 0; !instance.is_clear && i < size; ++i) {
         Ring::valueOf(instance, i) = 0.0F;
@@ -74,14 +117,9 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
       return;
     }
     instance.is_clear = false;
-    const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
-    std::array<Segment, RingGeometry<count>::kMost> segments;
-    std::array<RayHit, RingGeometry<count>::kMost> hits;
-    const typename RingGeometry<count>::Points from = (rotation * ring.from).colwise() + pose.position;
-    const typename RingGeometry<count>::Points to = from + (range_ * rotation) * ring.direction;
-    for (std::size_t i = 0; i < size; ++i) {
-      segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
-    }
+    Segments segments;
+    Hits hits;
+    aim(space, instance, segments);
     rays.segments = Span<const Segment>(segments.data(), size);
     space.raycast(rays, Span<RayHit>(hits.data(), size));
     for (std::size_t i = 0; i < size; ++i) {

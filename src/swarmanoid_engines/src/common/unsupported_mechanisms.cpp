@@ -51,7 +51,8 @@ std::string unsupportedMechanismsReason(const EntityModel& model, const std::vec
         return begin + "a robot of this type has no " + part;
       }
     }
-    const bool is_drive = std::any_of(device.mechanisms.begin(), device.mechanisms.end(), isDrive);
+    const bool is_drive = device.kind == DeviceKind::kActuator &&
+                          std::any_of(device.mechanisms.begin(), device.mechanisms.end(), isDrive);
     if (is_drive && is_driven) {
       return begin + "another device drives the robot already";
     }

@@ -101,7 +101,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void moveInBox2d();
   void joinGround(BodyIndex index);
   void setGroundFriction(BodyIndex index);
-  void finishTick(Space& space);
+  void finishTick(Space& space, double tick);
 
   // drive.cpp
   void prepareDrive(BodyIndex index, double step);

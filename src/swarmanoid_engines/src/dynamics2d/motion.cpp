@@ -61,7 +61,7 @@ void Dynamics2d::move(Space& space, Duration dt) {
   if (!present_.empty() || !mirrors_.empty()) {  // moved mirrors are noted in Box2D until it steps
     moveInBox2d();
   }
-  finishTick(space);
+  finishTick(space, toSeconds(dt));
   finishTurrets(space);
 }
 
@@ -161,11 +161,12 @@ void Dynamics2d::setGroundFriction(BodyIndex index) {
   rigid_body.ground->SetMaxTorque(static_cast<float>(force * 2.0 / 3.0 * radius * kSquareUnits));
 }
 
-void Dynamics2d::finishTick(Space& space) {
+void Dynamics2d::finishTick(Space& space, double tick) {
   const planar::Plane& plane = bodies_.plane();
   for (const BodyIndex index : movers_) {
     RigidBody& rigid_body = rigid(index);
     const planar::PlacedPose pose = rigid_body.pose();
+    turnWheels(space, bodies_[index], tick);
     Twist& twist = space.entities.twist[bodies_[index].row];
     const Eigen::Vector2d arm = pose.rotated(rigid_body.arm);
     const double turn_rate = rigid_body.spinNow();

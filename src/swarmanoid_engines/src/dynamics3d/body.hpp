@@ -44,6 +44,7 @@ struct Link {
 /// What a robot's treels do.
 struct Treels {
   double rim_speed[2] = {0.0, 0.0};  ///< left, right [m/s]; follows the command as fast as the motors can
+  double run[2] = {0.0, 0.0};        ///< left, right: how far they have run in this tick [m]
 };
 
 /// What the flight controller of a flying robot remembers.

@@ -69,6 +69,7 @@ class Dynamics3d final : public Engine {
   void connect(Space& space) override;
   bool mayHit(const RayBundle& rays) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
+  bool blocks(Row row, const RayBundle& ray) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override;
   const SolverCounts& solverCounts() const { return counts_; }

@@ -26,6 +26,8 @@ void Dynamics3d::move(Space& space, Duration dt) {
   for (Body* body : order_) {
     if (body->is_dynamic) {
       readCommands(space, *body);
+      body->treels.run[0] = 0.0;
+      body->treels.run[1] = 0.0;
     }
   }
   const double step = toSeconds(dt) / settings_.subclock;
@@ -192,6 +194,9 @@ void Dynamics3d::finishTick(Space& space) {
       body->pose = body->currentPose();
       space.entities.pose[body->row] = body->pose;
       space.entities.twist[body->row] = body->currentTwist();
+      if (body->model->wheels) {
+        turnWheels(*body, space.wheel_turns[body->row]);
+      }
       if (!body->links.empty()) {
         readLinks(*body, space.joints[body->row]);
         body->poseShapes(space.joints[body->row]);

@@ -1,5 +1,6 @@
 // Rays against the shapes, where they were after the last tick.
 #include "dynamics3d/dynamics3d.hpp"
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/rays/solid_ray.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -46,6 +47,12 @@ void Dynamics3d::raycast(const RayBundle& rays, Span<RayHit> hits) const {
     }
     return true;
   });
+}
+
+bool Dynamics3d::blocks(Row row, const RayBundle& ray) const {
+  SWARMANOID_EXPECTS(find(row) != nullptr);
+  const Body& body = *find(row);
+  return closestHit(ray.segments[0], body.seen(), body.pose) < 1.0;
 }
 
 }  // namespace swarmanoid::dynamics3d

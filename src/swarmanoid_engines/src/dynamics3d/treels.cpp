@@ -19,6 +19,11 @@ void takeSpeed(Body& robot, const Twist& twist) {
   robot.treels.rim_speed[1] = ahead + turning;
 }
 
+void turnWheels(const Body& robot, WheelTurns& turns) {
+  turns.left += robot.treels.run[0] / robot.model->wheels->radius;
+  turns.right += robot.treels.run[1] / robot.model->wheels->radius;
+}
+
 void followCommand(Body& robot, double step) {
   const double radius = robot.model->wheels->radius;
   const double most = kTreelAcceleration * step;
@@ -26,6 +31,7 @@ void followCommand(Body& robot, double step) {
   for (int side = 0; side < 2; ++side) {
     double& speed = robot.treels.rim_speed[side];
     speed += std::clamp(wanted[side] - speed, -most, most);
+    robot.treels.run[side] += speed * step;
   }
 }
 

@@ -16,7 +16,11 @@ constexpr double kTreelAcceleration = 3.0;  // m/s2
 /// Lets the treels run as fast as the robot moves. @param twist of B, in W
 void takeSpeed(Body& robot, const Twist& twist);
 
-/// Brings the treels' speeds nearer to the commanded speeds of the wheels. @param step [s]
+/// Adds what the treels have run in the tick to the turns of the wheels.
+void turnWheels(const Body& robot, WheelTurns& turns);
+
+/// Brings the treels' speeds nearer to the commanded speeds of the wheels, and lets them run for a step. @param step
+/// [s]
 void followCommand(Body& robot, double step);
 
 /// Sets a contact's friction and motion; if the ball touches sideways, it stays a contact as any other.

@@ -184,6 +184,7 @@ void Kinematics2d::finishTick(Space& space, double dt) {
     if (body.role == Role::kMirror || !body.is_movable) {
       continue;
     }
+    turnWheels(space, body, dt);
     Twist& twist = space.entities.twist[body.row];
     if (!body.has_moved) {
       twist = Twist{};

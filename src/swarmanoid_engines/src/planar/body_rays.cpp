@@ -139,4 +139,13 @@ void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
   }
 }
 
+bool isHit(const Bodies& bodies, const Segment& segment, BodyIndex index) {
+  PlanarRays rays;
+  rays.assign(bodies.plane(), Span<const Segment>(&segment, 1));
+  const Body& body = bodies[index];
+  const PlanarRay ray = rays.relativeTo(body.pose, 0);
+  return std::any_of(body.model->shapes.begin(), body.model->shapes.end(),
+                     [&](const PlanarShape& shape) { return closestHit(ray, shape, body.along) < 1.0; });
+}
+
 }  // namespace swarmanoid::planar

@@ -13,4 +13,7 @@ bool mayHit(const Bodies& bodies, const RayBundle& rays);
 /// As Engine::raycast. Thread-safe.
 void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);
 
+/// Whether the segment hits that body. Thread-safe.
+bool isHit(const Bodies& bodies, const Segment& segment, BodyIndex index);
+
 }  // namespace swarmanoid::planar

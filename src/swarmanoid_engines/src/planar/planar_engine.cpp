@@ -108,6 +108,11 @@ bool PlanarEngine::mayHit(const RayBundle& rays) const { return planar::mayHit(b
 
 void PlanarEngine::raycast(const RayBundle& rays, Span<RayHit> hits) const { planar::raycast(bodies_, rays, hits); }
 
+bool PlanarEngine::blocks(Row row, const RayBundle& ray) const {
+  SWARMANOID_EXPECTS(bodies_.find(row) != kNoBody);
+  return planar::isHit(bodies_, ray.segments[0], bodies_.find(row));
+}
+
 void PlanarEngine::draw(EngineDrawing& drawing) const { drawShapes(bodies_, drawing); }
 
 void PlanarEngine::readCommands(const Space& space, Body& body) {
@@ -123,6 +128,15 @@ void PlanarEngine::readCommands(const Space& space, Body& body) {
     const Eigen::Vector3d& linear = flight.linear;
     body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
     body.turn_rate = flight.yaw_rate * model.turn;
+  }
+}
+
+void PlanarEngine::turnWheels(Space& space, const Body& body, double tick) {
+  if (body.is_wheeled) {
+    const WheelsCommand& speeds = space.wheels[body.row];
+    WheelTurns& turns = space.wheel_turns[body.row];
+    turns.left += speeds.left * tick;
+    turns.right += speeds.right * tick;
   }
 }
 

@@ -22,6 +22,7 @@ class PlanarEngine : public Engine {
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   bool mayHit(const RayBundle& rays) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
+  bool blocks(Row row, const RayBundle& ray) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override { return {subclock_, "", {}}; }
 
@@ -31,6 +32,9 @@ class PlanarEngine : public Engine {
 
   /// From the commands of wheels or flight to `velocity` and `turn_rate`. @pre the body has one of them
   static void readCommands(const Space& space, Body& body);
+
+  /// Wheels turn as they are commanded, also where the robot is held back: then they slip. @param tick [s]
+  static void turnWheels(Space& space, const Body& body, double tick);
 
   /// Writes where a body is now, if it has moved in this tick. What did not turn keeps its orientation to the bit.
   void writePose(Space& space, BodyIndex index, double heading_before) const;

@@ -91,6 +91,27 @@ TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
   }
 }
 
+/// Each of the three robots may have one, in each engine: at rest it feels what holds it up (REP-145).
+TEST(InertialEngineTest, AtRestEachRobotFeelsGravityUpwards) {
+  for (const char* engine : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
+    for (const char* type : {"footbot", "eyebot", "handbot"}) {
+      ModelWorld world;
+      world.engine = engine;
+      world.footbot_sensors = world.eyebot_sensors = world.handbot_sensors = "<imu/>";
+      world.footbot_actuators = world.handbot_actuators = "";
+      world.entities = robot(type, "it", 5.0, 5.0, 0.0, 71.0);
+      world.members = "it";
+      Imu imu;
+      setProgram([&](Robot& robot) { imu = robot.sensor<Imu>(); });
+      auto simulation = world.start();
+      tick(*simulation, 30);
+      const std::string where = join(type, " in ", engine);
+      EXPECT_NEAR((imu.linear_acceleration - Eigen::Vector3d(0.0, 0.0, 9.81)).norm(), 0.0, 0.05) << where;
+      EXPECT_NEAR(imu.angular_velocity.norm(), 0.0, 0.01) << where;
+    }
+  }
+}
+
 /// Who moves a robot takes its speed from it, 3 m/s2 in a tick: what it feels is how it starts again.
 TEST(InertialEngineTest, BeingMovedFromOutsideIsNotFelt) {
   ModelWorld world;

@@ -41,8 +41,8 @@ std::unique_ptr<Simulation> ModelWorld::start() const {
   const std::string text = join(
       "<ahss-config><framework><clocktick>", clocktick, "</clocktick><maxclock>1000000</maxclock><random_seed>", seed,
       "</random_seed></framework><controllers>", controller("footbot", wheels + footbot_actuators, footbot_sensors),
-      controller("eyebot", "<eyebot_velocity/><eyebot_laser/>", eyebot_sensors),
-      has_handbot ? controller("handbot", "<handbot_rope/>", "<handbot_rope_state/>") : "",
+      controller("eyebot", eyebot_actuators, eyebot_sensors),
+      has_handbot ? controller("handbot", handbot_actuators, handbot_sensors) : "",
       "</controllers><arena size='20,20,10' optimization='2D'>", entities, extras, "</arena><engines><", engine,
       " id='engine'>", engine_parameters, "</", engine, "></engines><arena_physics><engine id='engine'>", mapping,
       "</engine></arena_physics></ahss-config>");

@@ -15,6 +15,10 @@ namespace swarmanoid::test {
 
 constexpr double kDegree = M_PI / 180.0;  // rad
 
+// of a footbot
+constexpr double kWheelRadius = 0.029;  // m
+constexpr double kSeparation = 0.14;    // m, of its wheels
+
 /// What robots do in each tick: read sensors, give commands. One for all robots, which have names.
 using Program = std::function<void(Robot&)>;
 void setProgram(Program program);
@@ -60,6 +64,9 @@ struct ModelWorld {
   std::string engine_parameters;
   std::string footbot_sensors;
   std::string eyebot_sensors;
+  std::string eyebot_actuators = "<eyebot_velocity/><eyebot_laser/>";
+  std::string handbot_actuators = "<handbot_rope/>";
+  std::string handbot_sensors = "<handbot_rope_state/>";
   std::string wheels = "<footbot_wheels/>";
   std::string footbot_actuators = "<footbot_gripper/><footbot_leds/>";
   std::string extras;  ///< more elements of <arena>

@@ -12,8 +12,6 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kWheelRadius = 0.029;
-constexpr double kSeparation = 0.14;
 constexpr double kGravity = 9.81;
 
 TEST(ModelsPageTest, WheelsToVelocity) {

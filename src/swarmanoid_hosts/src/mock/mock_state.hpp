@@ -40,6 +40,8 @@ struct MockState {
   Pose pose;
   /// The velocity that the drives command, and after the motion the one that the robot had.
   Twist twist;
+  /// Whether a device flies the robot to a place: devices that command velocities leave it alone meanwhile.
+  bool flies_to_place = false;
   /// Height over which the robot cannot rise [m].
   double top = std::numeric_limits<double>::infinity();
   /// Whether something holds the robot in its place, so that it does not move.

@@ -1,17 +1,31 @@
 #include "sight.hpp"
 
 #include <cmath>
+#include <limits>
 
 namespace swarmanoid::mock {
+namespace {
 
-std::vector<ColorBlob> blobsInView(const MockState& state, const IsInView& is_in_view) {
+ColorBlob blobOf(Color color, const Eigen::Vector3d& way, bool knows_distance) {
+  const double horizontal = std::hypot(way.x(), way.y());
+  ColorBlob blob;
+  blob.color = color;
+  blob.bearing = static_cast<float>(std::atan2(way.y(), way.x()));
+  blob.distance = knows_distance ? static_cast<float>(horizontal) : std::numeric_limits<float>::quiet_NaN();
+  blob.elevation = static_cast<float>(std::atan2(way.z(), horizontal));
+  blob.size = ColorBlob::sizeOf(static_cast<float>(ColorBlob::kPointRadius), static_cast<float>(way.norm()));
+  return blob;
+}
+
+}  // namespace
+
+std::vector<ColorBlob> blobsInView(const MockState& state, const Eigen::Vector3d& camera, const IsInView& is_in_view,
+                                   bool knows_distance) {
   std::vector<ColorBlob> blobs;
   const auto look = [&](const Beacon& beacon) {
-    const Eigen::Vector3d seen = state.pose.toRobot(beacon.at);
-    const double horizontal = std::hypot(seen.x(), seen.y());
-    if (is_in_view(horizontal, beacon.at.z())) {
-      blobs.push_back(
-          {beacon.color, static_cast<float>(std::atan2(seen.y(), seen.x())), static_cast<float>(horizontal)});
+    const Eigen::Vector3d way = state.pose.toRobot(beacon.at) - camera;
+    if (is_in_view(way)) {
+      blobs.push_back(blobOf(beacon.color, way, knows_distance));
     }
   };
   for (const Beacon& beacon : state.world.beacons) {

@@ -9,11 +9,12 @@
 
 namespace swarmanoid::mock {
 
-/// Returns whether a camera sees something. @param horizontal distance from the robot's axis [m] @param height of it
-/// [m]
-using IsInView = std::function<bool(double horizontal, double height)>;
+/// Returns whether a camera sees something. @param way to it from the camera, in the robot's frame [m]
+using IsInView = std::function<bool(const Eigen::Vector3d& way)>;
 
-/// Returns the blobs that a camera of the robot reports: beacons in the order of the world's file, then spots.
-std::vector<ColorBlob> blobsInView(const MockState& state, const IsInView& is_in_view);
+/// Returns the blobs that a camera of the robot reports: beacons in the order of the world's file, then spots. All are
+/// as small as LEDs. @param camera where it sits in the robot's frame [m] @param knows_distance or it says NaN
+std::vector<ColorBlob> blobsInView(const MockState& state, const Eigen::Vector3d& camera, const IsInView& is_in_view,
+                                   bool knows_distance = true);
 
 }  // namespace swarmanoid::mock

@@ -10,6 +10,7 @@
 #include "swarmanoid_interface/devices/holders.hpp"
 #include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
+#include "swarmanoid_interface/devices/sound.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -56,6 +57,12 @@ void readParts(const Configuration& values, World& world) {
     world.holders.rope = holders->number("rope", world.holders.rope, {0.0, 100.0});
     holders->refuseUnread({"count", "rope"});
   }
+  if (const Configuration* wheels = values.find("wheels")) {
+    const Range allowed{0.001, 10.0};
+    world.wheels.radius = wheels->number("radius", world.wheels.radius, allowed);
+    world.wheels.separation = wheels->number("separation", world.wheels.separation, allowed);
+    wheels->refuseUnread({"radius", "separation"});
+  }
 }
 
 }  // namespace
@@ -79,9 +86,12 @@ World readWorld(const Configuration& values) {
   }
   if (const Configuration* beacons = values.find("beacons")) {
     for (const Configuration& beacon : beacons->children()) {
+      const Beacon silent;
       world.beacons.push_back({beacon.name(), beacon.vector3("at"), beacon.color("color"),
-                               beacon.boolean("can_be_gripped", false), readBytes(beacon)});
-      beacon.refuseUnread({"at", "color", "can_be_gripped", "says"});
+                               beacon.boolean("can_be_gripped", false), readBytes(beacon),
+                               beacon.number("sound_level", silent.sound_level, Sound::kLevels),
+                               beacon.number("sound_frequency", silent.sound_frequency, Sound::kFrequencies)});
+      beacon.refuseUnread({"at", "color", "can_be_gripped", "says", "sound_level", "sound_frequency"});
     }
   }
   if (const Configuration* discs = values.find("discs")) {
@@ -125,19 +135,27 @@ double distanceToWall(const World& world, const Eigen::Vector2d& from, double di
   return nearest;
 }
 
+double wayToWall(const World& world, const Pose& pose, double angle, double radius) {
+  return distanceToWall(world, pose.position.head<2>(), pose.yaw + angle) - radius;
+}
+
 float closenessOfWall(const World& world, const Pose& pose, double angle, double radius) {
-  const double distance = distanceToWall(world, pose.position.head<2>(), pose.yaw + angle) - radius;
+  const double distance = wayToWall(world, pose, angle, radius);
   return Proximity::response(std::clamp(distance / Proximity::kUsualRange, 0.0, 1.0));
 }
 
-float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place) {
+Color floorColorUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place) {
   if (pose.position.z() > Ground::kUsualRange) {
-    return 0.0F;
+    return colors::kBlack;
   }
   const Eigen::Vector2d point = pose.toWorld({place.x(), place.y(), 0.0}).head<2>();
   const auto top = std::find_if(world.discs.rbegin(), world.discs.rend(),
                                 [&](const Disc& disc) { return (point - disc.at).norm() <= disc.radius; });
-  return Ground::reflection(top == world.discs.rend() ? colors::kWhite : top->color);
+  return top == world.discs.rend() ? colors::kWhite : top->color;
+}
+
+float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place) {
+  return Ground::reflection(floorColorUnder(world, pose, place));
 }
 
 }  // namespace swarmanoid::mock

@@ -28,8 +28,8 @@ struct Wall {
   Eigen::Vector2d to;    ///< likewise [m]
 };
 
-/// An object that a camera sees, that shines on light sensors as a lamp of its colour, and that robots hear if it says
-/// something.
+/// An object that a camera sees, that shines on light sensors as a lamp of its colour, that robots hear if it says
+/// something, and microphones if it sounds.
 struct Beacon {
   static constexpr std::size_t kMostBytes = 10;  ///< that it says: as many as a message of range and bearing has
 
@@ -38,6 +38,8 @@ struct Beacon {
   Color color;
   bool can_be_gripped = false;
   std::vector<std::uint8_t> says{};  ///< the bytes of the message that it sends all the time; none: it is silent
+  double sound_level = 0.0;          ///< sound pressure level at 1 m [dB re 20 uPa]; 0: no sound
+  double sound_frequency = 1000.0;   ///< [Hz]
 };
 
 /// A coloured disc on the floor.
@@ -74,6 +76,12 @@ struct World {
     static std::string name(std::size_t holder) { return "holder_" + std::to_string(holder); }
   };
 
+  /// Of a robot whose wheels are not known here.
+  struct Wheels {
+    double radius = 0.029;     ///< [m]
+    double separation = 0.14;  ///< between them [m]
+  };
+
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
   std::vector<Disc> discs;  ///< on a white floor; later ones lie on earlier ones
@@ -81,6 +89,7 @@ struct World {
   Ring ring;
   Joints joints;
   Holders holders;
+  Wheels wheels;
   /// Whether a handbot's hand touches an object when its arm is level.
   bool is_something_left = true;
   bool is_something_right = true;
@@ -88,13 +97,15 @@ struct World {
 
 /// Reads the world from values such as these of a parameter file:
 ///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
-///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}, nest: {..., says: [1, 255]}}
+///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}, nest: {..., says: [1, 255]},
+///               horn: {..., sound_level: 70, sound_frequency: 440}}
 ///     discs: {nest: {at: [0.5, 0], radius: 0.3, color: gray}}
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there
-///     ring: {sensors: 8, radius: 0.035}                    of the sensors of a `proximity`, `light` or `ground`
+///     ring: {sensors: 8, radius: 0.035}                    of a `proximity`, `light`, `ground` or `microphones`
 ///     joints: {count: 2, fastest: 3}                       of `joints` and `joint_states`
 ///     holders: {count: 1, rope: 2}                         of `holders` and `holder_states`
+///     wheels: {radius: 0.02, separation: 0.05}             of `wheel_encoders` and `odometry`
 /// @throws ConfigError
 World readWorld(const Configuration& values);
 
@@ -102,13 +113,22 @@ World readWorld(const Configuration& values);
 /// none [m]
 double distanceToWall(const World& world, const Eigen::Vector2d& from, double direction);
 
+/// Returns the distance from a sensor that looks outwards from a ring around the robot's axis to the nearest wall.
+/// @return infinity if there is none; less than 0 for a wall inside of the ring [m]
+/// @param angle of the sensor in the robot's frame [rad] @param radius of the ring [m]
+double wayToWall(const World& world, const Pose& pose, double angle, double radius);
+
 /// Returns what an infrared sensor that looks outwards from a ring around the robot's axis reads of the walls, by
 /// Proximity::response: 0 with nothing in range, 1 at contact. @param angle of the sensor in the robot's frame [rad]
 /// @param radius of the ring [m]
 float closenessOfWall(const World& world, const Pose& pose, double angle, double radius);
 
-/// Returns what a spot under the robot, which looks down from where its wheels touch the ground, reads of the floor, by
-/// Ground::reflection: 0 if the robot is higher over the floor than the usual range.
+/// Returns the colour of the floor for what looks down from where the robot's wheels touch the ground: black if the
+/// robot is higher over the floor than the usual range of ground sensors.
+/// @param place that looks, in the robot's frame [m]
+Color floorColorUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place);
+
+/// Returns what a ground sensor reads of that colour, by Ground::reflection.
 /// @param place of the spot in the robot's frame [m]
 float reflectionUnder(const World& world, const Pose& pose, const Eigen::Vector2d& place);
 

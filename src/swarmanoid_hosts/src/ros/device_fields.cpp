@@ -47,7 +47,7 @@ std::vector<std::string> allowedNames(const DeviceType& type) {
 class FieldReader {
  public:
   /// @throws std::runtime_error
-  explicit FieldReader(const swarmanoid_msgs::DeviceFields& message) {
+  FieldReader(const swarmanoid_msgs::DeviceFields& message, const DeviceType& type) : type_(type) {
     if (message.names.size() != message.values.size()) {
       throw std::runtime_error("found " + std::to_string(message.names.size()) + " names and " +
                                std::to_string(message.values.size()) + " values, allowed: as many values as names");
@@ -66,7 +66,7 @@ class FieldReader {
       if (found == values_.end()) {
         std::memcpy(&value, device + number.offset, sizeof value);
       } else {
-        value = converted<decltype(value)>(number.name, found->second);
+        value = converted<decltype(value)>(number.name, found->second, fieldOf(number));
         values_.erase(found);
       }
       out.number(value);
@@ -87,12 +87,12 @@ class FieldReader {
   }
 
   /// Refuses what nobody has taken. @throws std::runtime_error
-  void refuseTheRest(const DeviceType& type) const {
+  void refuseTheRest() const {
     if (!values_.empty()) {
-      const std::vector<std::string> allowed = allowedNames(type);
+      const std::vector<std::string> allowed = allowedNames(type_);
       const std::string& name = values_.begin()->first;
       throw std::runtime_error("found '" + name + "', allowed: " + joinNames(allowed) +
-                               (hasList(type) ? ", elements of lists from 0 on without a gap" : "") +
+                               (hasList(type_) ? ", elements of lists from 0 on without a gap" : "") +
                                didYouMean(name, allowed));
     }
   }
@@ -117,14 +117,20 @@ class FieldReader {
     if (found == values_.end()) {
       throw std::runtime_error("found no '" + name + "', expected all numbers of an element");
     }
-    withNumberType(typeOf(number), [&](auto type) { out.number(converted<decltype(type)>(name, found->second)); });
+    withNumberType(typeOf(number),
+                   [&](auto type) { out.number(converted<decltype(type)>(name, found->second, fieldOf(number))); });
     values_.erase(found);
   }
 
+  const FieldDescription& fieldOf(const DeviceNumber& number) const { return type_.fields[number.field]; }
+
   /// @throws std::runtime_error if the type cannot hold the value
   template <class Number>
-  static Number converted(const std::string& name, double value) {
+  static Number converted(const std::string& name, double value, const FieldDescription& field) {
     if (!std::isfinite(value)) {
+      if (field.is_distance || (field.may_be_nan && std::isnan(value))) {
+        return static_cast<Number>(value);
+      }
       throw std::runtime_error("found a number that is not finite for '" + name + "', allowed: finite numbers");
     }
     using Limits = std::numeric_limits<Number>;
@@ -144,6 +150,7 @@ class FieldReader {
     return static_cast<Number>(value);
   }
 
+  const DeviceType& type_;
   std::map<std::string, double> values_;  ///< of the message, that nobody has taken
 };
 
@@ -169,7 +176,7 @@ void toMessage(const DeviceType& type, const void* device, swarmanoid_msgs::Devi
 
 void fromMessage(const swarmanoid_msgs::DeviceFields& message, const DeviceType& type, void* device,
                  VariableParts& parts) {
-  FieldReader reader(message);
+  FieldReader reader(message, type);
   Bytes bytes;
   ByteWriter out(bytes);
   for (const DeviceNumber& number : type.numbers) {
@@ -179,7 +186,7 @@ void fromMessage(const swarmanoid_msgs::DeviceFields& message, const DeviceType&
       reader.takeNumber(number, static_cast<const std::byte*>(device), out);
     }
   }
-  reader.refuseTheRest(type);
+  reader.refuseTheRest();
   ByteReader in(Span<const std::uint8_t>(bytes.data(), bytes.size()));
   type.read(in, device, parts);
 }

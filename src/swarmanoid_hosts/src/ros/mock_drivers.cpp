@@ -63,7 +63,7 @@ class Drivers {
       }
     }
     constexpr std::uint32_t kQueue = 10;
-    odometry_ = robot_handle_.advertise<nav_msgs::Odometry>("odom", kQueue);
+    truth_ = robot_handle_.advertise<nav_msgs::Odometry>("ground_truth/odom", kQueue);
   }
 
   /// Runs until the node ends.
@@ -156,7 +156,7 @@ class Drivers {
     for (Shown& shown : shown_) {
       publishIfChanged(shown, header);
     }
-    publishOdometry(header.stamp);
+    publishTruth(header.stamp);
   }
 
   static void publishIfChanged(Shown& shown, const std_msgs::Header& header) {
@@ -169,10 +169,10 @@ class Drivers {
     }
   }
 
-  void publishOdometry(ros::Time stamp) {
+  void publishTruth(ros::Time stamp) {
     nav_msgs::Odometry message;
     message.header.stamp = stamp;
-    message.header.frame_id = name_ + "/odom";
+    message.header.frame_id = "world";
     message.child_frame_id = name_ + "/base_link";
     const Pose& pose = robot_->state().pose;
     message.pose.pose.position.x = pose.position.x();
@@ -184,7 +184,7 @@ class Drivers {
     message.twist.twist.linear.y = robot_->state().twist.linear.y();
     message.twist.twist.linear.z = robot_->state().twist.linear.z();
     message.twist.twist.angular.z = robot_->state().twist.yaw_rate;
-    odometry_.publish(message);
+    truth_.publish(message);
   }
 
   std::string name_;
@@ -196,7 +196,7 @@ class Drivers {
   std::deque<VariableParts> parts_;  // addresses stay valid
   std::vector<ros::Subscriber> commands_;
   std::vector<Shown> shown_;
-  ros::Publisher odometry_;
+  ros::Publisher truth_;  // where the robot really is, for people and tests
 };
 
 }  // namespace

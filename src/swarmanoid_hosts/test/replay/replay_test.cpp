@@ -125,7 +125,7 @@ TEST(ReplayTest, AnotherOneIsToldApartWhereItFirstDecidesOtherwise) {
       "  footbot_wheels (f8 f8)\n"
       "    right: recorded 1, replayed -1\n"
       "  readings\n"
-      "    footbot_camera: [(255 128 0 -0.25 1.5)] false\n"
+      "    footbot_camera: [(255 128 0 -0.25 1.5 0 0)] false\n"
       "  debug values\n"
       "    state: recorded drives, replayed turns\n",
       reportOf(run));
@@ -195,7 +195,7 @@ TEST(ReplayTest, OtherFieldsThanHereAreRefused) {
 TEST(ReplayTest, TheTableHasALineADevice) {
   const RecordedRun run = record(3);
   const std::string text = table(run, {1, 1});
-  EXPECT_EQ(0U, text.find("fb_1\t1\t1.100\treading\tfootbot_camera\t[(255 128 0 -0.25 1.5)] false\n"
+  EXPECT_EQ(0U, text.find("fb_1\t1\t1.100\treading\tfootbot_camera\t[(255 128 0 -0.25 1.5 0 0)] false\n"
                           "fb_1\t1\t1.100\tcommand\tfootbot_wheels\t"));
   EXPECT_NE(std::string::npos, text.find(" 1\nfb_1\t1\t1.100\tdebug\tstate\tdrives\n"));
   EXPECT_EQ(3, std::count(text.begin(), text.end(), '\n'));
@@ -222,7 +222,7 @@ TEST(DeviceValuesTest, NumbersAreReadByTheirLayout) {
 }
 
 TEST(DeviceValuesTest, NumbersHaveTheNamesOfTheirFields) {
-  const std::vector<ColorBlob> blobs{{colors::kOrange, -0.25F, 1.5F}};
+  const std::vector<ColorBlob> blobs{{colors::kOrange, -0.25F, 1.5F, -0.5F, 0.125F}};
   FootbotCamera camera;
   camera.blobs = blobs;
   const DeviceType& type = *findDeviceType(FootbotCamera::kType);
@@ -231,7 +231,8 @@ TEST(DeviceValuesTest, NumbersHaveTheNamesOfTheirFields) {
   type.write(&camera, out);
   const std::vector<std::pair<std::string, std::string>> expected = {
       {"blobs[0].color.red", "255"}, {"blobs[0].color.green", "128"}, {"blobs[0].color.blue", "0"},
-      {"blobs[0].bearing", "-0.25"}, {"blobs[0].distance", "1.5"},    {"overflowed", "false"}};
+      {"blobs[0].bearing", "-0.25"}, {"blobs[0].distance", "1.5"},    {"blobs[0].elevation", "-0.5"},
+      {"blobs[0].size", "0.125"},    {"overflowed", "false"}};
   EXPECT_EQ(expected, named(decode(type.layout, bytes), {type.type, type.layout}));
   // for another version of the device only the positions are known
   Bytes other;

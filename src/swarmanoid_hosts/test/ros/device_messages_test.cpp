@@ -11,6 +11,7 @@
 #include "swarmanoid_hosts/ros/devices/differential_drive.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_laser.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_magnet.hpp"
+#include "swarmanoid_hosts/ros/devices/eyebot_pan_tilt.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_velocity.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_gripper.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_ground.hpp"
@@ -52,7 +53,8 @@ TEST(DeviceMessages, KeepAllReadings) {
 }
 
 TEST(DeviceMessages, KeepAllBlobs) {
-  const std::array<ColorBlob, 2> blobs{ColorBlob{{255, 0, 1}, 0.5F, 1.5F}, ColorBlob{{3, 2, 255}, -3.0F, 0.25F}};
+  const std::array<ColorBlob, 2> blobs{ColorBlob{{255, 0, 1}, 0.5F, 1.5F, -0.75F, 0.125F},
+                                       ColorBlob{{3, 2, 255}, -3.0F, 0.25F, 1.25F, 2.5F}};
   FootbotCamera camera;
   camera.blobs = Span<const ColorBlob>(blobs.data(), blobs.size());
   camera.overflowed = true;
@@ -62,6 +64,21 @@ TEST(DeviceMessages, KeepAllBlobs) {
   VariableParts parts;
   fromMessage(message, back, parts);
   EXPECT_EQ(bytesOf("footbot_camera", &camera), bytesOf("footbot_camera", &back));
+}
+
+TEST(DeviceMessages, KeepThatADistanceIsNotKnown) {
+  const ColorBlob blob{{255, 0, 1}, 0.5F, std::numeric_limits<float>::quiet_NaN(), -0.75F, 0.125F};
+  HandbotCamera camera;
+  camera.blobs = Span<const ColorBlob>(&blob, 1);
+  swarmanoid_msgs::ColorBlobs message;
+  toMessage(camera, message);
+  EXPECT_TRUE(std::isnan(message.blobs[0].distance)) << "REP-117";
+  HandbotCamera back;
+  VariableParts parts;
+  detail::receive(message, back, parts);
+  ASSERT_EQ(1U, back.blobs.size());
+  EXPECT_TRUE(std::isnan(back.blobs[0].distance));
+  EXPECT_EQ(-0.75F, back.blobs[0].elevation);
 }
 
 TEST(DeviceMessages, OfFootbotsGroundSayWhereTheSpotsAre) {
@@ -86,7 +103,7 @@ TEST(DeviceMessages, ARefusedListLeavesTheFormerOne) {
   VariableParts parts;
   detail::receive(message, camera, parts);
   message.blobs.resize(500);
-  message.blobs[499].distance = std::numeric_limits<float>::quiet_NaN();
+  message.blobs[499].bearing = std::numeric_limits<float>::quiet_NaN();
   EXPECT_THROW(detail::receive(message, camera, parts), std::runtime_error);
   ASSERT_EQ(2U, camera.blobs.size());
   EXPECT_EQ(0.75F, camera.blobs[1].bearing);
@@ -101,6 +118,7 @@ TEST(DeviceMessages, KeepAllCommands) {
   expectNothingLost<swarmanoid_msgs::TurretCommand>(FootbotTurret{FootbotTurret::Mode::kPassive, 0.0, 0.0});
   expectNothingLost<geometry_msgs::Twist>(EyebotVelocity{{0.1, 0.2, 0.3}, 0.4});
   expectNothingLost<swarmanoid_msgs::LaserCommand>(EyebotLaser{true, 0.5, -0.25});
+  expectNothingLost<swarmanoid_msgs::PanTiltCommand>(EyebotPanTilt{0.5, -0.25});
   expectNothingLost<swarmanoid_msgs::GripperCommand>(EyebotMagnet{true});
   expectNothingLost<sensor_msgs::JointState>(HandbotArms{{0.1, 0.2, 0.3}, {0.4, 0.5, 0.6}});
   expectNothingLost<swarmanoid_msgs::HandsCommand>(HandbotHands{true, false});

@@ -1,10 +1,14 @@
 // Converts devices of any robot to messages and back.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <vector>
 
 #include "message_bench.hpp"
+#include "swarmanoid_hosts/ros/devices/battery.hpp"
+#include "swarmanoid_hosts/ros/devices/bluetooth.hpp"
+#include "swarmanoid_hosts/ros/devices/floor_color.hpp"
 #include "swarmanoid_hosts/ros/devices/ground.hpp"
 #include "swarmanoid_hosts/ros/devices/holders.hpp"
 #include "swarmanoid_hosts/ros/devices/imu.hpp"
@@ -12,8 +16,12 @@
 #include "swarmanoid_hosts/ros/devices/led_array.hpp"
 #include "swarmanoid_hosts/ros/devices/leds.hpp"
 #include "swarmanoid_hosts/ros/devices/light.hpp"
+#include "swarmanoid_hosts/ros/devices/loudspeaker.hpp"
+#include "swarmanoid_hosts/ros/devices/microphones.hpp"
 #include "swarmanoid_hosts/ros/devices/proximity.hpp"
 #include "swarmanoid_hosts/ros/devices/range_and_bearing.hpp"
+#include "swarmanoid_hosts/ros/devices/rfid.hpp"
+#include "swarmanoid_hosts/ros/devices/wifi.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -35,6 +43,55 @@ TEST(FamilyMessages, KeepProximityOfAnyRobot) {
   EXPECT_EQ(bytesOf("proximity", &proximity), bytesOf("proximity", &back));
   message.angles.pop_back();
   EXPECT_EQ(refusalOf(message, proximity), "found 1 angles and 2 values, allowed: as many of both, at most 64");
+}
+
+TEST(FamilyMessages, KeepTheBatteryOfAnyRobot) {
+  Battery battery;
+  battery.charge = 66600.0F;
+  battery.capacity = 133200.0F;
+  battery.voltage = 3.7F;
+  battery.power = 4.81F;
+  sensor_msgs::BatteryState message;
+  toMessage(battery, message);
+  EXPECT_FLOAT_EQ(message.charge, 5.0F) << "A h";
+  EXPECT_FLOAT_EQ(message.capacity, 10.0F);
+  EXPECT_FLOAT_EQ(message.percentage, 0.5F);
+  EXPECT_FLOAT_EQ(message.current, -1.3F);
+  EXPECT_TRUE(std::isnan(message.temperature));
+  EXPECT_TRUE(std::isnan(message.design_capacity));
+  EXPECT_EQ(message.power_supply_status, sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_DISCHARGING);
+  EXPECT_TRUE(message.present != 0);
+  Battery back;
+  fromMessage(message, back);
+  EXPECT_FLOAT_EQ(back.charge, battery.charge);
+  EXPECT_FLOAT_EQ(back.capacity, battery.capacity);
+  EXPECT_FLOAT_EQ(back.power, battery.power);
+  EXPECT_EQ(back.voltage, battery.voltage);
+  EXPECT_FALSE(back.is_charging);
+  battery.is_charging = true;
+  battery.on_capacitor = true;
+  toMessage(battery, message);
+  fromMessage(message, back);
+  EXPECT_TRUE(back.is_charging);
+  EXPECT_TRUE(back.on_capacitor);
+  battery.is_charging = false;
+  battery.charge = battery.capacity;
+  toMessage(battery, message);
+  EXPECT_EQ(message.power_supply_status, sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_FULL);
+  fromMessage(message, back);
+  EXPECT_FALSE(back.is_charging);
+  battery.is_charging = true;
+  battery.power = 0.0F;
+  toMessage(battery, message);
+  EXPECT_EQ(message.power_supply_status, sensor_msgs::BatteryState::POWER_SUPPLY_STATUS_FULL)
+      << "on a perch, which gives what the robot draws";
+  fromMessage(message, back);
+  EXPECT_TRUE(back.is_charging);
+  message.charge = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(refusalOf(message, battery), "found no charge or no capacity (NaN: not measured), allowed: both");
+  message.charge = 1.0F;
+  message.voltage = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(refusalOf(message, battery), "found no voltage, allowed: 0 V or more");
 }
 
 TEST(FamilyMessages, KeepLightOfAnyRobot) {
@@ -67,6 +124,77 @@ TEST(FamilyMessages, KeepTheGroundUnderAnyRobot) {
   EXPECT_EQ(bytesOf("ground", &ground), bytesOf("ground", &back));
   message.y.pop_back();
   EXPECT_EQ(refusalOf(message, ground), "found 2 x, 1 y and 2 values, allowed: as many of each, at most 64");
+}
+
+TEST(FamilyMessages, KeepWhatMicrophonesOfAnyRobotHear) {
+  const std::array<Microphone, 2> microphones{Microphone{61.5F, 0.03F, -0.02F}, Microphone{30.0F, -0.03F, 0.01F}};
+  Microphones heard;
+  heard.microphones = Span<const Microphone>(microphones.data(), microphones.size());
+  heard.loudest = {-2.5F, 0.75F, 440.0F};
+  swarmanoid_msgs::MicrophoneLevels message;
+  toMessage(heard, message);
+  EXPECT_EQ(message.levels, (std::vector<float>{61.5F, 30.0F}));
+  EXPECT_EQ(message.y, (std::vector<float>{-0.02F, 0.01F}));
+  Microphones back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("microphones", &heard), bytesOf("microphones", &back));
+  message.x.pop_back();
+  EXPECT_EQ(refusalOf(message, heard), "found 1 x, 2 y and 2 levels, allowed: as many of each, at most 64");
+}
+
+TEST(FamilyMessages, KeepWhatAFootbotHears) {
+  FootbotMicrophones heard;
+  heard.level = {40.0F, 41.5F, 42.25F, 39.0F};
+  heard.loudest = {1.5F, 0.125F, 880.0F};
+  expectNothingLost<swarmanoid_msgs::MicrophoneLevels>(heard);
+  swarmanoid_msgs::MicrophoneLevels message;
+  toMessage(heard, message);
+  EXPECT_EQ(message.x, (std::vector<float>{0.07F, 0.0F, -0.07F, 0.0F}));
+  EXPECT_EQ(message.y, (std::vector<float>{0.0F, 0.07F, 0.0F, -0.07F}));
+  message.levels.pop_back();
+  EXPECT_EQ(refusalOf(message, heard), "found 3 levels, expected 4");
+  message.levels.push_back(std::numeric_limits<float>::infinity());
+  EXPECT_EQ(refusalOf(message, heard), "found a number that is not finite, allowed: finite numbers");
+}
+
+TEST(FamilyMessages, KeepTonesAndWhatIsWrittenToTags) {
+  Loudspeaker speaker;
+  speaker.sound(71.5, 523.25);
+  expectNothingLost<swarmanoid_msgs::LoudspeakerCommand>(speaker);
+  RfidWriter writer;
+  writer.write(4294967295U, 4294967294U);
+  expectNothingLost<swarmanoid_msgs::RfidWriteCommand>(writer);
+}
+
+TEST(FamilyMessages, KeepTagsInTheirOrder) {
+  const std::array<RfidTagReading, 2> tags{RfidTagReading{4294967295U, 3}, RfidTagReading{1, 4294967295U}};
+  RfidReader reader;
+  reader.tags = Span<const RfidTagReading>(tags.data(), tags.size());
+  reader.overflowed = true;
+  swarmanoid_msgs::RfidTags message;
+  toMessage(reader, message);
+  EXPECT_EQ(message.ids, (std::vector<std::uint32_t>{4294967295U, 1}));
+  RfidReader back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("rfid_reader", &reader), bytesOf("rfid_reader", &back));
+  message.data.pop_back();
+  EXPECT_EQ(refusalOf(message, reader), "found 2 ids and 1 data, allowed: as many of both, at most 16");
+  message.ids.resize(17);
+  message.data.resize(17);
+  EXPECT_EQ(refusalOf(message, reader), "found 17 ids and 17 data, allowed: as many of both, at most 16");
+}
+
+TEST(FamilyMessages, KeepTheColourOfTheFloor) {
+  for (const Color color : {Color{1, 254, 127}, Color{0, 0, 1}, colors::kWhite}) {
+    expectNothingLost<swarmanoid_msgs::FloorColor>(FloorColor{color});
+  }
+  EXPECT_EQ(colors::kBlack, test::thereAndBack<swarmanoid_msgs::FloorColor>(FloorColor{}).color);
+  swarmanoid_msgs::FloorColor message;
+  toMessage(FloorColor{{51, 102, 153}}, message);
+  EXPECT_FLOAT_EQ(0.2F, message.color.r);
+  EXPECT_FLOAT_EQ(0.6F, message.color.b);
 }
 
 TEST(FamilyMessages, KeepJointsOfAnyRobotInTheirOrder) {
@@ -212,6 +340,44 @@ TEST(FamilyMessages, KeepWhatIsReceivedByRangeAndBearing) {
   EXPECT_EQ(refusalOf(message, received), "found a number that is not finite, allowed: finite numbers");
   message.messages.resize(65);
   EXPECT_EQ(refusalOf(message, received), "found 65 messages, allowed: at most 64");
+}
+
+TEST(FamilyMessages, KeepWhatRadiosSend) {
+  Wifi::Payload payload{};
+  payload[0] = 255;
+  payload[127] = 9;
+  Wifi command;
+  command.send(payload, (RadioAddress{1} << 48U) - 1);
+  expectNothingLost<swarmanoid_msgs::RadioCommand>(command);
+  Bluetooth shorter;
+  shorter.send({1, 2, 3});
+  expectNothingLost<swarmanoid_msgs::RadioCommand>(shorter);
+  swarmanoid_msgs::RadioCommand message;
+  message.payload.resize(28);
+  EXPECT_EQ(refusalOf(message, shorter), "found a payload of 28 bytes, allowed: at most 27");
+}
+
+TEST(FamilyMessages, KeepWhatRadiosReceive) {
+  std::array<BluetoothMessage, 2> messages;
+  messages[0].sender = addressOf("fb_1");
+  messages[0].payload = {1, 2, 255};
+  messages[1].sender = 7;
+  messages[1].payload[26] = 128;
+  BluetoothReceived received;
+  received.messages = Span<const BluetoothMessage>(messages.data(), messages.size());
+  received.overflowed = true;
+  swarmanoid_msgs::RadioMessages message;
+  toMessage(received, message);
+  ASSERT_EQ(2U, message.messages.size());
+  EXPECT_EQ(22510536293955U, message.messages[0].sender);
+  EXPECT_EQ(128, message.messages[1].payload.at(26));
+  BluetoothReceived back;
+  VariableParts parts;
+  fromMessage(message, back, parts);
+  EXPECT_EQ(bytesOf("bluetooth_received", &received), bytesOf("bluetooth_received", &back));
+  message.messages.resize(8);
+  EXPECT_EQ(refusalOf(message, received), "found 8 messages, allowed: at most 7");
+  EXPECT_EQ(refusalOf(message, WifiReceived{}), "") << "that is more on another channel";
 }
 
 }  // namespace

@@ -35,7 +35,22 @@ struct FieldInfo {
   const char* meaning = "";  ///< one phrase; what a struct or a list means, its fields mean that say nothing themselves
   Range range = {};          ///< the bounds that values keep or are limited to
   bool wraps = false;        ///< an angle: what leaves its bounds at one end comes in at the other
+  /// A measured distance, which need not be finite (REP-117): infinity where nothing is in range, -infinity where
+  /// something is too close, NaN where nothing is measured. What is beyond the bounds becomes one of the infinities.
+  bool is_distance = false;
+  bool may_be_nan = false;  ///< NaN says that nobody knows
 };
+
+/// Describes a field that is a measured distance [m].
+constexpr FieldInfo distanceField(const char* name, const char* meaning, Range range) {
+  return {name, "m", meaning, range, false, true};
+}
+
+/// The same field, of which NaN says that nobody knows.
+constexpr FieldInfo orUnknown(FieldInfo info) {
+  info.may_be_nan = true;
+  return info;
+}
 
 /// The description of one field for readers of the device; a struct gives one for each of its fields.
 struct FieldDescription {
@@ -49,6 +64,8 @@ struct FieldDescription {
   double resting_value = 0;  ///< value in a device that was just made; of the first number, if there are several
   bool wraps = false;        ///< an angle within one turn
   std::size_t count_in_element = 0;  ///< count in one element of a span; 0: it is in none
+  bool is_distance = false;          ///< a measured distance, which need not be finite
+  bool may_be_nan = false;           ///< NaN says that nobody knows
 };
 
 /// Returns "value[24]", "joints[6].angle", "blobs[].bearing", "messages[].payload[10]": the name with how many there
@@ -103,12 +120,19 @@ std::string numberType() {
   return kind + std::to_string(sizeof(Number));
 }
 
-/// Checks whether all numbers are finite.
+/// Checks whether all numbers are finite that have to be.
 class FiniteCheck {
  public:
   template <class Value>
-  void operator()(Value& value, const FieldInfo& /*info*/) {
-    look(value);
+  void operator()(Value& value, const FieldInfo& info) {
+    if constexpr (std::is_floating_point_v<Value>) {
+      if (info.may_be_nan && std::isnan(value)) {
+        return;
+      }
+    }
+    if (!info.is_distance) {
+      look(value);
+    }
   }
   bool isFinite() const { return is_finite_; }
 
@@ -154,7 +178,9 @@ class RangeLimiter {
  public:
   template <class Value>
   void operator()(Value& value, const FieldInfo& info) {
-    limit(value, info.range);
+    if (!info.is_distance) {
+      limit(value, info.range);
+    }
   }
 
  private:
@@ -223,7 +249,7 @@ class FieldLister {
     const auto field = static_cast<std::size_t>(known - fields_.begin());
     if (known == fields_.end()) {
       fields_.push_back({name.field, numberType<Number>(), info.unit, name.meaning, info.range, 0,
-                         static_cast<double>(value), info.wraps});
+                         static_cast<double>(value), info.wraps, 0, info.is_distance, info.may_be_nan});
     }
     ++(is_in_span_ ? fields_[field].count_in_element : fields_[field].count);
     numbers_.push_back({name.number, kind, numberType<Number>(), offsetOf(place), field, {}, {}});
@@ -259,14 +285,15 @@ class FieldLister {
 }  // namespace detail
 
 /// Brings the numbers of a command into the ranges that its fields have: what is outside becomes the nearer bound, an
-/// angle that wraps (FieldInfo::wraps) too. Spans and whole numbers stay as they are, and so does NaN.
+/// angle that wraps (FieldInfo::wraps) too. Spans, whole numbers and measured distances stay as they are, and so does
+/// NaN.
 template <class Device>
 void limitToRanges(Device& device) {
   detail::RangeLimiter limiter;
   fields(limiter, device);
 }
 
-/// Returns whether no number of the device is NaN or infinite.
+/// Returns whether no number of the device is NaN or infinite, but for measured distances (FieldInfo::is_distance).
 template <class Device>
 bool isFinite(const Device& device) {
   detail::FiniteCheck check;

@@ -53,7 +53,7 @@ struct DeviceType {
   /// @throws ByteError; the device is then partly read
   void (*read)(ByteReader& in, void* device, VariableParts& parts) = nullptr;
   std::shared_ptr<void> (*make)() = nullptr;        ///< makes a device at rest
-  bool (*is_finite)(const void* device) = nullptr;  ///< returns whether no number is NaN or infinite
+  bool (*is_finite)(const void* device) = nullptr;  ///< returns isFinite of the device
   /// The safe stop of actuators, see safe_stop.hpp; null for sensors. @return whether the stop is over
   bool (*stop)(void* command, const SafeStopMoment& moment) = nullptr;
   std::string robot{};        ///< Device::kRobot: only robots of this type have the device; "": any

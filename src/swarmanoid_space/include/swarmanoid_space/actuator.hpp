@@ -3,7 +3,7 @@
 /// engines read.
 ///
 /// Phases   configure, add, remove, setFaults, stop: between phases. actuate: the phase of this name.
-///          afterMove: in `connect`.
+///          afterMove: in `connect`. draw: in `show` or between ticks, if somebody looks.
 /// Noise    drawn from the instance's own stream.
 /// Errors   those of <error> elements act on the actuation after the check and before `limit`. addErrorAlias makes a
 ///          parameter of the actuator mean such an error, which draws from a stream of the same name as the instance's
@@ -25,6 +25,7 @@
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_interface/safe_stop.hpp"
 #include "swarmanoid_space/device_description.hpp"
+#include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/error_models/device_fault.hpp"
 #include "swarmanoid_space/space.hpp"
@@ -64,6 +65,9 @@ class Actuator {
   /// is sound. Errors of <error> elements and faults act on it too. @return whether the stop is over: the command stays
   /// now
   virtual bool stop(Space& space, Row row, const SafeStopMoment& moment) = 0;
+
+  /// Shows people what the actuators of those robots do that the drawing is of. Changes nothing.
+  virtual void draw(const Space& /*space*/, DeviceDrawing& /*drawing*/) const {}
 
   const char* type() const { return type_; }
 
@@ -202,6 +206,14 @@ class ActuatorOf : public Actuator {
     return is_over;
   }
 
+  void draw(const Space& space, DeviceDrawing& drawing) const override {
+    for (const Instance& instance : instances_) {
+      if (drawing.isOf(space.entities.name[instance.row])) {
+        drawOne(space, instance, drawing);
+      }
+    }
+  }
+
  protected:
   ActuatorOf() : Actuator(Device::kType) {}
 
@@ -215,9 +227,11 @@ class ActuatorOf : public Actuator {
   virtual void prepareInstance(const Space&, Instance&) {}
   /// Limits and noise: changes instance.actuation, which starts as the command with its errors.
   virtual void limit(const Space&, Instance&) {}
-  /// Passes the actuation on: to the mechanisms that it commands (state/mechanisms.hpp), to LEDs. Called in each tick,
-  /// and at rest when an instance is added.
+  /// Passes the actuation on: to the mechanisms that it commands (state/mechanisms.hpp), to LEDs, to radio tags. Called
+  /// in each tick, and at rest when an instance is added.
   virtual void apply(Space&, Instance&) {}
+  /// Draws the actuator of one robot (device_drawing.hpp); nothing if an actuator has nothing to show.
+  virtual void drawOne(const Space&, const Instance&, DeviceDrawing&) const {}
 
   std::vector<Instance> instances_;
 

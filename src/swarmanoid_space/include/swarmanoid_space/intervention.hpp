@@ -58,8 +58,8 @@ struct SetEngineParameters {
 
 /// Another source commands the robot from now on. A controller in this process starts anew; a robot that nobody
 /// commands stops, one that is commanded over topics until the first command comes; one whose commands come from
-/// elsewhere keeps the last ones until a participant answers. Refused: no such robot, a controller that does not start,
-/// a device that cannot travel.
+/// elsewhere keeps the last ones until a participant answers; one whose battery is empty is commanded so once it holds
+/// enough. Refused: no such robot, a controller that does not start, a device that cannot travel.
 struct SetCommandSource {
   std::string robot;
   CommandSource source = CommandSource::kController;

@@ -1,7 +1,9 @@
 /// The base classes of simulated sensors. One object serves all robots of one controller configuration: it reads the
 /// space and fills their readings, the structs of swarmanoid_interface/devices.
 ///
-/// Phases   configure, add, remove, setFaults: between ticks. sense: the phase of this name; sees the space const.
+/// Phases   configure, add, remove, setFaults: between ticks. prepare, then sense: the phase of this name; both see the
+///          space const.
+///          draw: in `show` or between ticks, if somebody looks.
 /// Threads  sense is called at once on disjoint ranges of instances. No allocation, lock, log or throw in it.
 /// Noise    drawn from the instance's own stream, so it does not depend on other instances.
 /// Errors   those of <error> elements act on what `sense` has filled in, which stays as it is. addErrorAlias makes a
@@ -23,6 +25,7 @@
 #include "swarmanoid_interface/random.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/device_description.hpp"
+#include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/error_models/device_fault.hpp"
 #include "swarmanoid_space/space.hpp"
@@ -54,6 +57,8 @@ class Sensor {
   virtual void reseed(std::uint64_t seed) = 0;
 
   virtual std::size_t instanceCount() const = 0;
+  /// Before the ranges are sensed, on one thread: what all instances need to know of the space.
+  virtual void prepare(const Space&) {}
   /// Refreshes the readings of instances first .. last - 1, which are in the order of entity numbers.
   virtual void sense(const Space& space, std::size_t first, std::size_t last) = 0;
   /// The same, and then what errors and faults make of the readings.
@@ -65,6 +70,9 @@ class Sensor {
   }
   /// After all ranges are sensed, on one thread: events such as an overflow.
   virtual void report(Space&) {}
+
+  /// Shows people what the sensors of those robots do that the drawing is of. Changes nothing.
+  virtual void draw(const Space& /*space*/, DeviceDrawing& /*drawing*/) const {}
 
   const char* type() const { return type_; }
 
@@ -180,6 +188,14 @@ class SensorOf : public Sensor {
 
   std::size_t instanceCount() const override { return instances_.size(); }
 
+  void draw(const Space& space, DeviceDrawing& drawing) const override {
+    for (const Instance& instance : instances_) {
+      if (drawing.isOf(space.entities.name[instance.row])) {
+        drawOne(space, instance, drawing);
+      }
+    }
+  }
+
  protected:
   SensorOf() : Sensor(Device::kType) {}
 
@@ -194,6 +210,16 @@ class SensorOf : public Sensor {
 
   /// Last chance to prepare a new instance, such as from the entity's model.
   virtual void prepareInstance(const Space&, Instance&) {}
+
+  /// Draws the sensor of one robot (device_drawing.hpp); nothing if a sensor has nothing to show.
+  virtual void drawOne(const Space&, const Instance&, DeviceDrawing&) const {}
+  /// For drawOne: what the robot's controller reads, with errors and faults. @pre it is one of instances_
+  const Device& delivered(const Instance& instance) const {
+    if (errors_.isEmpty()) {
+      return instance.fault == nullptr ? *instance.readings : *instance.fault->delivered;
+    }
+    return *disturbed_[static_cast<std::size_t>(&instance - instances_.data())].delivered;
+  }
 
   void deliver(const Space& space, std::size_t first, std::size_t last) override {
     if (!errors_.isEmpty()) {

@@ -26,6 +26,7 @@
 #include "swarmanoid_space/rays/terrain.hpp"
 #include "swarmanoid_space/state/attachments.hpp"
 #include "swarmanoid_space/state/bank.hpp"
+#include "swarmanoid_space/state/battery_state.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 #include "swarmanoid_space/state/event.hpp"
 #include "swarmanoid_space/state/floor.hpp"
@@ -76,6 +77,16 @@ class Space {
   std::shared_ptr<const Terrain> terrain;  ///< null: the floor is level
   /// The lowest ground [m]: 0, or less where a terrain has holes.
   double lowestGround() const { return terrain ? std::min(0.0, terrain->bounds().min().z()) : 0.0; }
+  /// The hole of the floor above, on or below which the point lies; null if there is none. Where there is a terrain,
+  /// that is the ground, and has no holes but its own. In the header, since sensors ask for it often.
+  const FloorHole* holeAt(const Eigen::Vector3d& point) const {
+    for (const FloorHole& hole : floor.holes) {
+      if (hole.contains(point)) {
+        return terrain && terrain->contains(point.x(), point.y()) ? nullptr : &hole;
+      }
+    }
+    return nullptr;
+  }
 
   // The world. What has one value an entity is a column (state/column.hpp), and says itself who writes it.
   Entities entities;
@@ -88,8 +99,11 @@ class Space {
   ListColumn<JointState> joints{entities.columns,
                                 {"joint", Writer::kMove, Visits::kHash},
                                 [](const EntityModel& model) { return model.joints.size(); }};
+  /// Follows from the commands, so it is not in the hash; readings that follow from it are in the deep hash.
+  Column<WheelTurns> wheel_turns{entities.columns, {"wheel_turns", Writer::kMove}};
   Attachments attachments{entities};
-  /// The properties of the model, in its order.
+  /// The properties of the model, in its order. In `actuate`, writers of radio tags change what these hold (kTagData);
+  /// `power` writes those of robots with a battery.
   ListColumn<double> properties{
       entities.columns,
       {"property", Writer::kBetweenTicks, Visits::kHash},
@@ -98,6 +112,10 @@ class Space {
   /// For sensors, once an entity: few models have properties, and those that have, have few names to compare.
   /// @return nothing if the entity has no such property
   std::optional<double> property(Row row, std::string_view name) const;
+  /// One for each robot that has a battery, none for what has none.
+  ListColumn<BatteryState> batteries{entities.columns,
+                                     {"battery", Writer::kPower, Visits::kHash},
+                                     [](const EntityModel& model) { return std::size_t{model.battery ? 1U : 0U}; }};
   /// The colour of the entity's own surface or light as cameras see it; a lamp of kIntensity 0 is black.
   Color ownColor(Row row) const;
 
@@ -152,6 +170,8 @@ class Space {
 
   /// Entities in no engine, by row: rays are cast against their models. Kept by add and remove of entities.
   std::vector<Row> entities_without_engine;
+  /// Robots with a battery, by entity number; likewise.
+  std::vector<Row> powered;
 };
 
 /// Passes all named state to the visitor: the columns in the order of entity numbers, then what belongs to the world.

@@ -40,6 +40,7 @@ struct RobotInstance {
   Time last_command = kEpoch;
   bool is_commanded = false;        ///< a command has come, and not too long ago
   std::optional<Time> stops_since;  ///< no controller commands it any more, and its safe stop is not over
+  std::optional<CommandSource> source_when_charged;  ///< its battery is empty; then the source is kNone
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };

@@ -59,7 +59,7 @@ void NumberPlace::writeWhole(std::byte* fields, double value) const {
 
 NumberPlace placeOf(const DeviceNumber& number, const FieldDescription& field) {
   const Range range = field.wraps ? Range{-M_PI, M_PI} : field.range;
-  NumberPlace place{number.offset, findNumberType(number.type).value(), field.wraps, {}};
+  NumberPlace place{number.offset, findNumberType(number.type).value(), field.wraps, field.is_distance, {}};
   place.range = withNumberType(place.type, [&](auto type) { return boundsIn<decltype(type)>(range); });
   return place;
 }

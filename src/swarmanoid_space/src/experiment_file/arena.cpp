@@ -197,6 +197,8 @@ void readArena(const XmlElement& section, Reader& reader) {
       readDistribute(element, reader);
     } else if (element.name() == "floor_patch") {
       readFloorPatch(element, reader);
+    } else if (element.name() == "hole") {
+      readHole(element, reader);
     } else if (element.name() == "floor_image") {
       readFloorImage(element, reader);
     } else if (element.name() == "floor_paint") {

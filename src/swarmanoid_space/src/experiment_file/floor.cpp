@@ -1,28 +1,43 @@
-// What lies on the arena's floor: patches, an image, and what may be painted.
+// The arena's floor: patches, holes, an image, and what may be painted.
 #include <stdexcept>
 
 #include "../images/read_png.hpp"
 #include "reader.hpp"
 
 namespace swarmanoid::experiment {
+namespace {
 
-void readFloorPatch(const XmlElement& element, Reader& reader) {
-  element.allowAttributes(attributesOf("arena/floor_patch"));
-  FloorPatch patch;
-  patch.location = element.location();
-  patch.id = element.requireAttribute("id");
-  reader.takeId("entity", patch.id, element);
-  const Configuration values = readParameters(element, floorPatchParameters());
-  patch.position = values.vector3("position");
-  patch.radius = values.number("radius");
-  patch.size = values.vector2("size");
-  patch.color = values.color("color");
-  const bool has_size = patch.size != Eigen::Vector2d::Zero();
-  if ((patch.radius > 0.0) == has_size || (has_size && !(patch.size.minCoeff() > 0.0))) {
-    element.refuse("floor_patch '" + patch.id + "': found radius '" + values.text("radius") + "' and size '" +
+/// @return all that the element says
+Configuration readArea(const XmlElement& element, const std::vector<Parameter>& table, Reader& reader,
+                       FloorArea& area) {
+  element.allowAttributes(attributesOf("arena/" + element.name()));
+  area.location = element.location();
+  area.id = element.requireAttribute("id");
+  reader.takeId("entity", area.id, element);
+  Configuration values = readParameters(element, table);
+  area.position = values.vector3("position");
+  area.radius = values.number("radius");
+  area.size = values.vector2("size");
+  const bool has_size = area.size != Eigen::Vector2d::Zero();
+  if ((area.radius > 0.0) == has_size || (has_size && !(area.size.minCoeff() > 0.0))) {
+    element.refuse(element.name() + " '" + area.id + "': found radius '" + values.text("radius") + "' and size '" +
                    values.text("size") + "', allowed: one of them greater than 0");
   }
+  return values;
+}
+
+}  // namespace
+
+void readFloorPatch(const XmlElement& element, Reader& reader) {
+  FloorPatch patch;
+  patch.color = readArea(element, floorPatchParameters(), reader, patch).color("color");
   reader.experiment.arena.floor.patches.push_back(patch);
+}
+
+void readHole(const XmlElement& element, Reader& reader) {
+  FloorHole hole;
+  readArea(element, holeParameters(), reader, hole);
+  reader.experiment.arena.floor.holes.push_back(hole);
 }
 
 void readFloorImage(const XmlElement& element, Reader& reader) {

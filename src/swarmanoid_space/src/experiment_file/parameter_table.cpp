@@ -104,6 +104,16 @@ const std::vector<Parameter>& floorPatchParameters() {
   return table;
 }
 
+const std::vector<Parameter>& holeParameters() {
+  using Type = Parameter::Type;
+  static const std::vector<Parameter> table{
+      makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
+                    "Of the hole's centre; its height says nothing."),
+      makeParameter("radius", Type::kNumber, "m", "0", limits::kPatch, "Of a disc; 0: a rectangle of <size>."),
+      makeParameter("size", Type::kVector2, "m", "0, 0", limits::kPatch, "Of a rectangle along x and y.")};
+  return table;
+}
+
 const std::vector<Parameter>& floorImageParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{

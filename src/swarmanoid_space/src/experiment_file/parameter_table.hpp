@@ -27,6 +27,8 @@ std::vector<Parameter> placementParameters(bool is_distributed);
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& floorPatchParameters();
+/// Of <hole>, likewise.
+const std::vector<Parameter>& holeParameters();
 /// Of <floor_image>.
 const std::vector<Parameter>& floorImageParameters();
 /// Of <floor_paint>.

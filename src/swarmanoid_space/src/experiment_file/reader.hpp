@@ -84,6 +84,7 @@ EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment&
 /// <heightfield> in <arena>, at most one.
 void readHeightfield(const XmlElement& element, Reader& reader);
 void readFloorPatch(const XmlElement& element, Reader& reader);
+void readHole(const XmlElement& element, Reader& reader);
 /// <floor_image> in <arena>, at most one.
 void readFloorImage(const XmlElement& element, Reader& reader);
 /// <floor_paint> in <arena>, at most one.

@@ -16,7 +16,7 @@ int clampedCell(double coordinate, double inverse_cell_size, int count) {
   return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
 }
 
-/// Of an entity's shapes, in W.
+/// Of an entity's shapes, in W, whatever its joints do.
 Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
   Eigen::AlignedBox3d bounds(pose.position);
   for (const CollisionShape& shape : model.shapes) {
@@ -26,6 +26,11 @@ Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
     const Eigen::Vector3d extent = is_sphere ? Eigen::Vector3d(Eigen::Vector3d::Constant(shape.half_extent.x()))
                                              : Eigen::Vector3d(turn.cwiseAbs() * shape.half_extent);
     bounds.extend(centre - extent).extend(centre + extent);
+  }
+  if (std::any_of(model.shapes.begin(), model.shapes.end(), [](const CollisionShape& s) { return s.joint >= 0; })) {
+    // even a turret leaves the box around it
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(model.moving_reach);
+    bounds.extend(pose.position - reach).extend(pose.position + reach);
   }
   return bounds;
 }
@@ -69,7 +74,7 @@ void PositionalIndex::rebuild(const Entities& entities) {
   cell_of_entity_.resize(entities.order.size());
   for (std::size_t k = 0; k < entities.order.size(); ++k) {
     const Row row = entities.order[k];
-    const double radius = entities.model[row]->bounding_radius;
+    const double radius = entities.model[row]->moving_reach;
     if (radius > cell_size_) {
       cell_of_entity_[k] = kLarge;
       large_items_.push_back({boundsOf(*entities.model[row], entities.pose[row]), row});
@@ -87,29 +92,24 @@ void PositionalIndex::rebuild(const Entities& entities) {
   items_.resize(sum);
   for (std::size_t k = entities.order.size(); k-- > 0;) {
     if (cell_of_entity_[k] != kLarge) {
-      items_[--first_item_[cell_of_entity_[k]]] = itemOf(entities, entities.order[k]);
+      items_[--first_item_[cell_of_entity_[k]]] = outlineOf(entities, entities.order[k]);
     }
   }
 }
 
-PositionalIndex::Item PositionalIndex::itemOf(const Entities& entities, Row row) {
+PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Row row) {
   const EntityModel& model = *entities.model[row];
   const Eigen::Vector3d& p = entities.pose[row].position;
   const Eigen::Quaterniond& q = entities.pose[row].orientation;
   const bool is_upright = q.x() == 0.0 && q.y() == 0.0;
-  if (is_upright && !model.shapes.empty()) {
+  if (is_upright && model.joints_keep_outline && !model.shapes.empty()) {
     return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row};
   }
-  return {p.head<2>(), model.bounding_radius, p.z() - model.bounding_radius, p.z() + model.bounding_radius, row};
+  return {p.head<2>(), model.moving_reach, p.z() - model.moving_reach, p.z() + model.moving_reach, row};
 }
 
 template <class Visit>
-void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
-  for (const LargeItem& large : large_items_) {
-    if (large.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(large.row)) {
-      return;
-    }
-  }
+void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, double radius, Visit visit) const {
   constexpr double kRounding = 1e-9;  // m: the cells must hold all that the exact comparison below accepts
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius + largest_small_radius_ + kRounding);
   const Cell low = cellOf(centre - reach);
@@ -117,39 +117,46 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
   for (int z = low[2]; z <= high[2]; ++z) {
     for (int y = low[1]; y <= high[1]; ++y) {
       // cells of one line are neighbours in memory
-      const std::uint32_t first = first_item_[flat({low[0], y, z})];
-      const std::uint32_t last = first_item_[flat({high[0], y, z}) + 1];
-      for (std::uint32_t k = first; k < last; ++k) {
-        const Item& item = items_[k];
+      const Place first = first_item_[flat({low[0], y, z})];
+      const Place last = first_item_[flat({high[0], y, z}) + 1];
+      for (Place place = first; place < last; ++place) {
+        const Outline& item = items_[place];
         const double item_reach = radius + item.radius;
-        const bool overlaps = (item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
-                              item.low <= centre.z() + radius && item.high >= centre.z() - radius;
-        if (overlaps && !visit(item.row)) {
-          return;
+        if ((item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
+            item.low <= centre.z() + radius && item.high >= centre.z() - radius) {
+          visit(place);
         }
       }
     }
   }
 }
 
+template <class Visit>
+void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
+  for (const LargeOutline& large : large_items_) {
+    if (large.bounds.squaredExteriorDistance(centre) <= radius * radius) {
+      visit(large.row);
+    }
+  }
+  visitPlaces(centre, radius, [&](Place place) { visit(items_[place].row); });
+}
+
 void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const {
-  visitNear(centre, radius, [&](Row row) {
-    found.push_back(row);
-    return true;
-  });
+  visitNear(centre, radius, [&](Row row) { found.push_back(row); });
+}
+
+void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const {
+  visitPlaces(centre, radius, [&](Place place) { found.push_back(place); });
 }
 
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
   // an origin may lie outside its entity's own bounds, by no more than the largest of them
   std::vector<Row> found;
-  for (const LargeItem& large : large_items_) {
+  for (const LargeOutline& large : large_items_) {
     found.push_back(large.row);
   }
   const double largest = largest_small_radius_;
-  visitNear(centre, radius + largest, [&](Row row) {
-    found.push_back(row);
-    return true;
-  });
+  visitNear(centre, radius + largest, [&](Row row) { found.push_back(row); });
   const auto number = [&](Row row) { return entities.number[row]; };
   std::sort(found.begin(), found.end(), [&](Row a, Row b) { return number(a) < number(b); });
   found.erase(std::unique(found.begin(), found.end()), found.end());

@@ -11,12 +11,13 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
   const std::string& robot = intervention.robot;
   const CommandSource source = intervention.source;
   RobotInstance* instance = &requireRobot(world, robot);
-  if (instance->source == source) {
+  if (instance->source_when_charged.value_or(instance->source) == source) {
     return false;
   }
   std::shared_ptr<Controller> controller;
+  const bool is_off = instance->source_when_charged.has_value();
   try {
-    if (source == CommandSource::kController) {
+    if (source == CommandSource::kController && !is_off) {
       controller = startController(instance->group->make, instance->group->part, *instance->robot,
                                    instance->group->description->parameters);
     }
@@ -33,19 +34,31 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
   } catch (...) {
     throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + describeException());
   }
+  if (is_off) {
+    instance->source_when_charged = source;
+    world.pending_events.push_back({Event::Kind::kIntervention, robot, "",
+                                    std::string("commands from ") + toString(source) + " once its battery is charged"});
+    return true;
+  }
   destroyController(world, *instance);
   instance->controller = std::move(controller);
   ++world.space.controllers[instance->row].starts;
   world.pending_events.push_back(
       {Event::Kind::kIntervention, robot, "",
        std::string("commands from ") + toString(source) + ", no more from " + toString(instance->source)});
+  const auto is_offered = [](CommandSource from) {
+    return from == CommandSource::kRemote || from == CommandSource::kTopics;
+  };
+  const bool changes_offers = is_offered(source) || is_offered(instance->source);
   instance->source = source;
   instance->is_commanded = false;
   instance->stops_since.reset();
   if (source == CommandSource::kNone || source == CommandSource::kTopics) {
     instance->stops_since = world.space.time;
   }
-  offerRobots(world);
+  if (changes_offers) {
+    offerRobots(world);
+  }
   return true;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "swarmanoid_interface/contains.hpp"
+
 namespace swarmanoid {
 
 const char* toString(LatePolicy policy) {
@@ -34,6 +36,7 @@ void Lockstep::setOptions(const Options& options) {
 
 void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& robots, const Space& space) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  const std::vector<std::string> unassigned_before = unassignedRobots();
   offered_.clear();
   for (const auto& [robot, instance] : robots) {
     offered_.push_back({robot, instance, false});
@@ -42,6 +45,10 @@ void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& rob
     resolve(*participant);
   }
   markCommanded();
+  const std::vector<std::string> unassigned = unassignedRobots();
+  const bool is_known = std::all_of(unassigned.begin(), unassigned.end(),
+                                    [&](const std::string& name) { return contains(unassigned_before, name); });
+  unassigned_reported_ = unassigned_reported_ && is_known && run_ == space.run && stop_reason_.empty();
   if (run_ != space.run) {
     given_up_.reset();
   }
@@ -49,7 +56,6 @@ void Lockstep::offer(const std::vector<std::pair<RemoteRobot, std::size_t>>& rob
   tick_ = space.tick;
   seed_ = space.seed;
   clocktick_ = space.clocktick;
-  unassigned_reported_ = false;
   stop_reason_.clear();
 }
 

@@ -25,9 +25,10 @@ double reachAlongZ(const CollisionShape& shape) {
   return half.x();
 }
 
-/// Distance of the shape's farthest point from the body's origin [m].
-double reachFromOrigin(const CollisionShape& shape) {
-  const Vector3d centre = (shape.orientation.conjugate() * shape.position).cwiseAbs();  // in the shape's frame
+/// Distance of the shape's farthest point from a point of B [m].
+double reachFrom(const Vector3d& point, const CollisionShape& shape) {
+  const Vector3d centre =
+      (shape.orientation.conjugate() * (shape.position - point)).cwiseAbs();  // in the shape's frame
   const Vector3d& half = shape.half_extent;
   switch (shape.kind) {
     case CollisionShape::Kind::kCylinder:
@@ -58,6 +59,29 @@ double reachFromAxis(const CollisionShape& shape) {
   return reach;
 }
 
+/// Whether all joints that turn the shape turn it about body z.
+bool turnsAboutBodyZ(const EntityModel& model, const CollisionShape& shape) {
+  for (int joint = shape.joint; joint >= 0; joint = model.joints[static_cast<std::size_t>(joint)].carrier) {
+    const EntityModel::Joint& turning = model.joints[static_cast<std::size_t>(joint)];
+    if (!turning.frame.position.head<2>().isZero(0.0) || !turning.axis.head<2>().isZero(0.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Distance from the body's origin that no point of a turned shape exceeds, with the chain of links stretched out [m].
+double stretchedReach(const EntityModel& model, const CollisionShape& shape) {
+  const EntityModel::Joint* turning = &model.joints[static_cast<std::size_t>(shape.joint)];
+  double reach = reachFrom(turning->frame.position, shape);
+  while (turning->carrier >= 0) {
+    const EntityModel::Joint* carrier = &model.joints[static_cast<std::size_t>(turning->carrier)];
+    reach += (turning->frame.position - carrier->frame.position).norm();
+    turning = carrier;
+  }
+  return reach + turning->frame.position.norm();
+}
+
 }  // namespace
 
 void EntityModel::measureShapes() {
@@ -73,8 +97,23 @@ void EntityModel::measureShapes() {
     const double reach = reachAlongZ(shape);
     lowest = std::min(lowest, shape.position.z() - reach);
     highest = std::max(highest, shape.position.z() + reach);
-    bounding_radius = std::max(bounding_radius, reachFromOrigin(shape));
+    bounding_radius = std::max(bounding_radius, reachFrom(Vector3d::Zero(), shape));
     horizontal_radius = std::max(horizontal_radius, reachFromAxis(shape));
+  }
+  measureTurning();
+}
+
+void EntityModel::measureTurning() {
+  moving_reach = bounding_radius;
+  joints_keep_outline = true;
+  if (joints.empty()) {
+    return;  // nothing turns: engines measure shapes that they have turned themselves
+  }
+  for (const CollisionShape& shape : shapes) {
+    if (!turnsAboutBodyZ(*this, shape)) {
+      joints_keep_outline = false;
+      moving_reach = std::max(moving_reach, stretchedReach(*this, shape));
+    }
   }
 }
 

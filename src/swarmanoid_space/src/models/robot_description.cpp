@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 #include "../xml/xml_document.hpp"
 #include "../xml/xml_node.hpp"
@@ -48,6 +49,11 @@ class Reader {
     for (const xmlNode* element : elementsOf(*root)) {
       readElement(*element);
     }
+    if (result_.battery) {
+      result_.battery->devices = std::move(consumption_);
+    } else if (!consumption_.empty()) {
+      fail(*root, "found <consumption> and no <battery> in <swarmanoid>, allowed: both");
+    }
     return std::move(result_);
   }
 
@@ -83,6 +89,10 @@ class Reader {
     return value;
   }
 
+  double requireNumber(const xmlNode& element, const char* attribute, Range range) const {
+    return parseNumber(require(element, attribute), attribute, {file_, lineOf(&element)}, range);
+  }
+
   void refuseSecond(const xmlNode& element, bool is_second) const {
     if (is_second) {
       fail(element, "found a second <" + nameOf(element) + "> in <swarmanoid>, allowed: one");
@@ -116,9 +126,18 @@ class Reader {
       result_.leds = require(element, "links");
     } else if (name == "device") {
       readDevice(element);
+    } else if (name == "battery") {
+      refuseSecond(element, result_.battery.has_value());
+      readBattery(element);
+    } else if (name == "consumption") {
+      allowAttributes(element, {"device", "power"});
+      const std::string device = require(element, "device");
+      if (!consumption_.emplace(device, requireNumber(element, "power", kPowerRange)).second) {
+        fail(element, "found a second <consumption> of the device '" + device + "', allowed: one");
+      }
     } else {
-      const std::vector<std::string> known{"wheels", "gripper",        "suction", "magnet",
-                                           "rope",   "gripping_strip", "leds",    "device"};
+      const std::vector<std::string> known{"wheels",         "gripper", "suction", "magnet",  "rope",
+                                           "gripping_strip", "leds",    "device",  "battery", "consumption"};
       fail(element, unknownName("tag", name, known) + " (in <swarmanoid>)");
     }
   }
@@ -132,14 +151,40 @@ class Reader {
     holder.kind = kind;
     holder.mount = requireKnown(element, "link", "link", links_);
     if (is_rope) {
-      holder.rope_length =
-          parseNumber(require(element, "length"), "length", {file_, lineOf(&element)}, limits::kLength);
+      holder.rope_length = requireNumber(element, "length", limits::kLength);
     }
     const auto has_name = [&](const EntityModel::Holder& other) { return other.name == holder.name; };
     if (std::any_of(result_.holders.begin(), result_.holders.end(), has_name)) {
       fail(element, "found a second holder of the name '" + holder.name + "', allowed: one");
     }
     result_.holders.push_back(holder);
+  }
+
+  void readBattery(const xmlNode& element) {
+    allowAttributes(element, {"capacity", "voltage", "electronics", "capacitor", "drive", "led", "rotors",
+                              "rotor_radius", "rotor_efficiency"});
+    const auto optional = [&](const char* attribute, Range range) {
+      return attributeOf(element, attribute) ? requireNumber(element, attribute, range) : 0.0;
+    };
+    BatteryModel battery;
+    battery.capacity = requireNumber(element, "capacity", kCapacityRange);
+    battery.voltage = requireNumber(element, "voltage", {0.1, 1000.0});
+    battery.electronics = requireNumber(element, "electronics", kPowerRange);
+    battery.capacitor = optional("capacitor", kChargeRange);
+    battery.drive = optional("drive", kPowerRange);
+    battery.led = optional("led", kPowerRange);
+    result_.battery = battery;
+    if (attributeOf(element, "rotors") || attributeOf(element, "rotor_radius") ||
+        attributeOf(element, "rotor_efficiency")) {
+      const double radius = requireNumber(element, "rotor_radius", limits::kLength);
+      result_.rotors = RobotDescription::Rotors{M_PI * radius * radius * rotorsOf(element),
+                                                requireNumber(element, "rotor_efficiency", {0.01, 1.0})};
+    }
+  }
+
+  double rotorsOf(const xmlNode& element) const {
+    return static_cast<double>(
+        parseInteger(require(element, "rotors"), "rotors", {file_, lineOf(&element)}, {1.0, 100.0}));
   }
 
   void readDevice(const xmlNode& element) {
@@ -156,6 +201,7 @@ class Reader {
   std::vector<std::string> links_;
   std::vector<std::string> joints_;
   RobotDescription result_;
+  std::map<std::string, double, std::less<>> consumption_;
 };
 
 }  // namespace

@@ -49,6 +49,11 @@ class RobotReader {
     }
     readGripper();
     readLeds();
+    model_->possible_battery = description_.battery;
+    if (description_.battery && description_.rotors) {
+      model_->possible_battery->flight =
+          hoverPower(model_->mass, description_.rotors->area, description_.rotors->efficiency);
+    }
     model_->measureShapes();
     return model_;
   }
@@ -218,6 +223,17 @@ std::shared_ptr<const EntityModel> robotModel(const std::string& type) {
   if (model == nullptr) {
     model = loadRobotModel(type, fileOf(type));
   }
+  return model;
+}
+
+std::shared_ptr<const EntityModel> robotWithBattery(const EntityModel& robot, const BatteryModel& battery) {
+  auto model = std::make_shared<EntityModel>(robot);
+  model->battery = battery;
+  // in the order of BatteryProperty
+  model->properties = {
+      {kCharge, "J", "What is in the battery.", {0.0, battery.capacity}, battery.first_share * battery.capacity},
+      {kCapacitor, "J", "What is in the super-capacitor.", {0.0, battery.capacitor}, battery.capacitor},
+      {kSupply, "W", "At which the battery is charged.", kPowerRange, 0.0}};
   return model;
 }
 

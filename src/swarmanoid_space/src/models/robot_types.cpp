@@ -1,11 +1,13 @@
 // The robots that packages bring, as entity types of <arena>; what else stands there is in arena_objects/.
+#include <array>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "../xml/xml_document.hpp"
 #include "robot_description.hpp"
 #include "robot_files.hpp"
-#include "swarmanoid_space/models/entity_type.hpp"
+#include "swarmanoid_space/models/arena_object.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -13,20 +15,50 @@ namespace {
 class RobotType final : public EntityType {
  public:
   explicit RobotType(std::string name) : name_(std::move(name)) {}
-  std::shared_ptr<const EntityModel> makeModel(const Configuration&) const override { return robotModel(name_); }
+
+  std::shared_ptr<const EntityModel> makeModel(const Configuration& parameters) const override {
+    std::shared_ptr<const EntityModel> robot = robotModel(name_);
+    if (!robot->possible_battery || !parameters.boolean("battery", false)) {
+      return robot;
+    }
+    BatteryModel battery = *robot->possible_battery;
+    battery.capacity = parameters.number("battery_capacity", battery.capacity);
+    battery.capacitor = parameters.number("battery_capacitor", battery.capacitor);
+    battery.first_share = parameters.number("battery_level", battery.first_share);
+    battery.enough = parameters.number("battery_enough", battery.enough);
+    using Key = std::pair<std::string, std::array<double, 4>>;
+    static SharedModels<Key> models;
+    return models.get({name_, {battery.capacity, battery.capacitor, battery.first_share, battery.enough}},
+                      [&] { return robotWithBattery(*robot, battery); });
+  }
+
   bool isRobot() const override { return true; }
 
  private:
   std::string name_;
 };
 
-/// @return "" where the description is wrong; robotModel says what is wrong to whoever uses the robot
-std::string summaryOf(const RobotFile& robot) {
+/// What elements of <arena> may say of the battery of a robot that can have one.
+std::vector<Parameter> batteryParameters(const BatteryModel& battery) {
+  using Type = Parameter::Type;
+  return {makeParameter("battery", Type::kBoolean, "", "false", {}, "Whether it runs on a battery, or for ever."),
+          makeParameter("battery_capacity", Type::kNumber, "J", numberText(battery.capacity), kCapacityRange,
+                        "The most that the battery holds."),
+          makeParameter("battery_level", Type::kNumber, "", numberText(battery.first_share), {0.0, 1.0},
+                        "Part of it that it holds at first."),
+          makeParameter("battery_capacitor", Type::kNumber, "J", numberText(battery.capacitor), kChargeRange,
+                        "Of the super-capacitor that keeps it alive while the battery is out."),
+          makeParameter("battery_enough", Type::kNumber, "", numberText(battery.enough), {0.001, 1.0},
+                        "Part of the capacity with which it goes on after it was empty.")};
+}
+
+/// Empty where the description is wrong; robotModel says what is wrong to whoever uses the robot.
+RobotDescription descriptionOf(const RobotFile& robot) {
   try {
     const XmlDocument document = parseXml(readTextFile(robot.file), robot.file, XmlNamespaces::kAllowed);
-    return readRobotDescription(*document, robot.file).summary;
+    return readRobotDescription(*document, robot.file);
   } catch (const ConfigError&) {
-    return "";
+    return {};
   }
 }
 
@@ -36,7 +68,11 @@ bool registerRobotTypes() {
   for (const RobotFile& robot : robotFiles().robots) {
     PluginDescription description;
     description.label = robot.type;
-    description.summary = summaryOf(robot);
+    const RobotDescription known = descriptionOf(robot);
+    description.summary = known.summary;
+    if (known.battery) {
+      description.parameters = batteryParameters(*known.battery);
+    }
     Registry::instance().add(PluginKind::kEntity, description, [type = robot.type]() -> std::shared_ptr<void> {
       return std::static_pointer_cast<EntityType>(std::make_shared<RobotType>(type));
     });

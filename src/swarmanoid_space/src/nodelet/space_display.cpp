@@ -3,6 +3,8 @@
 #include <ros/advertise_options.h>
 #include <ros/single_subscriber_publisher.h>
 
+#include <utility>
+
 namespace swarmanoid {
 namespace {
 
@@ -15,13 +17,14 @@ bool isAtRest(SimulationThread::State state) {
 
 }  // namespace
 
-SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options)
+SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options, DrawnRobots drawn_robots)
     : own_(own),
       clock_pace_(options.clock_rate),
       transforms_pace_(options.tf_rate),
       markers_pace_(options.markers_rate),
       world_state_pace_(options.world_state_rate),
-      transforms_(options.tf_level) {
+      transforms_(options.tf_level, options.tf_odometry),
+      device_drawings_(std::move(drawn_robots)) {
   id_ = "ros";
   clock_publisher_ = own_.advertise<rosgraph_msgs::Clock>("/clock", 1, kLatched);
   tf_publisher_ = advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const Space& space, const auto& newcomer) {
@@ -43,6 +46,8 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
   markers_static_publisher_ = own_.advertise<visualization_msgs::MarkerArray>("markers_static", 1, kLatched);
   engine_markers_publisher_ = advertise<visualization_msgs::MarkerArray>(
       "engine_markers", 1, [](const Space& space, const auto& newcomer) { newcomer.publish(engineMarkers(space)); });
+  device_markers_publisher_ = advertise<visualization_msgs::MarkerArray>(
+      "device_markers", 1, [this](const Space& space, const auto& newcomer) { newcomer.publish(drawDevices(space)); });
   performance_publisher_ = own_.advertise<swarmanoid_msgs::Performance>("performance", 10);
   events_publisher_ = own_.advertise<swarmanoid_msgs::Event>("events", 1000);
   interventions_publisher_ = own_.advertise<swarmanoid_msgs::Intervention>("interventions", 1000);
@@ -76,7 +81,7 @@ void SpaceDisplay::shutdown() {
   for (ros::Publisher* publisher :
        {&clock_publisher_, &tf_publisher_, &tf_static_publisher_, &world_state_publisher_, &performance_publisher_,
         &events_publisher_, &interventions_publisher_, &markers_publisher_, &markers_static_publisher_,
-        &engine_markers_publisher_, &result_publisher_}) {
+        &engine_markers_publisher_, &device_markers_publisher_, &result_publisher_}) {
     publisher->shutdown();
   }
 }
@@ -88,9 +93,6 @@ void SpaceDisplay::draw(const Space& space) {
   publishInterventions(space);
   if (clock_pace_.isDue(now)) {
     publishClock(space);
-  }
-  if (tf_publisher_.getNumSubscribers() > 0) {
-    transforms_.advance(space);
   }
   if (transforms_pace_.isDue(now)) {
     publishTransforms(space);
@@ -147,7 +149,16 @@ void SpaceDisplay::publishMarkers(const Space& space) {
   if (engine_markers_publisher_.getNumSubscribers() > 0) {
     engine_markers_publisher_.publish(engineMarkers(space));
   }
+  if (device_markers_publisher_.getNumSubscribers() > 0) {
+    device_markers_publisher_.publish(drawDevices(space));
+  }
   markers_moment_ = {space.run, space.tick};
+}
+
+const visualization_msgs::MarkerArray& SpaceDisplay::drawDevices(const Space& space) {
+  simulation_->drawDevices(device_drawings_);
+  deviceMarkers(space, device_drawings_, device_markers_);
+  return device_markers_;
 }
 
 void SpaceDisplay::publishWorldState(const Space& space) {

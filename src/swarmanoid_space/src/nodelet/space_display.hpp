@@ -25,7 +25,8 @@ class SpaceDisplay final : public Observer {
   using State = SimulationThread::State;
 
   /// @param own handle in the namespace of ~world_state and the other topics; /clock and /tf are global
-  SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options);
+  /// @param drawn_robots those whose devices are drawn
+  SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options, DrawnRobots drawn_robots);
 
   /// @param thread serves new subscribers between its ticks, once it exists
   void follow(const Simulation& simulation) { simulation_ = &simulation; }
@@ -58,6 +59,8 @@ class SpaceDisplay final : public Observer {
   void publishClock(const Space& space);
   void publishTransforms(const Space& space);
   void publishMarkers(const Space& space);
+  /// Valid until the next call.
+  const visualization_msgs::MarkerArray& drawDevices(const Space& space);
   void publishWorldState(const Space& space);
   /// @return whether entities were added, removed or placed elsewhere
   bool publishFixed(const Space& space);
@@ -80,6 +83,8 @@ class SpaceDisplay final : public Observer {
   Moment world_state_moment_;
   Transforms transforms_;
   MovingMarkers markers_;
+  DeviceDrawings device_drawings_;
+  visualization_msgs::MarkerArray device_markers_;
   OutsideChanges changes_;
   swarmanoid_msgs::WorldState world_state_;
   PerformanceMeter meter_;
@@ -99,6 +104,7 @@ class SpaceDisplay final : public Observer {
   ros::Publisher markers_publisher_;
   ros::Publisher markers_static_publisher_;
   ros::Publisher engine_markers_publisher_;
+  ros::Publisher device_markers_publisher_;
   ros::Publisher result_publisher_;
 };
 

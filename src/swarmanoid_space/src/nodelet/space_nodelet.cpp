@@ -30,6 +30,7 @@
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
+#include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -101,7 +102,8 @@ void SpaceNodelet::onInit() {
     with_topics_.is_all = options_.device_topics == std::vector<std::string>{"all"};
     with_topics_.names.insert(with_topics.begin(), with_topics.end());
     parts_ = partsOf(experiment, with_topics, commands_);
-    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // reports a mistake at once
+    chooseRobots(options_.record_controllers, "~record_controllers", experiment);  // these two report mistakes at once
+    chooseDrawnRobots(options_.device_markers, "~device_markers", experiment);
     point_ = openAttachmentPoint(getName(), parts_);
     loader_ = std::make_unique<NodeletLoader>();
     starter_ = std::thread([this, experiment = std::move(experiment)]() mutable { startUp(std::move(experiment)); });
@@ -216,7 +218,9 @@ std::unique_ptr<Simulation> SpaceNodelet::build(Experiment experiment) {
   context.out = openOutFolder(options_, experiment);
   context.headless = false;
   auto simulation = std::make_unique<Simulation>(std::move(experiment), context, std::move(supplied));
-  display_ = std::make_shared<SpaceDisplay>(getMTPrivateNodeHandle(), options_);
+  display_ = std::make_shared<SpaceDisplay>(
+      getMTPrivateNodeHandle(), options_,
+      chooseDrawnRobots(options_.device_markers, "~device_markers", simulation->experiment()));
   display_->follow(*simulation);
   simulation->addObserver(display_);
   if (loader_->isManager()) {

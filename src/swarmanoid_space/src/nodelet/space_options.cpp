@@ -78,11 +78,13 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
   reader.text("exit_code", "");  // marks the parameter as known; it is read elsewhere
   options.tf_level = parseTransformLevel(reader.choice("tf/level", {"auto", "none", "base", "full"}));
+  options.tf_odometry = reader.boolean("tf/odometry", false) ? OdometryFrames::kShown : OdometryFrames::kHidden;
   options.tf_rate = reader.number("tf/rate", options.tf_rate, {0.0, 1e6});
   options.markers_rate = reader.number("markers/rate", options.markers_rate, {0.0, 1e6});
   options.world_state_rate = reader.number("world_state/rate", options.world_state_rate, {0.0, 1e6});
   options.clock_rate = reader.number("clock_rate", options.clock_rate, {1.0, 1000.0});
   options.device_topics = reader.words("device_topics");
+  options.device_markers = reader.words("device_markers");
   options.stays_at_end = reader.choice("on_end", {"shutdown", "stay"}) == "stay";
   options.timeout = reader.number("timeout", options.timeout, {0.1, 3600.0});
   options.watchdog = reader.number("watchdog", options.watchdog, {0.0, 1e9});

@@ -39,10 +39,12 @@ struct SpaceOptions {
   double world_state_rate = 0.0;                ///< maximum rate of ~world_state, likewise
   double clock_rate = 1000.0;                   ///< maximum rate of /clock, wall time [Hz]
   std::vector<std::string> device_topics;       ///< robots whose devices have topics; "all" alone: all of them
+  std::vector<std::string> device_markers;      ///< robots whose devices are drawn, as chooseDrawnRobots has them
   bool stays_at_end = false;                    ///< false: the process is shut down when the run is finished
   double timeout = 20.0;                        ///< for all parts to attach [s]
   double watchdog = 0.0;                        ///< for one call of users' code, wall time [s]; 0: no limit
   Lockstep::Options lockstep;                   ///< how long participants may take
+  OdometryFrames tf_odometry = OdometryFrames::kHidden;
 };
 
 /// Reads `exit_code`, the file to which the exit code of the run is written at its end; "": none. It is read

@@ -38,6 +38,10 @@ void stopSafely(Space& space, std::vector<RobotInstance>& instances);
 /// finite.
 void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
 
+/// Whatever is commanded: wheels of robots that only their super-capacitor keeps alive are off, and so are the LEDs of
+/// those whose battery is empty; such as still fly after their safe stop go on coming down.
+void cutPower(Space& space, const std::vector<RobotInstance>& instances);
+
 /// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.
 void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
           std::vector<double>& seconds);
@@ -50,8 +54,14 @@ void connect(Space& space, const std::vector<Named<Engine>>& engines,
 void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
               ByRow<std::vector<Membership>>& memberships);
 
+/// Who has lost the ground falls into a hole, which is an event. @param fallen gets them; they are still there
+void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& events);
+
 /// The positional index gets the new poses; an event names entities that have left the arena.
 void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events);
+
+/// Batteries give what their robots have drawn, and take what they are charged with.
+void power(Space& space);
 
 /// Rules look at the world, of which they write nothing but their metrics, and ask for interventions.
 /// @return whether one asks to finish, which is an event

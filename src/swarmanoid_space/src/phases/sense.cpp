@@ -8,6 +8,7 @@ void sense(const Space& space, const std::vector<std::unique_ptr<ControllerGroup
   constexpr std::size_t kGrain = 128;
   for (const auto& group : groups) {
     for (const auto& sensor : group->sensors) {
+      callPlugin("sense", sensor.part, space.tick, [&] { sensor->prepare(space); });
       workers.forRanges(sensor->instanceCount(), kGrain, [&](std::size_t first, std::size_t last) {
         callPlugin("sense", sensor.part, space.tick, [&] { sensor->update(space, first, last); });
       });

@@ -1,4 +1,4 @@
-// Phase 8: observers (displays, recorders, metrics) look at the space; is the run finished?
+// Phase 9: observers (displays, recorders, metrics) look at the space; is the run finished?
 #include "phases.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 

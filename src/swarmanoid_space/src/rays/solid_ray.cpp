@@ -35,6 +35,38 @@ LinePart insideOf(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent,
   return inside;
 }
 
+/// How high and how low the lines from an eye to LEDs go, along body z [m].
+struct HeightsOfLines {
+  double lowest;
+  double highest;
+};
+
+HeightsOfLines heightsOf(const EntityModel& model, const Eigen::Vector3d& eye, const LedSet& asked) {
+  HeightsOfLines heights{eye.z(), eye.z()};
+  for (std::size_t k = 0; k < std::min(model.led_positions.size(), asked.size()); ++k) {
+    if (asked[k]) {
+      heights.lowest = std::min(heights.lowest, model.led_positions[k].z());
+      heights.highest = std::max(heights.highest, model.led_positions[k].z());
+    }
+  }
+  return heights;
+}
+
+/// Whether all lines pass over or under a shape, however its joint has turned it: most shapes of a robot hide no LED.
+bool isPassedBy(const EntityModel& model, const CollisionShape& shape, const HeightsOfLines& lines) {
+  if (shape.joint >= 0) {
+    const EntityModel::Joint& joint = model.joints[static_cast<std::size_t>(shape.joint)];
+    if (joint.carrier >= 0 || joint.axis.x() != 0.0 || joint.axis.y() != 0.0) {
+      return false;  // it may lift the shape
+    }
+  }
+  constexpr double kSlack = 1e-4;  // m: more than lines go on behind LEDs, and than rounding
+  const Eigen::Vector3d up = shape.orientation.conjugate() * Eigen::Vector3d::UnitZ();
+  const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
+  const double reach = is_sphere ? shape.half_extent.x() : up.cwiseAbs().dot(shape.half_extent);
+  return shape.position.z() + reach < lines.lowest - kSlack || shape.position.z() - reach > lines.highest + kSlack;
+}
+
 /// Adds the LEDs that one shape hides. @param shape where its joint has turned it
 void addHidden(const CollisionShape& shape, const EntityModel& model, const Eigen::Vector3d& eye, const LedSet& asked,
                LedSet& hidden) {
@@ -73,7 +105,11 @@ double closestHit(const Segment& segment, const EntityModel& model, const Pose& 
 LedSet hiddenLeds(const EntityModel& model, Span<const JointState> joints, const Eigen::Vector3d& eye,
                   const LedSet& asked) {
   LedSet hidden;
+  const HeightsOfLines lines = heightsOf(model, eye, asked);
   for (const CollisionShape& shape : model.shapes) {
+    if (isPassedBy(model, shape, lines)) {
+      continue;
+    }
     if (shape.joint < 0) {
       addHidden(shape, model, eye, asked, hidden);
     } else {

@@ -1,5 +1,5 @@
-// What lies on the floor: an image, patches, paint. Each lies a little higher than what it covers, so that nothing
-// flickers in rviz.
+// What lies on the floor: an image, patches, holes, paint. Each lies a little higher than what it covers, so that
+// nothing flickers in rviz.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,17 +17,32 @@ constexpr double kThickness = 0.001;
 constexpr double kImageHeight = -0.0012;  // of the middle, m
 constexpr double kPaintHeight = 0.0016;
 
+/// @param middle of the area [m]
+Marker areaMarker(const FloorArea& area, const Eigen::Vector3d& middle, double thickness, Color color,
+                  const std_msgs::Header& header, const char* name, int id) {
+  const bool is_disc = area.radius > 0.0;
+  const Eigen::Vector3d scale = is_disc ? Eigen::Vector3d(2.0 * area.radius, 2.0 * area.radius, thickness)
+                                        : Eigen::Vector3d(area.size.x(), area.size.y(), thickness);
+  Marker marker = makeMarker(header, name, id, is_disc ? Marker::CYLINDER : Marker::CUBE, scale, opaque(color));
+  marker.pose.position = toMessage(middle);
+  return marker;
+}
+
 void addPatches(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
   constexpr double kPatchThickness = 0.002;
   int id = 0;
   for (const FloorPatch& patch : space.floor.patches) {
-    const bool is_disc = patch.radius > 0.0;
-    const Eigen::Vector3d scale = is_disc ? Eigen::Vector3d(2.0 * patch.radius, 2.0 * patch.radius, kPatchThickness)
-                                          : Eigen::Vector3d(patch.size.x(), patch.size.y(), kPatchThickness);
-    Marker marker = makeMarker(header, "floor_patches", id++, is_disc ? Marker::CYLINDER : Marker::CUBE, scale,
-                               opaque(patch.color));
-    marker.pose.position = toMessage(patch.position);
-    markers.markers.push_back(marker);
+    markers.markers.push_back(
+        areaMarker(patch, patch.position, kPatchThickness, patch.color, header, "floor_patches", id++));
+  }
+}
+
+void addHoles(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
+  constexpr double kHoleHeight = 0.002;
+  int id = 0;
+  for (const FloorHole& hole : space.floor.holes) {
+    const Eigen::Vector3d middle(hole.position.x(), hole.position.y(), kHoleHeight);
+    markers.markers.push_back(areaMarker(hole, middle, kThickness, colors::kBlack, header, "floor_holes", id++));
   }
 }
 
@@ -94,6 +109,7 @@ void addFloorColors(const Space& space, const std_msgs::Header& header, MarkerAr
     }
   }
   addPatches(space, header, markers);
+  addHoles(space, header, markers);
 }
 
 Marker paintMarker(const Space& space, const std_msgs::Header& header) {

@@ -3,10 +3,10 @@
 #include <urdf_model/model.h>
 #include <urdf_parser/urdf_parser.h>
 
-#include <cmath>
-
 #include "../models/read_urdf.hpp"
+#include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/devices/odometry.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -69,34 +69,13 @@ const std::vector<Transforms::Link>& Transforms::linksOf(const EntityModel& mode
       link.place = toMount(joint->parent_to_joint_origin_transform);
       link.axis = {joint->axis.x, joint->axis.y, joint->axis.z};
       if (model.wheels && (name == model.wheels->left_joint || name == model.wheels->right_joint)) {
-        link.wheel = name == model.wheels->left_joint ? 0 : 1;
+        link.wheel = name == model.wheels->left_joint ? Wheel::kLeft : Wheel::kRight;
       }
       link.joint = model.findJoint(name);
       known->second.push_back(link);
     }
   }
   return known->second;
-}
-
-void Transforms::advance(const Space& space) {
-  if (level(space) != TransformLevel::kFull) {
-    return;
-  }
-  if (space.run != advanced_run_ || space.tick < advanced_tick_) {
-    wheel_angles_.clear();
-  } else if (space.tick == advanced_tick_) {
-    return;
-  }
-  advanced_run_ = space.run;
-  advanced_tick_ = space.tick;
-  const double dt = toSeconds(space.clocktick);
-  for (const Row row : space.entities.order) {
-    if (const WheelsCommand& wheels = space.wheels[row]; wheels.is_driven) {
-      auto& angles = wheel_angles_[space.entities.number[row]];
-      angles[0] = wrapAngle(angles[0] + wheels.left * dt);
-      angles[1] = wrapAngle(angles[1] + wheels.right * dt);
-    }
-  }
 }
 
 const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
@@ -114,13 +93,17 @@ const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
     const std::string& name = entities.name[row];
     const Pose& pose = entities.pose[row];
     moving_.transforms.push_back(transform(stamp, kWorldFrame, frameOf(name), pose.position, pose.orientation));
+    if (odometry_ == OdometryFrames::kShown) {
+      addOdometry(space, row);
+    }
     if (level(space) != TransformLevel::kFull || (!model.wheels && model.joints.empty())) {
       continue;
     }
-    const std::array<double, 2>& wheel_angles = wheel_angles_[entities.number[row]];
+    const WheelTurns& turns = space.wheel_turns[row];
     for (const Link& link : linksOf(model)) {
       if (link.wheel || link.joint >= 0) {
-        const double angle = link.wheel ? wheel_angles[*link.wheel] : space.joints[row][link.joint].angle;
+        const double angle = link.wheel ? wrapAngle(*link.wheel == Wheel::kLeft ? turns.left : turns.right)
+                                        : space.joints[row][link.joint].angle;
         const Eigen::Quaterniond turned = link.place.orientation * Eigen::AngleAxisd(angle, link.axis.normalized());
         moving_.transforms.push_back(
             transform(stamp, frameOf(name, link.parent), frameOf(name, link.name), link.place.position, turned));
@@ -128,6 +111,21 @@ const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
     }
   }
   return moving_;
+}
+
+void Transforms::addOdometry(const Space& space, Row row) {
+  if (space.placed[row] >= space.tick) {
+    return;  // not sensed since it was put there
+  }
+  if (const auto* odometry = space.readings.find<Odometry>(row)) {
+    // a reading is of the state in which its tick began
+    const ros::Time stamp = toRosTime(space.time + space.time_before_reset - space.clocktick);
+    // as base_link sees it: the inverse of where the robot believes to be
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(-odometry->heading, Eigen::Vector3d::UnitZ()));
+    const Eigen::Vector3d position = -(turn * Eigen::Vector3d(odometry->x, odometry->y, 0.0));
+    const std::string& name = space.entities.name[row];
+    moving_.transforms.push_back(transform(stamp, frameOf(name), frameOf(name, "odom"), position, turn));
+  }
 }
 
 const tf2_msgs::TFMessage& Transforms::fixed(const Space& space) {

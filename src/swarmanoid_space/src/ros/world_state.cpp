@@ -154,6 +154,7 @@ void toMessage(const Space& space, const Event& event, swarmanoid_msgs::Event& m
   static_assert(static_cast<int>(Event::Kind::kHandoverRefused) == Message::HANDOVER_REFUSED);
   static_assert(static_cast<int>(Event::Kind::kAnswerRefused) == Message::ANSWER_REFUSED);
   static_assert(static_cast<int>(Event::Kind::kInterventionRefused) == Message::INTERVENTION_REFUSED);
+  static_assert(static_cast<int>(Event::Kind::kFellIntoHole) == Message::FELL_INTO_HOLE);
   message.header = headerOf(space);
   message.tick = space.tick;
   message.run = space.run;

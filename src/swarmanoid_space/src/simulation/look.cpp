@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "../world/engines.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid {
@@ -33,6 +34,20 @@ const Configuration& Simulation::engineParameters(const std::string& engine) con
 }
 
 std::vector<EngineReport> Simulation::engineReports() const { return reportEngines(*world_); }
+
+void Simulation::drawDevices(DeviceDrawings& drawings) const {
+  drawings.clear();
+  const Space& space = world_->space;
+  const auto draw = [&](const auto& devices) {
+    for (const auto& device : devices) {
+      callPlugin("draw", device.part, space.tick, [&] { device->draw(space, drawings.of(device->type())); });
+    }
+  };
+  for (const auto& group : world_->assembly.groups) {
+    draw(group->sensors);
+    draw(group->actuators);
+  }
+}
 
 Lockstep& Simulation::lockstep() { return world_->lockstep; }
 

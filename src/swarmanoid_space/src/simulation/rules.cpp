@@ -31,6 +31,7 @@ void Simulation::beginTick() {
     callRule("beforeTick", rule, world.space.tick, [&] { rule->beforeTick(world.space, world.queue); });
     takeAsked(world);
   }
+  switchPower();  // what comes after the rules, also in a tick that is made again, counts in the next one
   rules_have_begun_ = true;
   playInterventions(true);
 }

@@ -41,13 +41,16 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phases::actuate(world.space, world.assembly.groups, faulty_);
   noteFailures();
   phases::stopSafely(world.space, world.assembly.robots);
+  phases::cutPower(world.space, world.assembly.robots);
   stopwatch.lap(phase_times_.actuate);
   phases::move(world.space, world.assembly.engines, world.assembly.workers, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
   phases::connect(world.space, world.assembly.engines, world.assembly.groups);
   phases::handOver(world.space, world.assembly.robots, world.assembly.triggers, world.assembly.memberships);
+  takeOutFallen();
   stopwatch.lap(phase_times_.connect);
   phases::index(world.space, world.space.index, world.space.outside, world.space.events);
+  phases::power(world.space);
   stopwatch.lap(phase_times_.index);
   logNewOverflows();
 

@@ -38,6 +38,8 @@ const char* toString(Event::Kind kind) {
       return "participant_joined";
     case Event::Kind::kAnswerRefused:
       return "answer_refused";
+    case Event::Kind::kFellIntoHole:
+      return "fell_into_hole";
   }
   return "event";
 }

@@ -4,7 +4,7 @@
 
 namespace swarmanoid {
 
-Eigen::Vector3d FloorPatch::nearestPoint(const Eigen::Vector3d& point) const {
+Eigen::Vector3d FloorArea::nearestPoint(const Eigen::Vector3d& point) const {
   Eigen::Vector2d offset = (point - position).head<2>();
   if (radius > 0.0) {
     const double distance = offset.norm();

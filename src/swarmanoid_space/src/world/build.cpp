@@ -233,6 +233,7 @@ void unbuild(World& world) {
   world.space.commands.clear();
   world.space.actuation.clear();
   world.space.entities_without_engine.clear();
+  world.space.powered.clear();
 }
 
 }  // namespace swarmanoid

@@ -50,6 +50,16 @@ void giveController(World& world, Row row, const EntityDescription& entity) {
   }
 }
 
+void giveBattery(World& world, Row row, const EntityDescription& entity) {
+  const BatteryModel& battery = *world.space.entities.model[row]->battery;
+  double& standby = world.space.batteries[row][0].standby;
+  standby = battery.electronics;
+  for (const DeviceUse& device : devicesOf(world.assembly.findGroup(entity.controller))) {
+    standby += battery.powerOf(device.type);
+  }
+  world.space.powered.push_back(row);  // entity numbers only grow
+}
+
 }  // namespace
 
 void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
@@ -83,17 +93,23 @@ Row addEntity(World& world, const EntityDescription& entity, const std::vector<M
 
   const Row row = world.space.entities.add(entity.id, model, pose, entity.color);
   world.space.placed[row] = world.space.tick;
+  if (model->battery) {
+    giveBattery(world, row, entity);
+  }
   try {
     if (!entity.controller.empty()) {
       giveController(world, row, entity);
+    }
+    // first of all: what an engine makes of a mirror depends on whether somebody moves the entity
+    for (const Membership& membership : memberships) {
+      if (membership.role == Role::kMove) {
+        world.space.mover[row] = membership.engine;
+      }
     }
     for (const Membership& membership : memberships) {
       callPlugin("add", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
                  [&] { membership.engine->add(world.space, row, membership.role); });
       world.assembly.memberships[row].push_back(membership);
-      if (membership.role == Role::kMove) {
-        world.space.mover[row] = membership.engine;
-      }
     }
   } catch (...) {
     removeEntity(world, row);
@@ -134,8 +150,9 @@ void removeEntity(World& world, Row row) {
     callPlugin("remove", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
                [&] { membership.engine->remove(world.space, row); });
   }
-  auto& lone = world.space.entities_without_engine;
-  lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+  for (auto* rows : {&world.space.entities_without_engine, &world.space.powered}) {
+    rows->erase(std::remove(rows->begin(), rows->end(), row), rows->end());
+  }
   world.space.entities.remove(row);
 }
 

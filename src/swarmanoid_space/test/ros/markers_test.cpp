@@ -35,6 +35,32 @@ TEST(MarkersTest, ArenaShowsFloorPatchesBlocksAndLamps) {
   EXPECT_EQ(1U, inNamespace(arena, "lights").size());
 }
 
+TEST(MarkersTest, HolesAreBlackAndLieOnPatches) {
+  Space space;
+  space.size = {4.0, 3.0, 1.0};
+  FloorPatch patch;
+  patch.radius = 0.5;
+  space.floor.patches = {patch};
+  FloorHole disc;
+  disc.position = {1.0, 2.0, 0.7};
+  disc.radius = 0.3;
+  FloorHole rectangle;
+  rectangle.size = {0.4, 0.1};
+  space.floor.holes = {disc, rectangle};
+  const MarkerArray arena = arenaMarkers(space);
+  const std::vector<Marker> holes = inNamespace(arena, "floor_holes");
+  ASSERT_EQ(2U, holes.size());
+  EXPECT_EQ(Marker::CYLINDER, holes[0].type);
+  EXPECT_DOUBLE_EQ(0.6, holes[0].scale.x);
+  EXPECT_EQ(2.0, holes[0].pose.position.y);
+  EXPECT_EQ(0.0F, holes[0].color.r + holes[0].color.g + holes[0].color.b);
+  EXPECT_EQ(1.0F, holes[0].color.a);
+  EXPECT_EQ(Marker::CUBE, holes[1].type);
+  EXPECT_DOUBLE_EQ(0.1, holes[1].scale.y);
+  const auto top = [](const Marker& marker) { return marker.pose.position.z + 0.5 * marker.scale.z; };
+  EXPECT_GT(top(holes[0]), top(inNamespace(arena, "floor_patches")[0]));
+}
+
 TEST(MarkersTest, TheFloorLeavesRoomForTheTerrain) {
   Space space;
   space.size = {4.0, 3.0, 1.0};

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "../small_world.hpp"
+#include "swarmanoid_interface/devices/odometry.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -75,6 +76,78 @@ TEST(TransformsTest, TheGripperTurnsWithTheTurret) {
       EXPECT_NEAR(transform.transform.translation.z, 0.05, 1e-12);
     }
   }
+}
+
+TEST(TransformsTest, WheelsTurnAsTheyHaveTurned) {
+  Space space;
+  const Row row = space.entities.add("fb", robotModel("footbot"), Pose{}, Color{});
+  space.wheel_turns[row] = {0.8, -7.0};
+  Transforms transforms(TransformLevel::kFull);
+  int found = 0;
+  for (const auto& transform : transforms.moving(space).transforms) {
+    const bool is_left = transform.child_frame_id == "fb/left_wheel_link";
+    if (is_left || transform.child_frame_id == "fb/right_wheel_link") {
+      ++found;
+      EXPECT_NEAR(transform.transform.rotation.y, std::sin(is_left ? 0.4 : M_PI - 3.5), 1e-12) << "-7 is 2 pi - 7";
+    }
+  }
+  EXPECT_EQ(found, 2);
+}
+
+TEST(TransformsTest, OdometryIsBelowTheRobotOnRequest) {
+  Space space;
+  space.tick = 1;
+  space.clocktick = std::chrono::milliseconds(100);
+  space.time = kEpoch + space.clocktick;
+  const Row row = space.entities.add("fb", robotModel("footbot"), Pose{}, Color{});
+  space.entities.add("other", robotModel("footbot"), Pose{}, Color{});  // which has no odometry
+  Odometry& odometry = space.readings.bank<Odometry>().add(row);
+  odometry.x = 0.7;
+  odometry.y = -0.4;
+  odometry.heading = 1.1;
+  EXPECT_EQ(2U, Transforms(TransformLevel::kBase).moving(space).transforms.size());
+  Transforms shown(TransformLevel::kBase, OdometryFrames::kShown);
+  const tf2_msgs::TFMessage& moving = shown.moving(space);
+  ASSERT_EQ(3U, moving.transforms.size());
+  EXPECT_EQ("fb/base_link", parentsOf({moving}).at("fb/odom")) << "base_link has the world for its parent";
+  for (const auto& transform : moving.transforms) {
+    if (transform.child_frame_id == "fb/odom") {
+      // base_link in odom is at (0.7, -0.4), turned by 1.1 rad; this is the inverse
+      EXPECT_NEAR(transform.transform.translation.x, -0.7 * std::cos(1.1) + 0.4 * std::sin(1.1), 1e-12);
+      EXPECT_NEAR(transform.transform.translation.y, 0.7 * std::sin(1.1) + 0.4 * std::cos(1.1), 1e-12);
+      EXPECT_NEAR(transform.transform.rotation.z, std::sin(-0.55), 1e-12);
+      EXPECT_NEAR(transform.transform.rotation.w, std::cos(0.55), 1e-12);
+    }
+  }
+}
+
+/// A robot that drives ahead from x = 0.3, with odometry that is right: `odom` stays at 0.3 in the world.
+TEST(TransformsTest, OdometryHasTheStampOfTheStateThatWasRead) {
+  Space space;
+  space.clocktick = std::chrono::milliseconds(100);
+  Pose start;
+  start.position.x() = 0.3;
+  const Row row = space.entities.add("fb", robotModel("footbot"), start, Color{});
+  Odometry& odometry = space.readings.bank<Odometry>().add(row);
+  Transforms shown(TransformLevel::kBase, OdometryFrames::kShown);
+  std::map<ros::Time, double> place;  // of base_link, by stamp
+  int found = 0;
+  for (int tick = 0; tick < 4; ++tick) {
+    space.tick = static_cast<std::uint64_t>(tick);
+    space.time = kEpoch + tick * space.clocktick;
+    space.entities.pose[row].position.x() = 0.3 + 0.07 * tick;
+    odometry.x = tick == 0 ? 0.0 : 0.07 * (tick - 1);  // readings are of the state before
+    for (const auto& transform : shown.moving(space).transforms) {
+      if (transform.child_frame_id == "fb/base_link") {
+        place[transform.header.stamp] = transform.transform.translation.x;
+      } else {
+        ++found;
+        ASSERT_EQ(1U, place.count(transform.header.stamp)) << "tick " << tick;
+        EXPECT_NEAR(0.3, place[transform.header.stamp] + transform.transform.translation.x, 1e-12) << "tick " << tick;
+      }
+    }
+  }
+  EXPECT_EQ(3, found) << "none before the robot is sensed";
 }
 
 TEST(TransformsTest, NoneIsNone) {

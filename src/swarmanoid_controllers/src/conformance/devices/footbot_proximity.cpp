@@ -66,9 +66,7 @@ Check proximity(Bench& bench) {
 
 std::vector<Check> proximityChecks(Bench& bench) { return {proximity(bench)}; }
 
-void usualWall(Surroundings& usual) { usual.wall_distance = 0.4; }
-
-const ChecksRegistration proximity_checks({FootbotProximity::kType, proximityChecks, usualWall});
+const ChecksRegistration proximity_checks({FootbotProximity::kType, proximityChecks, besideWall});
 
 }  // namespace
 }  // namespace swarmanoid::conformance

@@ -18,7 +18,8 @@ void toMessage(const DeviceType& type, const void* device, swarmanoid_msgs::Devi
 /// @param parts where the elements of lists are kept
 /// @throws std::runtime_error, with what was found and what is allowed: names and values that are not as many, names
 /// that the device does not have or that stand there twice, elements with a gap or without one of their numbers, values
-/// that are not finite or that the type of the number cannot hold; the device is then unchanged
+/// that are not finite (but measured distances) or that the type of the number cannot hold; the device is then
+/// unchanged
 void fromMessage(const swarmanoid_msgs::DeviceFields& message, const DeviceType& type, void* device,
                  VariableParts& parts);
 

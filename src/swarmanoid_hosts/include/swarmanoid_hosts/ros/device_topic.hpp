@@ -108,6 +108,23 @@ void receive(const Message& message, Device& device, VariableParts& parts) {
   device = received;
 }
 
+template <class Message, class = void>
+struct HasChildFrame : std::false_type {};
+template <class Message>
+struct HasChildFrame<Message, std::void_t<decltype(std::declval<Message&>().child_frame_id)>> : std::true_type {};
+
+/// Sets the header, and for a message that is about another frame too, of whatever moves in the header's, that it is
+/// the robot's base_link: fb_1/base_link for fb_1/odom.
+template <class Message>
+void setFrames(Message& message, const std_msgs::Header& header) {
+  if (std_msgs::Header* message_header = ros::message_traits::header(message)) {
+    *message_header = header;
+  }
+  if constexpr (HasChildFrame<Message>::value) {
+    message.child_frame_id = header.frame_id.substr(0, header.frame_id.rfind('/') + 1) + "base_link";
+  }
+}
+
 /// Makes a topic of that message, which cannot be published or subscribed yet.
 template <class Message>
 DeviceTopic makeTopicOfMessage(const std::string& device, DeviceTopic::Kind kind, const std::string& name,
@@ -149,9 +166,7 @@ DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, con
                      const std_msgs::Header& header) {
     Message message;
     toMessage(*static_cast<const Device*>(device), message);
-    if (std_msgs::Header* message_header = ros::message_traits::header(message)) {
-      *message_header = header;
-    }
+    detail::setFrames(message, header);
     publisher.publish(message);
   };
   topic.subscribe = [](ros::NodeHandle& robot, const DeviceTopic& entry, void* device, VariableParts& parts,

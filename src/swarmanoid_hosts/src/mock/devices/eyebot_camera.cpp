@@ -13,10 +13,10 @@ class MockEyebotCamera final : public MockDevice {
   MockEyebotCamera(EyebotCamera& readings, MockState& /*state*/) : readings_(readings) {}
 
   void sense(const MockState& state) override {
-    const double camera = state.pose.position.z() + EyebotCamera::kMount;
     const double slope = std::tan(EyebotCamera::kUsualAperture);
-    blobs_ = blobsInView(state, [=](double horizontal, double height) {
-      return horizontal <= EyebotCamera::kUsualRange && horizontal <= slope * (camera - height);
+    blobs_ = blobsInView(state, {0.0, 0.0, EyebotCamera::kMount}, [slope](const Eigen::Vector3d& way) {
+      const double horizontal = way.head<2>().norm();
+      return horizontal <= EyebotCamera::kUsualRange && horizontal <= slope * -way.z();
     });
     readings_.blobs = blobs_;
   }

@@ -18,6 +18,9 @@ class MockEyebotVelocity final : public MockDevice {
   }
 
   void act(MockState& state, double /*dt*/) override {
+    if (state.flies_to_place) {
+      return;
+    }
     constexpr double kFastestTurn = EyebotVelocity::kUsualFastestTurn;
     state.twist.linear = command_.linear;
     const double speed = command_.linear.stableNorm();

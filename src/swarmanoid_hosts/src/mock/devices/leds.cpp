@@ -1,7 +1,9 @@
-// LEDs of any robot, and the rings of footbots and eyebots: nobody looks at them, but drivers publish their colours.
+// LEDs of any robot, and the rings of footbots, eyebots and handbots: nobody looks at them, but drivers publish their
+// colours.
 #include "swarmanoid_interface/devices/leds.hpp"
 
 #include "../mock_device.hpp"
+#include "swarmanoid_interface/devices/handbot_leds.hpp"
 #include "swarmanoid_interface/devices/led_array.hpp"
 
 namespace swarmanoid::mock {
@@ -17,6 +19,7 @@ class MockLeds final : public MockDevice {
 
 REGISTER_MOCK_DEVICE(EyebotLeds, MockLeds<EyebotLeds>)
 REGISTER_MOCK_DEVICE(FootbotLeds, MockLeds<FootbotLeds>)
+REGISTER_MOCK_DEVICE(HandbotLeds, MockLeds<HandbotLeds>)
 REGISTER_MOCK_DEVICE(Leds, MockLeds<Leds>)
 
 }  // namespace

@@ -1,6 +1,12 @@
 /// Sensors: cameras that report blobs of colour instead of images, as the robots' own image filter does (thesis 3.3).
+///
+/// Robots' cameras are those of thesis 1.3: a footbot's and an eyebot's omnidirectional one, an eyebot's that looks
+/// down, and those of all three with a lens. Angles of view and ranges are usual ones of small cameras of 640 x 480
+/// pixels.
 #pragma once
 
+#include <Eigen/Core>
+#include <array>
 #include <cmath>
 
 #include "swarmanoid_interface/color.hpp"
@@ -9,11 +15,21 @@
 
 namespace swarmanoid {
 
-/// One blob: a lit LED, a prey, a laser spot or a coloured floor patch.
+/// One blob: a lit LED or lamp, a prey, a laser spot or a coloured floor patch. Directions are those of the way from
+/// the camera, in an upright frame whose x axis points where the robot's does, wherever the camera looks.
 struct ColorBlob {
   Color color;
-  float bearing = 0.0F;   ///< direction in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
-  float distance = 0.0F;  ///< horizontal distance from the camera's vertical axis [m]
+  float bearing = 0.0F;    ///< direction [rad], counter-clockwise from ahead, in (-pi, pi]
+  float distance = 0.0F;   ///< horizontal distance from the camera's vertical axis [m]; NaN: the camera cannot know it
+  float elevation = 0.0F;  ///< direction over the camera's horizon [rad], negative below, from -pi/2 to pi/2
+  float size = 0.0F;       ///< the angle that the thing takes in the picture, from edge to edge [rad]
+
+  /// What takes as much of a picture as a ball or disc does that is seen in full: 2 atan(radius / way). @param radius
+  /// [m] @param way from the camera to the middle [m] @return [rad]
+  static float sizeOf(float radius, float way) { return 2.0F * std::atan2(radius, way); }
+
+  /// LEDs, lamps and laser spots are as large as this, half across [m].
+  static constexpr double kPointRadius = 0.005;
 };
 
 template <class Visitor>
@@ -21,19 +37,24 @@ void fields(Visitor& visit, ColorBlob& blob) {
   visit(blob.color, {"color", "", "of the thing that is seen"});
   visit(blob.bearing,
         {"bearing", "rad", "direction in the robot's frame, counter-clockwise from ahead", {-M_PI, M_PI}, true});
-  visit(blob.distance, {"distance", "m", "horizontal, from the camera's vertical axis", {0.0, kInfinity}});
+  visit(blob.distance,
+        orUnknown(
+            {"distance", "m", "horizontal, from the camera's vertical axis; NaN if it cannot know", {0.0, kInfinity}}));
+  visit(blob.elevation, {"elevation", "rad", "direction over the camera's horizon", {-M_PI_2, M_PI_2}});
+  visit(blob.size, {"size", "rad", "angle that the thing takes in the picture", {0.0, kInfinity}});
 }
 
-/// The reading of a colour-blob camera in this tick. LEDs on the far side of their own robot are hidden. Blobs come in
-/// the order of their sources: entities by number (the LEDs of one entity by LED number), then laser spots, then floor
-/// patches. If more blobs are in sight than the camera reports, the nearest are reported, in the same order. The span
-/// is valid until the next tick.
+/// The reading of a colour-blob camera in this tick. A camera that sees all around by a mirror, or looks down, knows
+/// distances; one that looks ahead does not: it says NaN, as REP-117 does where a measurement is not to be had. LEDs on
+/// the far side of their own robot are hidden. Blobs come in the order of their sources: entities by number (the LEDs
+/// of one entity by LED number), then laser spots, then floor patches. If more blobs are in sight than the camera
+/// reports, the nearest are reported, in the same order. The span is valid until the next tick.
 struct ColorBlobs {
   Span<const ColorBlob> blobs;
   bool overflowed = false;  ///< more was in sight than is reported; the farthest is left out (and an event reports it)
 };
 
-/// Describes the fields of both cameras.
+/// Describes the fields of all cameras.
 template <class Visitor>
 void fields(Visitor& visit, ColorBlobs& camera) {
   visit(camera.blobs, {"blobs"});
@@ -45,6 +66,7 @@ struct FootbotCamera : ColorBlobs {
   static constexpr const char* kType = "footbot_camera";
   static constexpr const char* kRobot = "footbot";
   static constexpr double kUsualRange = 2.0;  ///< horizontal distance beyond which it sees nothing [m]
+  static constexpr double kMount = 0.28;      ///< height of the camera in the robot's frame [m]
 };
 
 REGISTER_DEVICE(FootbotCamera, kSensor, "An omnidirectional camera that reports blobs of colour.")
@@ -59,5 +81,71 @@ struct EyebotCamera : ColorBlobs {
 };
 
 REGISTER_DEVICE(EyebotCamera, kSensor, "A camera that looks down into a cone and reports blobs of colour.")
+
+/// The eyebot's omnidirectional camera, on its mast: it sees all around, also other eyebots, at any height.
+struct EyebotOmnidirectionalCamera : ColorBlobs {
+  static constexpr const char* kType = "eyebot_omnidirectional_camera";
+  static constexpr const char* kRobot = "eyebot";
+  static constexpr double kUsualRange = 10.0;  ///< horizontal distance beyond which it sees nothing [m]
+  static constexpr double kMount = 0.42;       ///< height of the camera in the robot's frame [m]
+};
+
+REGISTER_DEVICE(EyebotOmnidirectionalCamera, kSensor,
+                "A camera that sees all around at any height and reports blobs of colour.")
+
+/// What a camera with a lens shows: a pyramid around the axis that it looks along.
+class Picture {
+ public:
+  static constexpr double kUsualWidth = M_PI / 3.0;   ///< [rad]
+  static constexpr double kUsualHeight = M_PI / 4.0;  ///< [rad]
+
+  /// @param width from the left edge to the right one [rad], less than pi @param height from the lower edge to the
+  /// upper one, likewise
+  explicit Picture(double width = kUsualWidth, double height = kUsualHeight)
+      : across_(std::tan(0.5 * width)), up_(std::tan(0.5 * height)) {}
+
+  /// @param seen a point in the camera's frame, which looks along x, y to the left, z up
+  bool shows(const Eigen::Vector3d& seen) const {
+    return seen.x() > 0.0 && std::abs(seen.y()) <= across_ * seen.x() && std::abs(seen.z()) <= up_ * seen.x();
+  }
+  /// How far the edges are from the middle, at a distance of 1.
+  double across() const { return across_; }
+  double up() const { return up_; }
+
+ private:
+  double across_;
+  double up_;
+};
+
+/// The eyebot's camera that is panned and tilted (EyebotPanTilt). Its blobs have directions in the robot's frame, and
+/// no distance.
+struct EyebotPanTiltCamera : ColorBlobs {
+  static constexpr const char* kType = "eyebot_pan_tilt_camera";
+  static constexpr const char* kRobot = "eyebot";
+  static constexpr double kUsualRange = 10.0;                       ///< likewise [m]
+  static constexpr std::array<double, 3> kMount{0.085, 0.0, 0.17};  ///< in the robot's frame [m]
+};
+
+REGISTER_DEVICE(EyebotPanTiltCamera, kSensor, "A camera that is panned and tilted and reports blobs of colour.")
+
+/// The footbot's camera that looks ahead, for what is near its gripper. Its blobs have no distance.
+struct FootbotFrontCamera : ColorBlobs {
+  static constexpr const char* kType = "footbot_front_camera";
+  static constexpr const char* kRobot = "footbot";
+  static constexpr double kUsualRange = 2.0;                       ///< likewise [m]
+  static constexpr std::array<double, 3> kMount{0.08, 0.0, 0.09};  ///< in the robot's frame [m]
+};
+
+REGISTER_DEVICE(FootbotFrontCamera, kSensor, "A camera that looks ahead and reports blobs of colour.")
+
+/// The handbot's camera, in its head, which looks ahead. Its blobs have no distance.
+struct HandbotCamera : ColorBlobs {
+  static constexpr const char* kType = "handbot_camera";
+  static constexpr const char* kRobot = "handbot";
+  static constexpr double kUsualRange = 3.0;                        ///< likewise [m]
+  static constexpr std::array<double, 3> kMount{0.105, 0.0, 0.16};  ///< in the robot's frame [m]
+};
+
+REGISTER_DEVICE(HandbotCamera, kSensor, "A camera in the head that looks ahead and reports blobs of colour.")
 
 }  // namespace swarmanoid

@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 
 #include "swarmanoid_interface/device_type.hpp"
-#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
-#include "swarmanoid_interface/safe_stop.hpp"
+#include "swarmanoid_interface/devices/eyebot_flight_stop.hpp"
 
 namespace swarmanoid {
 
@@ -30,15 +29,11 @@ void fields(Visitor& visit, EyebotVelocity& velocity) {
 /// Commands hovering, then a descent; an eyebot whose sensors report that it hangs by its magnet stays where it is.
 inline bool stopSafely(EyebotVelocity& velocity, const SafeStopMoment& moment) {
   velocity = EyebotVelocity{};
-  const Robot& robot = moment.robot;
-  if (robot.hasSensor(EyebotMagnetState::kType) && robot.sensor<EyebotMagnetState>().attached) {
-    return true;
+  const FlightStop stop = flightStop(moment);
+  if (stop == FlightStop::kDescends) {
+    velocity.linear.z() = -moment.settings.descend_speed;
   }
-  const SafeStopSettings& settings = moment.settings;
-  if (moment.since >= settings.hover && moment.since < settings.hover + settings.descend_time) {
-    velocity.linear.z() = -settings.descend_speed;
-  }
-  return moment.since >= settings.hover + settings.descend_time;
+  return stop == FlightStop::kHangs || stop == FlightStop::kIsOver;
 }
 REGISTER_DEVICE(EyebotVelocity, kActuator, "The flight controller: flies a velocity, hovers at zero.")
 

@@ -1,5 +1,5 @@
-/// What devices that carry messages between robots have in common: infrared boards now, radios as soon as somebody
-/// describes them. There are two devices of each: an actuator, which sends, and a sensor, which has what others sent.
+/// What devices that carry messages between robots have in common: infrared boards, and radios (radio.hpp). There are
+/// two devices of each: an actuator, which sends, and a sensor, which has what others sent.
 ///
 ///     struct MyRadio : MessageCommand<100> { static constexpr const char* kType = ...; };
 ///     struct MyRadioReceived : ReceivedMessages<MyRadioMessage> { static constexpr const char* kType = ...; };
@@ -12,10 +12,29 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/span.hpp"
 
 namespace swarmanoid {
+
+/// Writes a colour into three bytes of a payload: red, green, blue. So robots say what their LEDs show.
+/// @param place of the first byte @pre the payload has all three
+template <std::size_t byte_count>
+void putColor(std::array<std::uint8_t, byte_count>& payload, std::size_t place, Color color) {
+  SWARMANOID_EXPECTS(place + 3 <= byte_count);
+  payload[place] = color.red;
+  payload[place + 1] = color.green;
+  payload[place + 2] = color.blue;
+}
+
+/// @param place of the first byte, as for putColor @pre the payload has all three
+template <std::size_t byte_count>
+Color colorAt(const std::array<std::uint8_t, byte_count>& payload, std::size_t place) {
+  SWARMANOID_EXPECTS(place + 3 <= byte_count);
+  return {payload[place], payload[place + 1], payload[place + 2]};
+}
 
 /// The command of a device that sends: silent at rest, which is its safe stop too. What the bytes mean is the
 /// controllers' affair. @tparam byte_count of each message
@@ -50,6 +69,9 @@ template <class OneMessage>
 struct ReceivedMessages {
   using Message = OneMessage;
   static constexpr std::size_t kMostMessages = 64;
+  /// A struct that derives from this says so if what is in the air for others takes slots too, as on a radio's channel.
+  static constexpr bool kSharesChannel = false;
+  static constexpr double kUsualLossAtRange = 0.0;  ///< probability; likewise
 
   Span<const Message> messages;
   bool overflowed = false;  ///< more came in than there are slots; the farthest are left out (and an event reports it)

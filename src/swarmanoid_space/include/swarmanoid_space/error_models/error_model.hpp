@@ -13,6 +13,7 @@
 /// and ends with REGISTER_ERROR_MODEL.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -96,11 +97,17 @@ class NumberError : public ErrorModel {
     double* const memory = step.memory;
     RandomStream* const random = step.random;
     forEachNumber(*step.fields, step.device, [=, &kind](const NumberPlace& place, std::byte* bytes, std::size_t index) {
+      const double value = place.read(bytes);
+      double disturbed = value;
       if constexpr (detail::KeepsMemory<Kind>::value) {
-        place.write(bytes, kind.disturb(place.read(bytes), memory[index], *random));
+        disturbed = kind.disturb(value, memory[index], *random);
       } else {
         static_cast<void>(memory), static_cast<void>(index);
-        place.write(bytes, kind.disturb(place.read(bytes), *random));
+        disturbed = kind.disturb(value, *random);
+      }
+      // that nothing is in range, or that something is too close, no error makes a distance of
+      if (!place.is_distance || std::isfinite(value)) {
+        place.write(bytes, disturbed);
       }
     });
   }

@@ -20,7 +20,8 @@ namespace swarmanoid {
 struct NumberPlace {
   std::size_t offset = 0;  ///< from the beginning of the device or of the element [byte]
   NumberType type = NumberType::kF8;
-  bool wraps = false;  ///< an angle, which is kept from -pi to pi
+  bool wraps = false;        ///< an angle, which is kept from -pi to pi
+  bool is_distance = false;  ///< a measured distance, which may be infinite
   /// The bounds of its field, or the numbers next to them inside if the type does not have the bounds themselves:
   /// single precision has no 0.7, and what is stored for it is less than that.
   Range range;
@@ -34,15 +35,21 @@ struct NumberPlace {
            : type == NumberType::kF8 ? readReal<double>(fields)
                                      : readWhole(fields);
   }
-  /// Writes the nearest number that the type has: whole numbers are rounded, and nothing becomes infinite.
+  /// Writes the nearest number that the type has: whole numbers are rounded, and nothing finite becomes infinite.
   void write(std::byte* fields, double value) const {
     const double most = type == NumberType::kF4 ? mostOf<float>() : mostOf<double>();
-    store(fields, std::abs(value) < most ? value : std::clamp(value, -most, most));
+    const bool is_kept = std::abs(value) < most || (is_distance && std::isinf(value));
+    store(fields, is_kept ? value : std::clamp(value, -most, most));
   }
-  /// Brings the number within the bounds of its field: wrapped if it is such an angle, else limited. NaN stays.
+  /// Brings the number within the bounds of its field: wrapped if it is such an angle, infinite if it is a measured
+  /// distance, else limited. NaN stays.
   void limit(std::byte* fields) const {
     const double value = read(fields);
-    if (!range.contains(value)) {
+    if (is_distance) {
+      if (value < range.minimum || value > range.maximum) {
+        store(fields, value < range.minimum ? -kInfinity : kInfinity);
+      }
+    } else if (!range.contains(value)) {
       // the type has what lies within the bounds, so nothing can become infinite
       store(fields, std::clamp(wraps ? wrapAngle(value) : value, range.minimum, range.maximum));
     }

@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -32,32 +33,48 @@ class PositionalIndex {
   /// `found` in no stated order.
   void collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const;
 
+  /// An upright cylinder around an entity. What is tilted, or has arms, has one that holds its sphere.
+  struct Outline {
+    Eigen::Vector2d position;  ///< of its axis, in W [m]
+    double radius;             ///< [m]
+    double low;                ///< [m]
+    double high;               ///< [m]
+    Row row;
+  };
+  /// What is wider than a cell, such as a wall: a box is a better bound for it.
+  struct LargeOutline {
+    Eigen::AlignedBox3d bounds;  ///< in W [m]
+    Row row;
+  };
+  /// Where an entity stands in the index until the next rebuild, from 0 to placeCount() - 1. What is near each other
+  /// has neighbouring places mostly: what is kept by place is read faster than what is kept by row.
+  using Place = std::uint32_t;
+
+  /// Large ones have no place.
+  std::size_t placeCount() const { return items_.size(); }
+  const Outline& at(Place place) const { return items_[place]; }
+  const std::vector<LargeOutline>& large() const { return large_items_; }
+  /// Engines whose plane stands upright cast rays against prisms, whose corners are outside of outlines, though by no
+  /// more than this [m]. Who collects what could stand in the way of a ray collects from a sphere larger by it.
+  double prismMargin() const { return (M_SQRT2 - 1.0) * largest_small_radius_; }
+  /// The places of those, not large, whose outlines meet the sphere; appended to `found` in no stated order.
+  void collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const;
+
   /// Entities whose origin is within `radius` of `centre`, by entity number.
   std::vector<Row> within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const;
   /// The same around an entity, without itself.
   std::vector<Row> within(const Entities& entities, Row around, double radius) const;
 
  private:
-  /// An upright cylinder around an entity. What is tilted has one that holds its sphere.
-  struct Item {
-    Eigen::Vector2d position;
-    double radius;
-    double low;
-    double high;
-    Row row;
-  };
-  /// Wider than a cell, such as a wall: a box is a better bound for it than a sphere.
-  struct LargeItem {
-    Eigen::AlignedBox3d bounds;
-    Row row;
-  };
   using Cell = std::array<int, 3>;
 
-  static Item itemOf(const Entities& entities, Row row);
+  static Outline outlineOf(const Entities& entities, Row row);
   Cell cellOf(const Eigen::Vector3d& position) const;
   std::size_t flat(const Cell& cell) const;
-  template <class Visit>  // bool visit(Row): false stops
+  template <class Visit>  // visit(Row)
   void visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const;
+  template <class Visit>  // visit(Place)
+  void visitPlaces(const Eigen::Vector3d& centre, double radius, Visit visit) const;
 
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
   Optimization optimization_ = Optimization::k2D;
@@ -66,9 +83,9 @@ class PositionalIndex {
   Cell cells_{1, 1, 1};
   double largest_small_radius_ = 0.0;      // among the items of the cells
   std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells
-  std::vector<Item> items_;                // sorted by cell
+  std::vector<Outline> items_;             // sorted by cell
   std::vector<std::uint32_t> cell_of_entity_;
-  std::vector<LargeItem> large_items_;  // kept apart, looked at one by one
+  std::vector<LargeOutline> large_items_;  // kept apart, looked at one by one
 };
 
 }  // namespace swarmanoid

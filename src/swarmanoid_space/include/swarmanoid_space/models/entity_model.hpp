@@ -19,6 +19,7 @@
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/mechanism.hpp"
 #include "swarmanoid_interface/range.hpp"
+#include "swarmanoid_space/models/battery_model.hpp"
 
 namespace swarmanoid {
 
@@ -61,6 +62,9 @@ struct EntityModel {
   double highest = 0.0;            ///< of the shapes, along body z [m]
   double bounding_radius = 0.0;    ///< of a sphere around the body's origin that holds all shapes [m]
   double horizontal_radius = 0.0;  ///< of a circle around body z that holds all shapes seen from above [m]
+  // These four are with all joints at zero. What a joint turns may leave them, but not the sphere of:
+  double moving_reach = 0.0;        ///< around the body's origin, it holds all shapes whatever the joints do [m]
+  bool joints_keep_outline = true;  ///< joints turn shapes about body z only, as turrets: within the four
 
   // How it resists as a whole, with all joints at zero; of no meaning to engines without forces, and for what is not
   // movable.
@@ -152,10 +156,13 @@ struct EntityModel {
   /// Whether cameras see a colour of its own (Entities::color) at the points where a robot's LEDs would be.
   bool hasColor() const { return !is_robot && !led_positions.empty(); }
 
+  std::optional<BatteryModel> possible_battery;  ///< that a robot has if the experiment says so
+  std::optional<BatteryModel> battery;           ///< that it has; nothing: it runs for ever
+
   std::vector<std::string> devices;  ///< device types that the description of a robot lists
   std::string urdf;                  ///< the whole URDF text; empty if there is none
 
-  /// Fills `lowest`, `highest` and the two radii from `shapes`.
+  /// Fills `lowest`, `highest`, the two radii and what follows them from `shapes` and `joints`.
   void measureShapes();
 
   /// Joins a part to what the model weighs so far.
@@ -163,6 +170,9 @@ struct EntityModel {
 
   /// @throws std::out_of_range naming the mount and the type
   const Mount& mount(const std::string& name) const;
+
+ private:
+  void measureTurning();
 };
 
 /// Reads a robot's URDF. The root link is `base_link`, the body frame. Links' collision elements (boxes, cylinders,
@@ -177,6 +187,9 @@ std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const
 /// package.xml, as <export><swarmanoid robots="${prefix}/urdf"/></export>. Loaded once a process. Thread-safe.
 /// @throws ConfigError if there is no such robot, or if there are two
 std::shared_ptr<const EntityModel> robotModel(const std::string& type);
+
+/// A robot that runs on a battery: the same with that battery, and with its properties (BatteryProperty).
+std::shared_ptr<const EntityModel> robotWithBattery(const EntityModel& robot, const BatteryModel& battery);
 
 /// Loads all robots of this installation. Thread-safe.
 /// @return what is wrong with them, and with the packages that bring them, a message each

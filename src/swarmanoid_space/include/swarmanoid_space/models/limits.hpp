@@ -23,7 +23,7 @@ constexpr Range kCoordinate{-10000.0, 10000.0};
 /// Of bodies and heightfields. A sheet of paper is as thin as the least; what is longer than the most fits into no
 /// arena. Engines with coarser tolerances refuse what is too thin for them.
 constexpr Range kLength{0.0001, 10000.0};
-/// Of a floor patch; 0 where it is not used. Nothing collides with it, so it may be as thin as it likes.
+/// Of a floor patch or a hole; 0 where it is not used. Nothing collides with it, so it may be as thin as it likes.
 constexpr Range kPatch{0.0, 10000.0};
 /// Of a plane on which Box2D moves things: the farthest coordinate. It computes in single precision, which there tells
 /// 0.1 mm apart, as much as bodies overlap at rest.

@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -21,6 +22,10 @@ visualization_msgs::MarkerArray arenaMarkers(const Space& space);
 /// What the engines work with: collision shapes, contacts, joints and forces (EngineDrawing), a list for each engine
 /// and kind; those without lines are deleted.
 visualization_msgs::MarkerArray engineMarkers(const Space& space);
+
+/// What devices do: a list of lines and one of points for each type of device that has drawn something so far; those
+/// that are empty now are deleted. Reuses what `message` holds.
+void deviceMarkers(const Space& space, const DeviceDrawings& drawings, visualization_msgs::MarkerArray& message);
 
 class MovingMarkers {
  public:

@@ -27,7 +27,7 @@ struct PhaseTimes {
   double control = 0.0;
   double actuate = 0.0;
   double move = 0.0;
-  double connect = 0.0;  ///< and handover
+  double connect = 0.0;  ///< and handover, and falling into holes
   double index = 0.0;
   double rule = 0.0;  ///< and what rules do before the tick
   double show = 0.0;
@@ -36,6 +36,7 @@ struct PhaseTimes {
   PhaseTimes& operator+=(const PhaseTimes& other);
 };
 
+class DeviceDrawings;
 class Lockstep;
 struct World;
 
@@ -83,6 +84,9 @@ class Simulation {
   Metrics metrics() const;
   /// In the order of Space::engines. Allocates.
   std::vector<EngineReport> engineReports() const;
+  /// Replaces what was drawn by what devices have to show now; for observers in `draw`, and between ticks. A type of
+  /// device has a drawing though it is empty. @throws what devices throw
+  void drawDevices(DeviceDrawings& drawings) const;
   /// The values that an engine works with: those of the file, and what was set since.
   /// @throws ConfigError if there is no such engine
   const Configuration& engineParameters(const std::string& engine) const;
@@ -126,12 +130,15 @@ class Simulation {
  private:
   void resetRules();
   void beginTick();
+  void switchPower();
   void playInterventions(bool after_rules);
   void noteFailures();
+  void takeOutFallen();
   void logNewOverflows();
 
   std::unique_ptr<World> world_;  // the space, and all that acts on it
   std::vector<Row> faulty_;       // scratch of `actuate`
+  std::vector<Row> fallen_;       // scratch of `fall`
   InterventionPlayer player_;
   PhaseTimes phase_times_;
   std::size_t logged_overflows_ = 0;

@@ -21,7 +21,7 @@
 namespace swarmanoid {
 
 /// The phase in which the values of a column change.
-enum class Writer { kBetweenTicks, kControl, kActuate, kMove, kConnect, kIndex };
+enum class Writer { kBetweenTicks, kControl, kActuate, kMove, kConnect, kIndex, kPower };
 
 /// Who visits the values of a column.
 enum class Visits {

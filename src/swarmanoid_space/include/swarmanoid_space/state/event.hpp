@@ -24,9 +24,10 @@ struct Event {
     kHandoverRefused,  ///< a rule asked for it, and `entity` stays where it is; the text says why
     kEngineTrouble,    ///< an engine had to make do with something worse than its method; the text says which and what
     kParticipantLate,  ///< a process that commands robots has not answered in time; the text says what follows
-    kParticipantJoined,   ///< one has registered, or is back
-    kAnswerRefused,       ///< one answered twice, or for a wrong tick; the first time
-    kInterventionRefused  ///< a rule asked for what may be refused, and was; the text says why
+    kParticipantJoined,    ///< one has registered, or is back
+    kAnswerRefused,        ///< one answered twice, or for a wrong tick; the first time
+    kInterventionRefused,  ///< a rule asked for what may be refused, and was; the text says why
+    kFellIntoHole          ///< `entity` is out of the world since this tick; the text names the hole
   };
 
   Kind kind;

@@ -1,7 +1,8 @@
 /// What actuators command the mechanisms of a robot to do. Engines read nothing else of a robot's commands; what
-/// mechanisms do stands in the joints, the structural tree and the attachments of the space.
+/// mechanisms do stands in the wheel turns, the joints, the structural tree and the attachments of the space.
 ///
-/// Phase  written in `actuate`, and when the actuator is added to its robot: from then on the mechanism is commanded.
+/// Phase  commands are written in `actuate`, and when the actuator is added to its robot: from then on the mechanism is
+///        commanded.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,6 +12,14 @@ namespace swarmanoid {
 /// Angular velocities of the wheels [rad/s].
 struct WheelsCommand {
   bool is_driven = false;  ///< false: the robot has no actuator for them, and nothing drives or brakes it
+  double left = 0.0;
+  double right = 0.0;
+};
+
+/// What the wheels have really turned since the entity came into the space [rad], positive drives ahead: the engine
+/// that moves the robot adds to it in `move`. Where a robot is blocked, or slips, its wheels turn all the same. Moving
+/// it from outside turns no wheel.
+struct WheelTurns {
   double left = 0.0;
   double right = 0.0;
 };

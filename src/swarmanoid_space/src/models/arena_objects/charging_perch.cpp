@@ -6,9 +6,6 @@
 namespace swarmanoid {
 namespace {
 
-constexpr Range kPerchCharge{0.0, 1e9};  // J
-constexpr Range kPerchSupply{0.0, 1e6};  // W
-
 class ChargingPerchType final : public EntityType {
  public:
   static PluginDescription describe() {
@@ -20,9 +17,9 @@ class ChargingPerchType final : public EntityType {
         lengthParameter("radius", "Of the post.", "0.05"),
         lengthParameter("height", "Of the post.", "0.3"),
         colorParameter("green", "Of its signal, as cameras see it."),
-        makeParameter("capacity", Type::kNumber, "J", "2000", kPerchCharge, "The most that it holds."),
+        makeParameter("capacity", Type::kNumber, "J", "2000", kChargeRange, "The most that it holds."),
         makeParameter("level", Type::kNumber, "", "1", {0.0, 1.0}, "Part of it that it holds at first."),
-        makeParameter("supply", Type::kNumber, "W", "20", kPerchSupply, "At which it is charged itself, at first.")};
+        makeParameter("supply", Type::kNumber, "W", "20", kPowerRange, "At which it is charged itself, at first.")};
     return description;
   }
 
@@ -51,8 +48,8 @@ class ChargingPerchType final : public EntityType {
     model->shapes.push_back(post);
     model->measureShapes();
     model->led_positions.push_back(middle);
-    model->properties.push_back({"charge", "J", "What it holds for robots.", charges, charge});
-    model->properties.push_back({"supply", "W", "At which it is charged itself.", kPerchSupply, supply});
+    model->properties.push_back({kCharge, "J", "What it holds for robots.", charges, charge});
+    model->properties.push_back({kSupply, "W", "At which it is charged itself.", kPowerRange, supply});
     return model;
   }
 };

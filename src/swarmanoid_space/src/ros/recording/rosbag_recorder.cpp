@@ -64,7 +64,6 @@ class RosbagRecorder final : public Observer {
 
   void draw(const Space& space) override {
     const ros::Time stamp = stampOf(space);
-    transforms_.advance(space);
     run_.begin(space, topics_, bag_);
     run_.follow(space);
     for (const Event& event : space.events) {

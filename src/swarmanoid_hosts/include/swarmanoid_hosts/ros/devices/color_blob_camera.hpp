@@ -15,6 +15,8 @@ inline void toMessage(const ColorBlobs& readings, swarmanoid_msgs::ColorBlobs& m
     message.blobs[i].color = toMessage(readings.blobs[i].color);
     message.blobs[i].bearing = readings.blobs[i].bearing;
     message.blobs[i].distance = readings.blobs[i].distance;
+    message.blobs[i].elevation = readings.blobs[i].elevation;
+    message.blobs[i].size = readings.blobs[i].size;
   }
   message.overflowed = readings.overflowed;
 }
@@ -25,7 +27,8 @@ inline void fromMessage(const swarmanoid_msgs::ColorBlobs& message, ColorBlobs& 
   parts.clear();
   ColorBlob* blobs = parts.room<ColorBlob>(count);
   for (std::size_t i = 0; i < count; ++i) {
-    blobs[i] = {fromMessage(message.blobs[i].color), message.blobs[i].bearing, message.blobs[i].distance};
+    const swarmanoid_msgs::ColorBlob& blob = message.blobs[i];
+    blobs[i] = {fromMessage(blob.color), blob.bearing, blob.distance, blob.elevation, blob.size};
   }
   readings.blobs = Span<const ColorBlob>(blobs, count);
   readings.overflowed = message.overflowed != 0;
@@ -33,5 +36,10 @@ inline void fromMessage(const swarmanoid_msgs::ColorBlobs& message, ColorBlobs& 
 
 REGISTER_DEVICE_TOPIC(FootbotCamera, swarmanoid_msgs::ColorBlobs, kReading, "camera/blobs", "base_link")
 REGISTER_DEVICE_TOPIC(EyebotCamera, swarmanoid_msgs::ColorBlobs, kReading, "camera/blobs", "base_link")
+REGISTER_DEVICE_TOPIC(EyebotOmnidirectionalCamera, swarmanoid_msgs::ColorBlobs, kReading,
+                      "omnidirectional_camera/blobs", "base_link")
+REGISTER_DEVICE_TOPIC(EyebotPanTiltCamera, swarmanoid_msgs::ColorBlobs, kReading, "pan_tilt_camera/blobs", "base_link")
+REGISTER_DEVICE_TOPIC(FootbotFrontCamera, swarmanoid_msgs::ColorBlobs, kReading, "front_camera/blobs", "base_link")
+REGISTER_DEVICE_TOPIC(HandbotCamera, swarmanoid_msgs::ColorBlobs, kReading, "camera/blobs", "base_link")
 
 }  // namespace swarmanoid

@@ -1,0 +1,89 @@
+// The eyebot's flight controller that flies to places: it adds up the velocities that it has really flown.
+#include "swarmanoid_interface/devices/eyebot_position.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "mechanisms.hpp"
+#include "parameters.hpp"
+#include "swarmanoid_interface/devices/eyebot_pilot.hpp"
+#include "swarmanoid_space/actuator.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+struct PositionInstance : BasicActuatorInstance<EyebotPosition> {
+  EyebotPilot before;                 // when `tick` began
+  EyebotPilot pilot;                  // with what was commanded in it
+  std::optional<std::uint64_t> tick;  // the last one that was carried out
+};
+
+class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionInstance> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = EyebotPosition::kType;
+    description.implementation = "default";
+    description.is_default = true;
+    description.mechanisms = {flight()};
+    description.summary =
+        "A place in the frame of the take-off, to which it flies with limited speed and acceleration.";
+    description.parameters = {number("max_speed", "m/s", numberText(EyebotPosition::kUsualFastest), {0.01, 5.0},
+                                     "The longest velocity that is flown."),
+                              number("max_acceleration", "m/s2", numberText(EyebotPosition::kUsualAcceleration),
+                                     {0.1, 10.0}, "The longest change of the velocity."),
+                              number("max_yaw_rate", "rad/s", numberText(EyebotPosition::kUsualFastestTurn),
+                                     {0.0, 10.0}, "The fastest turn."),
+                              number("landing_speed", "m/s", numberText(EyebotPosition::kUsualSinking), {0.01, 5.0},
+                                     "How fast it sinks when it lands.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    limits_.speed = parameters.number("max_speed", EyebotPosition::kUsualFastest);
+    limits_.acceleration = parameters.number("max_acceleration", EyebotPosition::kUsualAcceleration);
+    limits_.yaw_rate = parameters.number("max_yaw_rate", EyebotPosition::kUsualFastestTurn);
+    limits_.sinking = parameters.number("landing_speed", EyebotPosition::kUsualSinking);
+  }
+
+ protected:
+  void limit(const Space& /*space*/, PositionInstance& instance) override {
+    constexpr double kFarthest = EyebotPosition::kFarthest;
+    Eigen::Vector3d& position = instance.actuation->position;
+    position = position.cwiseMax(-kFarthest).cwiseMin(kFarthest);
+  }
+
+  void apply(Space& space, PositionInstance& instance) override {
+    if (!instance.tick) {  // it is added to its robot
+      instance.tick = space.tick;
+      space.flight[instance.row] = {true, Eigen::Vector3d::Zero(), 0.0};
+      return;
+    }
+    const double dt = toSeconds(space.clocktick);
+    if (*instance.tick != space.tick) {
+      instance.before = instance.pilot;
+      measure(space, dt, instance);
+      instance.tick = space.tick;
+    }
+    // a safe stop commands something else in the same tick
+    instance.pilot = instance.before;
+    const EyebotPilot::Flight flight = instance.pilot.fly(*instance.actuation, limits_, dt);
+    space.flight[instance.row] = {true, flight.linear, flight.yaw_rate};
+  }
+
+ private:
+  static void measure(const Space& space, double dt, PositionInstance& instance) {
+    const Eigen::Vector3d ahead = space.entities.pose[instance.row].orientation * Eigen::Vector3d::UnitX();
+    const Eigen::AngleAxisd to_heading(-std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ());
+    const Twist& twist = space.entities.twist[instance.row];
+    instance.before.moved(to_heading * (twist.linear * dt), twist.angular.z() * dt, dt);
+  }
+
+  EyebotPilot::Limits limits_;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_ACTUATOR(swarmanoid::devices::EyebotPositionActuator)

@@ -1,0 +1,30 @@
+#include "distance_rays.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+/// The fraction of a segment at which it meets the level floor from above; infinity if it does not, and where there is
+/// terrain or a hole instead.
+double floorFraction(const Space& space, const Segment& segment) {
+  if (segment.from.z() < 0.0 || segment.to.z() > 0.0 || segment.from.z() == segment.to.z()) {
+    return kInfinity;
+  }
+  const double fraction = segment.from.z() / (segment.from.z() - segment.to.z());
+  const Eigen::Vector3d point = segment.from + fraction * (segment.to - segment.from);
+  const bool is_on_terrain = space.terrain && space.terrain->contains(point.x(), point.y());
+  return is_on_terrain || space.holeAt(point) != nullptr ? kInfinity : fraction;
+}
+
+}  // namespace
+
+void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits) {
+  space.raycast(rays, hits);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    const double fraction = floorFraction(space, rays.segments[k]);
+    if (fraction < hits[k].fraction) {
+      hits[k] = {fraction, kNoRow};
+    }
+  }
+}
+
+}  // namespace swarmanoid::devices

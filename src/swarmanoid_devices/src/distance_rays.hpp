@@ -1,0 +1,19 @@
+/// Rays of distance sensors: what they hit, be it a solid, the terrain or the level floor, which no engine answers for.
+///
+/// Threads: const from any number of them.
+#pragma once
+
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::devices {
+
+/// Whether a ray of the bundle could hit anything; in doubt, yes. Its segments are not looked at.
+/// @param lowest height in W to which the rays go down [m]
+inline bool mayMeasure(const Space& space, const RayBundle& rays, double lowest) {
+  return lowest <= 0.0 || space.mayHit(rays);
+}
+
+/// As Space::raycast, and the level floor stops rays, too: z = 0, where there is neither terrain nor a hole.
+void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits);
+
+}  // namespace swarmanoid::devices

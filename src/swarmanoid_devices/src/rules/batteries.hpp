@@ -1,0 +1,77 @@
+// What rules that charge robots know of their batteries, and the metrics that they have of them.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "swarmanoid_space/rule.hpp"
+
+namespace swarmanoid::devices {
+
+class Batteries {
+ public:
+  struct Robot {
+    EntityNumber number = kNoEntity;
+    double used = 0.0;      // J, when the rule last looked
+    bool is_empty = false;  // likewise
+  };
+
+  /// @param robot what the names of the robots begin with @param add adds a metric to the rule
+  template <class AddMetric>
+  void configure(const std::string& robot, AddMetric add) {
+    robot_ = robot;
+    mean_level_ = &add("mean_level", "J", "What is in a robot's battery, in the mean over the robots.");
+    empty_ = &add("empty", "", "Robots that are empty now, and wait for charge.");
+    ran_empty_ = &add("ran_empty", "", "How often a robot ran empty.");
+    drained_ = &add("drained", "J", "What robots have used.");
+  }
+
+  void clear() { robots_.clear(); }
+
+  /// Forgets who is no more, and takes up who is new: robots with a battery.
+  void enlist(const Space& space) {
+    const Entities& entities = space.entities;
+    robots_.erase(std::remove_if(robots_.begin(), robots_.end(),
+                                 [&](const Robot& robot) { return entities.find(robot.number) == kNoRow; }),
+                  robots_.end());
+    for (const Row row : space.powered) {
+      const EntityNumber number = entities.number[row];
+      const bool is_meant = entities.name[row].compare(0, robot_.size(), robot_) == 0;
+      if (is_meant && (robots_.empty() || robots_.back().number < number)) {
+        robots_.push_back({number, 0.0, false});
+      }
+    }
+  }
+
+  /// @return by entity number
+  const std::vector<Robot>& all() const { return robots_; }
+
+  void measure(const Space& space) {
+    double sum = 0.0;
+    double empty = 0.0;
+    for (Robot& robot : robots_) {
+      const Row row = space.entities.find(robot.number);
+      const BatteryState& state = space.batteries[row][0];
+      sum += space.properties[row][kBatteryCharge];
+      empty += state.is_empty ? 1.0 : 0.0;
+      drained_->value += state.used - robot.used;
+      ran_empty_->value += state.is_empty && !robot.is_empty ? 1.0 : 0.0;
+      robot.used = state.used;
+      robot.is_empty = state.is_empty;
+    }
+    mean_level_->value = robots_.empty() ? 0.0 : sum / static_cast<double>(robots_.size());
+    empty_->value = empty;
+  }
+
+ private:
+  std::string robot_;
+  std::vector<Robot> robots_;
+  Metric* mean_level_ = nullptr;
+  Metric* empty_ = nullptr;
+  Metric* ran_empty_ = nullptr;
+  Metric* drained_ = nullptr;
+};
+
+}  // namespace swarmanoid::devices

@@ -1,0 +1,250 @@
+// Exchange stations swap the batteries of robots that stand in them: the old one out, a charged one in, while the
+// robot's super-capacitor keeps it alive. All batteries are properties of stations and robots, so none is lost but by
+// deleting a robot or a station.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "../parameters.hpp"
+#include "batteries.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+constexpr const char* kArm = "arm";                 // J, of the battery that is on its way into a robot
+constexpr const char* kFirstBattery = "battery_1";  // J, of those that wait in the station
+
+class Exchange final : public Rule {
+ public:
+  static PluginDescription describe();
+  void configure(const Configuration& parameters) override;
+
+  void reset(const Space&, InterventionQueue&) override {
+    batteries_.clear();
+    stations_.clear();
+  }
+
+  void beforeTick(const Space& space, InterventionQueue& queue) override {
+    batteries_.enlist(space);
+    enlistStations(space);
+    // what is asked for is done after this call: until then the properties of whose battery has moved are the old ones
+    bool has_moved = false;
+    for (Station& station : stations_) {
+      if (station.occupant != kNoEntity) {
+        has_moved = goOn(space, station, space.entities.find(station.number), queue) || has_moved;
+      }
+    }
+    for (Station& station : stations_) {
+      const Row row = space.entities.find(station.number);
+      if (!has_moved && station.occupant == kNoEntity) {
+        has_moved = startSwap(space, station, row, queue);
+      }
+      if (!has_moved && station.uncharged >= interval_ - kRounding) {
+        recharge(space, row, station.uncharged, queue);
+        station.uncharged = 0.0;
+      }
+      station.uncharged += toSeconds(space.clocktick);
+    }
+    measure(space);
+  }
+
+  void afterTick(const Space& space, InterventionQueue&) override {
+    batteries_.enlist(space);  // rules that come later may have deleted some
+    measure(space);
+  }
+
+ private:
+  struct Station {
+    EntityNumber number = kNoEntity;
+    EntityNumber occupant = kNoEntity;  // whose battery is being swapped
+    std::string slot;                   // the property of the place that its battery has gone to
+    double time = 0.0;                  // s, for which the swap has gone on
+    double uncharged = 0.0;             // s, since its batteries were charged last
+  };
+
+  static constexpr double kRounding = 1e-9;  // s
+
+  void enlistStations(const Space& space) {
+    const Entities& entities = space.entities;
+    stations_.erase(std::remove_if(stations_.begin(), stations_.end(),
+                                   [&](const Station& station) { return entities.find(station.number) == kNoRow; }),
+                    stations_.end());
+    for (const Row row : entities.order) {
+      const EntityNumber number = entities.number[row];
+      const EntityModel& model = *entities.model[row];
+      const bool is_station = model.findProperty(kFirstBattery) >= 0 && model.findProperty(kArm) >= 0;
+      if (is_station && (stations_.empty() || stations_.back().number < number)) {
+        stations_.push_back({number, kNoEntity, "", 0.0, 0.0});
+      }
+    }
+  }
+
+  static bool isSlot(const EntityModel::Property& property) { return property.name.rfind("battery_", 0) == 0; }
+
+  static void set(const Space& space, Row row, const std::string& property, double value, InterventionQueue& queue) {
+    queue.ask(SetProperty{space.entities.name[row], property, numberText(value)});
+  }
+
+  /// The fullest that is not full first, so that one is ready soon.
+  void recharge(const Space& space, Row row, double elapsed, InterventionQueue& queue) {
+    const EntityModel& model = *space.entities.model[row];
+    double left = space.property(row, kSupply).value_or(0.0) * elapsed;
+    std::vector<double> charges(space.properties[row].begin(), space.properties[row].end());
+    while (left > 0.0) {
+      std::size_t fullest = charges.size();
+      for (std::size_t i = 0; i < charges.size(); ++i) {
+        const bool has_room = isSlot(model.properties[i]) && charges[i] < model.properties[i].range.maximum;
+        if (has_room && (fullest == charges.size() || charges[i] > charges[fullest])) {
+          fullest = i;
+        }
+      }
+      if (fullest == charges.size()) {
+        return;
+      }
+      const double given = std::min(left, model.properties[fullest].range.maximum - charges[fullest]);
+      charges[fullest] = std::min(charges[fullest] + given, model.properties[fullest].range.maximum);
+      left -= given;
+      supplied_->value += given;
+      set(space, row, model.properties[fullest].name, charges[fullest], queue);
+    }
+  }
+
+  /// The battery of the first robot that needs another one goes into the place of that. @return whether there is one
+  bool startSwap(const Space& space, Station& station, Row row, InterventionQueue& queue) {
+    if (*space.property(row, kArm) > 0.0) {
+      return false;  // that battery would be lost
+    }
+    for (const Batteries::Robot& robot : batteries_.all()) {
+      const Row candidate = space.entities.find(robot.number);
+      const double charge = space.properties[candidate][kBatteryCharge];
+      const double capacity = space.entities.model[candidate]->battery->capacity;
+      if (charge >= below_ * capacity || !isWithinReach(space, row, candidate) || isServed(robot.number)) {
+        continue;
+      }
+      const int slot = slotFor(space, row, charge, capacity);
+      if (slot < 0) {
+        continue;
+      }
+      station.occupant = robot.number;
+      station.slot = space.entities.model[row]->properties[static_cast<std::size_t>(slot)].name;
+      station.time = 0.0;
+      set(space, row, kArm, space.properties[row][static_cast<std::size_t>(slot)], queue);
+      set(space, row, station.slot, charge, queue);
+      set(space, candidate, kCharge, 0.0, queue);
+      return true;
+    }
+    return false;
+  }
+
+  /// The fullest battery that the robot can take, if it is charged enough; -1: none.
+  int slotFor(const Space& space, Row row, double charge, double capacity) const {
+    const EntityModel& model = *space.entities.model[row];
+    int best = -1;
+    double most = charge;
+    for (std::size_t i = 0; i < model.properties.size(); ++i) {
+      const double held = space.properties[row][i];
+      const bool fits = held <= capacity && charge <= model.properties[i].range.maximum;
+      const bool is_ready = isSlot(model.properties[i]) && held >= ready_ * capacity && fits;
+      if (is_ready && held > most) {
+        most = held;
+        best = static_cast<int>(i);
+      }
+    }
+    return best;
+  }
+
+  /// The battery of the arm into the robot; back into its place if the robot is no more. @return whether one has moved
+  bool goOn(const Space& space, Station& station, Row row, InterventionQueue& queue) {
+    const Row robot = space.entities.find(station.occupant);
+    const double charge = *space.property(row, kArm);
+    if (robot == kNoRow) {
+      set(space, row, station.slot, charge, queue);
+      set(space, row, kArm, 0.0, queue);
+      station.occupant = kNoEntity;
+      return true;
+    }
+    if (!isWithinReach(space, row, robot)) {
+      return false;
+    }
+    station.time += toSeconds(space.clocktick);
+    if (station.time < swap_time_ - kRounding) {
+      return false;
+    }
+    // what services have put on the arm may be more than the robot can take
+    const double taken = std::min(charge, space.entities.model[robot]->battery->capacity);
+    set(space, robot, kCharge, taken, queue);
+    set(space, row, kArm, 0.0, queue);
+    if (charge > taken) {
+      const auto slot = static_cast<std::size_t>(space.entities.model[row]->findProperty(station.slot));
+      const double most = space.entities.model[row]->properties[slot].range.maximum;
+      set(space, row, station.slot, std::min(space.properties[row][slot] + charge - taken, most), queue);
+    }
+    station.occupant = kNoEntity;
+    swaps_->value += 1.0;
+    return true;
+  }
+
+  bool isServed(EntityNumber robot) const {
+    return std::any_of(stations_.begin(), stations_.end(),
+                       [&](const Station& station) { return station.occupant == robot; });
+  }
+
+  bool isWithinReach(const Space& space, Row station, Row robot) const {
+    const Eigen::Vector3d way = space.entities.pose[robot].position - space.entities.pose[station].position;
+    return way.head<2>().norm() <= reach_;
+  }
+
+  void measure(const Space& space) {
+    batteries_.measure(space);
+    swapping_->value = static_cast<double>(std::count_if(
+        stations_.begin(), stations_.end(), [](const Station& station) { return station.occupant != kNoEntity; }));
+  }
+
+  double reach_ = 0.0;      // m
+  double below_ = 0.0;      // part of the capacity
+  double ready_ = 0.0;      // likewise
+  double swap_time_ = 0.0;  // s
+  double interval_ = 0.0;   // s
+  Metric* swaps_ = nullptr;
+  Metric* swapping_ = nullptr;
+  Metric* supplied_ = nullptr;
+  Batteries batteries_;
+  std::vector<Station> stations_;
+};
+
+PluginDescription Exchange::describe() {
+  PluginDescription description;
+  description.label = "exchange";
+  description.summary = "Stations swap the batteries of robots that stand in them.";
+  description.parameters = {
+      makeParameter("robot", Parameter::Type::kText, "", "", {},
+                    "What the names of the robots begin with; empty: all."),
+      number("reach", "m", "0.3", {0.0, 100.0}, "Between the origins of robot and station, seen from above."),
+      number("below", "", "0.5", {0.0, 1.0}, "Part of the capacity below which a robot's battery is swapped."),
+      number("ready", "", "0.95", {0.0, 1.0}, "Part of the capacity that a battery must hold to be given."),
+      number("swap_time", "s", "10", {0.0, 3600.0}, "From the old battery's leaving to the new one's being in."),
+      number("interval", "s", "1", {0.001, 3600.0},
+             "From one time that batteries in stations are charged to the next.")};
+  return description;
+}
+
+void Exchange::configure(const Configuration& parameters) {
+  reach_ = parameters.number("reach");
+  below_ = parameters.number("below");
+  ready_ = parameters.number("ready");
+  swap_time_ = parameters.number("swap_time");
+  interval_ = parameters.number("interval");
+  const auto add = [this](const std::string& name, const std::string& unit, const std::string& text) -> Metric& {
+    return addMetric(name, unit, text);
+  };
+  batteries_.configure(parameters.text("robot"), add);
+  swaps_ = &addMetric("swaps", "", "Batteries that were swapped.");
+  swapping_ = &addMetric("swapping", "", "Swaps that are under way.");
+  supplied_ = &addMetric("supplied", "J", "What batteries in stations have been charged with.");
+}
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::Exchange)

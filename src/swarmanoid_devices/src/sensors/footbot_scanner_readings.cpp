@@ -1,0 +1,121 @@
+// The four beams of the rotating distance scanner. The head has no mass and no shape, so no engine moves it: its angle
+// follows from the actuations alone, tick by tick.
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "color_blob_finder.hpp"
+#include "distance_rays.hpp"
+#include "swarmanoid_interface/devices/footbot_scanner.hpp"
+#include "swarmanoid_space/models/entity_model.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+using Readings = FootbotScannerReadings;
+
+struct ScannerInstance : BasicSensorInstance<Readings> {
+  Mount mount;
+  double before = 0.0;                // angle of the head a tick before `tick`, rad
+  double angle = 0.0;                 // in `tick`
+  std::optional<std::uint64_t> tick;  // the last one that was sensed
+};
+
+class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = Readings::kType;
+    description.implementation = "rays";
+    description.is_default = true;
+    description.summary = "Two short and two long infrared beams on the head; the way to what is straight ahead.";
+    return description;
+  }
+
+  void configure(const Configuration&) override {}
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    const double dt = toSeconds(space.clocktick);
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, dt, instances_[k]);
+    }
+  }
+
+ protected:
+  void prepareInstance(const Space& space, ScannerInstance& instance) override {
+    instance.mount = space.entities.model[instance.row]->mount("scanner");
+  }
+
+ private:
+  static constexpr std::size_t kRays = Readings::kBeams * Readings::kSamples;
+
+  static void senseOne(const Space& space, double dt, ScannerInstance& instance) {
+    static const FootbotScanner kOff;
+    const auto* actuation = space.actuation.find<FootbotScanner>(instance.row);
+    const FootbotScanner& scanner = actuation == nullptr ? kOff : *actuation;
+    if (instance.tick != space.tick) {
+      instance.before = instance.angle;
+    }
+    // a tick that is made again, after somebody has acted on the space, turns the head from the same angle
+    const double turn = scanner.turnFrom(instance.before, dt);
+    instance.angle = wrapTurn(instance.before + turn);
+    instance.tick = space.tick;
+    Readings& readings = *instance.readings;
+    readings.angle = instance.angle;
+    readings.period = static_cast<float>(dt);
+    for (std::size_t i = 0; i < Readings::kSamples; ++i) {
+      readings.angles[i] = toBearing(Readings::angleOf(i, instance.before, turn));
+    }
+    if (scanner.mode == FootbotScanner::Mode::kOff) {
+      fill(readings, std::numeric_limits<float>::quiet_NaN());
+    } else {
+      measure(space, instance, turn);
+    }
+  }
+
+  static void fill(Readings& readings, float distance) {
+    for (std::size_t beam = 0; beam < Readings::kBeams; ++beam) {
+      readings.distances(beam).fill(distance);
+    }
+  }
+
+  static void measure(const Space& space, ScannerInstance& instance, double turn) {
+    const Pose& pose = space.entities.pose[instance.row];
+    const Eigen::Matrix3d head = (pose.orientation * instance.mount.orientation).toRotationMatrix();
+    RayBundle rays;
+    rays.centre = pose.toWorld(instance.mount.position);
+    rays.radius = Readings::kLongRange.maximum;
+    rays.ignored = instance.row;
+    const double slope = head.row(2).head<2>().norm();  // of the steepest way down in the plane of the beams
+    if (!mayMeasure(space, rays, rays.centre.z() - rays.radius * slope)) {
+      fill(*instance.readings, std::numeric_limits<float>::infinity());
+      return;
+    }
+    std::array<Segment, kRays> segments;
+    std::array<RayHit, kRays> hits;
+    for (std::size_t i = 0; i < Readings::kSamples; ++i) {
+      const double angle = Readings::angleOf(i, instance.before, turn);
+      const Eigen::Vector3d ahead = head.col(0) * std::cos(angle) + head.col(1) * std::sin(angle);
+      const Eigen::Vector3d left = head.col(1) * std::cos(angle) - head.col(0) * std::sin(angle);
+      const std::array<Eigen::Vector3d, Readings::kBeams> directions{ahead, left, -ahead, -left};
+      for (std::size_t beam = 0; beam < Readings::kBeams; ++beam) {
+        segments[i * Readings::kBeams + beam] = {rays.centre,
+                                                 rays.centre + Readings::rangeOf(beam).maximum * directions[beam]};
+      }
+    }
+    rays.segments = Span<const Segment>(segments.data(), kRays);
+    castDistances(space, rays, Span<RayHit>(hits.data(), kRays));
+    for (std::size_t k = 0; k < kRays; ++k) {
+      const std::size_t beam = k % Readings::kBeams;
+      const Range range = Readings::rangeOf(beam);
+      const double distance = hits[k].isHit() ? hits[k].fraction * range.maximum : kInfinity;
+      instance.readings->distances(beam)[k / Readings::kBeams] = Distance::reading(distance, range);
+    }
+  }
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_SENSOR(swarmanoid::devices::FootbotScannerSensor)

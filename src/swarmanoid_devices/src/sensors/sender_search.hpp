@@ -1,0 +1,127 @@
+/// Finds who sends near a receiver. What receivers need to know of a sender is put together once a tick, in the order
+/// of the positional index, so that each reads it from neighbouring places of memory; and if few send at all, a radio
+/// that reaches everybody looks at these few, and not at everybody.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "swarmanoid_space/space.hpp"
+#include "transmitters.hpp"
+
+namespace swarmanoid::devices {
+
+/// Somebody who sends.
+template <class Command>
+struct Sender {
+  EntityNumber number = kNoEntity;
+  Row row = kNoRow;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the transmitter, in W [m]
+  const Command* command = nullptr;                    ///< null: does not send
+};
+
+/// All who send in this tick. Filled on one thread, then read by any number.
+/// @tparam Command of the senders' actuators
+template <class Command>
+class SenderTable {
+ public:
+  /// Once a tick. @param few_for how few are kept besides, to be looked at one by one: so many that a receiver which
+  /// takes that many messages finds them sooner than around itself, where it would look at few_for * entities / senders
+  void fill(const Space& space, const Bank<Command>& commands, std::size_t few_for) {
+    transmitters_.clear();
+    by_place_.resize(space.index.placeCount());
+    large_.clear();
+    std::size_t count = 0;
+    for (std::size_t place = 0; place < by_place_.size(); ++place) {
+      by_place_[place] = senderAt(space, space.index.at(static_cast<PositionalIndex::Place>(place)).row, commands);
+      count += by_place_[place].command == nullptr ? 0 : 1;
+    }
+    for (const PositionalIndex::LargeOutline& large : space.index.large()) {
+      const Sender<Command> sender = senderAt(space, large.row, commands);
+      if (sender.command != nullptr) {
+        large_.push_back(sender);
+      }
+    }
+    count += large_.size();
+    keepFew(count * count <= few_for * space.entities.order.size());
+  }
+
+  const Sender<Command>& at(PositionalIndex::Place place) const { return by_place_[place]; }
+  /// Those that the index keeps apart.
+  const std::vector<Sender<Command>>& large() const { return large_; }
+  /// All of them, if they are few; else null.
+  const std::vector<Sender<Command>>* few() const { return are_few_ ? &few_ : nullptr; }
+
+ private:
+  Sender<Command> senderAt(const Space& space, Row row, const Bank<Command>& commands) {
+    const Command* command = commands.find(row);
+    if (command == nullptr || !command->sends) {
+      return {};
+    }
+    const Transmitter& transmitter = transmitters_.of(*space.entities.model[row], Command::kType, Command::kLink);
+    return {space.entities.number[row], row, positionOf(space, row, transmitter), command};
+  }
+
+  void keepFew(bool are_few) {
+    are_few_ = are_few;
+    few_.clear();
+    if (are_few) {
+      std::copy_if(by_place_.begin(), by_place_.end(), std::back_inserter(few_),
+                   [](const Sender<Command>& sender) { return sender.command != nullptr; });
+      few_.insert(few_.end(), large_.begin(), large_.end());
+    }
+  }
+
+  Transmitters transmitters_;
+  std::vector<Sender<Command>> by_place_;  // by place in the index
+  std::vector<Sender<Command>> large_;
+  std::vector<Sender<Command>> few_;
+  bool are_few_ = false;
+};
+
+/// Threads  each needs a SenderSearch of its own, and keeps it: its room grows to what was needed, and stays.
+template <class Command>
+class SenderSearch {
+ public:
+  struct Found {
+    EntityNumber number;
+    const Sender<Command>* sender;
+    double squared_range;  ///< from the receiver [m2]
+    std::size_t place;     ///< among those in range, by entity number
+  };
+
+  /// Fills `found` with those within a distance, by entity number, and `near` with the places in the index of who could
+  /// hide them, unless few send. @param self who does not hear itself @param position of the own transmitter, in W [m]
+  void find(const Space& space, const SenderTable<Command>& table, Row self, const Eigen::Vector3d& position,
+            double reach) {
+    near.clear();
+    found.clear();
+    const auto keep_within = [&](const Sender<Command>& sender) {
+      const double squared_range = (sender.position - position).squaredNorm();
+      if (sender.row != self && squared_range <= reach * reach) {
+        found.push_back({sender.number, &sender, squared_range, 0});
+      }
+    };
+    if (table.few() != nullptr) {
+      std::for_each(table.few()->begin(), table.few()->end(), keep_within);
+    } else {
+      space.index.collectPlaces(position, reach + std::max(kMostOutside, space.index.prismMargin()), near);
+      for (const PositionalIndex::Place place : near) {
+        if (table.at(place).command != nullptr) {
+          keep_within(table.at(place));
+        }
+      }
+      std::for_each(table.large().begin(), table.large().end(), keep_within);
+    }
+    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.number < b.number; });
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      found[i].place = i;
+    }
+  }
+
+  std::vector<Found> found;
+  std::vector<PositionalIndex::Place> near;
+};
+
+}  // namespace swarmanoid::devices

@@ -1,0 +1,84 @@
+/// What all sensors have in common that count how far two wheels turn: once a tick, from what the engine that moves the
+/// robot says (Space::wheel_turns), in whole steps of an encoder.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "mechanisms.hpp"
+#include "parameters.hpp"
+#include "swarmanoid_interface/devices/wheel_encoders.hpp"
+#include "swarmanoid_space/sensor.hpp"
+
+namespace swarmanoid::devices {
+
+template <class Device>
+struct WheelTurnInstance : BasicSensorInstance<Device> {
+  EntityModel::Wheels wheels;
+  WheelTurns start;                   // of the wheels, when the sensor was added [rad]
+  WheelTurns counted;                 // since then, as of `tick` [rad]
+  Device state;                       // what is read, without errors
+  std::optional<std::uint64_t> tick;  // the last one that was sensed
+};
+
+/// `Counter` derives from this, and says what becomes of what the wheels have turned in a tick:
+/// `void count(const Space&, Instance&, const WheelTurns& turned, const WheelTurns& step, double dt)`, both in rad; it
+/// writes `state`.
+template <class Counter, class Device>
+class WheelTurnSensor : public SensorOf<Device, WheelTurnInstance<Device>> {
+ public:
+  using Instance = WheelTurnInstance<Device>;
+
+  void configure(const Configuration& parameters) override {
+    ticks_per_turn_ = static_cast<double>(parameters.integer("ticks_per_turn", 0));
+  }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    const double dt = toSeconds(space.clocktick);
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, dt, this->instances_[k]);
+    }
+  }
+
+ protected:
+  static PluginDescription describeCounter(const std::string& summary) {
+    PluginDescription description;
+    description.label = Device::kType;
+    description.implementation = "default";
+    description.is_default = true;
+    description.mechanisms = {wheels()};
+    description.summary = summary;
+    description.parameters = {integer("ticks_per_turn", "0", {0.0, 1e6},
+                                      "How many steps of a turn the encoders tell apart; 0: all that it turns.")};
+    return description;
+  }
+
+  void prepareInstance(const Space& space, Instance& instance) override {
+    const EntityModel& model = *space.entities.model[instance.row];
+    if (!model.wheels) {
+      refuseWithout(Device::kType, model, "wheels");
+    }
+    instance.wheels = *model.wheels;
+    instance.start = space.wheel_turns[instance.row];
+  }
+
+ private:
+  void senseOne(const Space& space, double dt, Instance& instance) {
+    // a tick that is made again, after somebody has acted on the space, finds the wheels as they were
+    if (instance.tick != space.tick) {
+      const WheelTurns& now = space.wheel_turns[instance.row];
+      const WheelTurns turned{WheelEncoders::counted(now.left - instance.start.left, ticks_per_turn_),
+                              WheelEncoders::counted(now.right - instance.start.right, ticks_per_turn_)};
+      const WheelTurns step{turned.left - instance.counted.left, turned.right - instance.counted.right};
+      static_cast<Counter&>(*this).count(space, instance, turned, step, dt);
+      instance.counted = turned;
+      instance.tick = space.tick;
+    }
+    *instance.readings = instance.state;
+  }
+
+  double ticks_per_turn_ = 0.0;
+};
+
+}  // namespace swarmanoid::devices

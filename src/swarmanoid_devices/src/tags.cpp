@@ -1,0 +1,37 @@
+#include "tags.hpp"
+
+#include <algorithm>
+#include <string>
+#include <tuple>
+
+#include "mechanisms.hpp"
+#include "swarmanoid_space/models/properties.hpp"
+
+namespace swarmanoid::devices {
+
+Transmitter antennaOf(const EntityModel& model, const char* device) {
+  const auto mount = model.mounts.find(Rfid::kLink);
+  if (mount == model.mounts.end()) {
+    refuseWithout(device, model, std::string("the link ") + Rfid::kLink);
+  }
+  return {mount->second.position, mount->second.joint};
+}
+
+const std::vector<FoundTag>& TagSearch::find(const Space& space, const Eigen::Vector3d& antenna, double reach) {
+  near_.clear();
+  found_.clear();
+  space.index.collect(antenna, reach, near_);
+  for (const Row row : near_) {
+    const std::optional<double> id = space.property(row, kTag);
+    const double squared_distance = (space.entities.pose[row].position - antenna).squaredNorm();
+    if (id && squared_distance <= reach * reach && space.property(row, kTagData)) {
+      found_.push_back({row, space.entities.number[row], tagNumber(*id), squared_distance});
+    }
+  }
+  std::sort(found_.begin(), found_.end(), [](const FoundTag& a, const FoundTag& b) {
+    return std::tie(a.squared_distance, a.number) < std::tie(b.squared_distance, b.number);
+  });
+  return found_;
+}
+
+}  // namespace swarmanoid::devices

@@ -1,0 +1,328 @@
+// Batteries of robots: what is drawn, when a robot is off, what the super-capacitor bridges. A footbot of these tests
+// draws 3.2 W for its electronics, 0.3 W for its gripper, 0.24 W for its infrared sensors: 3.74 W; and 4 W more with
+// both wheels at their limit of 10.3448 rad/s.
+#include <gtest/gtest.h>
+
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/leds.hpp"
+#include "test_world.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+class TestLights final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration&) override {
+    auto& leds = robot.actuator<FootbotLeds>();
+    leds.ring[0] = colors::kWhite;
+    leds.ring[5] = colors::kRed;
+    leds.ring[7] = Color{51, 51, 51};
+  }
+  void step(Time, Duration) override {}
+};
+
+/// Fails in its second start, or in its first step.
+class TestFailing final : public Controller {
+ public:
+  static inline int starts = 0;
+  static inline bool fails_in_step = false;
+
+  void init(Robot&, const Configuration&) override {
+    if (++starts == 2) {
+      throw std::runtime_error("twice");
+    }
+  }
+  void step(Time, Duration) override {
+    if (fails_in_step) {
+      throw std::runtime_error("in a step");
+    }
+  }
+};
+
+constexpr double kStandby = 3.74;                              // W
+constexpr double kPerWheel = 4.0 / 2.0 / (0.3 / 0.029);        // W per rad/s
+constexpr double kDriving = kStandby + 2.0 * 2.0 * kPerWheel;  // W, at 2 rad/s: 4.513333
+constexpr const char* kStill = "<left>0</left><right>0</right>";
+constexpr const char* kAhead = "<left>2</left><right>2</right>";  // 0.058 m/s
+
+/// @param battery elements of the robot "fb"
+World worldWith(const std::string& battery, const std::string& drive) {
+  World world;
+  world.entities = footbot("fb", 5, 5, 0);
+  world.entities.insert(world.entities.find("</footbot>"), battery);
+  world.members = member("fb");
+  world.drive = drive;
+  world.ticks = 10000;
+  return world;
+}
+
+std::string battery(double capacity, double capacitor, double level = 1.0) {
+  return "<battery>true</battery><battery_capacity>" + numberText(capacity) + "</battery_capacity><battery_capacitor>" +
+         numberText(capacitor) + "</battery_capacitor><battery_level>" + numberText(level) + "</battery_level>";
+}
+
+std::unique_ptr<Simulation> started(const std::string& battery, const std::string& drive) {
+  auto simulation = worldWith(battery, drive).make();
+  simulation->start();
+  return simulation;
+}
+
+void tick(Simulation& simulation, int ticks) {
+  for (int i = 0; i < ticks; ++i) {
+    simulation.tick();
+  }
+}
+
+Row rowOf(const Simulation& simulation) { return simulation.space().entities.find("fb"); }
+double held(const Simulation& simulation, const char* property) {
+  return *simulation.space().property(rowOf(simulation), property);
+}
+const BatteryState& stateOf(const Simulation& simulation) { return simulation.space().batteries[rowOf(simulation)][0]; }
+double wayOf(const Simulation& simulation) { return poseOf(simulation, "fb").position.x() - 5.0; }
+void set(Simulation& simulation, const std::string& property, double value) {
+  simulation.apply(SetProperty{"fb", property, numberText(value)});
+}
+
+TEST(BatteryTest, DrainsByWhatIsListedAndHowTheWheelsTurn) {
+  const auto simulation = started("<battery>true</battery>", "<left>2</left><right>-3.7</right>");
+  tick(*simulation, 37);
+  const double power = kStandby + 5.7 * kPerWheel;
+  EXPECT_NEAR(power, 4.842, 1e-9);
+  EXPECT_NEAR(stateOf(*simulation).power, power, 1e-9);
+  EXPECT_NEAR(stateOf(*simulation).used, 3.7 * power, 1e-9);
+  EXPECT_NEAR(held(*simulation, "charge"), 133200.0 - 3.7 * power, 1e-7);
+  EXPECT_EQ(held(*simulation, "capacitor"), 60.0);
+}
+
+TEST(BatteryTest, LedsDrawAsMuchAsTheyShine) {
+  World world = worldWith("<battery>true</battery>", "");
+  std::string text = world.xml();
+  for (std::size_t at = text.find("test_drive"); at != std::string::npos; at = text.find("test_drive")) {
+    text.replace(at, 10, "test_lights");
+  }
+  loadBuiltInPlugins();
+  Simulation simulation(parseExperiment(text, "test.xml"));
+  simulation.start();
+  tick(simulation, 3);
+  EXPECT_NEAR(stateOf(simulation).power, kStandby + 0.2 * (1.0 + 1.0 / 3.0 + 0.2), 1e-9);
+}
+
+TEST(BatteryTest, ARobotThatIsOffIsDark) {
+  World world = worldWith(battery(3.0, 0.0), "");
+  std::string text = world.xml();
+  for (std::size_t at = text.find("test_drive"); at != std::string::npos; at = text.find("test_drive")) {
+    text.replace(at, 10, "test_lights");
+  }
+  loadBuiltInPlugins();
+  Simulation simulation(parseExperiment(text, "test.xml"));
+  simulation.start();
+  tick(simulation, 2);
+  EXPECT_EQ(simulation.space().leds[rowOf(simulation)][5], colors::kRed);
+  tick(simulation, 10);  // 3 J at 4.05 W: 7.4 ticks
+  ASSERT_TRUE(stateOf(simulation).is_empty);
+  for (const Color led : simulation.space().leds[rowOf(simulation)]) {
+    EXPECT_EQ(led, colors::kBlack);
+  }
+  set(simulation, "charge", 3.0);
+  tick(simulation, 2);
+  EXPECT_EQ(simulation.space().leds[rowOf(simulation)][5], colors::kRed);
+}
+
+TEST(BatteryTest, ARobotIsOffInTheTickAfterTheLastOfItsCharge) {
+  // 3 J at 0.4513 J a tick: 6.65 ticks
+  const auto simulation = started(battery(3.0, 0.0), kAhead);
+  tick(*simulation, 6);
+  EXPECT_NEAR(held(*simulation, "charge"), 3.0 - 0.6 * kDriving, 1e-9);
+  EXPECT_FALSE(stateOf(*simulation).is_empty);
+  tick(*simulation, 1);
+  EXPECT_EQ(held(*simulation, "charge"), 0.0);
+  EXPECT_TRUE(stateOf(*simulation).is_empty);
+  EXPECT_NEAR(stateOf(*simulation).used, 3.0, 1e-12);
+  EXPECT_NEAR(wayOf(*simulation), 0.7 * 0.058, 1e-6);
+  tick(*simulation, 20);
+  EXPECT_NEAR(wayOf(*simulation), 0.7 * 0.058, 1e-6) << "it stands";
+  EXPECT_EQ(stateOf(*simulation).power, 0.0) << "and draws nothing";
+  EXPECT_NEAR(stateOf(*simulation).used, 3.0, 1e-12);
+}
+
+TEST(BatteryTest, ItGoesOnWithEnough) {
+  const auto simulation = started(battery(3.0, 0.0), kAhead);
+  tick(*simulation, 10);
+  const double place = wayOf(*simulation);
+  set(*simulation, "charge", 0.89);  // of 0.9 J, 0.3 of its capacity
+  tick(*simulation, 5);
+  EXPECT_EQ(wayOf(*simulation), place);
+  EXPECT_EQ(held(*simulation, "charge"), 0.89);
+  set(*simulation, "charge", 1.2);
+  tick(*simulation, 2);
+  EXPECT_NEAR(wayOf(*simulation), place + 0.2 * 0.058, 1e-6);
+  EXPECT_FALSE(stateOf(*simulation).is_empty);
+  tick(*simulation, 10);
+  EXPECT_TRUE(stateOf(*simulation).is_empty) << "again";
+}
+
+TEST(BatteryTest, WhoeverElseCommandsItDoesSoOnceItIsCharged) {
+  const auto simulation = started(battery(3.0, 0.0), kAhead);
+  tick(*simulation, 10);
+  const double place = wayOf(*simulation);
+  simulation->apply(SetCommandSource{"fb", CommandSource::kController});
+  tick(*simulation, 5);
+  EXPECT_EQ(wayOf(*simulation), place) << "it is off";
+  simulation->apply(SetCommandSource{"fb", CommandSource::kNone});
+  set(*simulation, "charge", 3.0);
+  tick(*simulation, 5);
+  EXPECT_EQ(wayOf(*simulation), place) << "nobody shall command it";
+  EXPECT_NEAR(stateOf(*simulation).power, kStandby, 1e-9) << "but it is on";
+  simulation->apply(SetCommandSource{"fb", CommandSource::kController});
+  tick(*simulation, 2);
+  EXPECT_GT(wayOf(*simulation), place + 0.01);
+}
+
+/// A robot whose battery is empty after 9 ticks, and which has enough before the tick 20.
+std::unique_ptr<Simulation> chargedAgain(bool fails_in_step) {
+  TestFailing::starts = 0;
+  TestFailing::fails_in_step = fails_in_step;
+  std::string text = worldWith(battery(3.0, 0.0), "").xml();
+  for (std::size_t at = text.find("test_drive"); at != std::string::npos; at = text.find("test_drive")) {
+    text.replace(at, 10, "test_failing");
+  }
+  loadBuiltInPlugins();
+  auto simulation = std::make_unique<Simulation>(parseExperiment(text, "test.xml"));
+  simulation->start();
+  tick(*simulation, 20);
+  EXPECT_TRUE(stateOf(*simulation).is_empty);
+  set(*simulation, "charge", 3.0);
+  tick(*simulation, 3);
+  EXPECT_FALSE(stateOf(*simulation).is_empty);
+  return simulation;
+}
+
+TEST(BatteryTest, AControllerThatCannotStartAnewHasFailedAndTheRunGoesOn) {
+  const auto simulation = chargedAgain(false);
+  EXPECT_EQ(TestFailing::starts, 2);
+  ASSERT_EQ(simulation->failures().size(), 1U);
+  EXPECT_NE(simulation->failures()[0].reason.find("after its battery was charged"), std::string::npos);
+  EXPECT_NE(simulation->failures()[0].reason.find("twice"), std::string::npos);
+  tick(*simulation, 20);  // it is empty once more
+  set(*simulation, "charge", 3.0);
+  tick(*simulation, 3);
+  EXPECT_EQ(simulation->failures().size(), 1U);
+}
+
+TEST(BatteryTest, AControllerThatHasFailedIsNotStartedAnew) {
+  const auto simulation = chargedAgain(true);
+  EXPECT_EQ(TestFailing::starts, 1);
+  EXPECT_EQ(simulation->failures().size(), 1U);
+}
+
+TEST(BatteryTest, WhileItIsOffNobodyCanBeChosenWhoCannotCommandIt) {
+  const auto simulation = started(battery(3.0, 0.0), kAhead);
+  tick(*simulation, 10);
+  try {
+    simulation->apply(SetCommandSource{"fb", CommandSource::kTopics});
+    ADD_FAILURE() << "nobody listens to topics here";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("'fb' cannot be commanded by topics: nobody listens"), std::string::npos);
+  }
+}
+
+TEST(BatteryTest, TheSuperCapacitorBridgesWithWheelsOff) {
+  // tick 3 takes the last 0.0973 J of the battery and 0.354 J of the capacitor; the 9.646 J left last 25.8 ticks at
+  // rest
+  const auto simulation = started(battery(1.0, 10.0), kAhead);
+  tick(*simulation, 3);
+  EXPECT_EQ(held(*simulation, "charge"), 0.0);
+  EXPECT_NEAR(held(*simulation, "capacitor"), 11.0 - 0.3 * kDriving, 1e-9);
+  tick(*simulation, 1);
+  EXPECT_NEAR(stateOf(*simulation).power, kStandby, 1e-9);
+  EXPECT_NEAR(wayOf(*simulation), 0.3 * 0.058, 1e-6);
+  tick(*simulation, 24);
+  EXPECT_FALSE(stateOf(*simulation).is_empty);
+  tick(*simulation, 1);
+  EXPECT_TRUE(stateOf(*simulation).is_empty);
+  EXPECT_NEAR(stateOf(*simulation).used, 11.0, 1e-9);
+}
+
+TEST(BatteryTest, AFootbotsSuperCapacitorLastsLongerThanASwap) {
+  const auto simulation = started("<battery>true</battery>", kStill);
+  set(*simulation, "charge", 0.0);
+  tick(*simulation, 150);
+  EXPECT_FALSE(stateOf(*simulation).is_empty);
+  EXPECT_NEAR(held(*simulation, "capacitor"), 60.0 - 15.0 * kStandby, 1e-9);
+  tick(*simulation, 11);
+  EXPECT_TRUE(stateOf(*simulation).is_empty) << "60 J last for 16.04 s";
+}
+
+TEST(BatteryTest, TheBatteryRefillsTheSuperCapacitor) {
+  const auto simulation = started(battery(100.0, 6.0), kStill);
+  set(*simulation, "capacitor", 3.0);
+  tick(*simulation, 7);
+  EXPECT_NEAR(held(*simulation, "capacitor"), 3.07, 1e-9) << "in a minute when it was empty";
+  EXPECT_NEAR(held(*simulation, "charge"), 100.0 - 0.7 * kStandby - 0.07, 1e-9);
+}
+
+TEST(BatteryTest, ASupplyChargesItUpToItsCapacity) {
+  const auto simulation = started(battery(100.0, 0.0, 0.5), kStill);
+  set(*simulation, "supply", 23.0);
+  tick(*simulation, 11);
+  EXPECT_NEAR(held(*simulation, "charge"), 50.0 + 1.1 * (23.0 - kStandby), 1e-9);
+  EXPECT_NEAR(stateOf(*simulation).input, 23.0, 1e-9);
+  tick(*simulation, 20);
+  EXPECT_EQ(held(*simulation, "charge"), 100.0);
+  EXPECT_NEAR(stateOf(*simulation).input, kStandby, 1e-9) << "no more than is drawn";
+  EXPECT_NEAR(stateOf(*simulation).received - stateOf(*simulation).used, 50.0, 1e-9) << "nothing is lost";
+}
+
+TEST(BatteryTest, WhatIsOutOfBoundsIsRefused) {
+  const auto simulation = started(battery(100.0, 6.0), kStill);
+  EXPECT_THROW(set(*simulation, "charge", 100.5), ConfigError);
+  EXPECT_THROW(set(*simulation, "capacitor", -1.0), ConfigError);
+  EXPECT_THROW(set(*simulation, "supply", -1.0), ConfigError);
+  const auto without = started("", kStill);
+  EXPECT_THROW(set(*without, "charge", 1.0), ConfigError);
+}
+
+TEST(BatteryTest, ARobotWithoutOneHasTheHashesThatItAlwaysHad) {
+  const auto hashes = [](const std::string& battery) { return hashesOf(*started(battery, kAhead), 30); };
+  const auto plain = hashes("");
+  EXPECT_EQ(hashes("<battery>false</battery><battery_capacity>7</battery_capacity>"), plain);
+  EXPECT_NE(hashes("<battery>true</battery>"), plain);
+}
+
+TEST(BatteryTest, AResetFillsItAndTheBitsAreTheSame) {
+  World world = worldWith(battery(3.0, 1.5), kAhead);
+  const auto run = [&world](int threads) {
+    world.framework = "<threads>" + std::to_string(threads) + "</threads>";
+    auto simulation = world.make();
+    simulation->start();
+    return simulation;
+  };
+  const auto used = run(1);
+  const auto expected = hashesOf(*used, 60);
+  EXPECT_TRUE(stateOf(*used).is_empty);
+  used->reset();
+  EXPECT_EQ(held(*used, "charge"), 3.0);
+  EXPECT_EQ(held(*used, "capacitor"), 1.5);
+  EXPECT_FALSE(stateOf(*used).is_empty);
+  EXPECT_EQ(hashesOf(*used, 60), expected);
+  EXPECT_EQ(hashesOf(*run(2), 60), expected) << "on two threads";
+}
+
+TEST(BatteryTest, ARobotThatIsDeletedAndSpawnedAgainIsFull) {
+  World world = worldWith(battery(3.0, 0.0), kAhead);
+  const auto simulation = world.make();
+  simulation->start();
+  tick(*simulation, 10);
+  simulation->apply(DeleteEntity{"fb"});
+  tick(*simulation, 1);
+  EXPECT_TRUE(simulation->space().powered.empty());
+  simulation->apply(SpawnEntity{simulation->experiment().arena.entities.front(), {"ground"}});
+  tick(*simulation, 6);
+  EXPECT_NEAR(held(*simulation, "charge"), 3.0 - 0.6 * kDriving, 1e-9);
+}
+
+}  // namespace
+}  // namespace swarmanoid::test
+
+REGISTER_CONTROLLER(swarmanoid::test::TestLights, "test_lights")
+REGISTER_CONTROLLER(swarmanoid::test::TestFailing, "test_failing")

@@ -1,0 +1,61 @@
+/// Converts what all radios (devices/radio.hpp) share to messages and back. Their topics are in headers of their own.
+#pragma once
+
+#include <swarmanoid_msgs/RadioCommand.h>
+#include <swarmanoid_msgs/RadioMessages.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/devices/messages.hpp"
+#include "swarmanoid_interface/devices/radio.hpp"
+
+namespace swarmanoid {
+
+template <std::size_t byte_count>
+void toMessage(const RadioCommand<byte_count>& command, swarmanoid_msgs::RadioCommand& message) {
+  message.to = command.to;
+  message.payload.assign(command.payload.begin(), command.payload.end());
+  message.sends = command.sends;
+}
+
+template <std::size_t byte_count>
+void fromMessage(const swarmanoid_msgs::RadioCommand& message, RadioCommand<byte_count>& command) {
+  fromMessage(message.payload, command.payload);
+  command.to = message.to;
+  command.sends = message.sends != 0;
+}
+
+template <std::size_t byte_count>
+void toMessage(const ReceivedMessages<RadioMessage<byte_count>>& readings, swarmanoid_msgs::RadioMessages& message) {
+  message.messages.resize(readings.messages.size());
+  for (std::size_t i = 0; i < readings.messages.size(); ++i) {
+    const RadioMessage<byte_count>& from = readings.messages[i];
+    message.messages[i].sender = from.sender;
+    message.messages[i].payload.assign(from.payload.begin(), from.payload.end());
+  }
+  message.overflowed = readings.overflowed;
+}
+
+/// The messages are stored in `parts`. @tparam Received derives from ReceivedMessages of radio messages
+template <class Received>
+auto fromMessage(const swarmanoid_msgs::RadioMessages& message, Received& readings, VariableParts& parts)
+    -> decltype(static_cast<void>(typename Received::Message{}.sender)) {
+  using Message = typename Received::Message;
+  const std::size_t count = message.messages.size();
+  if (count > Received::kMostMessages) {
+    throw std::runtime_error("found " + std::to_string(count) + " messages, allowed: at most " +
+                             std::to_string(Received::kMostMessages));
+  }
+  parts.clear();
+  Message* messages = parts.room<Message>(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    messages[i].sender = message.messages[i].sender;
+    fromMessage(message.messages[i].payload, messages[i].payload);
+  }
+  readings.messages = Span<const Message>(messages, count);
+  readings.overflowed = message.overflowed != 0;
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,64 @@
+/// Sensor: the infrared distance sensors of any robot, as many as it has, wherever they look.
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/span.hpp"
+
+namespace swarmanoid {
+
+/// The reading of one sensor.
+struct DistanceReading {
+  /// [m]; by REP-117 infinity with nothing in range, -infinity with something too close, NaN before the first tick
+  float distance = std::numeric_limits<float>::quiet_NaN();
+  float angle = 0.0F;  ///< where the sensor looks in the robot's frame [rad], counter-clockwise from ahead, (-pi, pi]
+  float elevation = 0.0F;  ///< likewise: upwards from level [rad], in [-pi/2, pi/2]
+};
+
+/// Readings in the order of the sensors: that of the links distance_0, distance_1, ... of the robot's description.
+/// The span is valid until the next tick.
+struct Distance {
+  static constexpr const char* kType = "distances";
+  static constexpr std::size_t kMostSensors = 64;
+  /// That can be measured, unless the experiment says otherwise: as a Sharp GP2Y0A21YK0F does (data sheet
+  /// E4-A00201EN: 10 to 80 cm) [m].
+  static constexpr Range kUsualRange{0.1, 0.8};
+  static constexpr double kFarthest = 20.0;  ///< that an experiment may ask for [m]
+
+  Span<const DistanceReading> sensors;
+  float range_min = static_cast<float>(kUsualRange.minimum);  ///< of all sensors: what is nearer is too close [m]
+  float range_max = static_cast<float>(kUsualRange.maximum);  ///< likewise: what is farther is out of range [m]
+
+  /// The law by which all distance sensors of the suite respond (REP-117).
+  /// @param distance of what is ahead, infinity if nothing is [m] @param range that can be measured [m]
+  static float reading(double distance, Range range) {
+    constexpr float kInfinite = std::numeric_limits<float>::infinity();
+    return distance > range.maximum ? kInfinite : distance < range.minimum ? -kInfinite : static_cast<float>(distance);
+  }
+};
+
+/// Describes the fields of a device that say what its sensors can measure.
+template <class Visitor, class Device>
+void rangeFields(Visitor& visit, Device& device) {
+  visit(device.range_min, {"range_min", "m", "what is nearer is too close", {0.0, Distance::kFarthest}});
+  visit(device.range_max, {"range_max", "m", "what is farther is out of range", {0.0, Distance::kFarthest}});
+}
+
+constexpr const char* kDistanceMeaning = "inf: nothing in range; -inf: something is too close; nan: not measured";
+
+template <class Visitor>
+void fields(Visitor& visit, DistanceReading& reading) {
+  visit(reading.distance, distanceField("distance", kDistanceMeaning, {0.0, Distance::kFarthest}));
+  visit(reading.angle, {"angle", "rad", "where the sensor looks in the robot's frame", {-M_PI, M_PI}, true});
+  visit(reading.elevation, {"elevation", "rad", "likewise, upwards from level", {-M_PI / 2.0, M_PI / 2.0}});
+}
+template <class Visitor>
+void fields(Visitor& visit, Distance& distance) {
+  visit(distance.sensors, {"sensors"});
+  rangeFields(visit, distance);
+}
+REGISTER_DEVICE(Distance, kSensor, "Infrared distance sensors, as many as the robot has, wherever they look.")
+
+}  // namespace swarmanoid

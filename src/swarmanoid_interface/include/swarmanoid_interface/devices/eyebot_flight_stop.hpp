@@ -1,0 +1,29 @@
+/// The safe stop that all devices share which fly an eyebot: it hovers for a while, then comes down; one that hangs by
+/// its magnet stays where it is.
+#pragma once
+
+#include "swarmanoid_interface/devices/eyebot_magnet.hpp"
+#include "swarmanoid_interface/safe_stop.hpp"
+
+namespace swarmanoid {
+
+enum class FlightStop {
+  kHangs,  ///< for good
+  kHovers,
+  kDescends,
+  kIsOver
+};
+
+inline FlightStop flightStop(const SafeStopMoment& moment) {
+  const Robot& robot = moment.robot;
+  if (robot.hasSensor(EyebotMagnetState::kType) && robot.sensor<EyebotMagnetState>().attached) {
+    return FlightStop::kHangs;
+  }
+  const SafeStopSettings& settings = moment.settings;
+  if (moment.since < settings.hover) {
+    return FlightStop::kHovers;
+  }
+  return moment.since < settings.hover + settings.descend_time ? FlightStop::kDescends : FlightStop::kIsOver;
+}
+
+}  // namespace swarmanoid

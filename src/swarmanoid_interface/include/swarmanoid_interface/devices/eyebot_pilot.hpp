@@ -1,0 +1,127 @@
+/// The law by which an eyebot flies to places: from where it believes to be to the velocity that it flies. The
+/// simulator's eyebots and mock ones have the same.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+
+#include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/devices/eyebot_position.hpp"
+
+namespace swarmanoid {
+
+/// Frames: O is that of the take-off, H the robot's own, upright, with its heading.
+class EyebotPilot {
+ public:
+  struct Limits {
+    double speed = EyebotPosition::kUsualFastest;
+    double acceleration = EyebotPosition::kUsualAcceleration;
+    double yaw_rate = EyebotPosition::kUsualFastestTurn;
+    double sinking = EyebotPosition::kUsualSinking;
+  };
+  /// In H as it is when the tick begins.
+  struct Flight {
+    Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< [m/s]
+    double yaw_rate = 0.0;                             ///< [rad/s]
+  };
+
+  /// How the robot has moved in the last tick. @param way in H as it is now [m] @param turn [rad] @param dt [s]
+  void moved(const Eigen::Vector3d& way, double turn, double dt) {
+    yaw_ = wrapAngle(yaw_ + turn);
+    position_ += turned(way, yaw_);
+    constexpr double kSinks = 0.5;  // of the speed at which it wants to sink
+    const bool is_blocked = wanted_sinking_ > 0.0 && -way.z() < kSinks * wanted_sinking_ * dt;
+    blocked_ = is_blocked ? blocked_ + dt : 0.0;
+    constexpr double kPatience = 0.5;  // [s]
+    has_landed_ = has_landed_ || blocked_ >= kPatience;
+    is_grounded_ = is_grounded_ || has_landed_;
+  }
+
+  /// The velocity of the next tick. @param dt greater than 0 [s]
+  Flight fly(const EyebotPosition& command, const Limits& limits, double dt) {
+    using Mode = EyebotPosition::Mode;
+    if (command.mode != mode_) {
+      begin(command.mode, limits);
+    }
+    Eigen::Vector3d target = held_;
+    double yaw = held_yaw_;
+    if (mode_ == Mode::kGoTo) {
+      target = command.position;
+      yaw = command.yaw;
+    } else if (mode_ == Mode::kTakeOff) {
+      target.z() = command.position.z();
+    } else if (mode_ == Mode::kLand) {
+      target.z() = position_.z();
+    }
+    Eigen::Vector3d wanted = approach(target - position_, limits, dt);
+    wanted_sinking_ = mode_ == Mode::kLand && !has_landed_ ? limits.sinking : 0.0;
+    wanted.z() -= wanted_sinking_;
+    const Eigen::Vector3d change = wanted - velocity_;
+    velocity_ += change * std::min(1.0, limits.acceleration * dt / std::max(change.norm(), kTiny));
+    // a settling vertical speed is no touchdown yet
+    wanted_sinking_ = std::min(wanted_sinking_, -velocity_.z());
+    Flight flight;
+    flight.yaw_rate = std::clamp(wrapTurn(yaw - yaw_) / std::max(kResponse, dt), -limits.yaw_rate, limits.yaw_rate);
+    flight.linear = turned(velocity_, -yaw_ - 0.5 * flight.yaw_rate * dt);  // along the chord while it turns
+    return flight;
+  }
+
+  /// Somebody else flies the robot: this one is at rest where it is, as if it hovered.
+  void rest() {
+    velocity_.setZero();
+    begin(EyebotPosition::Mode::kHover, {});
+  }
+
+  const Eigen::Vector3d& position() const { return position_; }  ///< in O, as it believes [m]
+  double yaw() const { return yaw_; }                            ///< likewise [rad]
+  bool hasLanded() const { return has_landed_; }
+
+ private:
+  static constexpr double kResponse = 0.5;  // [s], in which most of a small way is flown
+  static constexpr double kTiny = 1e-12;
+
+  static Eigen::Vector3d turned(const Eigen::Vector3d& vector, double angle) {
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    return {cosine * vector.x() - sine * vector.y(), sine * vector.x() + cosine * vector.y(), vector.z()};
+  }
+
+  /// So fast that it can brake in time: as the square root of the way, and near the end in proportion to it.
+  static Eigen::Vector3d approach(const Eigen::Vector3d& way, const Limits& limits, double dt) {
+    const double response = std::max(kResponse, dt);
+    const double length = way.norm();
+    const double near = limits.acceleration * response * response;
+    const double speed =
+        length <= near ? length / response : std::sqrt(2.0 * limits.acceleration * (length - 0.5 * near));
+    return way * (std::min(speed, limits.speed) / std::max(length, kTiny));
+  }
+
+  void begin(EyebotPosition::Mode mode, const Limits& limits) {
+    if (mode == EyebotPosition::Mode::kTakeOff && is_grounded_) {
+      velocity_ = turned(velocity_, -yaw_);
+      position_.setZero();
+      yaw_ = 0.0;
+    }
+    is_grounded_ = is_grounded_ && (mode == EyebotPosition::Mode::kLand || mode == EyebotPosition::Mode::kHover);
+    mode_ = mode;
+    has_landed_ = false;
+    blocked_ = 0.0;
+    const double braking = limits.acceleration > 0.0 ? 0.5 / limits.acceleration : 0.0;
+    held_ = position_ + velocity_ * (velocity_.norm() * braking);  // where it can come to rest
+    held_yaw_ = yaw_;
+  }
+
+  EyebotPosition::Mode mode_ = EyebotPosition::Mode::kHover;
+  Eigen::Vector3d position_ = Eigen::Vector3d::Zero();  // in O [m]
+  double yaw_ = 0.0;                                    // of H in O [rad]
+  Eigen::Vector3d velocity_ = Eigen::Vector3d::Zero();  // that it flies, in O [m/s]
+  Eigen::Vector3d held_ = Eigen::Vector3d::Zero();      // where it stays, in O [m]
+  double held_yaw_ = 0.0;                               // [rad]
+  double wanted_sinking_ = 0.0;                         // [m/s]
+  double blocked_ = 0.0;                                // how long it has not sunk [s]
+  bool has_landed_ = false;
+  bool is_grounded_ = false;  // it has come down, and has been told nothing since but to land or to hover
+};
+
+}  // namespace swarmanoid

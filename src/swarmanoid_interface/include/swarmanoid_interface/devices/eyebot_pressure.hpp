@@ -1,0 +1,38 @@
+/// Sensor: how much higher the pressure of the air is than where an eyebot took off (thesis chapter 1: "a differential
+/// pressure sensor").
+#pragma once
+
+#include <cmath>
+
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid {
+
+/// Falls by some 12 Pa a metre. It knows the height wherever the robot is, over holes and robots too.
+struct EyebotPressure {
+  static constexpr const char* kType = "eyebot_pressure";
+  static constexpr const char* kRobot = "eyebot";
+
+  double difference = 0.0;  ///< to the pressure at the height of the start; less than 0 above it [Pa]
+
+  // Of the standard atmosphere at sea level (ISO 2533:1975), which is taken to be where the robot started.
+  static constexpr double kPressure = 101325.0;      ///< [Pa]
+  static constexpr double kTemperature = 288.15;     ///< [K]
+  static constexpr double kLapseRate = 0.0065;       ///< [K/m]
+  static constexpr double kGravity = 9.80665;        ///< [m/s2]
+  static constexpr double kGasConstant = 287.05287;  ///< of dry air [J/(kg K)]
+
+  /// The law of the barometric formula in the troposphere. @param height over the start [m]
+  static double differenceAt(double height) {
+    return kPressure *
+           std::expm1(kGravity / (kGasConstant * kLapseRate) * std::log1p(-kLapseRate * height / kTemperature));
+  }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, EyebotPressure& pressure) {
+  visit(pressure.difference, {"difference", "Pa", "to that at the start; less than 0 above it"});
+}
+REGISTER_DEVICE(EyebotPressure, kSensor, "Pressure of the air against that where it took off.")
+
+}  // namespace swarmanoid

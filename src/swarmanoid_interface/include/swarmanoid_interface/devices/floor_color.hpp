@@ -1,0 +1,27 @@
+/// Sensor: the colour of the floor under any robot.
+#pragma once
+
+#include "swarmanoid_interface/color.hpp"
+#include "swarmanoid_interface/device_type.hpp"
+
+namespace swarmanoid {
+
+/// One spot that tells colours apart, where ground sensors (devices/ground.hpp) read brightness. It is the link
+/// `floor_color` of the robot's description, and looks where the link's x axis points; of a robot without that link it
+/// is kHeight above the origin, and looks straight down along the robot's z axis.
+struct FloorColor {
+  static constexpr const char* kType = "floor_color";
+  static constexpr const char* kLink = "floor_color";
+  static constexpr double kHeight = 0.005;     ///< [m]
+  static constexpr double kUsualRange = 0.05;  ///< along the line of sight, beyond which there is no ground [m]
+
+  Color color;  ///< black: of a black floor, or with no ground in range
+};
+
+template <class Visitor>
+void fields(Visitor& visit, FloorColor& floor) {
+  visit(floor.color, {"color", "", "of the floor; black with no ground in range"});
+}
+REGISTER_DEVICE(FloorColor, kSensor, "The colour of the floor under the robot.")
+
+}  // namespace swarmanoid

@@ -1,0 +1,48 @@
+/// Sensor: the ring of infrared distance sensors around a handbot.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "swarmanoid_interface/devices/distance.hpp"
+
+namespace swarmanoid {
+
+/// Readings of the 12 sensors by the law of Distance::reading [m]. Sensor 0 looks straight ahead (the robot's x axis),
+/// the others follow counter-clockwise every 30 degrees.
+struct HandbotDistance {
+  static constexpr const char* kType = "handbot_distance";
+  static constexpr const char* kRobot = "handbot";
+  static constexpr std::size_t kCount = 12;
+  static constexpr double kRingRadius = 0.145;  ///< of the sensors around the robot's axis [m]
+  /// As a Sharp GP2Y0A41SK0F measures (data sheet OP13008EN: 4 to 30 cm) [m].
+  static constexpr Range kUsualRange{0.04, 0.3};
+
+  std::array<float, kCount> distance = filled();
+  float range_min = static_cast<float>(kUsualRange.minimum);  ///< what is nearer is too close [m]
+  float range_max = static_cast<float>(kUsualRange.maximum);  ///< what is farther is out of range [m]
+
+  /// Direction of sensor `i` in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi].
+  static constexpr double angle(std::size_t i) {
+    constexpr double kStep = 6.283185307179586 / kCount;
+    return i <= kCount / 2 ? static_cast<double>(i) * kStep : (static_cast<double>(i) - kCount) * kStep;
+  }
+  float& value(std::size_t i) { return distance[i]; }
+  float value(std::size_t i) const { return distance[i]; }
+
+ private:
+  static std::array<float, kCount> filled() {
+    std::array<float, kCount> values{};
+    values.fill(std::numeric_limits<float>::quiet_NaN());
+    return values;
+  }
+};
+
+template <class Visitor>
+void fields(Visitor& visit, HandbotDistance& distance) {
+  visit(distance.distance, distanceField("distance", kDistanceMeaning, {0.0, Distance::kFarthest}));
+  rangeFields(visit, distance);
+}
+REGISTER_DEVICE(HandbotDistance, kSensor, "12 infrared distance sensors around the body.")
+
+}  // namespace swarmanoid

@@ -1,0 +1,72 @@
+/// What radios have in common: messages (messages.hpp) that go through walls, say who sent them, and may be for one
+/// robot alone. They say nothing of where the sender is.
+///
+///     robot.actuator<Wifi>().send(payload, addressOf("fb_3"));
+///     for (const WifiMessage& message : robot.sensor<WifiReceived>().messages) { ... message.sender ... }
+///
+/// A robot's address follows from its name, as those of machines in a network follow from theirs: whoever knows the
+/// name can send to it, whoever knows the names knows who has sent, and nobody has to set an address. On a robot the
+/// driver translates.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "swarmanoid_interface/devices/messages.hpp"
+#include "swarmanoid_interface/random.hpp"
+
+namespace swarmanoid {
+
+/// 48 bits, as many as radios have in their hardware addresses (IEEE Std 802-2014, 8.2): two of 10,000 robots have the
+/// same one with a probability of 2e-7.
+using RadioAddress = std::uint64_t;
+constexpr RadioAddress kEverybody = 0;  ///< nobody's own
+
+/// The address of a robot. @param name Robot::name
+inline RadioAddress addressOf(std::string_view name) {
+  constexpr unsigned kBits = 48;
+  const std::uint64_t hash = stableHash(name);
+  const RadioAddress address = (hash ^ hash >> kBits) & ((std::uint64_t{1} << kBits) - 1);
+  return address == kEverybody ? 1 : address;
+}
+
+/// The command of a radio. @tparam byte_count of each message
+template <std::size_t byte_count>
+struct RadioCommand : MessageCommand<byte_count> {
+  RadioAddress to = kEverybody;  ///< who alone shall have it
+
+  void send(const typename MessageCommand<byte_count>::Payload& bytes, RadioAddress receiver = kEverybody) {
+    MessageCommand<byte_count>::send(bytes);
+    to = receiver;
+  }
+  void fallSilent() {
+    MessageCommand<byte_count>::fallSilent();
+    to = kEverybody;
+  }
+};
+
+template <class Visitor, std::size_t byte_count>
+void fields(Visitor& visit, RadioCommand<byte_count>& command) {
+  fields(visit, static_cast<MessageCommand<byte_count>&>(command));
+  visit(command.to, {"to", "", "address of the robot that alone shall have it; 0: everybody"});
+}
+
+/// One message.
+template <std::size_t byte_count>
+struct RadioMessage {
+  RadioAddress sender = kEverybody;  ///< its address
+  typename MessageCommand<byte_count>::Payload payload{};
+
+  /// A radio does not know where a sender is. @param offset to its antenna
+  void measure(const Eigen::Vector3d& /*offset*/) {}
+};
+
+template <class Visitor, std::size_t byte_count>
+void fields(Visitor& visit, RadioMessage<byte_count>& message) {
+  visit(message.sender, {"sender", "", "its address, by which it can be answered"});
+  visit(message.payload, {"payload", "", "the bytes that were sent"});
+}
+
+}  // namespace swarmanoid

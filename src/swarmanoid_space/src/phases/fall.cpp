@@ -1,0 +1,135 @@
+// Phase 5, at its end: who has lost the ground falls into a hole.
+//
+// An engine moves it, it does not fly, and it stands on the level floor: its lowest point is at most kStep above it. It
+// has lost the ground when its centre of mass is over a hole, or both of its wheels are. What is connected carries each
+// other: all of it falls when more than half of its mass has lost the ground, and nobody if it holds on to what is
+// fixed. Holes are looked at once a tick: what crosses one within a tick does not fall.
+#include <algorithm>
+#include <cmath>
+
+#include "phases.hpp"
+
+namespace swarmanoid::phases {
+namespace {
+
+/// How far below its middle the solid reaches. @param rotation from the solid to W
+double reachBelow(const CollisionShape& shape, const Eigen::Quaterniond& rotation) {
+  const Eigen::Vector3d up = rotation.conjugate() * Eigen::Vector3d::UnitZ();
+  const Eigen::Vector3d& half = shape.half_extent;
+  switch (shape.kind) {
+    case CollisionShape::Kind::kSphere:
+      return half.x();
+    case CollisionShape::Kind::kBox:
+      return half.dot(up.cwiseAbs());
+    case CollisionShape::Kind::kCylinder:
+      return half.x() * up.head<2>().norm() + half.z() * std::abs(up.z());
+  }
+  return 0.0;
+}
+
+bool standsOnTheFloor(const EntityModel& model, const Pose& pose) {
+  constexpr double kStep = 0.01;  // m
+  return std::any_of(model.shapes.begin(), model.shapes.end(), [&](const CollisionShape& shape) {
+    return pose.toWorld(shape.position).z() - reachBelow(shape, pose.orientation * shape.orientation) <= kStep;
+  });
+}
+
+/// The hole into which it would fall if nobody held it; null if it has ground below, or needs none.
+const FloorHole* lostGround(const Space& space, Row row) {
+  const EntityModel& model = *space.entities.model[row];
+  if (!model.is_movable || space.mover[row] == nullptr || space.flight[row].is_driven) {
+    return nullptr;
+  }
+  const Pose& pose = space.entities.pose[row];
+  const FloorHole* hole = space.holeAt(pose.toWorld(model.centre_of_mass));
+  if (hole == nullptr && model.wheels) {
+    const Eigen::Vector3d left(0.0, 0.5 * model.wheels->separation, 0.0);
+    hole = space.holeAt(pose.toWorld(left));
+    hole = hole != nullptr && space.holeAt(pose.toWorld(-left)) != nullptr ? hole : nullptr;
+  }
+  return hole != nullptr && standsOnTheFloor(model, pose) ? hole : nullptr;
+}
+
+bool isAmong(const std::vector<Row>& rows, Row row) { return std::find(rows.begin(), rows.end(), row) != rows.end(); }
+
+void addMember(Row row, std::vector<Row>& members) {
+  if (row != kNoRow && !isAmong(members, row)) {
+    members.push_back(row);
+  }
+}
+
+/// All that hangs together with an entity, and what is fixed that these hold on to. As connectedTo, without allocating.
+void collectConnected(const Space& space, Row row, std::vector<Row>& members) {
+  members.assign(1, row);
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    const Row member = members[k];
+    if (!space.entities.model[member]->is_movable) {
+      continue;
+    }
+    addMember(space.structure.grippedBy(member), members);
+    for (const Row gripper : space.structure.grippersOf(member)) {
+      addMember(gripper, members);
+    }
+    if (space.attachments.isEmpty()) {
+      continue;
+    }
+    space.attachments.visit(member,
+                            [&](std::size_t, const Attachment& attachment) { addMember(attachment.held, members); });
+    for (const Row other : space.entities.order) {
+      space.attachments.visit(other, [&](std::size_t, const Attachment& attachment) {
+        if (attachment.held == member) {
+          addMember(other, members);
+        }
+      });
+    }
+  }
+}
+
+/// Whether those that still have ground below do not hold all of them.
+bool isTooHeavy(const Space& space, const std::vector<Row>& members) {
+  double lost = 0.0;
+  double mass = 0.0;
+  bool are_all_lost = true;
+  for (const Row member : members) {
+    const EntityModel& model = *space.entities.model[member];
+    if (!model.is_movable) {
+      return false;
+    }
+    const bool is_lost = lostGround(space, member) != nullptr;
+    mass += model.mass;
+    lost += is_lost ? model.mass : 0.0;
+    are_all_lost = are_all_lost && is_lost;
+  }
+  return are_all_lost || 2.0 * lost > mass;
+}
+
+}  // namespace
+
+void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& events) {
+  fallen.clear();
+  if (space.floor.holes.empty()) {
+    return;
+  }
+  thread_local std::vector<Row> members;
+  for (const Row row : space.entities.order) {
+    const FloorHole* hole = lostGround(space, row);
+    if (hole == nullptr || isAmong(fallen, row)) {
+      continue;
+    }
+    collectConnected(space, row, members);
+    if (!isTooHeavy(space, members)) {
+      continue;
+    }
+    std::sort(members.begin(), members.end(),
+              [&](Row a, Row b) { return space.entities.number[a] < space.entities.number[b]; });
+    for (const Row member : members) {
+      fallen.push_back(member);
+      const FloorHole* own = lostGround(space, member);
+      const std::string why = own != nullptr ? "" : ", drawn by '" + space.entities.name[row] + "'";
+      events.push_back({Event::Kind::kFellIntoHole, space.entities.name[member], "",
+                        "hole '" + (own != nullptr ? own : hole)->id + "'" + why});
+    }
+  }
+}
+
+}  // namespace swarmanoid::phases

@@ -1,0 +1,107 @@
+// Phase 7: batteries give what their robots have drawn in this tick, and take what they are charged with. Beside it,
+// part of phase 3: what works no more on the super-capacitor alone, and without any charge.
+#include <algorithm>
+
+#include "phases.hpp"
+
+namespace swarmanoid::phases {
+namespace {
+
+/// On the ground, or held by what it holds on to: then rotors have nothing to carry.
+bool rests(const Space& space, Row row) {
+  constexpr double kClearance = 0.01;  // m
+  const Eigen::Vector3d& position = space.entities.pose[row].position;
+  const bool is_over_terrain = space.terrain && space.terrain->contains(position.x(), position.y());
+  const double ground = is_over_terrain ? space.terrain->heightAt(position.x(), position.y()) : 0.0;
+  return position.z() - space.entities.model[row]->origin_height < ground + kClearance ||
+         space.attachments.isAttached(row);
+}
+
+/// What the robot draws [W].
+double demandOf(const Space& space, Row row, const BatteryState& state) {
+  const EntityModel& model = *space.entities.model[row];
+  const BatteryModel& battery = *model.battery;
+  double power = state.standby;
+  for (const Color& led : space.leds[row]) {
+    power += battery.led * led.brightness();
+  }
+  const WheelsCommand& wheels = space.wheels[row];
+  if (wheels.is_driven && model.wheels) {
+    power += battery.drive * (std::abs(wheels.left) + std::abs(wheels.right)) / (2.0 * model.wheels->max_speed);
+  }
+  if (battery.flight > 0.0 && space.flight[row].is_driven && !rests(space, row)) {
+    power += battery.flight;
+  }
+  return power;
+}
+
+/// Takes an energy from a store, as far as it is there. @return what it took
+double take(double energy, double& store) {
+  const double taken = std::min(energy, store);
+  store -= taken;
+  return taken;
+}
+
+void drain(const Space& space, Row row, double dt, Span<double> stores, BatteryState& state) {
+  state.power = 0.0;
+  if (state.is_empty) {
+    return;
+  }
+  const double needed = demandOf(space, row, state) * dt;
+  double taken = take(needed, stores[kBatteryCharge]);
+  taken += take(needed - taken, stores[kBatteryCapacitor]);
+  state.used += taken;
+  state.power = taken / dt;
+  const double most = space.entities.model[row]->battery->capacitor;
+  const double refill = std::min(most * dt / BatteryModel::kRefillTime, most - stores[kBatteryCapacitor]);
+  stores[kBatteryCapacitor] = std::min(stores[kBatteryCapacitor] + take(refill, stores[kBatteryCharge]), most);
+}
+
+void charge(double capacity, double dt, Span<double> stores, BatteryState& state) {
+  const double before = stores[kBatteryCharge];
+  stores[kBatteryCharge] = std::min(before + stores[kBatterySupply] * dt, capacity);
+  const double given = stores[kBatteryCharge] - before;
+  state.received += given;
+  state.input = given / dt;
+}
+
+}  // namespace
+
+void cutPower(Space& space, const std::vector<RobotInstance>& instances) {
+  if (space.powered.empty()) {
+    return;
+  }
+  for (const Row row : space.powered) {
+    const BatteryState& state = space.batteries[row][0];
+    if (isOnCapacitor(space.properties[row], state)) {
+      space.wheels[row].left = 0.0;
+      space.wheels[row].right = 0.0;
+    }
+    if (state.is_empty) {
+      const Span<Color> leds = space.leds[row];
+      std::fill(leds.begin(), leds.end(), colors::kBlack);
+    }
+  }
+  // a safe stop ends with hovering when it has not reached the ground in its time
+  for (const RobotInstance& instance : instances) {
+    FlightCommand& flight = space.flight[instance.row];
+    if (instance.source_when_charged && !instance.stops_since && flight.is_driven && !rests(space, instance.row)) {
+      flight.linear = {0.0, 0.0, -SafeStopSettings{}.descend_speed};
+      flight.yaw_rate = 0.0;
+    }
+  }
+}
+
+void power(Space& space) {
+  const double dt = toSeconds(space.clocktick);
+  for (const Row row : space.powered) {
+    const BatteryModel& battery = *space.entities.model[row]->battery;
+    const Span<double> stores = space.properties[row];
+    BatteryState& state = space.batteries[row][0];
+    drain(space, row, dt, stores, state);
+    charge(battery.capacity, dt, stores, state);
+    judgeEmptiness(battery, stores, state);
+  }
+}
+
+}  // namespace swarmanoid::phases
