@@ -3,37 +3,26 @@
 install space of this project; and the install space by itself."""
 
 import concurrent.futures
-import contextlib
 import glob
 import json
 import math
 import os
 import re
 import shutil
-import signal
-import subprocess
 import sys
 import tempfile
-import time
 import unittest
 
-from surroundings import REPOSITORY, bare, compiler_cache, run, sourced, succeed
+from outside_robot import RobotChecks
+from outside_ros import LAUNCH, beside
+from surroundings import REPOSITORY, bare, compiler_cache, read, run, sourced, succeed
 
 PACKAGES = ("example_arena_object", "example_controller", "example_engine", "example_python_controller", "example_robot",
             "example_rule", "example_sensor", "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
-ROBOTS = os.path.join(REPOSITORY, "examples/example_robot/e_pucks.xml")
 LANTERNS = os.path.join(REPOSITORY, "examples/example_arena_object/lantern.xml")
-CONFORMANCE = os.path.join(REPOSITORY, "examples/example_robot/conformance.xml")
-SENSOR_ANGLES = (-0.3008, -0.8008, -math.pi / 2, -2.644, 2.6392, math.pi / 2, 0.7992, 0.2992)  # of the e-puck [rad]
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
-LAUNCH = ["roslaunch", "swarmanoid_experiments", "run.launch", "rviz:=false", "real_time_factor:=0"]
 BUILD_FOLDER = ""
-
-
-def read(name):
-    with open(name) as file:
-        return file.read()
 
 
 def walked_lines(last_tick):
@@ -47,7 +36,7 @@ def walked_lines(last_tick):
     return lines
 
 
-class OutsideTest(unittest.TestCase):
+class OutsideTest(RobotChecks):
     @classmethod
     def setUpClass(cls):
         cls.folder = tempfile.mkdtemp(prefix="swarmanoid_outside_")
@@ -120,10 +109,7 @@ class OutsideTest(unittest.TestCase):
         experiments = [name for name in experiments if "<ahss-config>" in read(name)] + [EXPERIMENT]
         self.assertIn(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml"), experiments)
         succeed(["xmllint", "--noout", "--schema", file, *experiments], environment)
-        with open(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml")) as opened:
-            text = opened.read()
-        with open(LANTERNS) as opened:
-            lanterns = opened.read()
+        text, lanterns = read(os.path.join(REPOSITORY, "examples/example_sensor/compass.xml")), read(LANTERNS)
         for source, old, new, refusal in (
                 (text, '<compass library="compass">', "<compass>", "'library' is required"),
                 (text, "<noise>2</noise>", "<noise>200</noise>", "maxInclusive"),
@@ -137,42 +123,6 @@ class OutsideTest(unittest.TestCase):
             code, _, errors = run(["xmllint", "--noout", "--schema", file, changed], environment)
             self.assertEqual(3, code, errors)
             self.assertIn(refusal, errors)
-
-    def check_robot(self, environment, out):
-        """A robot by its description: it is listed, and diffuses in each engine without touching walls or leaving its pen."""
-        listed = succeed(["swarmanoid", "list", "entity"], environment)
-        self.assertIn("\n  e_puck: A small wheeled robot with infrared sensors all around.\n", listed)
-        text = read(ROBOTS).replace("<e_puck", "<e_pick").replace("</e_puck", "</e_pick")
-        changed = out + ".xml"
-        with open(changed, "w") as file:
-            file.write(text)
-        code, _, errors = run(["swarmanoid", "validate", changed], environment)
-        self.assertEqual(2, code)
-        self.assertIn("did you mean 'e_puck'?", errors)
-        result = json.loads(succeed(["swarmanoid", "run", ROBOTS, "--out", out, "--quiet"], environment))
-        self.assertEqual(600, result["ticks"])
-        ways = {}
-        pens = {"a": (0.0, 1.0), "b": (1.05, 2.05), "c": (2.1, 3.1)}
-        with open(os.path.join(out, "e_pucks.txt")) as file:
-            rows = [line.split("\t") for line in file if "Epuck" in line]
-        for row in rows:
-            name, x, y = row[2], float(row[3]), float(row[4])
-            low, high = pens[name[0]]
-            self.assertTrue(low + 0.034 < x < high - 0.034 and 0.034 < y < 0.966, row)
-            ways.setdefault(name, []).append((x, y))
-        self.assertEqual(15, len(ways))
-        for name, places in ways.items():
-            way = sum(math.dist(a, b) for a, b in zip(places, places[1:]))
-            self.assertGreater(way, 1.0, f"{name}: 60 s at 0.08 m/s, less the time of turns")
-            self.assertLess(way, 4.9, name)
-        with open(CONFORMANCE) as file:
-            text = file.read()
-        for engine in ("kinematics2d", "dynamics2d", "dynamics3d"):
-            with open(changed, "w") as file:
-                file.write(text.replace("dynamics3d", engine))
-            verdict = json.loads(succeed(["swarmanoid", "run", changed, "--quiet"], environment))
-            self.assertEqual({"e": "passed"}, verdict["metrics"], engine)
-        return result["state_hash"]
 
     def check_arena_object(self, environment, out):
         """An arena object: four lanterns, in an engine and out of the robot's way; each file says in which library they are."""
@@ -197,21 +147,9 @@ class OutsideTest(unittest.TestCase):
             self.assertIn(refusal, errors)
         return result["state_hash"]
 
-    @contextlib.contextmanager
-    def beside(self, command, environment):
-        """A program that runs beside the test, and gets a Ctrl-C if it is still there at the end."""
-        program = subprocess.Popen(command, env=environment, text=True, stdin=subprocess.DEVNULL,
-                                   stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-        try:
-            yield program
-        finally:
-            if program.poll() is None:
-                program.send_signal(signal.SIGINT)
-            program.communicate(timeout=60)
-
     def check_run_under_ros(self, environment, headless_out, out):
         """The same under ROS: the controllers are nodelets of their own packages, and the files are the same."""
-        with self.beside([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"], environment) as launch:
+        with beside([*LAUNCH, f"experiment:={EXPERIMENT}", f"out:={out}", "paused:=true"], environment) as launch:
             self.wait_for_space(launch, environment)
             maps = self.maps_of_manager(launch.pid)
             for library in ("libpatrol_nodelet.so", "libface_north_nodelet.so", "libcompass.so", "libcarousel.so",
@@ -221,80 +159,6 @@ class OutsideTest(unittest.TestCase):
         for name in OUTPUTS:
             with open(os.path.join(headless_out, name)) as first, open(os.path.join(out, name)) as second:
                 self.assertEqual(first.read(), second.read(), name)
-
-    def check_robot_under_ros(self, environment, headless_out, out):
-        """Its devices have topics, as those of the suite's robots, and it goes the same ways."""
-        with self.beside([*LAUNCH, f"experiment:={ROBOTS}", f"out:={out}", "paused:=true", "device_topics:=all"],
-                         environment) as launch:
-            self.wait_for_space(launch, environment)
-            with self.beside(["rostopic", "echo", "-n", "1", "/b_3/proximity/angles"], environment) as echo:
-                while echo.poll() is None:  # topics of devices are there after the first tick
-                    succeed(["rosservice", "call", "/space/step", "1"], environment)
-                angles = next(json.loads(line) for line in echo.stdout if line.startswith("["))  # after warnings
-            self.assertEqual(len(SENSOR_ANGLES), len(angles))
-            for expected, angle in zip(SENSOR_ANGLES, angles):
-                self.assertAlmostEqual(expected, angle, places=5)
-            topics = succeed(["rostopic", "list"], environment).split()
-            for robot in (f"{pen}_{i}" for pen in "abc" for i in range(1, 6)):
-                for topic in ("proximity", "cmd_vel", "leds/command", "leds/state"):
-                    self.assertIn(f"/{robot}/{topic}", topics)
-            self.resume(launch, environment, "finished after 600 ticks")
-        with open(f"{headless_out}/e_pucks.txt") as first, open(f"{out}/e_pucks.txt") as second:
-            self.assertEqual(first.read(), second.read())
-
-    def check_mock_robot(self, environment):
-        """Its mock drivers, and its controller on them: it goes to the wall ahead, 0.3 m away, and turns before it."""
-        folder = os.path.dirname(ROBOTS)
-        drivers = ["roslaunch", "swarmanoid_hosts", "mock_robot.launch", "robot:=e", "type:=e_puck",
-                   "devices:=differential_drive leds proximity", f"world:={folder}/config/mock_world.yaml"]
-        host = ["roslaunch", "swarmanoid_hosts", "robot.launch", "robot:=e", "controller:=diffusion", "provider:=topics",
-                f"configuration:={folder}/config/diffusion.yaml"]
-        with self.beside(drivers, environment) as mock:
-            while run(["rosservice", "type", "/e_drivers/get_loggers"], environment)[0] != 0:  # the drivers' master is there
-                self.assertIsNone(mock.poll(), "the drivers have ended")
-                time.sleep(0.2)
-            with self.beside(host, environment) as controller:
-                ahead, turned = self.watch_mock_robot(controller, environment)
-        self.assertTrue(0.15 < ahead < 0.3 - 0.035, ahead)
-        self.assertGreater(turned, 0.1)
-
-    def watch_mock_robot(self, controller, environment):
-        """@return how far ahead it went, and how far it turned (the sine of half the angle), after a minute at the latest"""
-        end = time.monotonic() + 60
-        ahead, turned = 0.0, 0.0
-        while (ahead < 0.15 or turned < 0.1) and time.monotonic() < end:
-            self.assertIsNone(controller.poll(), "the controller has ended")
-            code, printed, _ = run(["timeout", "5", "rostopic", "echo", "-n", "1", "-p", "/e/ground_truth/odom/pose/pose"], environment)
-            if code == 0:
-                values = dict(zip(*(line.split(",") for line in printed.split())))
-                ahead = max(ahead, float(values["field.position.x"]))
-                turned = max(turned, abs(float(values["field.orientation.z"])))
-        return ahead, turned
-
-    def resume(self, launch, environment, end):
-        succeed(["rosservice", "call", "/space/resume"], environment)
-        output, _ = launch.communicate(timeout=60)
-        self.assertEqual(0, launch.returncode, output)
-        self.assertIn(end, output)
-
-    def wait_for_space(self, launch, environment):
-        """Its services are there when all nodelets are."""
-        while run(["rosservice", "call", "/space/pause"], environment)[0] != 0:
-            self.assertIsNone(launch.poll(), "roslaunch has ended")
-            time.sleep(0.2)
-
-    def maps_of_manager(self, launch_pid):
-        """Files that the nodelet manager started by a roslaunch has in memory."""
-        for status in glob.glob("/proc/[0-9]*/status"):
-            folder = os.path.dirname(status)
-            try:
-                with open(status) as text, open(folder + "/cmdline") as command:
-                    if f"\nPPid:\t{launch_pid}\n" in text.read() and "\0manager\0" in command.read():
-                        with open(folder + "/maps") as maps:
-                            return maps.read()
-            except FileNotFoundError:
-                continue  # a process that has just ended
-        raise AssertionError("there is no nodelet manager")
 
     def check_examples(self, space, folder, use_installed):
         builds = self.build_examples(space, folder)

@@ -50,3 +50,9 @@ def succeed(command, environment, folder=None, timeout=120):
     if code != 0:
         raise AssertionError(f"{' '.join(command)} ends with {code}\n{output[-3000:]}\n{errors[-3000:]}")
     return output
+
+
+def read(name):
+    """The text of a file."""
+    with open(name) as file:
+        return file.read()

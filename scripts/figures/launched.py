@@ -25,7 +25,7 @@ def free_port():
 
 
 class Launched:
-    """Paused before the first tick; as fast as possible once it runs, unless told otherwise."""
+    """Paused before the first tick; as fast as possible once it runs, unless commanded otherwise."""
 
     def __init__(self, *arguments, environment=None):
         self.folder = tempfile.TemporaryDirectory()

@@ -1,5 +1,7 @@
 #include "distance_rays.hpp"
 
+#include "way_to_ground.hpp"
+
 namespace swarmanoid::devices {
 namespace {
 
@@ -10,9 +12,7 @@ double floorFraction(const Space& space, const Segment& segment) {
     return kInfinity;
   }
   const double fraction = segment.from.z() / (segment.from.z() - segment.to.z());
-  const Eigen::Vector3d point = segment.from + fraction * (segment.to - segment.from);
-  const bool is_on_terrain = space.terrain && space.terrain->contains(point.x(), point.y());
-  return is_on_terrain || space.holeAt(point) != nullptr ? kInfinity : fraction;
+  return isOnLevelFloor(space, segment.from + fraction * (segment.to - segment.from)) ? fraction : kInfinity;
 }
 
 }  // namespace

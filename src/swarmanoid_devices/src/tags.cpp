@@ -1,6 +1,7 @@
 #include "tags.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <tuple>
 
@@ -22,10 +23,14 @@ const std::vector<FoundTag>& TagSearch::find(const Space& space, const Eigen::Ve
   found_.clear();
   space.index.collect(antenna, reach, near_);
   for (const Row row : near_) {
-    const std::optional<double> id = space.property(row, kTag);
     const double squared_distance = (space.entities.pose[row].position - antenna).squaredNorm();
-    if (id && squared_distance <= reach * reach && space.property(row, kTagData)) {
-      found_.push_back({row, space.entities.number[row], tagNumber(*id), squared_distance});
+    if (squared_distance > reach * reach) {
+      continue;
+    }
+    const std::optional<double> id = space.property(row, kTag);
+    const std::optional<double> data = id ? space.property(row, kTagData) : std::nullopt;
+    if (data) {
+      found_.push_back({row, space.entities.number[row], tagNumber(*id), tagNumber(*data), squared_distance});
     }
   }
   std::sort(found_.begin(), found_.end(), [](const FoundTag& a, const FoundTag& b) {

@@ -24,6 +24,7 @@ struct FoundTag {
   Row row = kNoRow;
   EntityNumber number = kNoEntity;
   std::uint32_t id = 0;
+  std::uint32_t data = 0;
   double squared_distance = 0.0;  ///< from the antenna [m2]
 };
 

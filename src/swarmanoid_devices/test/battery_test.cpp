@@ -17,7 +17,7 @@ std::shared_ptr<const EntityModel> poweredFootbot(double capacity, double first_
   return robotWithBattery(*footbot, battery);
 }
 
-TEST(BatteryTest, TellsWhatIsLeftAndWhatFlows) {
+TEST(BatteryTest, ReportsWhatIsLeftAndWhatFlows) {
   DeviceWorld world;
   const Row robot = world.add(poweredFootbot(130.0, 0.7), {1.0, 1.0, 0.0});
   SensorUnderTest<Battery> sensor(world, robot);

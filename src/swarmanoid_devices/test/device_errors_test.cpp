@@ -1,10 +1,14 @@
 // <error> elements in devices: what the limits of motors, safe stops and robots that come and go make of them.
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <limits>
+#include <vector>
 
 #include "device_world.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
+#include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
@@ -71,6 +75,41 @@ TEST(DeviceErrorsTest, RobotsThatComeAndGoKeepTheirErrors) {
   ++world.space.tick;
   world.sense(*sensor);
   EXPECT_EQ(last.value, readings[2]->value);
+}
+
+constexpr float kBare = 300.0F / 765.0F;  // what ground sensors read of the floor below
+
+/// Readings of ground spots 2 and 7 over some ticks, with noise of 0.05 to either side.
+std::vector<std::array<double, 2>> noisy(int ticks, std::uint64_t seed, int bystanders) {
+  DeviceWorld world(seed);
+  world.space.floor.bare = {200, 100, 0};
+  const Row robot = world.addFootbot(1.0, 1.0);
+  SensorUnderTest<FootbotGround> ground(world, robot, {}, {listed("uniform", "value", "half_width", "0.05")});
+  for (int i = 0; i < bystanders; ++i) {
+    ground.sensor->add(world.space, world.addFootbot(3.0 + i, 5.0));
+  }
+  std::vector<std::array<double, 2>> values;
+  for (; world.space.tick < static_cast<std::uint64_t>(ticks); ++world.space.tick) {
+    const FootbotGround& readings = ground.sense();
+    values.push_back({readings.value[2], readings.value[7]});
+  }
+  return values;
+}
+
+TEST(DeviceErrorsTest, NoiseIsThatOfTheExperimentFile) {
+  std::vector<double> first;
+  std::vector<double> differences;
+  for (const auto& [one, other] : noisy(4000, 1, 0)) {
+    EXPECT_NEAR(one, kBare, 0.05 + 1e-6);
+    first.push_back(one);
+    differences.push_back(one - other);
+  }
+  const Statistics statistics(first);
+  EXPECT_NEAR(statistics.mean, kBare, 5.0 * 0.0289 / std::sqrt(4000.0));
+  EXPECT_NEAR(statistics.deviation, 0.05 / std::sqrt(3.0), 0.001);
+  EXPECT_NEAR(Statistics(differences).deviation, 0.05 * std::sqrt(2.0 / 3.0), 0.0015) << "a draw for each spot";
+  EXPECT_EQ(noisy(50, 1, 0), noisy(50, 1, 5)) << "whoever else senses";
+  EXPECT_NE(noisy(50, 1, 0), noisy(50, 2, 0));
 }
 
 /// A footbot at (1, 1) whose camera sees a prey 0.5 m ahead; lists of readings lie elsewhere than the readings.

@@ -16,7 +16,7 @@ using Mode = FootbotTurret::Mode;
 
 constexpr double kMaxSpeed = 3.0;  // rad/s
 
-TEST(FootbotTurretTest, HoldsStraightUntilItIsTold) {
+TEST(FootbotTurretTest, HoldsStraightUntilItIsCommanded) {
   DeviceWorld world;
   Turret turret(world, world.addFootbot(1.0, 1.0));
   EXPECT_EQ(turret.actuate().mode, Mode::kAngle);

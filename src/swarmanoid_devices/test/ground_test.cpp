@@ -275,64 +275,15 @@ TEST_F(GroundTest, EachRobotHasItsOwnReadings) {
   EXPECT_NEAR(readings[2]->spots[5].value, kBare, 1e-6);
 }
 
-/// Readings of spots 2 and 7 over some ticks, with noise of 0.05 to either side.
-std::vector<std::array<double, 2>> noisy(int ticks, std::uint64_t seed, int bystanders) {
-  DeviceWorld world(seed);
-  world.space.floor.bare = kBareColor;
-  const Row robot = world.addFootbot(1.0, 1.0);
-  ErrorModelDescription noise;
-  noise.kind = "uniform";
-  noise.field = "value";
-  noise.parameters = Configuration("error", "", {});
-  noise.parameters.set("half_width", "0.05");
-  SensorUnderTest<FootbotGround> ground(world, robot, {}, {noise});
-  for (int i = 0; i < bystanders; ++i) {
-    ground.sensor->add(world.space, world.addFootbot(3.0 + i, 5.0));
-  }
-  std::vector<std::array<double, 2>> values;
-  for (; world.space.tick < static_cast<std::uint64_t>(ticks); ++world.space.tick) {
-    const FootbotGround& readings = ground.sense();
-    values.push_back({readings.value[2], readings.value[7]});
-  }
-  return values;
-}
-
-TEST(GroundErrorTest, NoiseIsThatOfTheExperimentFile) {
-  std::vector<double> first;
-  std::vector<double> differences;
-  for (const auto& [one, other] : noisy(4000, 1, 0)) {
-    EXPECT_NEAR(one, kBare, 0.05 + 1e-6);
-    first.push_back(one);
-    differences.push_back(one - other);
-  }
-  const Statistics statistics(first);
-  EXPECT_NEAR(statistics.mean, kBare, 5.0 * 0.0289 / std::sqrt(4000.0));
-  EXPECT_NEAR(statistics.deviation, 0.05 / std::sqrt(3.0), 0.001);
-  EXPECT_NEAR(Statistics(differences).deviation, 0.05 * std::sqrt(2.0 / 3.0), 0.0015) << "a draw for each spot";
-  EXPECT_EQ(noisy(50, 1, 0), noisy(50, 1, 5)) << "whoever else senses";
-  EXPECT_NE(noisy(50, 1, 0), noisy(50, 2, 0));
-}
-
-template <class Device>
-std::string refusalOn(const std::shared_ptr<const EntityModel>& model) {
-  DeviceWorld world;
-  try {
-    SensorUnderTest<Device> sensor(world, world.add(model, {1.0, 1.0, 0.0}));
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 TEST(GroundRefusalTest, RobotsWithoutSpotsAreRefused) {
-  EXPECT_EQ(refusalOn<Ground>(robotModel("eyebot")),
+  EXPECT_EQ(refusalOf<SensorUnderTest<Ground>>(robotModel("eyebot")),
             "found the device 'ground' on a eyebot, allowed: on robots with links ground_0, ... (1 to 64)");
   auto model = std::make_shared<EntityModel>(*robotModel("footbot"));
   model->mounts.erase("base_ground_3");
   EXPECT_EQ(
-      refusalOn<FootbotBaseGround>(model),
+      refusalOf<SensorUnderTest<FootbotBaseGround>>(model),
       "found the device 'footbot_base_ground' on a footbot with links base_ground_0, ... (3), allowed: 4 or more");
-  EXPECT_EQ(refusalOn<FootbotGround>(model), "");
+  EXPECT_EQ(refusalOf<SensorUnderTest<FootbotGround>>(model), "");
 }
 
 TEST_F(GroundTest, SensingAllocatesNothing) {

@@ -97,8 +97,9 @@ inline std::vector<DeviceUse> uses(const std::vector<std::string>& devices) {
   std::vector<DeviceUse> result;
   for (const std::string& device : devices) {
     const auto found = mechanisms.find(device);
+    const auto* type = findDeviceType(device);
     result.push_back({device, found == mechanisms.end() ? std::vector<Mechanism>{} : found->second,
-                      findDeviceType(device) == nullptr ? DeviceKind::kSensor : findDeviceType(device)->kind});
+                      type == nullptr ? DeviceKind::kSensor : type->kind});
   }
   return result;
 }

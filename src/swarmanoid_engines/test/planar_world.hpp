@@ -101,7 +101,7 @@ class PlanarWorld {
     return row;
   }
   Row addFootbot(const Pose& pose) { return addRobot(footbotModel(), pose); }
-  /// A robot that is told all of that and what to do with its turret.
+  /// A robot that has commands for all of that and for its turret.
   Row addTurret(const Pose& pose, const std::shared_ptr<const EntityModel>& model = robotModel("footbot")) {
     return addRobot<FootbotTurret>(model, pose);
   }

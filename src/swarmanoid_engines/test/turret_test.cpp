@@ -1,4 +1,4 @@
-// Turrets without forces: they turn as told, with what they hold, and never into anything.
+// Turrets without forces: they turn as commanded, with what they hold, and never into anything.
 #include "swarmanoid_interface/testing/count_allocations.hpp"
 
 #include <gtest/gtest.h>
@@ -69,10 +69,11 @@ TEST(TurretTest, TurnsTheShorterWay) {
 }
 
 TEST(TurretTest, TurnsOnAtASpeedUpToItsLimit) {
-  for (const auto& [told, expected] : {std::pair(1.5, 1.5), std::pair(-1.5, -1.5), std::pair(50.0, kTurretSpeed)}) {
+  for (const auto& [commanded, expected] :
+       {std::pair(1.5, 1.5), std::pair(-1.5, -1.5), std::pair(50.0, kTurretSpeed)}) {
     World world;
     const Row footbot = world.addTurret(flatPose(2.0, 2.0));
-    world.turret(footbot).turnAt(told);
+    world.turret(footbot).turnAt(commanded);
     world.step(100);
     EXPECT_NEAR(world.turretState(footbot).speed, expected, 1e-9);
     EXPECT_NEAR(std::remainder(world.turretState(footbot).angle - 10.0 * expected, 2.0 * M_PI), 0.0, 1e-9);

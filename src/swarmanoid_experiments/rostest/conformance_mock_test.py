@@ -58,7 +58,7 @@ class ConformanceMockTest(unittest.TestCase):
             # nobody looks at a mock robot's LEDs
             self.assertEqual({"m_footbot": "footbot_leds", "m_eyebot": "eyebot_leds", "m_handbot": "none"}[robot],
                              verdict["unchecked_devices"], verdict)
-        # but their driver was told: red ahead, blue to the left, green behind
+        # but their driver got commands: red ahead, blue to the left, green behind
         shown = self.leds.wait_for(lambda message: message.colors[0].r == 1.0)
         self.assertEqual((1.0, 1.0), (shown.colors[3].b, shown.colors[6].g))
         self.replay()

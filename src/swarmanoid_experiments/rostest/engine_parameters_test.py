@@ -58,7 +58,7 @@ class EngineParametersTest(unittest.TestCase):
         self.updates.clear()
         self.space.restart()
         self.assertIsNotNone(self.updates.wait_for(
-            lambda c: {d.name: d.value for d in c.doubles}["gravity"] == 9.81), "nobody tells of the reset")
+            lambda c: {d.name: d.value for d in c.doubles}["gravity"] == 9.81), "nobody reports the reset")
 
     def test_what_is_out_of_range_is_refused_as_a_whole(self):
         with self.assertRaises(DynamicReconfigureCallbackException):
@@ -88,9 +88,9 @@ class EngineParametersTest(unittest.TestCase):
         self.assertIsNotNone(array)
         status = next(s for s in array.status if s.name == ENGINE[1:] + ": engine")
         self.assertEqual("works", status.message)
-        told = {value.key: value.value for value in status.values}
-        self.assertEqual(("dynamics3d", "0", "10"), (told["kind"], told["mirrors"], told["steps a tick"]))
-        self.assertEqual("0", told["steps left to the iterative solver"])
+        values = {value.key: value.value for value in status.values}
+        self.assertEqual(("dynamics3d", "0", "10"), (values["kind"], values["mirrors"], values["steps a tick"]))
+        self.assertEqual("0", values["steps left to the iterative solver"])
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What roslaunch itself does: bad arguments are refused before anything starts, ends are told of as what they are, files
+"""What roslaunch itself does: bad arguments are refused before anything starts, ends are reported as what they are, files
 land where they are looked for, and Ctrl-C leaves a complete bag; and what `swarmanoid launch` returns."""
 
 import os
@@ -58,7 +58,7 @@ class LaunchTest(RoslaunchTest):
                                  ("record:=/nowhere/run.bag", "cannot write")):
             _, output = self.output_of(argument)
             self.assertIn(reason, output)
-            self.assertRegex(output, r"process has died|exit code [1-9]", "roslaunch is not told of it")
+            self.assertRegex(output, r"process has died|exit code [1-9]", "roslaunch does not report it")
 
     def test_a_failed_controller_is_in_the_exit_code(self):
         _, output = self.output_of(f"experiment:={FAILING}", "real_time_factor:=0")

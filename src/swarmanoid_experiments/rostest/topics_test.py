@@ -81,8 +81,8 @@ class TopicsTest(unittest.TestCase):
         x, y, _ = self.step(1)
         self.assertAlmostEqual(2.0 + 2.0 * 0.029 * TICK, x, 9, "from the next tick on")
         self.assertEqual(2.0, y)
-        told = self.event("fb_2", "commands come over topics")
-        self.assertEqual(6, told.tick)
+        event = self.event("fb_2", "commands come over topics")
+        self.assertEqual(6, event.tick)
         # the time-out is half a second: commands of tick 5 hold until tick 9
         x, _, _ = self.step(10)
         self.assertAlmostEqual(2.0 + 5 * 2.0 * 0.029 * TICK, x, 9)

@@ -86,7 +86,7 @@ class Host:
         self.address = address
 
     def environment(self, master):
-        """What ROS is to be told there. @param master the host on which the master is"""
+        """The variables of ROS there. @param master the host on which the master is"""
         kept = {name: value for name, value in os.environ.items() if name != "ROS_HOSTNAME"}
         return dict(kept, ROS_IP=self.address, ROS_MASTER_URI=f"http://{master.address}:11311")
 

@@ -21,7 +21,7 @@ sensors: [footbot_proximity]
 actuators: [footbot_wheels]
 sensor_timeout: 0.5
 """
-TOLD = "commands come over topics"
+COMMANDED = "commands come over topics"
 SILENT = "no more commands over topics, the robot stops"
 
 
@@ -55,7 +55,7 @@ class TwoHostsTopicsTest(TwoHostsCase):
                     configuration=configuration)
         self.addCleanup(self.hosts.join)
         space.resume()
-        self.wait_for_event(TOLD)
+        self.wait_for_event(COMMANDED)
         start = self.place()
         time.sleep(1.0)
         self.assertNotEqual(start, self.place())
@@ -69,10 +69,10 @@ class TwoHostsTopicsTest(TwoHostsCase):
         self.assertEqual(stopped, self.place())
 
         self.hosts.join()
-        self.wait_for_event(TOLD)
+        self.wait_for_event(COMMANDED)
         time.sleep(0.5)
         self.assertNotEqual(stopped, self.place())
-        # its side of it, which the log tells when the link is back
+        # its side of it, which the log says when the link is back
         self.assertIsNotNone(logs.wait_for(lambda log: "footbot_proximity" in log.msg and log.level >= Log.WARN),
                              [log.msg for log in logs.messages()])
 

@@ -57,11 +57,11 @@ class BagToCsvTest(ProgramTest):
                               stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8", check=False,
                               preexec_fn=limit_file_size)
 
-    def tables(self, told):
+    def tables(self, summary):
         """Rows of poses and events as dictionaries."""
         done = self.convert("run.bag", "--out", "out")
         self.assertEqual((done.returncode, done.stdout, done.stderr),
-                         (0, f"out: poses.csv, events.csv, trajectories.png; {told}\n", ""))
+                         (0, f"out: poses.csv, events.csv, trajectories.png; {summary}\n", ""))
         self.assertEqual(sorted(file.name for file in self.out.iterdir()), RESULTS)
         self.assertTrue((self.out / "trajectories.png").read_bytes().startswith(b"\x89PNG"))
         tables = []

@@ -67,10 +67,17 @@ std::unique_ptr<Simulation> started(const std::string& battery, const std::strin
   return simulation;
 }
 
-void tick(Simulation& simulation, int ticks) {
-  for (int i = 0; i < ticks; ++i) {
-    simulation.tick();
+/// @param controller instead of "test_drive", without parameters
+std::unique_ptr<Simulation> startedWith(const std::string& controller, const std::string& battery) {
+  const std::string usual = "test_drive";
+  std::string text = worldWith(battery, "").xml();
+  for (std::size_t at = text.find(usual); at != std::string::npos; at = text.find(usual, at + controller.size())) {
+    text.replace(at, usual.size(), controller);
   }
+  loadBuiltInPlugins();
+  auto simulation = std::make_unique<Simulation>(parseExperiment(text, "test.xml"));
+  simulation->start();
+  return simulation;
 }
 
 Row rowOf(const Simulation& simulation) { return simulation.space().entities.find("fb"); }
@@ -95,37 +102,25 @@ TEST(BatteryTest, DrainsByWhatIsListedAndHowTheWheelsTurn) {
 }
 
 TEST(BatteryTest, LedsDrawAsMuchAsTheyShine) {
-  World world = worldWith("<battery>true</battery>", "");
-  std::string text = world.xml();
-  for (std::size_t at = text.find("test_drive"); at != std::string::npos; at = text.find("test_drive")) {
-    text.replace(at, 10, "test_lights");
-  }
-  loadBuiltInPlugins();
-  Simulation simulation(parseExperiment(text, "test.xml"));
-  simulation.start();
-  tick(simulation, 3);
-  EXPECT_NEAR(stateOf(simulation).power, kStandby + 0.2 * (1.0 + 1.0 / 3.0 + 0.2), 1e-9);
+  const auto simulation = startedWith("test_lights", "<battery>true</battery>");
+  tick(*simulation, 3);
+  EXPECT_NEAR(stateOf(*simulation).power, kStandby + 0.2 * (1.0 + 1.0 / 3.0 + 0.2), 1e-9);
 }
 
 TEST(BatteryTest, ARobotThatIsOffIsDark) {
-  World world = worldWith(battery(3.0, 0.0), "");
-  std::string text = world.xml();
-  for (std::size_t at = text.find("test_drive"); at != std::string::npos; at = text.find("test_drive")) {
-    text.replace(at, 10, "test_lights");
-  }
-  loadBuiltInPlugins();
-  Simulation simulation(parseExperiment(text, "test.xml"));
-  simulation.start();
-  tick(simulation, 2);
-  EXPECT_EQ(simulation.space().leds[rowOf(simulation)][5], colors::kRed);
-  tick(simulation, 10);  // 3 J at 4.05 W: 7.4 ticks
-  ASSERT_TRUE(stateOf(simulation).is_empty);
-  for (const Color led : simulation.space().leds[rowOf(simulation)]) {
+  const auto simulation = startedWith("test_lights", battery(3.0, 0.0));
+  tick(*simulation, 2);
+  EXPECT_EQ(simulation->space().leds[rowOf(*simulation)][5], colors::kRed);
+  tick(*simulation, 10);  // 3 J at 4.05 W: 7.4 ticks
+  ASSERT_TRUE(stateOf(*simulation).is_empty);
+  const Span<const Color> leds = simulation->space().leds[rowOf(*simulation)];
+  EXPECT_EQ(leds.size(), FootbotLeds::kCount);
+  for (const Color led : leds) {
     EXPECT_EQ(led, colors::kBlack);
   }
-  set(simulation, "charge", 3.0);
-  tick(simulation, 2);
-  EXPECT_EQ(simulation.space().leds[rowOf(simulation)][5], colors::kRed);
+  set(*simulation, "charge", 3.0);
+  tick(*simulation, 2);
+  EXPECT_EQ(simulation->space().leds[rowOf(*simulation)][5], colors::kRed);
 }
 
 TEST(BatteryTest, ARobotIsOffInTheTickAfterTheLastOfItsCharge) {
@@ -182,13 +177,7 @@ TEST(BatteryTest, WhoeverElseCommandsItDoesSoOnceItIsCharged) {
 std::unique_ptr<Simulation> chargedAgain(bool fails_in_step) {
   TestFailing::starts = 0;
   TestFailing::fails_in_step = fails_in_step;
-  std::string text = worldWith(battery(3.0, 0.0), "").xml();
-  for (std::size_t at = text.find("test_drive"); at != std::string::npos; at = text.find("test_drive")) {
-    text.replace(at, 10, "test_failing");
-  }
-  loadBuiltInPlugins();
-  auto simulation = std::make_unique<Simulation>(parseExperiment(text, "test.xml"));
-  simulation->start();
+  auto simulation = startedWith("test_failing", battery(3.0, 0.0));
   tick(*simulation, 20);
   EXPECT_TRUE(stateOf(*simulation).is_empty);
   set(*simulation, "charge", 3.0);
@@ -282,10 +271,27 @@ TEST(BatteryTest, WhatIsOutOfBoundsIsRefused) {
   EXPECT_THROW(set(*without, "charge", 1.0), ConfigError);
 }
 
+TEST(BatteryTest, NumbersOfABatteryThatARobotDoesNotHaveAreRefused) {
+  const auto refusalOf = [](const std::string& name, const std::string& number) -> std::string {
+    try {
+      worldWith("\n<" + name + ">" + number + "</" + name + ">", kStill).make();
+      return "";
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+  };
+  const std::string allowed = " for a robot without a battery, allowed: with <battery>true</battery>, or ";
+  EXPECT_EQ(refusalOf("battery_capacity", "7.5"), "test.xml:2: battery_capacity: found '7.5'" + allowed + "133200");
+  EXPECT_EQ(refusalOf("battery_level", "0.99"), "test.xml:2: battery_level: found '0.99'" + allowed + "1");
+  EXPECT_EQ(refusalOf("battery_capacitor", "0"), "test.xml:2: battery_capacitor: found '0'" + allowed + "60");
+  EXPECT_EQ(refusalOf("battery_enough", "0.31"), "test.xml:2: battery_enough: found '0.31'" + allowed + "0.3");
+  EXPECT_EQ(refusalOf("battery_enough", "0.30"), "") << "as it is without it";
+}
+
 TEST(BatteryTest, ARobotWithoutOneHasTheHashesThatItAlwaysHad) {
   const auto hashes = [](const std::string& battery) { return hashesOf(*started(battery, kAhead), 30); };
   const auto plain = hashes("");
-  EXPECT_EQ(hashes("<battery>false</battery><battery_capacity>7</battery_capacity>"), plain);
+  EXPECT_EQ(hashes("<battery>false</battery><battery_capacity>133200</battery_capacity>"), plain);
   EXPECT_NE(hashes("<battery>true</battery>"), plain);
 }
 

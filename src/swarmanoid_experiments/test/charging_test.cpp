@@ -53,12 +53,6 @@ std::unique_ptr<Simulation> chargingWorld(const std::string& perches, const std:
 constexpr const char* kStill = "<left>0</left><right>0</right>";
 constexpr double kStandby = 3.74;  // W
 
-void tick(Simulation& simulation, int ticks) {
-  for (int i = 0; i < ticks; ++i) {
-    simulation.tick();
-  }
-}
-
 const BatteryState& batteryOf(const Simulation& simulation, const std::string& robot) {
   return simulation.space().batteries[simulation.space().entities.find(robot)][0];
 }

@@ -210,9 +210,9 @@ TEST(ClimbingTest, DevicesStandIdleInAPlaneUntilTheHandover) {
   tick(*simulation);
   simulation->apply(HandOverEntity{"hb", "ground"});
   tick(*simulation);
-  EXPECT_NE(toldIn(*simulation).find("from space to ground; idle there: handbot_arms, handbot_hands, handbot_rope; "),
+  EXPECT_NE(eventsIn(*simulation).find("from space to ground; idle there: handbot_arms, handbot_hands, handbot_rope; "),
             std::string::npos)
-      << toldIn(*simulation);
+      << eventsIn(*simulation);
   tick(*simulation, 30);
   EXPECT_EQ(stateOf(*simulation), "shooting");
   EXPECT_FALSE(simulation->space().attachments.isAttached(rowOf(*simulation, "hb")));

@@ -93,7 +93,7 @@ class Bench {
 
   void reset() { controller_->reset(); }
 
-  /// Everything that the robot was told, as numbers.
+  /// All commands of the robot, as numbers.
   std::vector<double> commands() const {
     std::vector<double> all{wheels_.left,         wheels_.right,         gripper_.closed ? 1.0 : 0.0,
                             velocity_.linear.x(), velocity_.linear.y(),  velocity_.linear.z(),

@@ -44,9 +44,9 @@ TEST(EngineParametersTest, ChangeWhatHappensFromTheNextTickOn) {
   EXPECT_EQ(simulation->engineParameters("deep").text("gravity"), "1.5");
   tick(*simulation);
   EXPECT_NEAR(fallSpeed(*simulation), 2 * 0.981 + 0.15, 1e-9);
-  EXPECT_EQ(toldIn(*simulation), "intervention  dynamics3d 'deep': gravity from 9.81 to 1.5; ");
+  EXPECT_EQ(eventsIn(*simulation), "intervention  dynamics3d 'deep': gravity from 9.81 to 1.5; ");
   tick(*simulation);
-  EXPECT_EQ(toldIn(*simulation), "");
+  EXPECT_EQ(eventsIn(*simulation), "");
 }
 
 TEST(EngineParametersTest, TreelsWithoutFrictionDriveAgainOnceTheyHaveIt) {
@@ -103,14 +103,14 @@ TEST(EngineParametersTest, OneBadValueAmongGoodOnesChangesNothing) {
   EXPECT_EQ(simulation->engineParameters("deep").text("gravity"), "9.81");
   tick(*simulation);
   EXPECT_NEAR(fallSpeed(*simulation), 0.981, 1e-9);
-  EXPECT_EQ(toldIn(*simulation), "");
+  EXPECT_EQ(eventsIn(*simulation), "");
 }
 
 TEST(EngineParametersTest, TheValueThatItHasIsNoChange) {
   const auto simulation = started(threeEngines());
   simulation->apply(SetEngineParameters{"deep", {{"gravity", "9.810"}, {"iterations", "50"}}});
   tick(*simulation);
-  EXPECT_EQ(toldIn(*simulation), "");
+  EXPECT_EQ(eventsIn(*simulation), "");
 }
 
 TEST(EngineParametersTest, TheSameChangesGiveTheSameBitsAndAResetUndoesThem) {

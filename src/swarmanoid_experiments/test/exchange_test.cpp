@@ -41,12 +41,6 @@ std::unique_ptr<Simulation> started(const ExchangeWorld& what) {
   return simulation;
 }
 
-void tick(Simulation& simulation, int ticks) {
-  for (int i = 0; i < ticks; ++i) {
-    simulation.tick();
-  }
-}
-
 double of(const Simulation& simulation, const std::string& entity, const std::string& property) {
   return *simulation.space().property(simulation.space().entities.find(entity), property);
 }
@@ -159,6 +153,30 @@ TEST(ExchangeTest, TheBatteryOfARobotThatIsDeletedGoesBack) {
   tick(*simulation, 1);
   EXPECT_EQ(of(*simulation, "station", "arm"), 0.0);
   EXPECT_EQ(of(*simulation, "station", "battery_1"), 200.0);
+}
+
+TEST(ExchangeTest, ARobotThatIsDraggedOffBlocksTheStationUntilItIsBack) {
+  const auto simulation = started({powered("fb_1", 5.0, 0.4) + powered("fb_2", 5.52, 0.6), ExchangeWorld{}.station,
+                                   "<swap_time>1.1</swap_time>", kStill, 1});
+  tick(*simulation, 5);  // 0.4 s of the swap
+  simulation->apply(MoveEntity{"fb_1", {{8.0, 5.0, 0.0}, Eigen::Quaterniond::Identity()}});
+  simulation->apply(SetProperty{"fb_2", "charge", "30"});
+  tick(*simulation, 40);
+  EXPECT_EQ(metricOf(*simulation, "swaps"), 0.0);
+  EXPECT_EQ(metricOf(*simulation, "swapping"), 1.0);
+  EXPECT_EQ(of(*simulation, "station", "arm"), 200.0);
+  EXPECT_EQ(of(*simulation, "station", "battery_1"), 80.0);
+  EXPECT_EQ(of(*simulation, "fb_1", "charge"), 0.0);
+  EXPECT_NEAR(of(*simulation, "fb_1", "capacitor"), 60.0 - 4.5 * kStandby, 1e-9);
+  EXPECT_NEAR(of(*simulation, "fb_2", "charge"), 30.0 - 4.0 * kStandby, 1e-9) << "it has to wait";
+  simulation->apply(MoveEntity{"fb_1", {{5.03, 4.98, 0.0}, Eigen::Quaterniond::Identity()}});
+  tick(*simulation, 6);
+  EXPECT_EQ(metricOf(*simulation, "swaps"), 0.0) << "1 s of the swap";
+  tick(*simulation, 1);
+  EXPECT_EQ(metricOf(*simulation, "swaps"), 1.0);
+  EXPECT_NEAR(of(*simulation, "fb_1", "charge"), 200.0 - 0.1 * kStandby - 0.1, 1e-9);
+  tick(*simulation, 1);
+  EXPECT_EQ(of(*simulation, "fb_2", "charge"), 0.0) << "its turn";
 }
 
 TEST(ExchangeTest, ARobotTakesNoMoreThanItsCapacity) {

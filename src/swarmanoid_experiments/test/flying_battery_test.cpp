@@ -57,12 +57,6 @@ std::unique_ptr<Simulation> started(double height, double up, double capacity, d
   return simulation;
 }
 
-void tick(Simulation& simulation, int ticks) {
-  for (int i = 0; i < ticks; ++i) {
-    simulation.tick();
-  }
-}
-
 double of(const Simulation& simulation, const std::string& entity, const std::string& property) {
   return *simulation.space().property(simulation.space().entities.find(entity), property);
 }

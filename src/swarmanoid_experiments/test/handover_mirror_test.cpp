@@ -50,7 +50,7 @@ TEST(HandoverMirrorTest, MirrorAndMoverChangePlaces) {
   simulation->apply(HandOverEntity{"fb", "ground"});
   simulation->apply(HandOverEntity{"fb", "twin"});
   tick(*simulation);
-  EXPECT_EQ(toldIn(*simulation),
+  EXPECT_EQ(eventsIn(*simulation),
             "intervention fb handover to ground; handed_over fb from twin to ground; "
             "intervention fb handover to twin; handed_over fb from ground to twin; ");
 }

@@ -40,18 +40,18 @@ World gripWorld(const std::string& rules) {
   return world;
 }
 
-/// All that is told of handovers in so many ticks, with the tick.
+/// The events of handovers of so many ticks, with the tick.
 std::string story(Simulation& simulation, int ticks) {
-  std::string told;
+  std::string text;
   for (int i = 0; i < ticks; ++i) {
     simulation.tick();
     for (const Event& event : simulation.space().events) {
       if (event.kind == Event::Kind::kHandedOver || event.kind == Event::Kind::kHandoverRefused) {
-        told += std::to_string(simulation.space().tick) + " " + event.entity + " " + event.text + "; ";
+        text += std::to_string(simulation.space().tick) + " " + event.entity + " " + event.text + "; ";
       }
     }
   }
-  return told;
+  return text;
 }
 
 std::string story(const World& world, int ticks) {
@@ -173,11 +173,11 @@ TEST(HandoverRuleTest, AGroupIsManyEntitiesAndThreadsChangeNothing) {
   std::size_t to_twin = 0;
   std::size_t to_ground = 0;
   for (int i = 0; i < 500; ++i) {
-    const std::string told = story(*alone, 1);
-    EXPECT_EQ(story(*together, 1), told);
+    const std::string expected = story(*alone, 1);
+    EXPECT_EQ(story(*together, 1), expected);
     ASSERT_EQ(alone->stateHash(), together->stateHash()) << "tick " << i + 1;
-    to_twin += told.find("to twin;") != std::string::npos ? 1 : 0;
-    to_ground += told.find("to ground;") != std::string::npos ? 1 : 0;
+    to_twin += expected.find("to twin;") != std::string::npos ? 1 : 0;
+    to_ground += expected.find("to ground;") != std::string::npos ? 1 : 0;
   }
   EXPECT_GT(to_twin, 5U);
   EXPECT_GT(to_ground, 5U);

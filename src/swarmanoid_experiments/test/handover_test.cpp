@@ -100,9 +100,9 @@ TEST(HandoverTest, WhatIsConnectedGoesAlongWhicheverIsNamed) {
     EXPECT_EQ(moverOf(*simulation, "fb"), "twin");
     EXPECT_EQ(moverOf(*simulation, "prey"), "twin");
     tick(*simulation);
-    EXPECT_EQ(toldIn(*simulation), std::string("intervention ") + named +
-                                       " handover to twin; handed_over prey from ground to twin; "
-                                       "handed_over fb from ground to twin; ");
+    EXPECT_EQ(eventsIn(*simulation), std::string("intervention ") + named +
+                                         " handover to twin; handed_over prey from ground to twin; "
+                                         "handed_over fb from ground to twin; ");
     const Eigen::Vector3d before = poseOf(*simulation, "prey").position;
     tick(*simulation, 20);
     EXPECT_GT((poseOf(*simulation, "prey").position - before).norm(), 0.1) << "still carried";
@@ -114,7 +114,7 @@ TEST(HandoverTest, WhatIsMovedThereAlreadyStaysWithoutAWord) {
   tick(*simulation, 3);
   simulation->apply(HandOverEntity{"fb", "ground"});
   tick(*simulation);
-  EXPECT_EQ(toldIn(*simulation), "");
+  EXPECT_EQ(eventsIn(*simulation), "");
 }
 
 TEST(HandoverTest, TheNewEngineGoesOnWithTheTwistOfTheOld) {
@@ -139,7 +139,7 @@ TEST(HandoverTest, WhatNobodyMovesCanBeTaken) {
   EXPECT_EQ(poseOf(*simulation, "fb").position, Eigen::Vector3d(5, 5, 0));
   simulation->apply(HandOverEntity{"fb", "twin"});
   tick(*simulation);
-  EXPECT_EQ(toldIn(*simulation), "intervention fb handover to twin; handed_over fb from no engine to twin; ");
+  EXPECT_EQ(eventsIn(*simulation), "intervention fb handover to twin; handed_over fb from no engine to twin; ");
   EXPECT_NE(poseOf(*simulation, "fb").position, Eigen::Vector3d(5, 5, 0));
   EXPECT_TRUE(simulation->space().entities_without_engine.empty());
 }

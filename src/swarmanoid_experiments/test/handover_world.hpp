@@ -34,18 +34,12 @@ inline std::string moverOf(const Simulation& simulation, const std::string& name
   return mover == nullptr ? "" : mover->id();
 }
 
-inline std::string toldIn(const Simulation& simulation) {
-  std::string told;
+inline std::string eventsIn(const Simulation& simulation) {
+  std::string text;
   for (const Event& event : simulation.space().events) {
-    told += std::string(toString(event.kind)) + " " + event.entity + " " + event.text + "; ";
+    text += std::string(toString(event.kind)) + " " + event.entity + " " + event.text + "; ";
   }
-  return told;
-}
-
-inline void tick(Simulation& simulation, int ticks = 1) {
-  for (int i = 0; i < ticks; ++i) {
-    simulation.tick();
-  }
+  return text;
 }
 
 inline std::unique_ptr<Simulation> started(const World& world) {

@@ -45,18 +45,18 @@ bool isThere(const Simulation& simulation, const std::string& name) {
   return simulation.space().entities.find(name) != kNoRow;
 }
 
-/// All that is told of falls in so many ticks, with the tick.
+/// The falls of so many ticks, with the tick.
 std::string falls(Simulation& simulation, int ticks) {
-  std::string told;
+  std::string text;
   for (int i = 0; i < ticks; ++i) {
     simulation.tick();
     for (const Event& event : simulation.space().events) {
       if (event.kind == Event::Kind::kFellIntoHole) {
-        told += std::to_string(simulation.space().tick) + " " + event.entity + " " + event.text + "; ";
+        text += std::to_string(simulation.space().tick) + " " + event.entity + " " + event.text + "; ";
       }
     }
   }
-  return told;
+  return text;
 }
 
 /// "fb" starts at (1.3, 2.1) and drives by `step` a tick, 37.3 degrees from x, towards a disc of 0.21 m, whose middle
@@ -85,18 +85,18 @@ TEST(HolesTest, ARobotFallsInTheTickInWhichItsMiddleIsOverTheHole) {
   }
 }
 
-TEST(HolesTest, WhatAControllerFailsInWhenItsRobotFallsIsToldInThatTick) {
+TEST(HolesTest, WhatAControllerFailsInWhenItsRobotFallsIsAnEventOfThatTick) {
   World world = towardsADisc(0.02);
   world.drive += "<throws_when_it_goes>true</throws_when_it_goes>";
   world.ticks = 27;  // the last one
   const auto simulation = started(world);
   tick(*simulation, 27);
-  const std::string told = toldIn(*simulation);
-  const auto fallen = told.find(std::string(toString(Event::Kind::kFellIntoHole)) + " fb hole 'pit'; ");
+  const std::string events = eventsIn(*simulation);
+  const auto fallen = events.find(std::string(toString(Event::Kind::kFellIntoHole)) + " fb hole 'pit'; ");
   const auto failed =
-      told.find(std::string(toString(Event::Kind::kControllerFailed)) + " fb destroy: told to, at the end; ");
-  EXPECT_NE(fallen, std::string::npos) << told;
-  EXPECT_NE(failed, std::string::npos) << told;
+      events.find(std::string(toString(Event::Kind::kControllerFailed)) + " fb destroy: told to, at the end; ");
+  EXPECT_NE(fallen, std::string::npos) << events;
+  EXPECT_NE(failed, std::string::npos) << events;
   EXPECT_LT(fallen, failed);
 }
 
@@ -115,12 +115,12 @@ TEST_P(HolesInEngineTest, TheEventIsTheSameInEveryEngine) {
   const auto simulation = startedIn(towardsADisc(0.02), GetParam());
   const Eigen::Vector2d from = poseOf(*simulation, "fb").position.head<2>();
   double way = 0.0;
-  std::string told;
-  while (told.empty() && simulation->space().tick < 60) {
+  std::string fall;
+  while (fall.empty() && simulation->space().tick < 60) {
     way = (poseOf(*simulation, "fb").position.head<2>() - from).norm();
-    told = falls(*simulation, 1);
+    fall = falls(*simulation, 1);
   }
-  EXPECT_EQ(told, std::to_string(simulation->space().tick) + " fb hole 'pit'; ");
+  EXPECT_EQ(fall, std::to_string(simulation->space().tick) + " fb hole 'pit'; ");
   EXPECT_LT(way, kWayToTheDisc + 1e-3);
   EXPECT_GT(way, kWayToTheDisc - 0.021) << "it drove to its edge";
   EXPECT_EQ(falls(*simulation, 20), "") << "once";
@@ -285,9 +285,9 @@ TEST(HolesTest, ARuleForHandoverForgetsWhoHasFallen) {
   tick(*simulation, 26);
   EXPECT_EQ(moverOf(*simulation, "fb"), "ground");
   simulation->tick();
-  EXPECT_EQ(toldIn(*simulation), "handed_over fb from ground to twin; fell_into_hole fb hole 'pit'; ");
+  EXPECT_EQ(eventsIn(*simulation), "handed_over fb from ground to twin; fell_into_hole fb hole 'pit'; ");
   tick(*simulation, 10);
-  EXPECT_EQ(toldIn(*simulation), "");
+  EXPECT_EQ(eventsIn(*simulation), "");
 }
 
 TEST(HolesTest, WhoIsPutOntoAHoleFallsInTheNextTick) {

@@ -187,10 +187,11 @@ class World {
 
   std::string entities() {
     const std::string size = "<size>0.4,0.4,0.4</size>";
+    const std::string battery = "<battery>true</battery>";
     const std::string eyebot_place = engine_ == "dynamics3d" ? "1,3,1" : "1,3,0";
-    return entity("footbot", "fb", "1,1,0", "<controller>footbot_idle</controller>") +
-           entity("eyebot", "eb", eyebot_place, "<controller>eyebot_idle</controller>") +
-           entity("handbot", "hb", "3,1,0", "<controller>handbot_idle</controller>") +
+    return entity("footbot", "fb", "1,1,0", battery + "<controller>footbot_idle</controller>") +
+           entity("eyebot", "eb", eyebot_place, battery + "<controller>eyebot_idle</controller>") +
+           entity("handbot", "hb", "3,1,0", battery + "<controller>handbot_idle</controller>") +
            entity("cylindric_prey", "prey", "3,3,0", "<radius>0.1</radius><height>0.1</height>") +
            entity("block", "wall", "5,3,0.2", size) + entity("block", "crate", "5,1,0.2", size + "<mass>1</mass>") +
            entity("light", "lamp", "5,5,2", "") +

@@ -49,5 +49,5 @@ PLACES = {  # what stands before each, and what it is
 def world_with(who, phase, deed, **more):
     """Likewise, all controllers behave, but a plugin that is in front of all others of its kind does not."""
     before, plugin = PLACES[who]
-    told = f"<phase>{phase}</phase><deed>{deed}</deed>"
-    return world(**more).replace(before, before + plugin.format(told))
+    parameters = f"<phase>{phase}</phase><deed>{deed}</deed>"
+    return world(**more).replace(before, before + plugin.format(parameters))

@@ -50,18 +50,18 @@ class ReplayTest(ProgramTest):
         self.record("object_retrieval", "--ticks", 50, robots="fb_2 eb")
         self.assertEqual(self.replay("--robot", "fb_2", "--parameters", "speed=0.15"),
                          "fb_2: all 50 ticks are equal\n")
-        told = self.replay("--robot", "fb_2", "--parameters", "speed=0.145", code=DIFFERS)
-        self.assertRegex(told, r"\Afb_2: \d+ of 50 ticks are equal\n"
-                               r"first difference: fb_2, tick 0, 1\.000 s\n"
-                               r"  footbot_wheels \(f8 f8\)\n"
-                               r"    left: recorded 5\.1724137931034475, replayed 4\.999999999999999\n"
-                               r"    right: recorded 5\.1724137931034475, replayed 4\.999999999999999\n"
-                               r"  readings\n"
-                               r"    footbot_proximity: [^\n]*\n"
-                               r"    footbot_camera: [^\n]*\n"
-                               r"    footbot_gripper_state: false\n"
-                               r"  debug values\n"
-                               r"    state: Search for Laser\n\Z")
+        output = self.replay("--robot", "fb_2", "--parameters", "speed=0.145", code=DIFFERS)
+        self.assertRegex(output, r"\Afb_2: \d+ of 50 ticks are equal\n"
+                                 r"first difference: fb_2, tick 0, 1\.000 s\n"
+                                 r"  footbot_wheels \(f8 f8\)\n"
+                                 r"    left: recorded 5\.1724137931034475, replayed 4\.999999999999999\n"
+                                 r"    right: recorded 5\.1724137931034475, replayed 4\.999999999999999\n"
+                                 r"  readings\n"
+                                 r"    footbot_proximity: [^\n]*\n"
+                                 r"    footbot_camera: [^\n]*\n"
+                                 r"    footbot_gripper_state: false\n"
+                                 r"  debug values\n"
+                                 r"    state: Search for Laser\n\Z")
 
     def test_a_failing_controller_fails_again(self):
         self.record(self.world(fail_at=3), code=CONTROLLER_FAILED)
@@ -74,8 +74,8 @@ class ReplayTest(ProgramTest):
 
     def test_another_controller_takes_its_place(self):
         self.record(self.world())
-        told = self.replay("--controller", "swarmanoid_controllers/diffusion", code=BAD_INPUT)
-        self.assertIn("replay: robot 'fb' (footbot) has no ", told)
+        output = self.replay("--controller", "swarmanoid_controllers/diffusion", code=BAD_INPUT)
+        self.assertIn("replay: robot 'fb' (footbot) has no ", output)
         self.assertIn("library 'nobody': found no libnobody.so in ", self.replay("--controller", "nobody", code=BAD_INPUT))
 
     def test_a_table_of_what_was_recorded(self):

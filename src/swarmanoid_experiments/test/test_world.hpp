@@ -33,6 +33,12 @@ struct World {
 std::string footbot(const std::string& id, double x, double y, double heading_deg);
 std::string member(const std::string& id);
 
+inline void tick(Simulation& simulation, int ticks = 1) {
+  for (int i = 0; i < ticks; ++i) {
+    simulation.tick();
+  }
+}
+
 /// Where an entity is.
 const Pose& poseOf(const Simulation& simulation, std::string_view name);
 /// Its heading about z [rad].

@@ -33,12 +33,6 @@ std::unique_ptr<Simulation> trail(std::uint64_t seed, const std::string& found =
   return simulation;
 }
 
-void tick(Simulation& simulation, std::uint64_t ticks) {
-  for (std::uint64_t i = 0; i < ticks; ++i) {
-    simulation.tick();
-  }
-}
-
 double tripsOf(const Simulation& simulation) { return std::get<double>(simulation.metrics().at("trips.trips")); }
 
 /// Of five seeds.

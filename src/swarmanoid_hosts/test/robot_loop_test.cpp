@@ -207,7 +207,7 @@ TEST(RobotLoop, StopsWhenSensorsAreLostAndGoesOnWhenTheyAreBack) {
   EXPECT_EQ(0.0, bench.command<FootbotWheels>().left);
   EXPECT_TRUE(bench.command<FootbotGripper>().closed) << "what is held is not dropped";
   EXPECT_FALSE(bench.loop->hasStepped());
-  EXPECT_TRUE(bench.tick(20)) << "drivers are told all the time";
+  EXPECT_TRUE(bench.tick(20)) << "drivers get commands all the time";
   EXPECT_EQ(8U, bench.loop->steps());
   bench.are_there = true;
   EXPECT_TRUE(bench.tick());

@@ -100,10 +100,10 @@ TEST(AttachmentPointTest, KeepsAPartUntilTheSpaceHasStoppedUsingIt) {
 
 TEST(AttachmentPointTest, DetachingWhatIsNotThereTellsNobody) {
   const auto point = openWithTwo("/space");
-  bool told = false;
-  point->setLossHandler([&](PluginKind, const std::string&) { told = true; });
+  bool is_reported = false;
+  point->setLossHandler([&](PluginKind, const std::string&) { is_reported = true; });
   point->detach(PluginKind::kEngine, "ground");
-  EXPECT_FALSE(told);
+  EXPECT_FALSE(is_reported);
 }
 
 }  // namespace

@@ -131,7 +131,7 @@ class HostedTest(unittest.TestCase):
         self.answer(1.5)
         self.assertEqual(self.stepped(-1.0), self.answer(-0.5)[0])
 
-    def test_a_command_that_is_no_number_is_told_with_its_name(self):
+    def test_a_command_that_is_no_number_is_reported_with_its_name(self):
         text = b"ValueError: leg/speed: found 'fast', allowed: a number"
         self.assertEqual(b"\x02" + struct.pack("<I", len(text)) + text, self.answer(5.0)[0])
 
@@ -141,7 +141,7 @@ class HostedTest(unittest.TestCase):
         self.answer(1.0)
         self.assertEqual(2, Follower.made)
 
-    def test_a_failure_is_told_and_lasts(self):
+    def test_a_failure_is_reported_and_lasts(self):
         text = b"RuntimeError: too much"
         failed = b"\x02" + struct.pack("<I", len(text)) + text
         self.assertEqual(failed, self.answer(4.0)[0])

@@ -60,6 +60,28 @@ TEST(EntityModelTest, PartsAddUpToOneMass) {
   EXPECT_TRUE(model.inertia.isApprox(Vector3d(0.0, 0.12, 0.12).asDiagonal().toDenseMatrix(), 1e-12));
 }
 
+/// Turned by 30 degrees about its y axis, a solid's own x axis and z axis each have a part of body z.
+TEST(EntityModelTest, ASolidReachesAsFarAlongADirectionAsItsFarthestPoint) {
+  CollisionShape shape;
+  shape.position = {0.3, -0.2, 0.7};
+  shape.half_extent = {0.11, 0.11, 0.27};
+  shape.orientation = AngleAxisd(M_PI / 6.0, Vector3d::UnitY());
+  const double half_of_three = std::sqrt(3.0) / 2.0;
+  EXPECT_NEAR(shape.reachAlong(Vector3d::UnitZ()), 0.11 * 0.5 + 0.27 * half_of_three, 1e-12);
+  EXPECT_NEAR(shape.reachAlong(-Vector3d::UnitX()), 0.11 * half_of_three + 0.27 * 0.5, 1e-12);
+  EXPECT_NEAR(shape.reachAlong(Vector3d::UnitY()), 0.11, 1e-12);
+  const Vector3d slanted = Vector3d(0.48, 0.6, 0.64);
+  const Vector3d in_shape = shape.orientation.conjugate() * slanted;
+  EXPECT_NEAR(shape.reachAlong(slanted),
+              0.11 * std::sqrt(1.0 - in_shape.z() * in_shape.z()) + 0.27 * std::abs(in_shape.z()), 1e-12);
+  shape.kind = CollisionShape::Kind::kBox;
+  shape.half_extent = {0.11, 0.05, 0.27};
+  EXPECT_NEAR(shape.reachAlong(Vector3d::UnitZ()), 0.11 * 0.5 + 0.27 * half_of_three, 1e-12);
+  EXPECT_NEAR(shape.reachAlong(Vector3d::UnitY()), 0.05, 1e-12);
+  shape.kind = CollisionShape::Kind::kSphere;
+  EXPECT_EQ(shape.reachAlong(slanted), 0.11);
+}
+
 TEST(EntityModelTest, PreyStandsOnItsOriginAndCanBeGripped) {
   const auto prey = cylindricPreyModel(0.1, 0.16);
   EXPECT_EQ(prey->type, "cylindric_prey");

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -107,6 +108,41 @@ TEST(FloorTest, HeightsDoNotCount) {
   }
 }
 
+TEST(FloorTest, IsBareAroundWhatLiesFarFromAllPatches) {
+  Floor floor;
+  EXPECT_TRUE(floor.isBareAround({7.0, -2.0, 0.0}, 100.0));
+  floor.patches = {disc(1.0, 2.0, 0.5, colors::kRed), rectangle(3.0, 2.0, {0.4, 1.2}, colors::kGreen)};
+  EXPECT_TRUE(floor.isBareAround({-0.3, 2.0, 0.7}, 0.79)) << "0.8 m from the disc, at any height";
+  EXPECT_FALSE(floor.isBareAround({-0.3, 2.0, 0.0}, 0.81));
+  EXPECT_TRUE(floor.isBareAround({3.0, 2.95, 0.0}, 0.34)) << "0.35 m from the rectangle";
+  EXPECT_FALSE(floor.isBareAround({3.0, 2.95, 0.0}, 0.36));
+  EXPECT_FALSE(floor.isBareAround({3.1, 2.1, 0.0}, 0.0)) << "on it";
+}
+
+TEST(FloorTest, NothingButTheBareFloorIsSeenWhereItIsBareAround) {
+  Floor floor;
+  floor.patches = {disc(1.0, 2.0, 0.5, colors::kRed), rectangle(1.8, 2.3, {0.5, 0.3}, colors::kGreen)};
+  constexpr double kDistance = 0.23;
+  int bare = 0;
+  int in_doubt = 0;
+  for (int i = 0; i < 40 * 40; ++i) {
+    const Eigen::Vector3d middle(0.07 * (i % 40), 0.6 + 0.07 * (i / 40), 0.0);
+    bool is_bare = true;
+    for (int k = 0; k < 64; ++k) {
+      const double angle = k * M_PI / 32.0;
+      const Eigen::Vector3d border = middle + kDistance * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+      is_bare = is_bare && floor.colorAt(border, 0) == colors::kWhite;
+    }
+    is_bare = is_bare && floor.colorAt(middle, 0) == colors::kWhite;
+    const bool says_bare = floor.isBareAround(middle, kDistance);
+    ASSERT_TRUE(is_bare || !says_bare) << middle.transpose();
+    bare += is_bare ? 1 : 0;
+    in_doubt += is_bare && !says_bare ? 1 : 0;
+  }
+  EXPECT_GT(bare, 1000);
+  EXPECT_LT(in_doubt, 150) << "beside the corners of the square around the disc, and of the rectangle";
+}
+
 /// Of 3 x 2 pixels, from (1, 2) to (4, 3.2); the one in the middle below is transparent.
 std::shared_ptr<const FloorImage> smallImage() {
   auto image = std::make_shared<FloorImage>();
@@ -117,6 +153,17 @@ std::shared_ptr<const FloorImage> smallImage() {
   image->colors = {{10, 0, 0}, {20, 0, 0}, {30, 0, 0}, {40, 0, 0}, {50, 0, 0}, {60, 0, 0}};
   image->is_opaque = {1, 1, 1, 1, 0, 1};
   return image;
+}
+
+TEST(FloorTest, IsNotBareAroundAnythingWhereThereIsAnImageOrPaint) {
+  Floor floor;
+  floor.paint = PaintLayer({5.0, 5.0}, 0.1, 10.0);
+  EXPECT_TRUE(floor.isBareAround({1.0, 1.0, 0.0}, 0.1)) << "nothing is painted yet";
+  floor.paint.paint({{4.0, 4.0}, 0.3, colors::kRed, 0.5}, 0);
+  EXPECT_FALSE(floor.isBareAround({1.0, 1.0, 0.0}, 0.1));
+  floor.paint = PaintLayer();
+  floor.image = smallImage();
+  EXPECT_FALSE(floor.isBareAround({0.1, 0.1, 0.0}, 0.1));
 }
 
 TEST(FloorTest, AnImageLiesWithItsTopAtTheGreatestY) {

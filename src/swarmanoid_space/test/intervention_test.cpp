@@ -193,11 +193,11 @@ TEST_F(InterventionTest, EventsTellWhatHappenedInTheNextTick) {
   EXPECT_EQ(simulation->space().entities.pose[rowAt(2)].orientation.norm(), 1.0);
   simulation->apply(DeleteEntity{"x"});
   simulation->tick();
-  std::string told;
+  std::string text;
   for (const Event& event : simulation->space().events) {
-    told += std::string(toString(event.kind)) + " " + event.entity + "; ";
+    text += std::string(toString(event.kind)) + " " + event.entity + "; ";
   }
-  EXPECT_EQ(told, "spawned x; moved x; deleted x; ");
+  EXPECT_EQ(text, "spawned x; moved x; deleted x; ");
   simulation->tick();
   EXPECT_TRUE(simulation->space().events.empty());
 }

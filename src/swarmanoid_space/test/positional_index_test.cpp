@@ -149,6 +149,40 @@ TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff)
   }
 }
 
+/// An upright prey's outline is its body, and a lamp's a point.
+TEST_P(PositionalIndexTest, PlacesAreThoseWhoseOutlinesMeetTheSphere) {
+  fill(500);
+  EXPECT_EQ(index.placeCount(), 500U) << "walls have none";
+  ASSERT_EQ(index.large().size(), 2U);
+  std::uniform_real_distribution<double> reach(0.0, 4.0);
+  std::size_t met = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Vector3d centre = anywhere();
+    const double radius = reach(random);
+    std::vector<PositionalIndex::Place> places;
+    index.collectPlaces(centre, radius, places);
+    std::vector<Row> found;
+    for (const PositionalIndex::Place place : places) {
+      ASSERT_LT(place, index.placeCount());
+      found.push_back(index.at(place).row);
+    }
+    std::sort(found.begin(), found.end());
+    std::vector<Row> expected;
+    for (const Row row : entities.order) {
+      const EntityModel& model = *entities.model[row];
+      const Vector3d way = centre - entities.pose[row].position;
+      if (model.type != "block" && way.head<2>().norm() <= radius + model.horizontal_radius &&
+          way.z() + radius >= model.lowest && way.z() - radius <= model.highest) {
+        expected.push_back(row);
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(found, expected) << centre.transpose() << " radius " << radius;
+    met += found.size();
+  }
+  EXPECT_GT(met, 3000U);
+}
+
 /// A sphere on a link that is folded over the body's origin. @param length of the link, and height of its joint [m]
 std::shared_ptr<const EntityModel> foldedArm(double length) {
   auto model = std::make_shared<EntityModel>();

@@ -1,4 +1,4 @@
-/// Rules that do what a test tells them, and a list of all that was called in a run.
+/// Rules that do what a test says, and a list of all that was called in a run.
 #pragma once
 
 #include <functional>

@@ -127,17 +127,17 @@ TEST(SimulationThreadTest, HandsOnWhatACallThrows) {
   EXPECT_TRUE(thread.step(1).is_complete);
 }
 
-TEST(SimulationThreadTest, TellsOfChangesButNotOfLooking) {
-  std::atomic<int> told{0};
+TEST(SimulationThreadTest, ReportsChangesButNotLooking) {
+  std::atomic<int> changes{0};
   auto options = pausedAtFirst();
-  options.on_change = [&](const Simulation&, State, const std::string&) { ++told; };
+  options.on_change = [&](const Simulation&, State, const std::string&) { ++changes; };
   SimulationThread thread(test::smallWorld(), options);
   tickOf(thread);
-  const int at_start = told;
+  const int at_start = changes;
   tickOf(thread);
-  EXPECT_EQ(at_start, told);
+  EXPECT_EQ(at_start, changes);
   thread.step(3);
-  EXPECT_GT(told, at_start);
+  EXPECT_GT(changes, at_start);
 }
 
 TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
@@ -152,7 +152,7 @@ TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
   EXPECT_EQ("engine 'ground': its nodelet was unloaded", thread.stopReason());
 }
 
-/// Throws in the tick that it is told.
+/// Throws in a given tick.
 /// Counts how often it is asked to hand over what it has written, and at which tick it was last.
 class Flushed final : public Observer {
  public:

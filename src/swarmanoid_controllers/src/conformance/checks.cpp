@@ -77,6 +77,18 @@ std::string needsPrey(const Bench& bench) {
   return bench.surroundings().prey_distance > 0.0 ? "" : "there is no prey (prey_distance is 0)";
 }
 
+std::string needsWall(const Bench& bench) {
+  return bench.surroundings().wall_distance > 0.0 ? "" : "there is no wall (wall_distance is 0)";
+}
+
+std::string needsCeiling(const Bench& bench) {
+  return bench.surroundings().has_ceiling ? "" : "there is no ferromagnetic ceiling (ceiling is false)";
+}
+
+std::string needsRoomAbove(const Bench& bench) {
+  return bench.surroundings().is_free_upwards ? "" : "the robot cannot move up and down here (upwards is false)";
+}
+
 Stage settle(Bench& bench, std::function<void()> judge) {
   return {"standing still",
           bench.settlingTime(),

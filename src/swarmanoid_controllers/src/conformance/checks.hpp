@@ -55,8 +55,11 @@ Check ledsShown(Bench& bench) {
 }
 /// Stands still until the effect of a motion can be measured, then judges.
 Stage settle(Bench& bench, std::function<void()> judge);
-/// Returns "" or the reason why a check that needs the beacon cannot be done.
+/// Returns "" or the reason why a check that needs the beacon cannot be done; the others likewise.
 std::string needsBeacon(const Bench& bench);
 std::string needsPrey(const Bench& bench);
+std::string needsWall(const Bench& bench);
+std::string needsCeiling(const Bench& bench);
+std::string needsRoomAbove(const Bench& bench);
 
 }  // namespace swarmanoid::conformance

@@ -2,9 +2,10 @@
 // a hole of the floor.
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 
+#include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
-#include "beam_to_ground.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
 
@@ -47,15 +48,29 @@ class EyebotLaserActuator final : public ActuatorOf<EyebotLaser> {
 
  private:
   static constexpr double kOnFloor = 1e-6;  // m
+  static constexpr double kReach = 20.0;    // m
+
+  /// The beam from a point as far as the floor, or as far as it reaches. Where there is a terrain, which replaces the
+  /// floor, it goes on as deep as the terrain does: a ray along it hits that. @param direction of length 1
+  static Segment beamToGround(const Space& space, const Eigen::Vector3d& from, const Eigen::Vector3d& direction) {
+    const auto downTo = [&](double height) -> Eigen::Vector3d {
+      const double way = direction.z() < 0.0 ? (height - from.z()) / direction.z() : kReach;
+      return from + std::clamp(way, 0.0, kReach) * direction;
+    };
+    const Eigen::Vector3d on_floor = downTo(0.0);
+    if (space.terrain && space.terrain->contains(on_floor.x(), on_floor.y())) {
+      return {from, downTo(space.lowestGround())};
+    }
+    return {from, on_floor};
+  }
 
   static LaserSpot spotOf(const Space& space, const BasicActuatorInstance<EyebotLaser>& instance) {
-    constexpr double kReach = 20.0;  // m
     const Pose& pose = space.entities.pose[instance.row];
     const double sine = std::sin(instance.actuation->tilt);
     const Eigen::Vector3d direction(sine * std::cos(instance.actuation->pan), sine * std::sin(instance.actuation->pan),
                                     -std::cos(instance.actuation->tilt));
     const Eigen::Vector3d pointer = pose.toWorld(space.entities.model[instance.row]->mount("laser_pointer").position);
-    const Segment beam = beamToGround(space, pointer, pose.orientation * direction, kReach);
+    const Segment beam = beamToGround(space, pointer, pose.orientation * direction);
     const RayHit hit = space.castRay(beam, instance.row);
     return {instance.number, beam.from, beam.from + hit.fraction * (beam.to - beam.from), colors::kRed};
   }

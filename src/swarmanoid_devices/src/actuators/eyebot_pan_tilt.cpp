@@ -2,22 +2,20 @@
 // engine would feel, so its angles are kept here.
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
 
-#include <cstdint>
-#include <optional>
-
 #include "parameters.hpp"
 #include "swarmanoid_space/actuator.hpp"
+#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-/// With the angles where it stands, and those where it stood before `tick`: a safe stop limits a second time.
+/// With the angles where it stands, and those where it stood in the tick before.
 struct PanTiltInstance : BasicActuatorInstance<EyebotPanTilt> {
   double pan = 0.0;          // rad
   double tilt = 0.0;         // rad
   double pan_before = 0.0;   // rad
   double tilt_before = 0.0;  // rad
-  std::optional<std::uint64_t> tick;
+  TickGuard tick;
 };
 
 class EyebotPanTiltActuator final : public ActuatorOf<EyebotPanTilt, PanTiltInstance> {
@@ -44,10 +42,9 @@ class EyebotPanTiltActuator final : public ActuatorOf<EyebotPanTilt, PanTiltInst
   void limit(const Space& space, PanTiltInstance& instance) override {
     EyebotPanTilt& mounting = *instance.actuation;
     limitToRanges(mounting);
-    if (instance.tick != space.tick) {
+    if (instance.tick.begins(space.tick)) {
       instance.pan_before = instance.pan;
       instance.tilt_before = instance.tilt;
-      instance.tick = space.tick;
     }
     const double dt = toSeconds(space.clocktick);
     instance.pan = mounting.pan = EyebotPanTilt::turned(instance.pan_before, mounting.pan, pan_speed_, dt);

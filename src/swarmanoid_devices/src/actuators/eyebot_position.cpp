@@ -3,20 +3,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_interface/devices/eyebot_pilot.hpp"
 #include "swarmanoid_space/actuator.hpp"
+#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
 struct PositionInstance : BasicActuatorInstance<EyebotPosition> {
-  EyebotPilot before;                 // when `tick` began
-  EyebotPilot pilot;                  // with what was commanded in it
-  std::optional<std::uint64_t> tick;  // the last one that was carried out
+  EyebotPilot before;  // when the last tick that was carried out began
+  EyebotPilot pilot;   // with what was commanded in it
+  TickGuard tick;
 };
 
 class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionInstance> {
@@ -55,18 +55,17 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
   }
 
   void apply(Space& space, PositionInstance& instance) override {
-    if (!instance.tick) {  // it is added to its robot
-      instance.tick = space.tick;
+    const bool is_added = !instance.tick.hasBegun();
+    const bool is_new = instance.tick.begins(space.tick);
+    if (is_added) {
       space.flight[instance.row] = {true, Eigen::Vector3d::Zero(), 0.0};
       return;
     }
     const double dt = toSeconds(space.clocktick);
-    if (*instance.tick != space.tick) {
+    if (is_new) {
       instance.before = instance.pilot;
       measure(space, dt, instance);
-      instance.tick = space.tick;
     }
-    // a safe stop commands something else in the same tick
     instance.pilot = instance.before;
     const EyebotPilot::Flight flight = instance.pilot.fly(*instance.actuation, limits_, dt);
     space.flight[instance.row] = {true, flight.linear, flight.yaw_rate};

@@ -1,7 +1,7 @@
 // The writer of radio tags of any robot with an antenna.
-#include "../tags.hpp"
 #include "swarmanoid_space/actuator.hpp"
 #include "swarmanoid_space/models/properties.hpp"
+#include "tags.hpp"
 
 namespace swarmanoid::devices {
 namespace {

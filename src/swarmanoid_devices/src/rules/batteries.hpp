@@ -1,11 +1,10 @@
 // What rules that charge robots know of their batteries, and the metrics that they have of them.
 #pragma once
 
-#include <algorithm>
 #include <string>
-#include <utility>
 #include <vector>
 
+#include "enlist.hpp"
 #include "swarmanoid_space/rule.hpp"
 
 namespace swarmanoid::devices {
@@ -32,22 +31,14 @@ class Batteries {
 
   /// Forgets who is no more, and takes up who is new: robots with a battery.
   void enlist(const Space& space) {
-    const Entities& entities = space.entities;
-    robots_.erase(std::remove_if(robots_.begin(), robots_.end(),
-                                 [&](const Robot& robot) { return entities.find(robot.number) == kNoRow; }),
-                  robots_.end());
-    for (const Row row : space.powered) {
-      const EntityNumber number = entities.number[row];
-      const bool is_meant = entities.name[row].compare(0, robot_.size(), robot_) == 0;
-      if (is_meant && (robots_.empty() || robots_.back().number < number)) {
-        robots_.push_back({number, 0.0, false});
-      }
-    }
+    const auto is_meant = [&](Row row) { return space.entities.name[row].compare(0, robot_.size(), robot_) == 0; };
+    swarmanoid::devices::enlist(space, space.powered, is_meant, robots_);
   }
 
-  /// @return by entity number
+  /// By entity number.
   const std::vector<Robot>& all() const { return robots_; }
 
+  /// After each tick. @pre all of them are there: enlist has been called since anybody may have been deleted
   void measure(const Space& space) {
     double sum = 0.0;
     double empty = 0.0;

@@ -7,6 +7,7 @@
 
 #include "../parameters.hpp"
 #include "batteries.hpp"
+#include "enlist.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -32,7 +33,6 @@ class Charging final : public Rule {
         work(space, perch, interval, queue);
       }
     }
-    batteries_.measure(space);
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
@@ -48,7 +48,6 @@ class Charging final : public Rule {
     bool is_empty = false;  // it gives nothing until it holds enough again
   };
 
-  /// Forgets who is no more, and takes up who is new. Numbers only grow, so the list stays sorted by them.
   void enlistPerches(const Space& space, InterventionQueue& queue) {
     const Entities& entities = space.entities;
     for (Perch& perch : perches_) {
@@ -56,16 +55,10 @@ class Charging final : public Rule {
         release(space, perch, queue);
       }
     }
-    perches_.erase(std::remove_if(perches_.begin(), perches_.end(),
-                                  [&](const Perch& perch) { return entities.find(perch.number) == kNoRow; }),
-                   perches_.end());
-    for (const Row row : entities.order) {
-      const EntityNumber number = entities.number[row];
-      const bool is_perch = !entities.model[row]->is_robot && entities.model[row]->findProperty(kCharge) >= 0;
-      if (is_perch && (perches_.empty() || perches_.back().number < number)) {
-        perches_.push_back({number, kNoEntity, 0.0, false});
-      }
-    }
+    const auto is_perch = [&](Row row) {
+      return !entities.model[row]->is_robot && entities.model[row]->findProperty(kCharge) >= 0;
+    };
+    enlist(space, entities.order, is_perch, perches_);
   }
 
   static void release(const Space& space, Perch& perch, InterventionQueue& queue) {

@@ -8,6 +8,7 @@
 
 #include "../parameters.hpp"
 #include "batteries.hpp"
+#include "enlist.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -46,12 +47,13 @@ class Exchange final : public Rule {
       }
       station.uncharged += toSeconds(space.clocktick);
     }
-    measure(space);
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
     batteries_.enlist(space);  // rules that come later may have deleted some
-    measure(space);
+    batteries_.measure(space);
+    swapping_->value = static_cast<double>(std::count_if(
+        stations_.begin(), stations_.end(), [](const Station& station) { return station.occupant != kNoEntity; }));
   }
 
  private:
@@ -66,18 +68,11 @@ class Exchange final : public Rule {
   static constexpr double kRounding = 1e-9;  // s
 
   void enlistStations(const Space& space) {
-    const Entities& entities = space.entities;
-    stations_.erase(std::remove_if(stations_.begin(), stations_.end(),
-                                   [&](const Station& station) { return entities.find(station.number) == kNoRow; }),
-                    stations_.end());
-    for (const Row row : entities.order) {
-      const EntityNumber number = entities.number[row];
-      const EntityModel& model = *entities.model[row];
-      const bool is_station = model.findProperty(kFirstBattery) >= 0 && model.findProperty(kArm) >= 0;
-      if (is_station && (stations_.empty() || stations_.back().number < number)) {
-        stations_.push_back({number, kNoEntity, "", 0.0, 0.0});
-      }
-    }
+    const auto is_station = [&](Row row) {
+      const EntityModel& model = *space.entities.model[row];
+      return model.findProperty(kFirstBattery) >= 0 && model.findProperty(kArm) >= 0;
+    };
+    enlist(space, space.entities.order, is_station, stations_);
   }
 
   static bool isSlot(const EntityModel::Property& property) { return property.name.rfind("battery_", 0) == 0; }
@@ -193,12 +188,6 @@ class Exchange final : public Rule {
   bool isWithinReach(const Space& space, Row station, Row robot) const {
     const Eigen::Vector3d way = space.entities.pose[robot].position - space.entities.pose[station].position;
     return way.head<2>().norm() <= reach_;
-  }
-
-  void measure(const Space& space) {
-    batteries_.measure(space);
-    swapping_->value = static_cast<double>(std::count_if(
-        stations_.begin(), stations_.end(), [](const Station& station) { return station.occupant != kNoEntity; }));
   }
 
   double reach_ = 0.0;      // m

@@ -2,13 +2,13 @@
 // follows from the actuations alone, tick by tick.
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "color_blob_finder.hpp"
 #include "distance_rays.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 #include "swarmanoid_space/sensor.hpp"
+#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -17,9 +17,9 @@ using Readings = FootbotScannerReadings;
 
 struct ScannerInstance : BasicSensorInstance<Readings> {
   Mount mount;
-  double before = 0.0;                // angle of the head a tick before `tick`, rad
-  double angle = 0.0;                 // in `tick`
-  std::optional<std::uint64_t> tick;  // the last one that was sensed
+  double before = 0.0;  // angle of the head in the tick before the last one that was sensed, rad
+  double angle = 0.0;   // in that
+  TickGuard tick;
 };
 
 class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
@@ -54,13 +54,11 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     static const FootbotScanner kOff;
     const auto* actuation = space.actuation.find<FootbotScanner>(instance.row);
     const FootbotScanner& scanner = actuation == nullptr ? kOff : *actuation;
-    if (instance.tick != space.tick) {
+    if (instance.tick.begins(space.tick)) {
       instance.before = instance.angle;
     }
-    // a tick that is made again, after somebody has acted on the space, turns the head from the same angle
     const double turn = scanner.turnFrom(instance.before, dt);
     instance.angle = wrapTurn(instance.before + turn);
-    instance.tick = space.tick;
     Readings& readings = *instance.readings;
     readings.angle = instance.angle;
     readings.period = static_cast<float>(dt);

@@ -1,17 +1,16 @@
 // The inertial measurement unit of any robot, from the velocities of the last two ticks.
 #include "swarmanoid_interface/devices/imu.hpp"
 
-#include <optional>
-
 #include "swarmanoid_space/sensor.hpp"
+#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
 struct ImuInstance : BasicSensorInstance<Imu> {
-  Imu::Motion before;                 // in the tick before `tick`
-  Imu::Motion last;                   // in `tick`
-  std::optional<std::uint64_t> tick;  // the last one that was sensed
+  Imu::Motion before;  // in the tick before the last one that was sensed
+  Imu::Motion last;    // in that
+  TickGuard tick;
 };
 
 class ImuSensor final : public SensorOf<Imu, ImuInstance> {
@@ -49,14 +48,14 @@ class ImuSensor final : public SensorOf<Imu, ImuInstance> {
     const Eigen::Quaterniond to_body = space.entities.pose[instance.row].orientation.conjugate();
     const Twist& twist = space.entities.twist[instance.row];
     const Imu::Motion now{to_body * twist.linear, to_body * twist.angular, to_body * Eigen::Vector3d::UnitZ()};
-    if (!instance.tick || space.placed[instance.row] == space.tick) {
-      instance.before = now;  // nothing is known of the time before the robot was there; a teleport is no crash
-    } else if (*instance.tick != space.tick) {
+    const bool is_added = !instance.tick.hasBegun();
+    if (instance.tick.begins(space.tick)) {
       instance.before = instance.last;
     }
-    // a tick that is made again, after somebody has acted on the space, compares with the same tick before
+    if (is_added || space.placed[instance.row] == space.tick) {
+      instance.before = now;  // nothing is known of the time before the robot was there; a teleport is no crash
+    }
     instance.last = now;
-    instance.tick = space.tick;
     *instance.readings = Imu::reading(instance.before, now, dt);
   }
 };

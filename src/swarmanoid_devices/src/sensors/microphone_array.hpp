@@ -1,5 +1,5 @@
 /// What all microphones have in common: each adds up the sounds that come to it, by the law of Sound, over a background
-/// that is the same everywhere; and together they tell where the loudest source is. They sit where the links
+/// that is the same everywhere; and together they measure where the loudest source is. They sit where the links
 /// microphone_0, microphone_1, ... of the robot's description are.
 ///
 /// Microphones of a robot of its own are its struct with `std::array<float, kCount> level` and `LoudestSound loudest`,

@@ -1,9 +1,8 @@
 // The reader of radio tags of any robot with an antenna.
-#include "../tags.hpp"
 #include "overflow_notes.hpp"
 #include "span_readings.hpp"
-#include "swarmanoid_space/models/properties.hpp"
 #include "swarmanoid_space/sensor.hpp"
+#include "tags.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -60,7 +59,7 @@ class RfidReaderSensor final : public SensorOf<RfidReader, ReaderInstance> {
     const auto& found = search.find(space, positionOf(space, instance.row, instance.antenna), reach_);
     const std::size_t count = std::min(found.size(), slots_);
     for (std::size_t i = 0; i < count; ++i) {
-      instance.buffer[i] = {found[i].id, tagNumber(*space.property(found[i].row, kTagData))};
+      instance.buffer[i] = {found[i].id, found[i].data};
     }
     instance.readings->tags = Span<const RfidTagReading>(instance.buffer.data(), count);
     instance.readings->overflowed = found.size() > count;

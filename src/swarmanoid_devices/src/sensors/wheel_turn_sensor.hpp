@@ -2,24 +2,23 @@
 /// robot says (Space::wheel_turns), in whole steps of an encoder.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string>
 
 #include "mechanisms.hpp"
 #include "parameters.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 #include "swarmanoid_space/sensor.hpp"
+#include "tick_guard.hpp"
 
 namespace swarmanoid::devices {
 
 template <class Device>
 struct WheelTurnInstance : BasicSensorInstance<Device> {
   EntityModel::Wheels wheels;
-  WheelTurns start;                   // of the wheels, when the sensor was added [rad]
-  WheelTurns counted;                 // since then, as of `tick` [rad]
-  Device state;                       // what is read, without errors
-  std::optional<std::uint64_t> tick;  // the last one that was sensed
+  WheelTurns start;    // of the wheels, when the sensor was added [rad]
+  WheelTurns counted;  // since then [rad]
+  Device state;        // what is read, without errors
+  TickGuard tick;
 };
 
 /// `Counter` derives from this, and says what becomes of what the wheels have turned in a tick:
@@ -65,15 +64,13 @@ class WheelTurnSensor : public SensorOf<Device, WheelTurnInstance<Device>> {
 
  private:
   void senseOne(const Space& space, double dt, Instance& instance) {
-    // a tick that is made again, after somebody has acted on the space, finds the wheels as they were
-    if (instance.tick != space.tick) {
+    if (instance.tick.begins(space.tick)) {  // if not, the wheels are as they were
       const WheelTurns& now = space.wheel_turns[instance.row];
       const WheelTurns turned{WheelEncoders::counted(now.left - instance.start.left, ticks_per_turn_),
                               WheelEncoders::counted(now.right - instance.start.right, ticks_per_turn_)};
       const WheelTurns step{turned.left - instance.counted.left, turned.right - instance.counted.right};
       static_cast<Counter&>(*this).count(space, instance, turned, step, dt);
       instance.counted = turned;
-      instance.tick = space.tick;
     }
     *instance.readings = instance.state;
   }

@@ -30,7 +30,7 @@ struct Crowd {
     mirror = world.add(cylindricPreyModel(0.05, 0.1), flatPose(1.1, 1.1), Role::kMirror);
   }
 
-  /// One tick; now and then everybody is told something else, at once and to the other extreme.
+  /// One tick; now and then everybody gets another command, at once and to the other extreme.
   void tick() {
     for (const Row row : footbots) {
       if (random() % 16 == 0) {

@@ -80,12 +80,12 @@ class Slider {
   }
 };
 
-/// Whether the robot holds something, how it turns [rad/s], and the speed and turn rate that it is told.
+/// Whether the robot holds something, how it turns [rad/s], and the commanded speed and turn rate.
 struct SlipCase {
   bool holds;
   double turn_rate;
-  double told_speed;
-  double told_turn;
+  double commanded_speed;
+  double commanded_turn;
 };
 
 class SlipDirectionTest : public testing::TestWithParam<SlipCase> {};
@@ -98,17 +98,17 @@ TEST_P(SlipDirectionTest, TreelsAreHeldBackAgainstTheirSlip) {
   const double dt = 1e-6 * static_cast<double>(kTick.count());
   for (int k = 0; k < 16; ++k) {
     const Motion before{0.8 * along(direction(k)), given.turn_rate};
-    const Motion told{given.told_speed * along(kHeading), given.told_turn};
+    const Motion commanded{given.commanded_speed * along(kHeading), given.commanded_turn};
     Vector2d force = Vector2d::Zero();
     double torque = 0.0;
     for (const double side : {1.0, -1.0}) {
       const Vector2d arm = side * kHalfTrack * along(kHeading + M_PI / 2.0);
-      const Vector2d friction = -kTreelForce * (before.at(arm) - told.at(arm)).normalized();
+      const Vector2d friction = -kTreelForce * (before.at(arm) - commanded.at(arm)).normalized();
       force += friction;
       torque += planar::cross(arm, friction);
     }
     Slider slider(kHeading, before, given.holds, 1);
-    slider.world.drive(slider.footbot, given.told_speed, given.told_turn);
+    slider.world.drive(slider.footbot, given.commanded_speed, given.commanded_turn);
     slider.tick(kTick);
     const Motion after = slider.motion();
     const Vector2d felt = kMass / dt * (after.velocity - before.velocity);

@@ -1,4 +1,4 @@
-// Joints of handbots at the ends of their range: whatever they are told, and whatever pulls on them.
+// Joints of handbots at the ends of their range: whatever is commanded, and whatever pulls on them.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class ArmsWorld : public HandbotWorld {
     space.clocktick = std::chrono::milliseconds(10);
   }
 
-  double& told(int joint) {
+  double& commanded(int joint) {
     HandbotArms& all = arms(robot);
     const std::array<double*, 6> angles{&all.left.shoulder,  &all.left.elbow,  &all.left.wrist,
                                         &all.right.shoulder, &all.right.elbow, &all.right.wrist};
@@ -50,7 +50,7 @@ class ArmsWorld : public HandbotWorld {
   Row robot = addHandbot(flatPose(2.0, 2.0));
 };
 
-/// What a joint is told: far and a little beyond its limits, at them, a little and far within.
+/// Commands to a joint: far and a little beyond its limits, at them, a little and far within.
 std::array<double, 9> commandsFor(const EntityModel::Joint& joint) {
   return {-10.0, joint.upper + 0.01, joint.lower,        0.37, joint.upper, joint.lower + 0.013,
           10.0,  joint.lower - 0.01, joint.upper - 0.013};
@@ -59,8 +59,8 @@ std::array<double, 9> commandsFor(const EntityModel::Joint& joint) {
 void expectToRest(const ArmsWorld& world, int joint, double command) {
   const EntityModel::Joint& limits = ArmsWorld::joint(joint);
   const double target = std::clamp(command, limits.lower, limits.upper);
-  EXPECT_NEAR(world.state(joint).angle, target, 0.01 * std::abs(target)) << limits.name << " told " << command;
-  EXPECT_NEAR(world.state(joint).speed, 0.0, 1e-3) << limits.name << " told " << command;
+  EXPECT_NEAR(world.state(joint).angle, target, 0.01 * std::abs(target)) << limits.name << " commanded " << command;
+  EXPECT_NEAR(world.state(joint).speed, 0.0, 1e-3) << limits.name << " commanded " << command;
 }
 
 class ArmLimitsTest : public testing::TestWithParam<int> {};
@@ -69,10 +69,10 @@ TEST_P(ArmLimitsTest, AJointRestsWhereItIsToldOrAtItsEnd) {
   const int joint = GetParam();
   for (const double from : commandsFor(ArmsWorld::joint(joint))) {
     ArmsWorld world;
-    world.told(joint) = from;
+    world.commanded(joint) = from;
     world.run(4 * kSecond);
     for (const double command : commandsFor(ArmsWorld::joint(joint))) {
-      world.told(joint) = command;
+      world.commanded(joint) = command;
       world.run(4 * kSecond);
       expectToRest(world, joint, command);
     }
@@ -88,13 +88,13 @@ TEST(ArmLimitsTest, AllJointsAtOnceBetweenTheirExtremes) {
     ArmsWorld world;
     for (int i = 0; i < 20 * kSecond; i += period) {
       for (int k = 0; k < 6; ++k) {
-        world.told(k) = (i / period + k) % 2 == 0 ? 10.0 : -10.0;
+        world.commanded(k) = (i / period + k) % 2 == 0 ? 10.0 : -10.0;
       }
       world.run(period);
     }
     world.run(4 * kSecond);
     for (int k = 0; k < 6; ++k) {
-      expectToRest(world, k, world.told(k));
+      expectToRest(world, k, world.commanded(k));
     }
     EXPECT_LT(world.fastest, 1.05) << "period " << period;
     EXPECT_LT(world.strayed, 0.01) << "period " << period;
@@ -110,9 +110,9 @@ TEST(ArmLimitsTest, WithALoadInTheHand) {
       world.run(1);
       ASSERT_EQ(world.held(world.robot, kLeftHand).held, box);
       for (const double command : commandsFor(ArmsWorld::joint(joint))) {
-        world.told(joint) = joint == 0 ? std::min(command, 0.3) : command;  // above the ground
+        world.commanded(joint) = joint == 0 ? std::min(command, 0.3) : command;  // above the ground
         world.run(4 * kSecond);
-        expectToRest(world, joint, world.told(joint));
+        expectToRest(world, joint, world.commanded(joint));
       }
       EXPECT_TRUE(world.space.attachments.isAttached(world.robot));
       EXPECT_LT(world.fastest, 1.05) << mass << " kg, joint " << joint;
@@ -147,7 +147,7 @@ TEST(ArmLimitsTest, AStopHoldsWhatIsTooHeavyForTheMotor) {
 TEST(ArmLimitsTest, AWristDoesNotTurnThroughItsStops) {
   for (const double side : {-1.0, 1.0}) {
     Overloaded world;
-    world.told(2) = side * 3.14;
+    world.commanded(2) = side * 3.14;
     world.run(4 * kSecond);
     // a bar to one side, that wants to turn the wrist on
     const Row bar = world.addBlock({0.02, 1.4, 0.02}, 1.2, flatPose(2.216, 2.11 - side * 0.65, 0.0, 0.55));

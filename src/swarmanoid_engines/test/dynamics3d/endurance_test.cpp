@@ -36,7 +36,7 @@ class Box {
     mirror = world.add(cylindricPreyModel(0.05, 0.1), flatPose(0.8, 0.1), Role::kMirror);
   }
 
-  /// One tick; now and then somebody is told something else, at once and to the other extreme.
+  /// One tick; now and then somebody gets another command, at once and to the other extreme.
   void tick() {
     for (const Row row : footbots) {
       if (random_() % 16 == 0) {

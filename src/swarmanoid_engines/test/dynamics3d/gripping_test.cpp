@@ -38,7 +38,7 @@ TEST(GrippingTest, AClosedGripperTakesThePreyInFrontOfIt) {
   EXPECT_EQ(pair.world.space.events[0].entity, "e1");
   EXPECT_EQ(pair.world.space.events[0].other, "e2");
   pair.world.step();
-  EXPECT_TRUE(pair.world.space.events.empty());  // told once
+  EXPECT_TRUE(pair.world.space.events.empty());  // reported once
 }
 
 TEST(GrippingTest, BeyondTwoCentimetresItIsOutOfReach) {

@@ -123,7 +123,7 @@ std::vector<std::shared_ptr<const EntityModel>> robotsWith(const std::string& de
     try {
       models.push_back(robotModel(robot));
     } catch (const ConfigError&) {
-      // `list` tells of robots whose descriptions are wrong; here the others say enough
+      // `list` names robots whose descriptions are wrong; here the others say enough
     }
   }
   return models;

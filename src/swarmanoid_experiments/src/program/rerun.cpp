@@ -56,7 +56,7 @@ SetEngineParameters engineParameter(const Override& setting, const std::vector<s
 
 SetCommandSource commandSource(const Override& setting, const std::string& robot) {
   const auto source = parseCommandSource(setting.value);
-  if (!source || *source == CommandSource::kRemote || *source == CommandSource::kTopics) {
+  if (!source || isOfOthers(*source)) {
     throw ConfigError({"--set " + setting.path, 0}, "found '" + setting.value + "', allowed: controller, none");
   }
   return {robot, *source};

@@ -42,7 +42,7 @@ struct RunOptions : ExperimentOptions {
 /// Refuses robots with controllers in other processes: this program does not transport frames.
 void refuseRobotsOfOthers(const Experiment& experiment) {
   for (const EntityDescription& entity : experiment.arena.entities) {
-    if (entity.source == CommandSource::kRemote || entity.source == CommandSource::kTopics) {
+    if (isOfOthers(entity.source)) {
       throw ConfigError(entity.location, "'" + entity.id + "' is commanded by another process (source=\"" +
                                              toString(entity.source) +
                                              "\"), which needs ROS; allowed: roslaunch, or another source");

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kDrag = 0.3 / 2.0;  // 1/s: N s/m on 2 kg
 
-/// Of the centre of mass, 0.28 m above the origin, which is what flies as told.
+/// Of the centre of mass, 0.28 m above the origin, which is what flies as commanded.
 Eigen::Vector3d centreOf(const Simulation& simulation) {
   const Pose& pose = poseOf(simulation, "eb");
   return pose.position + pose.orientation * Eigen::Vector3d(0.0, 0.0, 0.28);
@@ -29,12 +29,12 @@ std::unique_ptr<Simulation> eyebot(int clocktick) {
   return world.start();
 }
 
-/// How fast an eyebot flies a circle, in parts of what it is told: by turning itself, or by turning its velocity only.
+/// How fast an eyebot flies a circle, in parts of the command: by turning itself, or by turning its velocity only.
 double speedInCircle(double turn_rate, bool yaws) {
-  const double told = 0.23;
+  const double commanded = 0.23;
   double direction = 0.0;
   setProgram([&](Robot& robot) {
-    robot.actuator<EyebotVelocity>().linear = {told * std::cos(direction), told * std::sin(direction), 0.0};
+    robot.actuator<EyebotVelocity>().linear = {commanded * std::cos(direction), commanded * std::sin(direction), 0.0};
     robot.actuator<EyebotVelocity>().yaw_rate = yaws ? turn_rate : 0.0;
     direction += yaws ? 0.0 : turn_rate * 0.01;
   });
@@ -46,7 +46,7 @@ double speedInCircle(double turn_rate, bool yaws) {
     tick(*simulation);
     way += (centreOf(*simulation) - before).norm();
   }
-  return way / 5.0 / told;
+  return way / 5.0 / commanded;
 }
 
 TEST(ModelsPageTest, EyebotInCircles) {
@@ -65,7 +65,7 @@ TEST(ModelsPageTest, EyebotInCircles) {
   }
 }
 
-/// How far past the place where it was told to stop, for each m/s: of the page's equations, in steps of 0.1 ms.
+/// How far past the place where it was commanded to stop, for each m/s: of the page's equations, in steps of 0.1 ms.
 /// @param lags whether the body has to tilt first
 double overshootOf(double place_gain, double speed_gain, bool lags) {
   constexpr double kStep = 1e-4;
@@ -76,14 +76,14 @@ double overshootOf(double place_gain, double speed_gain, bool lags) {
   double held = 0.0;
   double most = -1.0;
   for (int i = 0; i < 300000; ++i) {
-    const double told = i < 150000 ? 1.0 : 0.0;
-    held += told * kStep;
-    const double wanted = place_gain * (held - x) + speed_gain * (told - v);
+    const double commanded = i < 150000 ? 1.0 : 0.0;
+    held += commanded * kStep;
+    const double wanted = place_gain * (held - x) + speed_gain * (commanded - v);
     jerk += (256.0 * (wanted - a) - 32.0 * jerk) * kStep;
     a = lags ? a + jerk * kStep : wanted;
     v += (a - kDrag * v) * kStep;
     x += v * kStep;
-    most = told == 0.0 ? std::max(most, x - held) : most;
+    most = commanded == 0.0 ? std::max(most, x - held) : most;
   }
   return most;
 }
@@ -94,12 +94,12 @@ TEST(ModelsPageTest, EyebotStopping) {
   EXPECT_NEAR(across, 0.230, 5e-4) << "as the page says";
   EXPECT_NEAR(up, 0.109, 5e-4);
   for (const int axis : {0, 1, 2}) {
-    const double told = 0.29;
+    const double commanded = 0.29;
     bool goes = true;
     setProgram([&](Robot& robot) {
       auto& linear = robot.actuator<EyebotVelocity>().linear;
       linear.setZero();
-      linear[axis] = goes ? told : 0.0;
+      linear[axis] = goes ? commanded : 0.0;
     });
     auto simulation = eyebot(100);
     const double start = centreOf(*simulation)[axis];
@@ -110,7 +110,7 @@ TEST(ModelsPageTest, EyebotStopping) {
       tick(*simulation);
       most = std::max(most, centreOf(*simulation)[axis]);
     }
-    EXPECT_NEAR(most - start - 15.0 * told, told * (axis == 2 ? up : across), 1e-3) << "axis " << axis;
+    EXPECT_NEAR(most - start - 15.0 * commanded, commanded * (axis == 2 ? up : across), 1e-3) << "axis " << axis;
   }
 }
 

@@ -99,12 +99,12 @@ TEST(ModelsPageTest, GripTiming) {
       const Space& space = simulation->space();
       return space.structure.grippedBy(space.entities.find("fb")) != kNoRow;
     };
-    EXPECT_EQ(moved(), 0.0) << engine << ": told to close, it has moved without the prey";
+    EXPECT_EQ(moved(), 0.0) << engine << ": commanded to close, it has moved without the prey";
     EXPECT_TRUE(is_held()) << engine << ": and holds it at the end of the tick";
     for (int i = 2; i <= 8; ++i) {
       EXPECT_NEAR(moved(), 0.009, i == 2 ? 5e-3 : 1e-5) << engine << ", tick " << i;
     }
-    EXPECT_FALSE(is_held()) << engine << ": told to open in tick 8, it has moved with the prey";
+    EXPECT_FALSE(is_held()) << engine << ": commanded to open in tick 8, it has moved with the prey";
     EXPECT_LT(moved(), 2e-3) << engine << ": which then slides at most";
   }
 }
@@ -117,15 +117,15 @@ TEST(ModelsPageTest, TurretWithoutLoad) {
     world.footbot_actuators += "<footbot_turret/>";
     world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 63.0);
     world.members = "fb";
-    double told = 2.3;
-    setProgram([&](Robot& robot) { robot.actuator<FootbotTurret>().holdAngle(told); });
+    double commanded = 2.3;
+    setProgram([&](Robot& robot) { robot.actuator<FootbotTurret>().holdAngle(commanded); });
     auto simulation = world.start();
     const auto angle = [&] { return simulation->space().joints[simulation->space().entities.find("fb")][0].angle; };
     for (int n = 1; n <= 10; ++n) {
       tick(*simulation);
-      EXPECT_NEAR(angle(), std::min(0.3 * n, told), 1e-9) << engine << ", tick " << n;
+      EXPECT_NEAR(angle(), std::min(0.3 * n, commanded), 1e-9) << engine << ", tick " << n;
     }
-    told = -2.9;  // the shorter way leads over pi
+    commanded = -2.9;  // the shorter way leads over pi
     tick(*simulation, 2);
     EXPECT_NEAR(angle(), 2.3 + 0.6, 1e-9) << engine;
     tick(*simulation);
@@ -159,7 +159,7 @@ TEST(ModelsPageTest, RopeShotAndWinding) {
   EXPECT_TRUE(state.attached);
   EXPECT_NEAR(state.length, way, 1e-4);
   tick(*simulation, 31 - number);
-  // told from tick 20 on, and read in tick 30, which is the state after ten of them
+  // commanded from tick 20 on, and read in tick 30, which is the state after ten of them
   EXPECT_NEAR(state.length, way - 0.07 * 0.03 * 10, 1e-4);
 }
 

@@ -19,13 +19,12 @@ ColorBlob blobOf(Color color, const Eigen::Vector3d& way, bool knows_distance) {
 
 }  // namespace
 
-std::vector<ColorBlob> blobsInView(const MockState& state, const Eigen::Vector3d& camera, const IsInView& is_in_view,
-                                   bool knows_distance) {
+std::vector<ColorBlob> blobsInView(const MockState& state, const View& view) {
   std::vector<ColorBlob> blobs;
   const auto look = [&](const Beacon& beacon) {
-    const Eigen::Vector3d way = state.pose.toRobot(beacon.at) - camera;
-    if (is_in_view(way)) {
-      blobs.push_back(blobOf(beacon.color, way, knows_distance));
+    const Eigen::Vector3d way = state.pose.toRobot(beacon.at) - view.camera;
+    if (way.head<2>().norm() <= view.range && view.shows(way)) {
+      blobs.push_back(blobOf(beacon.color, way, view.knows_distance));
     }
   };
   for (const Beacon& beacon : state.world.beacons) {

@@ -117,7 +117,7 @@ TEST(ReplayTest, TheSameControllerDoesTheSame) {
   EXPECT_EQ("", warnings(run, "fb_1"));
 }
 
-TEST(ReplayTest, AnotherOneIsToldApartWhereItFirstDecidesOtherwise) {
+TEST(ReplayTest, AnotherOneIsDistinguishedWhereItFirstDecidesOtherwise) {
   const RecordedRun run = with(record(10), "turn_at", 7);
   EXPECT_EQ(
       "fb_1: 7 of 10 ticks are equal\n"

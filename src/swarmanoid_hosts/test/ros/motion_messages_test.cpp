@@ -8,6 +8,7 @@
 #include "swarmanoid_hosts/ros/devices/eyebot_altitude.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_position.hpp"
 #include "swarmanoid_hosts/ros/devices/eyebot_pressure.hpp"
+#include "swarmanoid_hosts/ros/devices/imu.hpp"
 #include "swarmanoid_hosts/ros/devices/odometry.hpp"
 #include "swarmanoid_hosts/ros/devices/wheel_encoders.hpp"
 
@@ -25,6 +26,27 @@ TEST(MotionMessages, KeepWhatWheelsTurn) {
   encoders.left = {1.5, 0.25, 2.5};
   encoders.right = {-3.5, -0.125, -1.25};
   expectNothingLost<swarmanoid_msgs::WheelEncoders>(encoders);
+}
+
+TEST(MotionMessages, OfInertialUnitsSayWhatIsNotMeasured) {
+  Imu imu;
+  imu.angular_velocity = {0.1, -0.2, 0.3};
+  imu.linear_acceleration = {-1.5, 2.5, 9.0};
+  expectNothingLost<sensor_msgs::Imu>(imu);
+  sensor_msgs::Imu message;
+  toMessage(imu, message);
+  EXPECT_EQ(-1.0, message.orientation_covariance[0]);
+  EXPECT_EQ(0.3, message.angular_velocity.z);
+  EXPECT_EQ(2.5, message.linear_acceleration.y);
+  message.orientation_covariance[0] = 0.01;
+  EXPECT_EQ("", refusalOf(message, imu)) << "one that measures it too";
+}
+
+TEST(MotionMessages, OfInertialUnitsWithoutAccelerometersAreRefused) {
+  sensor_msgs::Imu message;
+  message.linear_acceleration_covariance[0] = -1.0;
+  EXPECT_EQ("found linear_acceleration_covariance[0] = -1 (not measured), allowed: 0 or more",
+            refusalOf(message, Imu{}));
 }
 
 TEST(MotionMessages, KeepOdometry) {

@@ -1,5 +1,5 @@
-"""Devices as bytes, by the layout that the space tells: "f8 f8" is two doubles, "(u1 f4)* b1" a list of pairs and a truth
-value. swarmanoid_interface/device_type.hpp says how they are written: little-endian, without padding, a list as its
+"""Devices as bytes, by the layout that the space reports: "f8 f8" is two doubles, "(u1 f4)* b1" a list of pairs and a
+truth value. swarmanoid_interface/device_type.hpp says how they are written: little-endian, without padding, a list as its
 length (4 bytes) and its elements."""
 
 import operator

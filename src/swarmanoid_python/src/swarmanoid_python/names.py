@@ -1,5 +1,5 @@
-"""The names of devices' fields, as the space tells them: "left right", "value[0] value[1] ...", and for a list the names
-of its elements in brackets behind its own, "blobs(color.red distance) overflowed"."""
+"""The names of devices' fields, as the space reports them: "left right", "value[0] value[1] ...", and for a list the
+names of its elements in brackets behind its own, "blobs(color.red distance) overflowed"."""
 
 import difflib
 import re

@@ -69,7 +69,7 @@ class Engine {
   /// Why this engine cannot run with ticks of that length; "" if it can. Asked once, before entities are added.
   virtual std::string unsupportedClocktickReason(Duration /*clocktick*/) const { return ""; }
 
-  /// The ground that is not level, or null. Told once, before entities are added, and stays over `clear`. Engines that
+  /// The ground that is not level, or null. Given once, before entities are added, and stays over `clear`. Engines that
   /// move things in a plane make nothing of it.
   virtual void takeTerrain(const std::shared_ptr<const Terrain>& /*terrain*/) {}
 

@@ -3,6 +3,17 @@
 #include "swarmanoid_interface/contains.hpp"
 
 namespace swarmanoid::experiment {
+namespace {
+
+/// Of a disc or a rectangle on the floor. @param position what the description says of its centre
+std::vector<Parameter> areaParameters(const std::string& position) {
+  using Type = Parameter::Type;
+  return {makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, position),
+          makeParameter("radius", Type::kNumber, "m", "0", limits::kPatch, "Of a disc; 0: a rectangle of <size>."),
+          makeParameter("size", Type::kVector2, "m", "0, 0", limits::kPatch, "Of a rectangle along x and y.")};
+}
+
+}  // namespace
 
 void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location) {
   switch (parameter.type) {
@@ -95,22 +106,17 @@ std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_d
 }
 
 const std::vector<Parameter>& floorPatchParameters() {
-  using Type = Parameter::Type;
-  static const std::vector<Parameter> table{
-      makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, "Of the patch's centre."),
-      makeParameter("radius", Type::kNumber, "m", "0", limits::kPatch, "Of a disc; 0: a rectangle of <size>."),
-      makeParameter("size", Type::kVector2, "m", "0, 0", limits::kPatch, "Of a rectangle along x and y."),
-      makeParameter("color", Type::kColor, "", "gray", {}, "As cameras and ground sensors see it.")};
+  static const std::vector<Parameter> table = [] {
+    std::vector<Parameter> parameters = areaParameters("Of the patch's centre.");
+    parameters.push_back(
+        makeParameter("color", Parameter::Type::kColor, "", "gray", {}, "As cameras and ground sensors see it."));
+    return parameters;
+  }();
   return table;
 }
 
 const std::vector<Parameter>& holeParameters() {
-  using Type = Parameter::Type;
-  static const std::vector<Parameter> table{
-      makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
-                    "Of the hole's centre; its height says nothing."),
-      makeParameter("radius", Type::kNumber, "m", "0", limits::kPatch, "Of a disc; 0: a rectangle of <size>."),
-      makeParameter("size", Type::kVector2, "m", "0, 0", limits::kPatch, "Of a rectangle along x and y.")};
+  static const std::vector<Parameter> table = areaParameters("Of the hole's centre; its height says nothing.");
   return table;
 }
 

@@ -46,10 +46,7 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
   world.pending_events.push_back(
       {Event::Kind::kIntervention, robot, "",
        std::string("commands from ") + toString(source) + ", no more from " + toString(instance->source)});
-  const auto is_offered = [](CommandSource from) {
-    return from == CommandSource::kRemote || from == CommandSource::kTopics;
-  };
-  const bool changes_offers = is_offered(source) || is_offered(instance->source);
+  const bool changes_offers = isOfOthers(source) || isOfOthers(instance->source);
   instance->source = source;
   instance->is_commanded = false;
   instance->stops_since.reset();

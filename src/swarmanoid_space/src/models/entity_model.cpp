@@ -10,21 +10,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// How far a shape reaches from its centre along body z, up and down alike [m].
-double reachAlongZ(const CollisionShape& shape) {
-  const Vector3d z = shape.orientation.conjugate() * Vector3d::UnitZ();  // in the shape's frame
-  const Vector3d& half = shape.half_extent;
-  switch (shape.kind) {
-    case CollisionShape::Kind::kCylinder:
-      return half.x() * std::hypot(z.x(), z.y()) + half.z() * std::abs(z.z());
-    case CollisionShape::Kind::kBox:
-      return half.dot(z.cwiseAbs());
-    case CollisionShape::Kind::kSphere:
-      break;
-  }
-  return half.x();
-}
-
 /// Distance of the shape's farthest point from a point of B [m].
 double reachFrom(const Vector3d& point, const CollisionShape& shape) {
   const Vector3d centre =
@@ -84,6 +69,19 @@ double stretchedReach(const EntityModel& model, const CollisionShape& shape) {
 
 }  // namespace
 
+double CollisionShape::reachAlong(const Vector3d& direction) const {
+  const Vector3d along = orientation.conjugate() * direction;  // in the shape's frame
+  switch (kind) {
+    case Kind::kCylinder:
+      return half_extent.x() * std::hypot(along.x(), along.y()) + half_extent.z() * std::abs(along.z());
+    case Kind::kBox:
+      return half_extent.dot(along.cwiseAbs());
+    case Kind::kSphere:
+      break;
+  }
+  return half_extent.x();
+}
+
 void EntityModel::measureShapes() {
   lowest = 0.0;
   highest = 0.0;
@@ -94,7 +92,7 @@ void EntityModel::measureShapes() {
     highest = -lowest;
   }
   for (const CollisionShape& shape : shapes) {
-    const double reach = reachAlongZ(shape);
+    const double reach = shape.reachAlong(Vector3d::UnitZ());
     lowest = std::min(lowest, shape.position.z() - reach);
     highest = std::max(highest, shape.position.z() + reach);
     bounding_radius = std::max(bounding_radius, reachFrom(Vector3d::Zero(), shape));

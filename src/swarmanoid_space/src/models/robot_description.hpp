@@ -7,11 +7,12 @@
 ///       <gripping_strip link="gripping_strip"/>                what grippers of others close on
 ///       <leds links="led"/>                                    led_0, led_1, ...
 ///       <device type="eyebot_leds"/>                           devices of other robots that it carries
-///       <battery capacity="133200" voltage="3.7"               that it may have [J, V]; what is always on [W]; if
-///       there
-///                electronics="3.2" capacitor="60"              are: a super-capacitor [J], drive at full speed, a
-///                white drive="4" led="0.06" rotors="4"               LED [W]; rotors, with the radius of one [m] and
-///                rotor_radius="0.09" rotor_efficiency="0.5"/>  their efficiency
+///       <battery capacity="133200" voltage="3.7"               that it may have [J, V]
+///                electronics="3.2"                             what is always on [W]
+///                capacitor="60" drive="4" led="0.06"           if there are: super-capacitor [J], drive at full
+///                                                              speed [W], white LED [W],
+///                rotors="4" rotor_radius="0.09"                rotors, the radius of one [m], and the efficiency
+///                rotor_efficiency="0.5"/>                      of them all
 ///       <consumption device="footbot_camera" power="1"/>       of a device, if it is listed [W]
 ///     </swarmanoid>
 #pragma once
@@ -41,7 +42,7 @@ struct RobotDescription {
   std::string leds;                          ///< what the names of their links begin with, without "_0"; "": none
   std::vector<std::string> devices;          ///< device types
   std::optional<BatteryModel> battery;       ///< but for `flight`
-  /// Nothing: it does not fly, or needs no power for it.
+  /// Of its battery. Nothing: it does not fly, or needs no power for it.
   struct Rotors {
     double area = 0.0;  ///< of all discs [m2]
     double efficiency = 1.0;

@@ -50,7 +50,7 @@ class RobotReader {
     readGripper();
     readLeds();
     model_->possible_battery = description_.battery;
-    if (description_.battery && description_.rotors) {
+    if (description_.rotors) {
       model_->possible_battery->flight =
           hoverPower(model_->mass, description_.rotors->area, description_.rotors->efficiency);
     }

@@ -12,20 +12,46 @@
 namespace swarmanoid {
 namespace {
 
+/// The numbers of a battery that elements of <arena> may say, by their names there.
+struct BatteryNumber {
+  const char* name;
+  double BatteryModel::*value;
+};
+constexpr BatteryNumber kBatteryNumbers[] = {{"battery_capacity", &BatteryModel::capacity},
+                                             {"battery_level", &BatteryModel::first_share},
+                                             {"battery_capacitor", &BatteryModel::capacitor},
+                                             {"battery_enough", &BatteryModel::enough}};
+
+/// A number that would be without effect. Defaults are filled in before, so these are not refused.
+void refuseBatteryNumbers(const Configuration& parameters, const BatteryModel& usual) {
+  for (const auto& [name, value] : kBatteryNumbers) {
+    const Configuration* given = parameters.find(name);
+    if (given != nullptr && parameters.number(name) != usual.*value) {
+      throw ConfigError(given->location(),
+                        std::string(name) + ": found '" + given->text() +
+                            "' for a robot without a battery, allowed: with <battery>true</battery>, or " +
+                            numberText(usual.*value));
+    }
+  }
+}
+
 class RobotType final : public EntityType {
  public:
   explicit RobotType(std::string name) : name_(std::move(name)) {}
 
   std::shared_ptr<const EntityModel> makeModel(const Configuration& parameters) const override {
     std::shared_ptr<const EntityModel> robot = robotModel(name_);
-    if (!robot->possible_battery || !parameters.boolean("battery", false)) {
+    if (!robot->possible_battery) {
       return robot;
     }
     BatteryModel battery = *robot->possible_battery;
-    battery.capacity = parameters.number("battery_capacity", battery.capacity);
-    battery.capacitor = parameters.number("battery_capacitor", battery.capacitor);
-    battery.first_share = parameters.number("battery_level", battery.first_share);
-    battery.enough = parameters.number("battery_enough", battery.enough);
+    if (!parameters.boolean("battery", false)) {
+      refuseBatteryNumbers(parameters, battery);
+      return robot;
+    }
+    for (const auto& [name, value] : kBatteryNumbers) {
+      battery.*value = parameters.number(name, battery.*value);
+    }
     using Key = std::pair<std::string, std::array<double, 4>>;
     static SharedModels<Key> models;
     return models.get({name_, {battery.capacity, battery.capacitor, battery.first_share, battery.enough}},

@@ -5,33 +5,30 @@
 // other: all of it falls when more than half of its mass has lost the ground, and nobody if it holds on to what is
 // fixed. Holes are looked at once a tick: what crosses one within a tick does not fall.
 #include <algorithm>
-#include <cmath>
+#include <string>
+#include <vector>
 
 #include "phases.hpp"
 
 namespace swarmanoid::phases {
 namespace {
 
-/// How far below its middle the solid reaches. @param rotation from the solid to W
-double reachBelow(const CollisionShape& shape, const Eigen::Quaterniond& rotation) {
-  const Eigen::Vector3d up = rotation.conjugate() * Eigen::Vector3d::UnitZ();
-  const Eigen::Vector3d& half = shape.half_extent;
-  switch (shape.kind) {
-    case CollisionShape::Kind::kSphere:
-      return half.x();
-    case CollisionShape::Kind::kBox:
-      return half.dot(up.cwiseAbs());
-    case CollisionShape::Kind::kCylinder:
-      return half.x() * up.head<2>().norm() + half.z() * std::abs(up.z());
-  }
-  return 0.0;
-}
-
 bool standsOnTheFloor(const EntityModel& model, const Pose& pose) {
   constexpr double kStep = 0.01;  // m
+  const Eigen::Vector3d up = pose.orientation.conjugate() * Eigen::Vector3d::UnitZ();
   return std::any_of(model.shapes.begin(), model.shapes.end(), [&](const CollisionShape& shape) {
-    return pose.toWorld(shape.position).z() - reachBelow(shape, pose.orientation * shape.orientation) <= kStep;
+    return pose.toWorld(shape.position).z() - shape.reachAlong(up) <= kStep;
   });
+}
+
+/// The hole that its centre of mass is over, or that its left wheel is over if the right one is over a hole too.
+const FloorHole* holeBelow(const Space& space, const EntityModel& model, const Pose& pose) {
+  const FloorHole* hole = space.holeAt(pose.toWorld(model.centre_of_mass));
+  if (hole != nullptr || !model.wheels) {
+    return hole;
+  }
+  const Eigen::Vector3d left(0.0, 0.5 * model.wheels->separation, 0.0);
+  return space.holeAt(pose.toWorld(-left)) != nullptr ? space.holeAt(pose.toWorld(left)) : nullptr;
 }
 
 /// The hole into which it would fall if nobody held it; null if it has ground below, or needs none.
@@ -41,12 +38,7 @@ const FloorHole* lostGround(const Space& space, Row row) {
     return nullptr;
   }
   const Pose& pose = space.entities.pose[row];
-  const FloorHole* hole = space.holeAt(pose.toWorld(model.centre_of_mass));
-  if (hole == nullptr && model.wheels) {
-    const Eigen::Vector3d left(0.0, 0.5 * model.wheels->separation, 0.0);
-    hole = space.holeAt(pose.toWorld(left));
-    hole = hole != nullptr && space.holeAt(pose.toWorld(-left)) != nullptr ? hole : nullptr;
-  }
+  const FloorHole* hole = holeBelow(space, model, pose);
   return hole != nullptr && standsOnTheFloor(model, pose) ? hole : nullptr;
 }
 
@@ -103,6 +95,14 @@ bool isTooHeavy(const Space& space, const std::vector<Row>& members) {
   return are_all_lost || 2.0 * lost > mass;
 }
 
+/// @param drawer whose fall draws along those that have ground below @param hole into which the drawer falls
+Event fallOf(const Space& space, Row row, Row drawer, const FloorHole& hole) {
+  const FloorHole* own = lostGround(space, row);
+  const std::string what = own != nullptr ? "hole '" + own->id + "'"
+                                          : "hole '" + hole.id + "', drawn by '" + space.entities.name[drawer] + "'";
+  return {Event::Kind::kFellIntoHole, space.entities.name[row], "", what};
+}
+
 }  // namespace
 
 void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& events) {
@@ -124,10 +124,7 @@ void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& even
               [&](Row a, Row b) { return space.entities.number[a] < space.entities.number[b]; });
     for (const Row member : members) {
       fallen.push_back(member);
-      const FloorHole* own = lostGround(space, member);
-      const std::string why = own != nullptr ? "" : ", drawn by '" + space.entities.name[row] + "'";
-      events.push_back({Event::Kind::kFellIntoHole, space.entities.name[member], "",
-                        "hole '" + (own != nullptr ? own : hole)->id + "'" + why});
+      events.push_back(fallOf(space, member, row, *hole));
     }
   }
 }

@@ -1,6 +1,7 @@
 // Phase 7: batteries give what their robots have drawn in this tick, and take what they are charged with. Beside it,
 // part of phase 3: what works no more on the super-capacitor alone, and without any charge.
 #include <algorithm>
+#include <cmath>
 
 #include "phases.hpp"
 

@@ -162,14 +162,11 @@ bool completeInterventions(std::string& text, const RunRecord& record) {
 
 /// Robots may be commanded so from a tick on, whatever the experiment says.
 const std::string* commandedByOthers(const Intervention& intervention) {
-  const auto is_of_others = [](CommandSource source) {
-    return source == CommandSource::kRemote || source == CommandSource::kTopics;
-  };
   if (const auto* change = std::get_if<SetCommandSource>(&intervention)) {
-    return is_of_others(change->source) ? &change->robot : nullptr;
+    return isOfOthers(change->source) ? &change->robot : nullptr;
   }
   if (const auto* spawn = std::get_if<SpawnEntity>(&intervention)) {
-    return is_of_others(spawn->entity.source) ? &spawn->entity.id : nullptr;
+    return isOfOthers(spawn->entity.source) ? &spawn->entity.id : nullptr;
   }
   return nullptr;
 }

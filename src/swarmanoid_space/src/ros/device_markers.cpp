@@ -1,4 +1,6 @@
 // What devices do, as one list of lines and one of points for each type: rviz shows and hides them by their names.
+#include <utility>
+
 #include "marker.hpp"
 #include "swarmanoid_space/ros/markers.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
@@ -11,26 +13,18 @@ using visualization_msgs::Marker;
 constexpr int kLines = 0;  // ids
 constexpr int kPoints = 1;
 
-/// Everything but points and colours, whose room is kept.
+/// A list without points and colours, whose room is kept.
 void beginList(const std_msgs::Header& header, const std::string& type, int id, Marker& marker) {
   constexpr double kWidth = 0.005;  // of lines, m
   constexpr double kSide = 0.025;   // of points, m
-  marker.header = header;
-  marker.ns = "devices/";
-  marker.ns += type;
-  marker.id = id;
-  marker.type = id == kLines ? static_cast<int>(Marker::LINE_LIST) : static_cast<int>(Marker::POINTS);
-  marker.pose.orientation.w = 1.0;
-  marker.scale.x = id == kLines ? kWidth : kSide;
-  marker.scale.y = id == kLines ? 0.0 : kSide;
-  marker.color = rgba(1.0F, 1.0F, 1.0F, 1.0F);
-  marker.points.clear();
-  marker.colors.clear();
-}
-
-/// rviz complains of lists without points.
-void endList(Marker& marker) {
-  marker.action = marker.points.empty() ? static_cast<int>(Marker::DELETE) : static_cast<int>(Marker::ADD);
+  Marker list = makeMarker(header, "devices/" + type, id, id == kLines ? Marker::LINE_LIST : Marker::POINTS,
+                           id == kLines ? Eigen::Vector3d(kWidth, 0.0, 0.0) : Eigen::Vector3d(kSide, kSide, 0.0),
+                           rgba(1.0F, 1.0F, 1.0F, 1.0F));
+  list.points.swap(marker.points);
+  list.points.clear();
+  list.colors.swap(marker.colors);
+  list.colors.clear();
+  marker = std::move(list);
 }
 
 void drawLines(const DeviceDrawing& drawing, Marker& marker) {
@@ -68,11 +62,11 @@ void deviceMarkers(const Space& space, const DeviceDrawings& drawings, visualiza
     Marker& lines = next();
     beginList(header, type, kLines, lines);
     drawLines(drawing, lines);
-    endList(lines);
+    deleteIfEmpty(lines);
     Marker& points = next();
     beginList(header, type, kPoints, points);
     drawPoints(drawing, points);
-    endList(points);
+    deleteIfEmpty(points);
   }
   message.markers.resize(count);
 }

@@ -15,14 +15,6 @@ struct Look {
   std_msgs::ColorRGBA color;
 };
 
-void addPoint(const Eigen::Vector3d& place, Marker& marker) {
-  geometry_msgs::Point point;
-  point.x = place.x();
-  point.y = place.y();
-  point.z = place.z();
-  marker.points.push_back(point);
-}
-
 }  // namespace
 
 visualization_msgs::MarkerArray engineMarkers(const Space& space) {
@@ -40,11 +32,10 @@ visualization_msgs::MarkerArray engineMarkers(const Space& space) {
       Marker marker = makeMarker(headerOf(space), "engines/" + engine->id() + "/" + look.name, 0, Marker::LINE_LIST,
                                  {kWidth, 0.0, 0.0}, look.color);
       for (const auto& [from, to] : drawing.lines(look.kind)) {
-        addPoint(from, marker);
-        addPoint(to, marker);
+        marker.points.push_back(toMessage(from));
+        marker.points.push_back(toMessage(to));
       }
-      // rviz complains of lists without points
-      marker.action = marker.points.empty() ? static_cast<int>(Marker::DELETE) : static_cast<int>(Marker::ADD);
+      deleteIfEmpty(marker);
       message.markers.push_back(marker);
     }
   }

@@ -36,6 +36,10 @@ Marker makeMarker(const std_msgs::Header& header, const std::string& space_name,
   return marker;
 }
 
+void deleteIfEmpty(Marker& list) {
+  list.action = list.points.empty() ? static_cast<int>(Marker::DELETE) : static_cast<int>(Marker::ADD);
+}
+
 Marker shapeMarker(const std_msgs::Header& header, const std::string& space_name, int id, const CollisionShape& shape,
                    const Pose& pose, const std_msgs::ColorRGBA& color) {
   int type = Marker::CUBE;

@@ -19,6 +19,9 @@ std_msgs::ColorRGBA opaque(Color color);
 visualization_msgs::Marker makeMarker(const std_msgs::Header& header, const std::string& space_name, int id, int type,
                                       const Eigen::Vector3d& scale, const std_msgs::ColorRGBA& color);
 
+/// rviz complains of lists without points: adds the list or, where it has none, deletes it.
+void deleteIfEmpty(visualization_msgs::Marker& list);
+
 /// A solid of an entity at `pose`.
 visualization_msgs::Marker shapeMarker(const std_msgs::Header& header, const std::string& space_name, int id,
                                        const CollisionShape& shape, const Pose& pose, const std_msgs::ColorRGBA& color);

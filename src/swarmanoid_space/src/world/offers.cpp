@@ -14,7 +14,7 @@ RemoteRobot describe(const RobotInstance& instance) {
 }  // namespace
 
 void refuseUnlessReachable(const RobotInstance& instance, CommandSource source) {
-  if (source == CommandSource::kRemote || source == CommandSource::kTopics) {
+  if (isOfOthers(source)) {
     describe(instance);
   }
 }

@@ -197,7 +197,7 @@ TEST_F(FullDiskTest, KeepsTheBagComplete) {
                 "test: writing " + path_ + " failed: File too large; what was written before is complete");
     }
     bag.write("/text", ros::Time(2, 0), message("dropped"));
-    EXPECT_NO_THROW(bag.complete()) << "it is told once";
+    EXPECT_NO_THROW(bag.complete()) << "it is reported once";
     const Texts kept = read();
     ASSERT_LE(kept.size(), written.size());
     EXPECT_GE(10 * kept.size() + 20, 9 * written.size()) << "the end takes little room";

@@ -39,11 +39,7 @@ Stage expectWall(Bench& bench, const std::string& where, double bearing) {
 
 std::vector<Check> driveChecks(Bench& bench) {
   const double way = bench.surroundings().wall_distance;
-  Check check{DifferentialDrive::kType,
-              {DifferentialDrive::kType, Proximity::kType},
-              way > 0.0 ? "" : "there is no wall (wall_distance is 0)",
-              {},
-              {}};
+  Check check{DifferentialDrive::kType, {DifferentialDrive::kType, Proximity::kType}, needsWall(bench), {}, {}};
   check.stages.push_back(settle(bench, [&bench] {
     bench.expectNear("away from everything the strongest reading", strongestReading(bench), 0.0, kNearReading / 3.0,
                      "");

@@ -14,10 +14,7 @@ namespace {
 /// Flies up and down. @param height how high the robot is, by the sensor, from where it does not matter [m]
 template <class Device>
 Check upAndDown(Bench& bench, double (*height)(const Device&)) {
-  Check check{Device::kType, {Device::kType, EyebotVelocity::kType}, "", {}, {}};
-  if (!bench.surroundings().is_free_upwards) {
-    check.obstacle = "the robot cannot move up and down here (upwards is false)";
-  }
+  Check check{Device::kType, {Device::kType, EyebotVelocity::kType}, needsRoomAbove(bench), {}, {}};
   const auto took = std::make_shared<double>(0.0);
   const auto before = std::make_shared<double>(0.0);
   for (const double speed : {0.2, -0.2}) {

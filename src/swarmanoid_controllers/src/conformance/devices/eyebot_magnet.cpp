@@ -7,11 +7,12 @@ namespace swarmanoid::conformance {
 namespace {
 
 Check magnet(Bench& bench) {
-  Check check{EyebotMagnet::kType, {EyebotMagnet::kType, EyebotMagnetState::kType, EyebotVelocity::kType}, "", {}, {}};
-  check.follows = {"velocity_up"};  // who flies up otherwise does not come to the ceiling
-  if (!bench.surroundings().has_ceiling) {
-    check.obstacle = "there is no ferromagnetic ceiling (ceiling is false)";
-  }
+  Check check{EyebotMagnet::kType,
+              {EyebotMagnet::kType, EyebotMagnetState::kType, EyebotVelocity::kType},
+              needsCeiling(bench),
+              {},
+              {}};
+  check.follows = {"velocity_up"};    // who flies up otherwise does not come to the ceiling
   constexpr double kPatience = 20.0;  // s
   constexpr double kDescent = 1.5;    // s
   check.stages.push_back({"flying up to the ceiling and holding on to it", kPatience,

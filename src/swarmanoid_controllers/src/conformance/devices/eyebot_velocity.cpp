@@ -70,12 +70,9 @@ Check yaw(Bench& bench) {
 Check upwards(Bench& bench) {
   Check check{"velocity_up",
               {EyebotVelocity::kType, EyebotLaser::kType, EyebotCamera::kType},
-              "",
+              needsRoomAbove(bench),
               {EyebotCamera::kType, EyebotLaser::kType},
               {}};
-  if (!bench.surroundings().is_free_upwards) {
-    check.obstacle = "the robot cannot move up and down here (upwards is false)";
-  }
   const auto took = std::make_shared<double>(0.0);
   const auto height = std::make_shared<double>(0.0);
   const Place below = place();

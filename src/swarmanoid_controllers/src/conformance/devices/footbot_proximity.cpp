@@ -32,8 +32,8 @@ Check proximity(Bench& bench) {
               needsBeacon(bench),
               {FootbotCamera::kType, "wheels_ahead", "wheels_left"},
               {}};
-  if (check.obstacle.empty() && bench.surroundings().wall_distance == 0.0) {
-    check.obstacle = "there is no wall (wall_distance is 0)";
+  if (check.obstacle.empty()) {
+    check.obstacle = needsWall(bench);
   }
   const Color beacon = bench.surroundings().beacon_color;
   const Place at_wall = place();

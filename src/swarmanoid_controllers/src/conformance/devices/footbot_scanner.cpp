@@ -1,4 +1,4 @@
-// The head turns as it is told, the nearest that long beams find is the wall to the right, and off it measures nothing.
+// The head turns as commanded, the nearest that long beams find is the wall to the right, and off it measures nothing.
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 
 #include <cmath>
@@ -84,10 +84,7 @@ std::vector<Check> scannerChecks(Bench& bench) {
   if (!bench.isListed(FootbotScanner::kType)) {
     return {};
   }
-  Check check{FootbotScanner::kType, {FootbotScanner::kType, Readings::kType}, "", {}, {}};
-  if (bench.surroundings().wall_distance == 0.0) {
-    check.obstacle = "there is no wall (wall_distance is 0)";
-  }
+  Check check{FootbotScanner::kType, {FootbotScanner::kType, Readings::kType}, needsWall(bench), {}, {}};
   check.stages.push_back(sweep(bench));
   Stage hold{"turning the scanner to an angle", 2.0, nullptr, nullptr, nullptr, nullptr};
   hold.begin = [&bench] { bench.actuator<FootbotScanner>()->holdAngle(0.7); };

@@ -9,10 +9,7 @@ namespace swarmanoid::conformance {
 namespace {
 
 Check rope(Bench& bench) {
-  Check check{HandbotRope::kType, {HandbotRope::kType, HandbotRopeState::kType}, "", {}, {}};
-  if (!bench.surroundings().has_ceiling) {
-    check.obstacle = "there is no ferromagnetic ceiling (ceiling is false)";
-  }
+  Check check{HandbotRope::kType, {HandbotRope::kType, HandbotRopeState::kType}, needsCeiling(bench), {}, {}};
   check.follows = {HandbotHands::kType};  // which are at work on the ground
   constexpr double kPatience = 10.0;      // s
   const auto state = [&bench] { return bench.sensor<HandbotRopeState>(); };

@@ -1,5 +1,5 @@
 // An eyebot flies to places by the law of the device. A mock has both its flight controllers: that which flies
-// velocities has the robot until this one is told something, and again once it is told to hover.
+// velocities has the robot until this one is commanded to fly, and again once it is commanded to hover.
 #include "swarmanoid_interface/devices/eyebot_position.hpp"
 
 #include "../mock_device.hpp"

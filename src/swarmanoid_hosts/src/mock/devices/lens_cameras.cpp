@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <type_traits>
 
-#include "../mock_device.hpp"
 #include "../sight.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_pan_tilt.hpp"
@@ -32,30 +31,24 @@ class MockEyebotPanTilt final : public MockDevice {
 };
 
 template <class Camera>
-class MockLensCamera final : public MockDevice {
+class MockLensCamera final : public MockCamera<Camera> {
  public:
-  MockLensCamera(Camera& readings, MockState& /*state*/) : readings_(readings) {}
+  using MockCamera<Camera>::MockCamera;
 
-  void sense(const MockState& state) override {
+ protected:
+  View view(const MockState& state) const override {
     Eigen::Matrix3d turned = Eigen::Matrix3d::Identity();
     if constexpr (std::is_same_v<Camera, EyebotPanTiltCamera>) {
       turned = Eigen::AngleAxisd(state.joint(kPan).angle, Eigen::Vector3d::UnitZ()) *
                Eigen::AngleAxisd(-state.joint(kTilt).angle, Eigen::Vector3d::UnitY());
     }
     const auto& [x, y, z] = Camera::kMount;
-    blobs_ = blobsInView(
-        state, {x, y, z},
-        [&](const Eigen::Vector3d& way) {
-          return way.head<2>().norm() <= Camera::kUsualRange && picture_.shows(turned.transpose() * way);
-        },
-        false);
-    readings_.blobs = blobs_;
+    return {
+        {x, y, z},
+        Camera::kUsualRange,
+        [turned, picture = Picture()](const Eigen::Vector3d& way) { return picture.shows(turned.transpose() * way); },
+        false};
   }
-
- private:
-  Camera& readings_;
-  Picture picture_;
-  std::vector<ColorBlob> blobs_;
 };
 
 REGISTER_MOCK_DEVICE(EyebotPanTilt, MockEyebotPanTilt)

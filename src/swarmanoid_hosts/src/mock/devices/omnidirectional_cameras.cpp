@@ -1,5 +1,4 @@
 // Footbots and eyebots have a camera that sees all around, up to its range.
-#include "../mock_device.hpp"
 #include "../sight.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 
@@ -7,19 +6,12 @@ namespace swarmanoid::mock {
 namespace {
 
 template <class Camera>
-class MockOmnidirectionalCamera final : public MockDevice {
+class MockOmnidirectionalCamera final : public MockCamera<Camera> {
  public:
-  MockOmnidirectionalCamera(Camera& readings, MockState& /*state*/) : readings_(readings) {}
+  using MockCamera<Camera>::MockCamera;
 
-  void sense(const MockState& state) override {
-    blobs_ = blobsInView(state, {0.0, 0.0, Camera::kMount},
-                         [](const Eigen::Vector3d& way) { return way.head<2>().norm() <= Camera::kUsualRange; });
-    readings_.blobs = blobs_;
-  }
-
- private:
-  Camera& readings_;
-  std::vector<ColorBlob> blobs_;
+ protected:
+  View view(const MockState& /*state*/) const override { return {{0.0, 0.0, Camera::kMount}, Camera::kUsualRange}; }
 };
 
 REGISTER_MOCK_DEVICE(FootbotCamera, MockOmnidirectionalCamera<FootbotCamera>)

@@ -1,4 +1,4 @@
-/// Sensor: the battery of any robot that runs on one, as its gauge tells it.
+/// Sensor: the battery of any robot that runs on one, as its gauge reports it.
 #pragma once
 
 #include "swarmanoid_interface/device_type.hpp"

@@ -1,7 +1,9 @@
 /// Sensor: the infrared distance sensors of any robot, as many as it has, wherever they look.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 #include "swarmanoid_interface/device_type.hpp"
@@ -38,6 +40,14 @@ struct Distance {
     return distance > range.maximum ? kInfinite : distance < range.minimum ? -kInfinite : static_cast<float>(distance);
   }
 };
+
+/// Distances before the first tick: NaN (REP-117).
+template <std::size_t count>
+std::array<float, count> unmeasuredDistances() {
+  std::array<float, count> distances{};
+  distances.fill(std::numeric_limits<float>::quiet_NaN());
+  return distances;
+}
 
 /// Describes the fields of a device that say what its sensors can measure.
 template <class Visitor, class Device>

@@ -3,8 +3,10 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 
 #include "swarmanoid_interface/devices/distance.hpp"
+#include "swarmanoid_interface/devices/ring.hpp"
 
 namespace swarmanoid {
 
@@ -21,27 +23,17 @@ struct EyebotDistance {
   /// As a Sharp GP2Y0A02YK0F measures (data sheet E4-A00101EN: 20 to 150 cm) [m].
   static constexpr Range kUsualRange{0.2, 1.5};
 
-  std::array<float, kAround> around = filled();
+  std::array<float, kAround> around = unmeasuredDistances<kAround>();
   float up = std::numeric_limits<float>::quiet_NaN();
   float down = std::numeric_limits<float>::quiet_NaN();
   float range_min = static_cast<float>(kUsualRange.minimum);  ///< what is nearer is too close [m]
   float range_max = static_cast<float>(kUsualRange.maximum);  ///< what is farther is out of range [m]
 
   /// Direction of sensor `i` of those around in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi].
-  static constexpr double angle(std::size_t i) {
-    constexpr double kStep = 6.283185307179586 / kAround;
-    return i <= kAround / 2 ? static_cast<double>(i) * kStep : (static_cast<double>(i) - kAround) * kStep;
-  }
+  static constexpr double angle(std::size_t i) { return ringAngle(i, kAround); }
   /// The reading of any sensor: those around, then the one that looks up, then the one that looks down.
   float& value(std::size_t i) { return i < kAround ? around[i] : i == kAround ? up : down; }
   float value(std::size_t i) const { return i < kAround ? around[i] : i == kAround ? up : down; }
-
- private:
-  static std::array<float, kAround> filled() {
-    std::array<float, kAround> values{};
-    values.fill(std::numeric_limits<float>::quiet_NaN());
-    return values;
-  }
 };
 
 template <class Visitor>

@@ -35,7 +35,7 @@ void fields(Visitor& visit, EyebotPanTilt& mounting) {
   visit(mounting.tilt,
         {"tilt", "rad", "upwards out of the robot's plane", {EyebotPanTilt::kLowest, EyebotPanTilt::kHighest}});
 }
-/// The camera goes on looking where it was told to.
+/// The camera goes on looking where it was last commanded to.
 inline bool stopSafely(EyebotPanTilt& /*mounting*/, const SafeStopMoment& /*moment*/) { return true; }
 REGISTER_DEVICE(EyebotPanTilt, kActuator, "Pans and tilts the camera of eyebot_pan_tilt_camera.")
 

@@ -1,5 +1,5 @@
-/// The law by which an eyebot flies to places: from where it believes to be to the velocity that it flies. The
-/// simulator's eyebots and mock ones have the same.
+/// The law by which an eyebot flies to places: from its estimated pose to the velocity that it flies. The simulator's
+/// eyebots and mock ones have the same.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,14 @@
 namespace swarmanoid {
 
 /// Frames: O is that of the take-off, H the robot's own, upright, with its heading.
+/// Phase: `actuate`; `moved` and `fly` by turns, once a tick each. Not thread-safe: one for each robot.
 class EyebotPilot {
  public:
   struct Limits {
-    double speed = EyebotPosition::kUsualFastest;
-    double acceleration = EyebotPosition::kUsualAcceleration;
-    double yaw_rate = EyebotPosition::kUsualFastestTurn;
-    double sinking = EyebotPosition::kUsualSinking;
+    double speed = EyebotPosition::kUsualFastest;              ///< [m/s]
+    double acceleration = EyebotPosition::kUsualAcceleration;  ///< [m/s2]
+    double yaw_rate = EyebotPosition::kUsualFastestTurn;       ///< [rad/s]
+    double sinking = EyebotPosition::kUsualSinking;            ///< when it lands [m/s]
   };
   /// In H as it is when the tick begins.
   struct Flight {
@@ -30,11 +31,11 @@ class EyebotPilot {
   void moved(const Eigen::Vector3d& way, double turn, double dt) {
     yaw_ = wrapAngle(yaw_ + turn);
     position_ += turned(way, yaw_);
-    constexpr double kSinks = 0.5;  // of the speed at which it wants to sink
+    constexpr double kSinks = 0.5;  // of the commanded sinking speed
     const bool is_blocked = wanted_sinking_ > 0.0 && -way.z() < kSinks * wanted_sinking_ * dt;
     blocked_ = is_blocked ? blocked_ + dt : 0.0;
-    constexpr double kPatience = 0.5;  // [s]
-    has_landed_ = has_landed_ || blocked_ >= kPatience;
+    constexpr double kTouchdownTime = 0.5;  // without sinking [s]
+    has_landed_ = has_landed_ || blocked_ >= kTouchdownTime;
     is_grounded_ = is_grounded_ || has_landed_;
   }
 
@@ -73,7 +74,7 @@ class EyebotPilot {
     begin(EyebotPosition::Mode::kHover, {});
   }
 
-  const Eigen::Vector3d& position() const { return position_; }  ///< in O, as it believes [m]
+  const Eigen::Vector3d& position() const { return position_; }  ///< in O, estimated [m]
   double yaw() const { return yaw_; }                            ///< likewise [rad]
   bool hasLanded() const { return has_landed_; }
 
@@ -121,7 +122,7 @@ class EyebotPilot {
   double wanted_sinking_ = 0.0;                         // [m/s]
   double blocked_ = 0.0;                                // how long it has not sunk [s]
   bool has_landed_ = false;
-  bool is_grounded_ = false;  // it has come down, and has been told nothing since but to land or to hover
+  bool is_grounded_ = false;  // it has come down, and since then no command but to land or to hover has come
 };
 
 }  // namespace swarmanoid

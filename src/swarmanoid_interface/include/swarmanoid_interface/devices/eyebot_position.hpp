@@ -9,9 +9,9 @@
 
 namespace swarmanoid {
 
-/// The frame of places is the robot's own where it took off, upright: x ahead, y left, z up from its lower face. It
-/// knows nothing of the arena: the robot adds up how it moves, so what carries it elsewhere goes unnoticed, and errors
-/// add up. The frame begins where the robot is when it is switched on, and again at each take-off after a landing.
+/// The frame of places is the robot's own where it took off, upright: x ahead, y left, z up from its lower face. Where
+/// the robot is in it, is the sum of its own motion: being carried elsewhere does not count, and errors add up. The
+/// frame begins where the robot is when it is switched on, and again at each take-off after a landing.
 struct EyebotPosition {
   static constexpr const char* kType = "eyebot_position";
   static constexpr const char* kRobot = "eyebot";

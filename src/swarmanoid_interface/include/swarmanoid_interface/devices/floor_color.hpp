@@ -6,7 +6,7 @@
 
 namespace swarmanoid {
 
-/// One spot that tells colours apart, where ground sensors (devices/ground.hpp) read brightness. It is the link
+/// One spot that distinguishes colours, where ground sensors (devices/ground.hpp) read brightness. It is the link
 /// `floor_color` of the robot's description, and looks where the link's x axis points; of a robot without that link it
 /// is kHeight above the origin, and looks straight down along the robot's z axis.
 struct FloorColor {

@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/devices/ring.hpp"
 
 namespace swarmanoid {
 
@@ -20,10 +21,7 @@ struct FootbotProximity {
   std::array<float, kCount> value{};
 
   /// Direction of sensor `i` in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi].
-  static constexpr double angle(std::size_t i) {
-    constexpr double kStep = 6.283185307179586 / kCount;
-    return i <= kCount / 2 ? static_cast<double>(i) * kStep : (static_cast<double>(i) - kCount) * kStep;
-  }
+  static constexpr double angle(std::size_t i) { return ringAngle(i, kCount); }
 };
 
 template <class Visitor>

@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/distance.hpp"
@@ -76,10 +75,10 @@ struct FootbotScannerReadings {
   float period = 0.0F;  ///< over which the samples were taken: a tick [s]
   Samples angles{};     ///< of beam 0 in the robot's frame, in (-pi, pi] [rad]; beam i looks i quarters further left
   // distances [m]; by REP-117 infinity with nothing in range, -infinity with something too close, NaN while off
-  Samples short_ahead = notMeasured();
-  Samples long_left = notMeasured();
-  Samples short_behind = notMeasured();
-  Samples long_right = notMeasured();
+  Samples short_ahead = unmeasuredDistances<kSamples>();
+  Samples long_left = unmeasuredDistances<kSamples>();
+  Samples short_behind = unmeasuredDistances<kSamples>();
+  Samples long_right = unmeasuredDistances<kSamples>();
 
   /// The distances of beam 0, 1, 2 or 3.
   Samples& distances(std::size_t beam) {
@@ -98,13 +97,6 @@ struct FootbotScannerReadings {
   /// @param before its angle a period ago [rad] @param turn how far it has turned since [rad]
   static constexpr double angleOf(std::size_t sample, double before, double turn) {
     return before + turn * static_cast<double>(sample + 1) / static_cast<double>(kSamples);
-  }
-
- private:
-  static Samples notMeasured() {
-    Samples samples;
-    samples.fill(std::numeric_limits<float>::quiet_NaN());
-    return samples;
   }
 };
 

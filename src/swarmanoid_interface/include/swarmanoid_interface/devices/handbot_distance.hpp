@@ -5,6 +5,7 @@
 #include <cstddef>
 
 #include "swarmanoid_interface/devices/distance.hpp"
+#include "swarmanoid_interface/devices/ring.hpp"
 
 namespace swarmanoid {
 
@@ -18,24 +19,14 @@ struct HandbotDistance {
   /// As a Sharp GP2Y0A41SK0F measures (data sheet OP13008EN: 4 to 30 cm) [m].
   static constexpr Range kUsualRange{0.04, 0.3};
 
-  std::array<float, kCount> distance = filled();
+  std::array<float, kCount> distance = unmeasuredDistances<kCount>();
   float range_min = static_cast<float>(kUsualRange.minimum);  ///< what is nearer is too close [m]
   float range_max = static_cast<float>(kUsualRange.maximum);  ///< what is farther is out of range [m]
 
   /// Direction of sensor `i` in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi].
-  static constexpr double angle(std::size_t i) {
-    constexpr double kStep = 6.283185307179586 / kCount;
-    return i <= kCount / 2 ? static_cast<double>(i) * kStep : (static_cast<double>(i) - kCount) * kStep;
-  }
+  static constexpr double angle(std::size_t i) { return ringAngle(i, kCount); }
   float& value(std::size_t i) { return distance[i]; }
   float value(std::size_t i) const { return distance[i]; }
-
- private:
-  static std::array<float, kCount> filled() {
-    std::array<float, kCount> values{};
-    values.fill(std::numeric_limits<float>::quiet_NaN());
-    return values;
-  }
 };
 
 template <class Visitor>

@@ -13,7 +13,7 @@ namespace swarmanoid {
 
 /// The source that is loudest in the middle of a robot's microphones.
 struct LoudestSound {
-  static constexpr std::size_t kFewestForBearing = 3;  ///< microphones; with less, front cannot be told from back
+  static constexpr std::size_t kFewestForBearing = 3;  ///< microphones; with fewer, front and back look alike
 
   float bearing = 0.0F;     ///< direction in the robot's frame [rad], counter-clockwise from ahead, in (-pi, pi]
   float confidence = 0.0F;  ///< its part of the power of all that is heard, background too: 0 nothing, 1 it alone

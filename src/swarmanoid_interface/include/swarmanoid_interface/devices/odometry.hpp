@@ -1,4 +1,4 @@
-/// Sensor: where any robot with a differential drive believes to be, by its wheels alone.
+/// Sensor: the pose of any robot with a differential drive, estimated from its wheels alone.
 #pragma once
 
 #include <array>

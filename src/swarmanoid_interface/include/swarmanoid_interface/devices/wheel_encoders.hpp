@@ -22,7 +22,7 @@ struct WheelEncoders {
   Wheel right;
 
   /// What an encoder counts of an angle: whole steps towards minus infinity. @param angle [rad]
-  /// @param ticks_per_turn that it can tell apart; 0: all of it @return [rad]
+  /// @param ticks_per_turn that it resolves; 0: every angle @return [rad]
   static double counted(double angle, double ticks_per_turn) {
     if (ticks_per_turn == 0.0) {
       return angle;

@@ -73,6 +73,10 @@ enum class CommandSource {
   kNone         ///< no source
 };
 
+/// Whether another process than the simulator's commands the robot.
+inline bool isOfOthers(CommandSource source) {
+  return source == CommandSource::kRemote || source == CommandSource::kTopics;
+}
 /// "controller", "remote", "topics", "none".
 const char* toString(CommandSource source);
 /// @return nothing if it is none

@@ -32,6 +32,12 @@ inline Parameter colorParameter(const std::string& value, const std::string& des
   return makeParameter("color", Parameter::Type::kColor, "", value, {}, description);
 }
 
+/// Of the light of a lamp.
+inline Parameter intensityParameter() {
+  return makeParameter(kIntensity, Parameter::Type::kNumber, "", "1", kIntensityRange,
+                       "Of its light at first, in the brightness of an LED of its colour.");
+}
+
 /// Models of equal parameters are one object, which keeps memory small and comparisons cheap. Thread-safe.
 /// @tparam Key all parameters that the model depends on, with an order: a double, a std::array of them, ...
 template <class Key>

@@ -32,6 +32,10 @@ struct CollisionShape {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();     ///< of the shape's centre [m]
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
   int joint = -1;  ///< of whose link it is part, as an index of EntityModel::joints; -1: of the body
+
+  /// How far the shape reaches from its centre, in a direction and against it alike [m].
+  /// @param direction of length 1, in the frame of `position` and `orientation`
+  double reachAlong(const Eigen::Vector3d& direction) const;
 };
 
 /// A place on the body where a device sits.

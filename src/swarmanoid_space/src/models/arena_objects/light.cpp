@@ -10,9 +10,7 @@ class LightType final : public EntityType {
     PluginDescription description;
     description.label = "light";
     description.summary = "A lamp that cameras and light sensors see; it has no body.";
-    description.parameters = {colorParameter("white", "Of its light."),
-                              makeParameter(kIntensity, Parameter::Type::kNumber, "", "1", kIntensityRange,
-                                            "Of its light at first, in the brightness of an LED of its colour.")};
+    description.parameters = {colorParameter("white", "Of its light."), intensityParameter()};
     return description;
   }
 

@@ -11,14 +11,11 @@ namespace {
 class SpotLightType final : public EntityType {
  public:
   static PluginDescription describe() {
-    using Type = Parameter::Type;
     PluginDescription description;
     description.label = "spot_light";
     description.summary = "A lamp that shines into a cone around its x axis; it has no body.";
-    description.parameters = {colorParameter("white", "Of its light."),
-                              makeParameter(kIntensity, Type::kNumber, "", "1", kIntensityRange,
-                                            "Of its light at first, in the brightness of an LED of its colour."),
-                              makeParameter(kAperture, Type::kNumber, "deg", "60", kApertureRange,
+    description.parameters = {colorParameter("white", "Of its light."), intensityParameter(),
+                              makeParameter(kAperture, Parameter::Type::kNumber, "deg", "60", kApertureRange,
                                             "Of its cone at first, from side to side.")};
     return description;
   }

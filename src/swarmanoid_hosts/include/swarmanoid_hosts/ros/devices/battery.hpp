@@ -34,7 +34,7 @@ inline void toMessage(const Battery& readings, sensor_msgs::BatteryState& messag
   message.design_capacity = kNotMeasured;
   message.percentage = readings.fraction();
   const bool holds_all = readings.capacity > 0.0F && readings.charge >= readings.capacity;
-  // of a full one the current tells whether something charges it
+  // of a full one the sign of the current shows whether something charges it
   const bool is_full = holds_all && readings.is_charging == (message.current >= 0.0F);
   message.power_supply_status = is_full                ? State::POWER_SUPPLY_STATUS_FULL
                                 : readings.is_charging ? State::POWER_SUPPLY_STATUS_CHARGING

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/distance.hpp"
 #include "swarmanoid_interface/devices/eyebot_distance.hpp"
 #include "swarmanoid_interface/devices/handbot_distance.hpp"
@@ -60,12 +61,9 @@ inline void toMessage(const Distance& readings, swarmanoid_msgs::RangeArray& mes
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::RangeArray& message, Distance& readings, VariableParts& parts) {
-  const std::size_t count = message.ranges.size();
-  if (message.angles.size() != count || message.elevations.size() != count || count > Distance::kMostSensors) {
-    throw std::runtime_error("found " + std::to_string(message.angles.size()) + " angles, " +
-                             std::to_string(message.elevations.size()) + " elevations and " + std::to_string(count) +
-                             " ranges, allowed: as many of each, at most " + std::to_string(Distance::kMostSensors));
-  }
+  const std::size_t count = sameLength(
+      {{"angles", message.angles.size()}, {"elevations", message.elevations.size()}, {"ranges", message.ranges.size()}},
+      Distance::kMostSensors);
   distance_messages::readRange(message, readings);
   parts.clear();
   auto* sensors = parts.room<DistanceReading>(count);

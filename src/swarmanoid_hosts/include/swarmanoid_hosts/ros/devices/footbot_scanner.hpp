@@ -16,6 +16,23 @@
 
 namespace swarmanoid {
 
+namespace detail {
+
+/// From device to message, or back: the fields have the same names.
+template <class From, class To>
+void copyScannerReadings(const From& from, To& to) {
+  const auto copy = [](const auto& source, auto& target) { std::copy(source.begin(), source.end(), target.begin()); };
+  to.angle = from.angle;
+  to.period = from.period;
+  copy(from.angles, to.angles);
+  copy(from.short_ahead, to.short_ahead);
+  copy(from.long_left, to.long_left);
+  copy(from.short_behind, to.short_behind);
+  copy(from.long_right, to.long_right);
+}
+
+}  // namespace detail
+
 inline void toMessage(const FootbotScanner& command, swarmanoid_msgs::ScannerCommand& message) {
   message.mode = static_cast<std::uint8_t>(command.mode);
   message.angle = command.angle;
@@ -30,29 +47,11 @@ inline void fromMessage(const swarmanoid_msgs::ScannerCommand& message, FootbotS
 }
 
 inline void toMessage(const FootbotScannerReadings& readings, swarmanoid_msgs::ScannerReadings& message) {
-  const auto copy = [](const FootbotScannerReadings::Samples& samples, auto& target) {
-    std::copy(samples.begin(), samples.end(), target.begin());
-  };
-  message.angle = readings.angle;
-  message.period = readings.period;
-  copy(readings.angles, message.angles);
-  copy(readings.short_ahead, message.short_ahead);
-  copy(readings.long_left, message.long_left);
-  copy(readings.short_behind, message.short_behind);
-  copy(readings.long_right, message.long_right);
+  detail::copyScannerReadings(readings, message);
 }
 
 inline void fromMessage(const swarmanoid_msgs::ScannerReadings& message, FootbotScannerReadings& readings) {
-  const auto copy = [](const auto& source, FootbotScannerReadings::Samples& samples) {
-    std::copy(source.begin(), source.end(), samples.begin());
-  };
-  readings.angle = message.angle;
-  readings.period = message.period;
-  copy(message.angles, readings.angles);
-  copy(message.short_ahead, readings.short_ahead);
-  copy(message.long_left, readings.long_left);
-  copy(message.short_behind, readings.short_behind);
-  copy(message.long_right, readings.long_right);
+  detail::copyScannerReadings(message, readings);
 }
 
 /// A scan of the whole turn, in which the samples of a tick stand where their beams looked, to half a degree; elsewhere

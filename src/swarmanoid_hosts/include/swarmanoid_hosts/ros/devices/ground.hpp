@@ -3,10 +3,8 @@
 
 #include <swarmanoid_msgs/GroundArray.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
 
 namespace swarmanoid {
@@ -24,12 +22,8 @@ inline void toMessage(const Ground& readings, swarmanoid_msgs::GroundArray& mess
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::GroundArray& message, Ground& readings, VariableParts& parts) {
-  const std::size_t count = message.values.size();
-  if (message.x.size() != count || message.y.size() != count || count > Ground::kMostSpots) {
-    throw std::runtime_error("found " + std::to_string(message.x.size()) + " x, " + std::to_string(message.y.size()) +
-                             " y and " + std::to_string(count) + " values, allowed: as many of each, at most " +
-                             std::to_string(Ground::kMostSpots));
-  }
+  const std::size_t count = sameLength(
+      {{"x", message.x.size()}, {"y", message.y.size()}, {"values", message.values.size()}}, Ground::kMostSpots);
   parts.clear();
   GroundSpot* spots = parts.room<GroundSpot>(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -4,10 +4,8 @@
 #include <swarmanoid_msgs/HoldersCommand.h>
 #include <swarmanoid_msgs/HoldersState.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/holders.hpp"
 
 namespace swarmanoid {
@@ -23,12 +21,8 @@ inline void toMessage(const Holders& command, swarmanoid_msgs::HoldersCommand& m
 
 /// Holders beyond those of the message keep their commands.
 inline void fromMessage(const swarmanoid_msgs::HoldersCommand& message, Holders& command) {
-  const std::size_t count = message.holds.size();
-  if (message.winding_speeds.size() != count || count > Holders::kMost) {
-    throw std::runtime_error("found " + std::to_string(count) + " holds and " +
-                             std::to_string(message.winding_speeds.size()) +
-                             " winding_speeds, allowed: as many of both, at most " + std::to_string(Holders::kMost));
-  }
+  const std::size_t count =
+      sameLength({{"holds", message.holds.size()}, {"winding_speeds", message.winding_speeds.size()}}, Holders::kMost);
   for (std::size_t i = 0; i < count; ++i) {
     command.holders[i] = {message.holds[i] != 0, message.winding_speeds[i]};
   }
@@ -47,13 +41,10 @@ inline void toMessage(const HolderStates& readings, swarmanoid_msgs::HoldersStat
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::HoldersState& message, HolderStates& readings, VariableParts& parts) {
-  const std::size_t count = message.is_holding.size();
-  if (message.lengths.size() != count || message.forces.size() != count || count > HolderStates::kMost) {
-    throw std::runtime_error("found " + std::to_string(count) + " is_holding, " +
-                             std::to_string(message.lengths.size()) + " lengths and " +
-                             std::to_string(message.forces.size()) + " forces, allowed: as many of each, at most " +
-                             std::to_string(HolderStates::kMost));
-  }
+  const std::size_t count = sameLength({{"is_holding", message.is_holding.size()},
+                                        {"lengths", message.lengths.size()},
+                                        {"forces", message.forces.size()}},
+                                       HolderStates::kMost);
   parts.clear();
   auto* holders = parts.room<HolderStates::Holder>(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,6 +11,7 @@
 #include <string>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/joints.hpp"
 
 namespace swarmanoid {
@@ -28,12 +29,9 @@ inline void toMessage(const Joints& command, swarmanoid_msgs::JointsCommand& mes
 
 /// Joints beyond those of the message keep their commands.
 inline void fromMessage(const swarmanoid_msgs::JointsCommand& message, Joints& command) {
-  const std::size_t count = message.modes.size();
-  if (message.angles.size() != count || message.speeds.size() != count || count > Joints::kMost) {
-    throw std::runtime_error("found " + std::to_string(count) + " modes, " + std::to_string(message.angles.size()) +
-                             " angles and " + std::to_string(message.speeds.size()) +
-                             " speeds, allowed: as many of each, at most " + std::to_string(Joints::kMost));
-  }
+  const std::size_t count = sameLength(
+      {{"modes", message.modes.size()}, {"angles", message.angles.size()}, {"speeds", message.speeds.size()}},
+      Joints::kMost);
   for (std::size_t i = 0; i < count; ++i) {
     if (message.modes[i] > swarmanoid_msgs::JointsCommand::PASSIVE) {
       throw std::runtime_error("found mode " + std::to_string(message.modes[i]) + " of joint " + std::to_string(i) +
@@ -58,17 +56,14 @@ inline void toMessage(const JointStates& readings, sensor_msgs::JointState& mess
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const sensor_msgs::JointState& message, JointStates& readings, VariableParts& parts) {
-  const std::size_t count = message.position.size();
   if (!message.name.empty()) {
     throw std::runtime_error("found " + std::to_string(message.name.size()) +
                              " names, allowed: none, joints are known by their order here");
   }
-  if (message.velocity.size() != count || message.effort.size() != count || count > JointStates::kMost) {
-    throw std::runtime_error("found " + std::to_string(count) + " positions, " +
-                             std::to_string(message.velocity.size()) + " velocities and " +
-                             std::to_string(message.effort.size()) + " efforts, allowed: as many of each, at most " +
-                             std::to_string(JointStates::kMost));
-  }
+  const std::size_t count = sameLength({{"positions", message.position.size()},
+                                        {"velocities", message.velocity.size()},
+                                        {"efforts", message.effort.size()}},
+                                       JointStates::kMost);
   parts.clear();
   auto* joints = parts.room<JointStates::Joint>(count);
   for (std::size_t i = 0; i < count; ++i) {

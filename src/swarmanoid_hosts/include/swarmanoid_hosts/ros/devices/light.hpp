@@ -3,10 +3,8 @@
 
 #include <swarmanoid_msgs/LightArray.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 
 namespace swarmanoid {
@@ -22,11 +20,8 @@ inline void toMessage(const Light& readings, swarmanoid_msgs::LightArray& messag
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::LightArray& message, Light& readings, VariableParts& parts) {
-  const std::size_t count = message.values.size();
-  if (message.angles.size() != count || count > Light::kMostSensors) {
-    throw std::runtime_error("found " + std::to_string(message.angles.size()) + " angles and " + std::to_string(count) +
-                             " values, allowed: as many of both, at most " + std::to_string(Light::kMostSensors));
-  }
+  const std::size_t count =
+      sameLength({{"angles", message.angles.size()}, {"values", message.values.size()}}, Light::kMostSensors);
   parts.clear();
   LightReading* sensors = parts.room<LightReading>(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/devices/messages.hpp"
 
 namespace swarmanoid {
@@ -36,6 +37,35 @@ template <std::size_t byte_count>
 void fromMessage(const swarmanoid_msgs::MessageCommand& message, MessageCommand<byte_count>& command) {
   fromMessage(message.payload, command.payload);
   command.sends = message.sends != 0;
+}
+
+/// Writes what was received. @param write (const one of the device's messages&, one of the list&): all but its payload
+template <class Readings, class List, class Write>
+void writeReceived(const Readings& readings, List& list, const Write& write) {
+  list.resize(readings.messages.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const auto& from = readings.messages[i];
+    write(from, list[i]);
+    list[i].payload.assign(from.payload.begin(), from.payload.end());
+  }
+}
+
+/// The inverse; the messages are stored in `parts`. @param read (const one of the list&, one of the device's
+/// messages&): all but its payload @throws std::runtime_error
+template <class Readings, class List, class Read>
+void readReceived(const List& list, Readings& readings, VariableParts& parts, const Read& read) {
+  using Message = typename Readings::Message;
+  if (list.size() > Readings::kMostMessages) {
+    throw std::runtime_error("found " + std::to_string(list.size()) + " messages, allowed: at most " +
+                             std::to_string(Readings::kMostMessages));
+  }
+  parts.clear();
+  Message* messages = parts.room<Message>(list.size());
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    read(list[i], messages[i]);
+    fromMessage(list[i].payload, messages[i].payload);
+  }
+  readings.messages = Span<const Message>(messages, list.size());
 }
 
 }  // namespace swarmanoid

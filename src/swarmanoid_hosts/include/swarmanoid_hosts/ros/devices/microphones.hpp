@@ -9,6 +9,7 @@
 #include <string>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/footbot_microphones.hpp"
 #include "swarmanoid_interface/devices/microphones.hpp"
 
@@ -46,12 +47,8 @@ inline void toMessage(const FootbotMicrophones& readings, swarmanoid_msgs::Micro
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::MicrophoneLevels& message, Microphones& readings, VariableParts& parts) {
-  const std::size_t count = message.levels.size();
-  if (message.x.size() != count || message.y.size() != count || count > Microphones::kMost) {
-    throw std::runtime_error("found " + std::to_string(message.x.size()) + " x, " + std::to_string(message.y.size()) +
-                             " y and " + std::to_string(count) + " levels, allowed: as many of each, at most " +
-                             std::to_string(Microphones::kMost));
-  }
+  const std::size_t count = sameLength(
+      {{"x", message.x.size()}, {"y", message.y.size()}, {"levels", message.levels.size()}}, Microphones::kMost);
   parts.clear();
   Microphone* microphones = parts.room<Microphone>(count);
   for (std::size_t i = 0; i < count; ++i) {

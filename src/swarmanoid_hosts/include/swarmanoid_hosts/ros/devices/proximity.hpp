@@ -3,10 +3,8 @@
 
 #include <swarmanoid_msgs/ProximityArray.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid {
@@ -24,11 +22,8 @@ inline void toMessage(const Proximity& readings, swarmanoid_msgs::ProximityArray
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::ProximityArray& message, Proximity& readings, VariableParts& parts) {
-  const std::size_t count = message.values.size();
-  if (message.angles.size() != count || count > Proximity::kMostSensors) {
-    throw std::runtime_error("found " + std::to_string(message.angles.size()) + " angles and " + std::to_string(count) +
-                             " values, allowed: as many of both, at most " + std::to_string(Proximity::kMostSensors));
-  }
+  const std::size_t count =
+      sameLength({{"angles", message.angles.size()}, {"values", message.values.size()}}, Proximity::kMostSensors);
   parts.clear();
   ProximityReading* sensors = parts.room<ProximityReading>(count);
   for (std::size_t i = 0; i < count; ++i) {

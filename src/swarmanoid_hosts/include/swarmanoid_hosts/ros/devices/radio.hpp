@@ -4,9 +4,6 @@
 #include <swarmanoid_msgs/RadioCommand.h>
 #include <swarmanoid_msgs/RadioMessages.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/devices/messages.hpp"
 #include "swarmanoid_interface/devices/radio.hpp"
@@ -29,12 +26,7 @@ void fromMessage(const swarmanoid_msgs::RadioCommand& message, RadioCommand<byte
 
 template <std::size_t byte_count>
 void toMessage(const ReceivedMessages<RadioMessage<byte_count>>& readings, swarmanoid_msgs::RadioMessages& message) {
-  message.messages.resize(readings.messages.size());
-  for (std::size_t i = 0; i < readings.messages.size(); ++i) {
-    const RadioMessage<byte_count>& from = readings.messages[i];
-    message.messages[i].sender = from.sender;
-    message.messages[i].payload.assign(from.payload.begin(), from.payload.end());
-  }
+  writeReceived(readings, message.messages, [](const auto& from, auto& to) { to.sender = from.sender; });
   message.overflowed = readings.overflowed;
 }
 
@@ -42,19 +34,7 @@ void toMessage(const ReceivedMessages<RadioMessage<byte_count>>& readings, swarm
 template <class Received>
 auto fromMessage(const swarmanoid_msgs::RadioMessages& message, Received& readings, VariableParts& parts)
     -> decltype(static_cast<void>(typename Received::Message{}.sender)) {
-  using Message = typename Received::Message;
-  const std::size_t count = message.messages.size();
-  if (count > Received::kMostMessages) {
-    throw std::runtime_error("found " + std::to_string(count) + " messages, allowed: at most " +
-                             std::to_string(Received::kMostMessages));
-  }
-  parts.clear();
-  Message* messages = parts.room<Message>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    messages[i].sender = message.messages[i].sender;
-    fromMessage(message.messages[i].payload, messages[i].payload);
-  }
-  readings.messages = Span<const Message>(messages, count);
+  readReceived(message.messages, readings, parts, [](const auto& from, auto& to) { to.sender = from.sender; });
   readings.overflowed = message.overflowed != 0;
 }
 

@@ -4,10 +4,8 @@
 #include <swarmanoid_msgs/RfidTags.h>
 #include <swarmanoid_msgs/RfidWriteCommand.h>
 
-#include <stdexcept>
-#include <string>
-
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/same_length.hpp"
 #include "swarmanoid_interface/devices/rfid.hpp"
 
 namespace swarmanoid {
@@ -24,11 +22,8 @@ inline void toMessage(const RfidReader& readings, swarmanoid_msgs::RfidTags& mes
 
 /// The readings are stored in `parts`.
 inline void fromMessage(const swarmanoid_msgs::RfidTags& message, RfidReader& readings, VariableParts& parts) {
-  const std::size_t count = message.ids.size();
-  if (message.data.size() != count || count > RfidReader::kMostTags) {
-    throw std::runtime_error("found " + std::to_string(count) + " ids and " + std::to_string(message.data.size()) +
-                             " data, allowed: as many of both, at most " + std::to_string(RfidReader::kMostTags));
-  }
+  const std::size_t count =
+      sameLength({{"ids", message.ids.size()}, {"data", message.data.size()}}, RfidReader::kMostTags);
   parts.clear();
   RfidTagReading* tags = parts.room<RfidTagReading>(count);
   for (std::size_t i = 0; i < count; ++i) {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "../src/mock/mock_robot.hpp"
+#include "../../src/mock/mock_robot.hpp"
 
 namespace swarmanoid::mock {
 

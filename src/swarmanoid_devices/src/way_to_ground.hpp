@@ -1,4 +1,4 @@
-/// Where the line of sight of a sensor under a robot meets the ground.
+/// Where lines of sight and rays meet the ground.
 ///
 /// The ground is the level floor, z = 0, but for its holes, and the terrain where there is one: its holes are deep, its
 /// slopes are nearer. Nothing else hides the floor. On level floor no ray is cast.
@@ -12,21 +12,23 @@ namespace swarmanoid::devices {
 
 constexpr double kDeepestSpot = 0.01;  // in the ground, along its line of sight, m
 
+/// Whether a point at z = 0 lies on the level floor: neither where there is terrain nor in a hole. Thread-safe.
+/// @param point in W [m]
+inline bool isOnLevelFloor(const Space& space, const Eigen::Vector3d& point) {
+  return !(space.terrain && space.terrain->contains(point.x(), point.y())) && space.holeAt(point) == nullptr;
+}
+
 /// How far along its line of sight a spot meets the ground. Thread-safe.
 /// @param spot its place in W [m] @param direction in which it looks, in W, of length 1 @param range [m]
 /// @return from -kDeepestSpot to range [m]; infinity if it meets none there
 inline double wayToGround(const Space& space, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction,
                           double range) {
   double way = direction.z() < 0.0 ? -spot.z() / direction.z() : kInfinity;  // to the level floor
-  if (way < -kDeepestSpot || way > range || (!space.floor.holes.empty() && space.holeAt(spot + way * direction))) {
+  if (way < -kDeepestSpot || way > range || !isOnLevelFloor(space, spot + way * direction)) {
     way = kInfinity;
   }
   if (!space.terrain) {
     return way;
-  }
-  if (way != kInfinity) {
-    const Eigen::Vector3d point = spot + way * direction;
-    way = space.terrain->contains(point.x(), point.y()) ? kInfinity : way;
   }
   const double fraction = space.terrain->closestHit({spot - kDeepestSpot * direction, spot + range * direction});
   return fraction <= 1.0 ? std::min(way, fraction * (kDeepestSpot + range) - kDeepestSpot) : way;
