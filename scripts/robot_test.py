@@ -115,12 +115,12 @@ class RobotTest(unittest.TestCase):
             time.sleep(0.2)
         self.fail("it never happens\n" + host.output())
 
-    def check(self, kind, happens):
+    def check(self, kind, happens, *surroundings):
         """Starts robot and controller, waits for what is to happen, and ends both."""
         robot = kind + "_1"
         share = f"{self.folder}/src/swarmanoid_controllers/config"
-        drivers = Program(["roslaunch", "swarmanoid_hosts", "mock_robot.launch", f"robot:={robot}", f"type:={kind}"],
-                          self.environment)
+        drivers = Program(["roslaunch", "swarmanoid_hosts", "mock_robot.launch", f"robot:={robot}", f"type:={kind}",
+                           *surroundings], self.environment)
         self.addCleanup(drivers.end)
         host = Program(["roslaunch", "--wait", "swarmanoid_hosts", "robot.launch", f"robot:={robot}", "provider:=topics",
                         f"controller:={CONTROLLERS[kind]}", f"configuration:={share}/{CONTROLLERS[kind]}.yaml"],
@@ -145,7 +145,10 @@ class RobotTest(unittest.TestCase):
         self.assertLess(self.odometry(robot)["z"], 0.1)
 
     def test_handbot_climbs(self):
-        robot = self.check("handbot", lambda name: self.odometry(name)["z"] > 0.3)
+        wall = f"{self.folder}/wall.yaml"
+        with open(wall, "w") as file:  # 0.07 m ahead of its distance sensor
+            file.write("walls: {ahead: [0.215, -1, 0.215, 1]}\nceiling: 3\n")
+        robot = self.check("handbot", lambda name: self.odometry(name)["z"] > 0.3, f"world:={wall}")
         self.assertIn("attached: True", self.reading(f"/{robot}/rope/state"), "it does not fall when its host ends")
 
 

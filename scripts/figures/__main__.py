@@ -8,6 +8,7 @@ import pathlib
 
 import benchmarks
 import build_time
+import classic
 import devices
 import engines
 import lockstep
@@ -31,12 +32,14 @@ FIGURES = {
     "acting_world": benchmarks.acting_world,
     "sensing": benchmarks.sensing,
     "queries": benchmarks.queries,
+    "classic": lambda table, build: classic.classic(table),
     "long_tests": long_tests.long_tests,
     "mappings": lambda table, build: engines.mappings(table),
     "dynamics2d": engines.dynamics2d,
     "dynamics3d": engines.dynamics3d,
     "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
+    "climbing": engines.climbing,
     "start_up": lambda table, build: simulation.start_up(table),
     "devices": devices.devices,
     "fuzzers": robustness.fuzzers,

@@ -1,7 +1,8 @@
-// Two or more footbots carry an object between them: each grips it at its side by the turret, drives, backs off a
-// little from the obstacle that it has reached, and releases the object.
+// Two or more footbots carry a robot between them: each grips it at its side by the turret. When all have gripped,
+// which they tell each other, they drive; when the robot that they carry says that it has arrived, they release it.
 #include <cmath>
 
+#include "carrying_words.hpp"
 #include "differential_drive.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/controller.hpp"
@@ -19,40 +20,94 @@ class Carrying final : public Controller {
     gripper_ = &robot.actuator<FootbotGripper>();
     turret_ = &robot.actuator<FootbotTurret>();
     leds_ = &robot.actuator<FootbotLeds>();
+    wifi_ = &robot.actuator<Wifi>();
+    gripper_state_ = &robot.sensor<FootbotGripperState>();
     turret_state_ = &robot.sensor<FootbotTurretState>();
+    received_ = &robot.sensor<WifiReceived>();
     side_ = parameters.angle("side", 0.0);
     speed_ = parameters.number("speed", 0.1, {0.0, 0.3});
-    start_ = parameters.number("start", 3.0, {0.0, 1e6});
-    stop_ = parameters.number("stop", 10.0, {0.0, 1e6});
-    parameters.refuseUnread({"side", "speed", "start", "stop"});
+    parameters.refuseUnread({"side", "speed"});
+    reset();
   }
 
-  void step(Time time, Duration) override {
-    constexpr double kBacking = 0.4;  // s
-    constexpr double kResting = 0.5;  // s, before the object is released
-    const double now = toSeconds(time - kEpoch);
+  void reset() override {
+    *wheels_ = FootbotWheels{};
+    *gripper_ = FootbotGripper{};
+    *turret_ = FootbotTurret{};
+    wifi_->fallSilent();
+    enter(State::kGripping, colors::kYellow);
+  }
+
+  void step(Time, Duration dt) override {
     turret_->holdAngle(side_);
-    const bool is_turned = std::abs(wrapAngle(turret_state_->angle - side_)) < kClose;
-    if (now < start_) {
-      gripper_->closed = is_turned;
-      show("gripping", colors::kYellow, 0.0);
-    } else if (now < stop_) {
-      show("carrying", colors::kGreen, speed_);
-    } else if (now < stop_ + kBacking) {
-      show("backing", colors::kBlue, -0.5 * speed_);
-    } else {
-      gripper_->closed = now < stop_ + kBacking + kResting;
-      show("resting", colors::kBlue, 0.0);
+    since_ += toSeconds(dt);
+    if ((state_ == State::kWaiting || state_ == State::kCarrying) && !gripper_state_->gripping) {
+      gripper_->open();  // a grip that was torn takes hold again only after it was opened
+      return enter(State::kGripping, colors::kYellow);
+    }
+    switch (state_) {
+      case State::kGripping:
+        return grip();
+      case State::kWaiting:
+        return wait();
+      case State::kCarrying:
+        return carry();
+      case State::kReleasing:
+        return release();
+      case State::kResting:
+        return;
     }
   }
 
  private:
-  static constexpr double kClose = 0.01;  // rad
+  enum class State { kGripping, kWaiting, kCarrying, kReleasing, kResting };
 
-  void show(const char* state, Color color, double speed) {
-    robot_->debug("state", state);
+  void enter(State state, Color color) {
+    static constexpr const char* kNames[] = {"gripping", "waiting", "carrying", "releasing", "resting"};
+    state_ = state;
+    since_ = 0.0;
+    wheels_->drive(0.0, 0.0);
     leds_->setAll(color);
-    wheels_->drive(speed, 0.0);
+    robot_->debug("state", kNames[static_cast<int>(state)]);
+  }
+
+  void grip() {
+    constexpr double kClose = 0.05;  // rad
+    say(*wifi_, CarryingWord::kGripping);
+    gripper_->closed = std::abs(wrapAngle(turret_state_->angle - side_)) < kClose;
+    if (gripper_state_->gripping) {
+      enter(State::kWaiting, colors::kYellow);
+    }
+  }
+
+  /// Until nobody has been heard for a while who has no grip yet.
+  void wait() {
+    constexpr double kQuiet = 0.3;  // s
+    say(*wifi_, CarryingWord::kHolding);
+    if (isHeard(*received_, CarryingWord::kGripping)) {
+      since_ = 0.0;
+    } else if (since_ > kQuiet) {
+      enter(State::kCarrying, colors::kGreen);
+    }
+  }
+
+  void carry() {
+    say(*wifi_, CarryingWord::kHolding);
+    wheels_->drive(speed_, 0.0);
+    if (isHeard(*received_, CarryingWord::kArrived)) {
+      enter(State::kReleasing, colors::kBlue);
+    } else if (isHeard(*received_, CarryingWord::kGripping)) {
+      enter(State::kWaiting, colors::kYellow);
+    }
+  }
+
+  void release() {
+    constexpr double kSettling = 0.3;  // s, until all that is carried has come to rest
+    gripper_->closed = since_ < kSettling;
+    if (!gripper_->closed && !gripper_state_->gripping) {
+      wifi_->fallSilent();
+      enter(State::kResting, colors::kBlue);
+    }
   }
 
   Robot* robot_ = nullptr;
@@ -60,11 +115,14 @@ class Carrying final : public Controller {
   FootbotGripper* gripper_ = nullptr;
   FootbotTurret* turret_ = nullptr;
   FootbotLeds* leds_ = nullptr;
+  Wifi* wifi_ = nullptr;
+  const FootbotGripperState* gripper_state_ = nullptr;
   const FootbotTurretState* turret_state_ = nullptr;
-  double side_ = 0.0;   // rad, direction of the carried object, counter-clockwise from ahead
+  const WifiReceived* received_ = nullptr;
+  State state_ = State::kGripping;
+  double since_ = 0.0;  // s, in this state
+  double side_ = 0.0;   // rad, direction of what is carried, counter-clockwise from ahead
   double speed_ = 0.0;  // m/s
-  double start_ = 0.0;  // s after the run began, by when all have gripped
-  double stop_ = 0.0;   // s
 };
 
 }  // namespace swarmanoid

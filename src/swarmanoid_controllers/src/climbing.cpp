@@ -1,9 +1,13 @@
-// A handbot that climbs to a shelf by its rope, takes the object there with its left hand and brings it down.
+// A handbot that climbs along a wall by its rope, takes what stands out at the top with its left hand and brings it
+// down. It begins when its distance sensors feel a wall ahead and nobody carries it any more, stops climbing where they
+// feel the wall no longer, feels for the object with its hand, lower each time, and is down when the rope is slack.
 #include <algorithm>
 #include <cmath>
 
+#include "carrying_words.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_distance.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
 
@@ -19,93 +23,197 @@ class Climbing final : public Controller {
     arms_state_ = &robot.sensor<HandbotArmsState>();
     hands_state_ = &robot.sensor<HandbotHandsState>();
     rope_state_ = &robot.sensor<HandbotRopeState>();
-    start_ = parameters.number("start", 1.0, {0.0, 1e6});
-    rope_length_ = parameters.number("rope_length", 1.5, {0.1, 3.0});
-    parameters.refuseUnread({"start", "rope_length"});
+    distance_ = &robot.sensor<HandbotDistance>();
+    if (robot.hasActuator(Wifi::kType)) {  // whoever is carried tells its carriers
+      wifi_ = &robot.actuator<Wifi>();
+      received_ = &robot.sensor<WifiReceived>();
+    }
+    parameters.refuseUnread({});
+    reset();
   }
 
-  void reset() override { enter(State::kWaiting); }
+  void reset() override {
+    tries_ = 0;
+    is_at_wall_ = false;
+    *arms_ = HandbotArms{};
+    *hands_ = HandbotHands{};
+    *rope_ = HandbotRope{};
+    if (wifi_ != nullptr) {
+      wifi_->fallSilent();
+    }
+    enter(State::kWaiting);
+  }
 
-  void step(Time time, Duration dt) override {
+  void step(Time, Duration dt) override {
     dt_ = toSeconds(dt);
-    const double now = toSeconds(time - kEpoch);
+    since_ += dt_;
     switch (state_) {
       case State::kWaiting:
-        if (now >= start_) {
-          enter(State::kShooting);
-        }
-        break;
+        return wait();
       case State::kShooting:
-        raiseArms();
-        rope_->shot = true;
-        if (rope_state_->attached && areArmsUp()) {
-          enter(State::kClimbing);
-        }
-        break;
+        return shoot();
       case State::kClimbing:
-        if (wind(rope_length_, 0.1)) {
-          enter(State::kReaching);
-        }
-        break;
+        return climb();
+      case State::kAdjusting:
+        return adjust();
       case State::kReaching:
-        hands_->left = true;
-        lowerArms(kReachSpeed * dt_);
-        if (hands_state_->left.holding) {
-          enter(State::kTaking);
-        }
-        break;
+        return reach();
       case State::kTaking:
-        raiseArms();
-        wind(rope_length_ - 0.1, 0.1);
-        if (areArmsUp()) {
-          enter(State::kDescending);
-        }
-        break;
+        return take();
       case State::kDescending:
-        rope_->winding_speed = -0.1;
-        if (rope_state_->tension < kSlack) {
-          enter(State::kDone);
-        }
-        break;
+        return descend();
       case State::kDone:
-        rope_->winding_speed = 0.0;
-        rope_->shot = false;
-        break;
+        return;
     }
   }
 
  private:
-  enum class State { kWaiting, kShooting, kClimbing, kReaching, kTaking, kDescending, kDone };
+  enum class State { kWaiting, kShooting, kClimbing, kAdjusting, kReaching, kTaking, kDescending, kDone };
 
-  static constexpr double kUp = -1.5;         // rad, of the shoulders
-  static constexpr double kReachSpeed = 0.5;  // rad/s
-  static constexpr double kSlack = 1.0;       // N
+  static constexpr double kUp = -1.5;        // rad, of the shoulders
+  static constexpr double kDown = 0.65;      // rad
+  static constexpr double kWinding = 0.1;    // m/s
+  static constexpr double kSwift = 1.0;      // rad/s, of the shoulders
+  static constexpr double kCarefully = 0.5;  // rad/s, with an object
+  static constexpr double kFeeling = 0.4;    // rad/s
+  static constexpr double kBent = 1.0;       // rad, of the elbows
+  static constexpr double kSettling = 1.0;   // s
 
   void enter(State state) {
-    static constexpr const char* kNames[] = {"waiting", "shooting",   "climbing", "reaching",
-                                             "taking",  "descending", "done"};
+    static constexpr const char* kNames[] = {"waiting",  "shooting", "climbing",   "adjusting",
+                                             "reaching", "taking",   "descending", "done"};
     state_ = state;
+    since_ = 0.0;
     robot_->debug("state", kNames[static_cast<int>(state)]);
   }
 
-  void raiseArms() {
-    arms_->left.shoulder = kUp;
-    arms_->right.shoulder = kUp;
+  /// Until it stands at a wall, and those who have carried it have been silent for a while.
+  void wait() {
+    constexpr double kNear = 0.09;  // m
+    constexpr double kAway = 0.11;  // m: what is read is noisy
+    constexpr double kQuiet = 1.0;  // s
+    is_at_wall_ = distance_->value(0) < (is_at_wall_ ? kAway : kNear);
+    if (wifi_ != nullptr && is_at_wall_) {
+      say(*wifi_, CarryingWord::kArrived);
+    }
+    const bool is_held = received_ != nullptr &&
+                         (isHeard(*received_, CarryingWord::kHolding) || isHeard(*received_, CarryingWord::kGripping));
+    if (!is_at_wall_ || is_held) {
+      since_ = 0.0;
+    } else if (since_ > kQuiet) {
+      if (wifi_ != nullptr) {
+        wifi_->fallSilent();
+      }
+      enter(State::kShooting);
+    }
   }
-  bool areArmsUp() const {
+
+  void shoot() {
+    rope_->shot = true;
+    const bool are_down = moveArms(kDown, kSwift);
+    if (rope_state_->attached && are_down) {
+      enter(State::kClimbing);
+    }
+  }
+
+  void climb() {
+    constexpr double kFar = 0.2;        // m: no wall
+    constexpr double kBesideTop = 0.3;  // s
+    constexpr double kShortest = 0.3;   // m, of the rope: the ceiling
+    constexpr double kBelow = 0.047;    // m, from there to where the hand first feels for the object
+    constexpr double kSmoothly = 0.02;  // m/s2: else it would turn about the rope when it is lifted
+    rope_->winding_speed = std::min(kWinding, rope_->winding_speed + kSmoothly * dt_);
+    const bool sees_wall = !(distance_->value(0) > kFar);
+    if (sees_wall) {
+      since_ = 0.0;
+    } else if (since_ > kBesideTop) {
+      length_ = rope_state_->length + kBelow;
+      enter(State::kAdjusting);
+    }
+    if (rope_state_->length < kShortest) {
+      enter(State::kDescending);
+    }
+  }
+
+  /// Goes where the hand shall feel for the object, the arms below it. On their way down the elbows are bent, so that
+  /// the hand does not meet it from above.
+  void adjust() {
+    const bool are_down = moveArms(kDown, kSwift);
+    const bool are_straight = bendElbows(are_down ? 0.0 : kBent);
+    const bool is_there = wind(length_);
+    if (are_down && are_straight && is_there && since_ > kSettling) {
+      enter(State::kReaching);
+    }
+  }
+
+  /// Raises the hand until it holds something. Where it meets nothing it tries lower, and at last goes down.
+  void reach() {
+    constexpr double kReached = -0.5;  // rad: above all that it could reach
+    constexpr double kStep = 0.015;    // m
+    wind(length_);
+    hands_->left = true;
+    if (isHolding()) {
+      return enter(State::kTaking);
+    }
+    if (moveArms(kReached, kFeeling)) {
+      length_ += kStep;
+      tryAgain();
+    }
+  }
+
+  /// Raises the object. Where it loses the object it feels for it again.
+  void take() {
+    if (!isHolding()) {
+      return tryAgain();
+    }
+    wind(length_ - 0.1);
+    if (moveArms(kUp, kCarefully)) {
+      enter(State::kDescending);
+    }
+  }
+
+  void tryAgain() {
+    constexpr int kMostTries = 5;
+    hands_->left = false;
+    ++tries_;
+    enter(tries_ < kMostTries ? State::kAdjusting : State::kDescending);
+  }
+
+  void descend() {
+    constexpr double kSlack = 1.0;  // N
+    rope_->winding_speed = -kWinding;
+    if (since_ > kSettling && rope_state_->tension < kSlack) {
+      rope_->winding_speed = 0.0;
+      rope_->shot = false;
+      enter(State::kDone);
+    }
+  }
+
+  bool isHolding() const { return hands_state_->left.holding; }
+
+  /// Outwards. @return whether they are there
+  bool bendElbows(double angle) {
+    const double most = kSwift * dt_;
+    arms_->left.elbow += std::clamp(angle - arms_->left.elbow, -most, most);
+    arms_->right.elbow = -arms_->left.elbow;
+    return arms_->left.elbow == angle;
+  }
+
+  /// Both shoulders, at most so fast. @return whether the left one is there
+  bool moveArms(double angle, double speed) {
     constexpr double kClose = 0.05;  // rad
-    constexpr std::size_t kLeft = 0;
-    constexpr std::size_t kRight = 3;
-    return std::abs(arms_state_->joints[kLeft].angle - kUp) < kClose &&
-           std::abs(arms_state_->joints[kRight].angle - kUp) < kClose;
+    const double most = speed * dt_;
+    const double next = arms_->left.shoulder + std::clamp(angle - arms_->left.shoulder, -most, most);
+    arms_->left.shoulder = next;
+    arms_->right.shoulder = next;
+    return next == angle && std::abs(arms_state_->joints[0].angle - angle) < kClose;
   }
-  void lowerArms(double turn) { arms_->left.shoulder = std::min(arms_->left.shoulder + turn, 0.3); }
 
   /// @return whether the rope has that length
-  bool wind(double length, double speed) {
-    constexpr double kClose = 1e-3;  // m
+  bool wind(double length) {
+    constexpr double kClose = 5e-3;  // m
     const double missing = rope_state_->length - length;
-    rope_->winding_speed = std::copysign(std::min(speed, std::abs(missing) / dt_), missing);
+    rope_->winding_speed = std::copysign(std::min(kWinding, std::abs(missing) / dt_), missing);
     return std::abs(missing) < kClose;
   }
 
@@ -113,13 +221,18 @@ class Climbing final : public Controller {
   HandbotArms* arms_ = nullptr;
   HandbotHands* hands_ = nullptr;
   HandbotRope* rope_ = nullptr;
+  Wifi* wifi_ = nullptr;  // null: nobody carries it
   const HandbotArmsState* arms_state_ = nullptr;
   const HandbotHandsState* hands_state_ = nullptr;
   const HandbotRopeState* rope_state_ = nullptr;
+  const HandbotDistance* distance_ = nullptr;
+  const WifiReceived* received_ = nullptr;
   State state_ = State::kWaiting;
-  double dt_ = 0.1;           // s, of the tick
-  double start_ = 0.0;        // s after the run began
-  double rope_length_ = 0.0;  // m, at which the hands are at the height of the object
+  double dt_ = 0.1;      // s, of the tick
+  double since_ = 0.0;   // s, in this state, or since what it waits for was last hindered
+  double length_ = 0.0;  // m, of the rope, where the hand feels for the object
+  int tries_ = 0;
+  bool is_at_wall_ = false;
 };
 
 }  // namespace swarmanoid

@@ -100,6 +100,27 @@ TEST(ConformanceChecks, AnObserverLooksThroughTheCameraThatIsListed) {
   EXPECT_EQ("no camera is listed", checksFor(blind)[0].obstacle);
 }
 
+TEST(ConformanceChecks, ThePanTiltCameraMissesThePreyBeforeAnythingElse) {
+  const auto obstacleWith = [](const char* prey_distance, const char* laser_height) {
+    TestRobot robot("eyebot", {"eyebot_pan_tilt", "eyebot_pan_tilt_camera"});
+    Configuration parameters("parameters", "", {});
+    parameters.set("prey_distance", prey_distance);
+    parameters.set("laser_height", laser_height);
+    Bench bench(robot.robot, parameters);
+    for (const Check& check : checksFor(bench)) {
+      if (check.name == "eyebot_pan_tilt") {
+        return check.obstacle;
+      }
+    }
+    return std::string("is not checked");
+  };
+  EXPECT_EQ("there is no prey (prey_distance is 0)", obstacleWith("0", "1.3"));
+  EXPECT_EQ("there is no prey (prey_distance is 0)", obstacleWith("0", "0"));
+  EXPECT_EQ("the height of the robot is not known (laser_height is 0)", obstacleWith("0.7", "0"));
+  EXPECT_EQ("the prey lies too near below the robot", obstacleWith("0.2", "1.3"));
+  EXPECT_EQ("", obstacleWith("0.7", "1.3"));
+}
+
 TEST(ConformanceChecks, UsualSurroundingsFollowFromTheDevicesThatAreListed) {
   const Configuration none("parameters", "", {});
   TestRobot footbot("footbot", {"footbot_camera", "footbot_proximity"});

@@ -8,7 +8,7 @@ LENGTH, WIDTH, HEIGHT = 0.41, 0.29, 0.29  # with the arms stretched ahead
 BODY_LENGTH = 0.3  # without them, from the tail on
 BODY_MASS = 2.1
 CONSUMPTION = {"handbot_arms": 2, "handbot_hands": 0.6, "handbot_rope": 1, "handbot_camera": 1, "handbot_distance": 0.12,
-               "loudspeaker": 0.2, "wifi": 0.8, "bluetooth": 0.1}  # W, docs/reference/battery.md
+               "handbot_proximity": 0.02, "loudspeaker": 0.2, "wifi": 0.8, "bluetooth": 0.1}  # W, docs/reference/battery.md
 UPPER_ARM_MASS, FOREARM_MASS, HAND_MASS = 0.15, 0.1, 0.15  # together with the body 2.9 kg
 STRIP_RADIUS = WIDTH / 2  # footbots that come from the sides meet the strip and the body at once
 ROPE_LENGTH = 3  # on the winch [m]

@@ -6,7 +6,7 @@
 
 #include "light_cone.hpp"
 #include "swarmanoid_interface/angle.hpp"
-#include "swarmanoid_space/rays/solid_ray.hpp"
+#include "swarmanoid_interface/arctangent.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -22,8 +22,9 @@ double reachOfLeds(const EntityModel& model) {
 
 class Finder {
  public:
-  Finder(const Space& space, const BlobView& view, NearObstacles& obstacles, std::vector<Sighting>& found)
-      : space_(space), view_(view), obstacles_(obstacles), found_(found) {}
+  Finder(const Space& space, const BlobView& view, NearObstacles& obstacles, LedShades& shades,
+         std::vector<Sighting>& found)
+      : space_(space), view_(view), obstacles_(obstacles), shades_(shades), found_(found) {}
 
   void lookAtEntity(Row row) {
     const EntityModel& model = *space_.entities.model[row];
@@ -47,7 +48,8 @@ class Finder {
       return;
     }
     const Eigen::Vector3d eye = pose.orientation.conjugate() * (view_.eye.position - pose.position);
-    LedSet seen = lit & ~hiddenLeds(model, space_.joints[row], eye, lit);
+    shades_.begin(model, space_.joints[row]);
+    LedSet seen = lit & ~shades_.hidden(eye, lit);
     seen &= ~obstacles_.hidden(points, seen, row);
     // what has no body is a lamp
     const double radius = model.is_robot || model.shapes.empty() ? ColorBlob::kPointRadius : model.horizontal_radius;
@@ -71,6 +73,7 @@ class Finder {
   const Space& space_;
   const BlobView& view_;
   NearObstacles& obstacles_;
+  LedShades& shades_;
   std::vector<Sighting>& found_;
 };
 
@@ -114,7 +117,7 @@ ColorBlob blobOf(const Sighting& sighting, const Eye& eye, bool knows_distance) 
   blob.color = sighting.color;
   blob.bearing = toBearing(std::atan2(way.y(), way.x()) - eye.heading);
   blob.distance = knows_distance ? sighting.distance : std::numeric_limits<float>::quiet_NaN();
-  blob.elevation = std::atan2(static_cast<float>(way.z()), sighting.distance);
+  blob.elevation = arctangent(static_cast<float>(way.z()), sighting.distance);
   blob.size = ColorBlob::sizeOf(static_cast<float>(sighting.radius), static_cast<float>(way.norm()));
   return blob;
 }
@@ -123,6 +126,7 @@ void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>&
   // kept between calls so that a steady state allocates nothing
   thread_local std::vector<Row> near;
   thread_local NearObstacles obstacles;
+  thread_local LedShades shades;
   near.clear();
   found.clear();
   // entities may be at any height within the arena, so the sphere must contain the whole cylinder of view, and a little
@@ -138,7 +142,7 @@ void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>&
   leaveInRange(entities, view, near);
   std::sort(near.begin(), near.end(), [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
   obstacles.begin(space, view.self, eye, near, lowest - kBelow, space.size.z());
-  Finder finder(space, view, obstacles, found);
+  Finder finder(space, view, obstacles, shades, found);
   for (const Row row : near) {
     if (row != view.self) {
       finder.lookAtEntity(row);

@@ -1,5 +1,5 @@
 /// Finds the blobs that a colour-blob camera has in sight: lit LEDs and lamps, coloured preys, laser spots and floor
-/// patches, unless another entity or the robot that carries the LED (hiddenLeds) is in between. All cameras share it;
+/// patches, unless another entity or the robot that carries the LED (LedShades) is in between. All cameras share it;
 /// they differ in their FieldOfView.
 #pragma once
 

@@ -3,39 +3,28 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <vector>
+#include <cmath>
 
-#include "color_blob_finder.hpp"
 #include "light_cone.hpp"
+#include "near_obstacles.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
-#include "swarmanoid_space/rays/solid_ray.hpp"
+#include "swarmanoid_space/rays/led_shades.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-/// Whether the points at which cameras see its colour shine: LEDs and lamps do, the surface of a prey does not.
-bool isLuminous(const EntityModel& model) { return model.is_robot || model.findProperty(kIntensity) >= 0; }
-
 /// The lit LEDs of one entity, or the light of one lamp.
 struct Lights {
   Row owner = kNoRow;
-  std::array<Eigen::Vector3d, LedSet{}.size()> points;  // in W, of those that are lit, m
-  std::array<double, LedSet{}.size()> brightness;       // likewise
+  LedPoints points;
+  std::array<double, LedSet{}.size()> brightness;  // of those that are lit
   LedSet lit;
+  Eigen::AlignedBox3d box;  // around those points, in W [m]
   LightCone cone;
+  double reach = 0.0;  // m
 };
 
-/// Whether anything of it shines: false for most of what is near.
-bool shines(const Space& space, Row row) {
-  const EntityModel& model = *space.entities.model[row];
-  if (!model.is_robot) {
-    return isLuminous(model) && space.ownColor(row).isLit();
-  }
-  const Span<const Color> leds = space.leds[row];
-  return std::any_of(leds.begin(), leds.end(), [](Color color) { return color.isLit(); });
-}
-
-Lights lightsOf(const Space& space, Row row) {
+Lights lightsOf(const Space& space, Row row, const LightReach& reach) {
   const EntityModel& model = *space.entities.model[row];
   const Pose& pose = space.entities.pose[row];
   const Span<const Color> leds = space.leds[row];
@@ -43,64 +32,96 @@ Lights lightsOf(const Space& space, Row row) {
   Lights lights;
   lights.owner = row;
   lights.cone = lightConeOf(space, row);
+  lights.reach = reachOfLight(model, reach);
   for (std::size_t k = 0; k < std::min(model.led_positions.size(), lights.lit.size()); ++k) {
     const Color color = model.is_robot ? leds[k] : space.entities.color[row];
     if (color.isLit() && intensity > 0.0) {
       lights.lit[k] = true;
       lights.points[k] = pose.toWorld(model.led_positions[k]);
       lights.brightness[k] = intensity * Light::brightness(color);
+      lights.box.extend(lights.points[k]);
     }
   }
   return lights;
 }
 
-/// A bundle without segments whose sphere holds all points of a box.
-RayBundle bundleAround(const Eigen::AlignedBox3d& box, Row self, Row owner) {
+/// A bundle without segments whose sphere holds all rays from the ring to the lights.
+RayBundle bundleBetween(const IlluminatedRing& ring, const Lights& lights) {
+  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ring.radius);
+  const Eigen::AlignedBox3d box = lights.box.merged({ring.centre - reach, ring.centre + reach});
   RayBundle rays;
   rays.centre = box.center();
   rays.radius = 0.5 * box.diagonal().norm();
-  rays.ignored = self;
-  rays.also_ignored = owner;
+  rays.ignored = ring.self;
+  rays.also_ignored = lights.owner;
   return rays;
 }
 
-/// A box that holds all rays from the ring to the lights.
-Eigen::AlignedBox3d boxAround(const IlluminatedRing& ring, const Lights& lights) {
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ring.radius);
-  Eigen::AlignedBox3d box(ring.centre - reach, ring.centre + reach);
-  for (std::size_t k = 0; k < lights.lit.size(); ++k) {
-    if (lights.lit[k]) {
-      box.extend(lights.points[k]);
-    }
-  }
-  return box;
+/// Whether all lights are behind a sensor: so half of a ring's sensors are.
+bool isTurnedAway(const IlluminatedSensor& sensor, const Lights& lights) {
+  constexpr double kRounding = 1e-9;  // m
+  const Eigen::Vector3d half = 0.5 * lights.box.sizes();
+  return sensor.direction.dot(lights.box.center() - sensor.position) + sensor.direction.cwiseAbs().dot(half) <
+         -kRounding;
 }
 
 /// The lights that are before the sensor, within its range, and not hidden by the robot that carries them.
-LedSet facingLights(const Space& space, const IlluminatedSensor& sensor, double range, const Lights& lights) {
+LedSet facingLights(const Space& space, const IlluminatedSensor& sensor, const Lights& lights, LedShades& shades) {
   LedSet facing;
-  for (std::size_t k = 0; k < facing.size(); ++k) {
-    if (lights.lit[k]) {
-      const Eigen::Vector3d offset = lights.points[k] - sensor.position;
-      facing[k] =
-          sensor.direction.dot(offset) > 0.0 && offset.squaredNorm() <= range * range && lights.cone.holds(-offset);
-    }
+  if (isTurnedAway(sensor, lights)) {
+    return facing;
   }
+  visitLeds(lights.lit, [&](std::size_t k) {
+    const Eigen::Vector3d offset = lights.points[k] - sensor.position;
+    facing[k] = sensor.direction.dot(offset) > 0.0 && offset.squaredNorm() <= lights.reach * lights.reach &&
+                lights.cone.holds(-offset);
+  });
   if (facing.none()) {
     return facing;
   }
   const Pose& pose = space.entities.pose[lights.owner];
   const Eigen::Vector3d eye = pose.orientation.conjugate() * (sensor.position - pose.position);
-  return facing & ~hiddenLeds(*space.entities.model[lights.owner], space.joints[lights.owner], eye, facing);
+  return facing & ~shades.hidden(eye, facing);
 }
 
 /// What a thread keeps between calls so that a steady state allocates nothing.
 struct Scratch {
-  std::vector<Row> near;
+  LedShades shades;
+  std::vector<PositionalIndex::Place> near;
   std::vector<LedSet> seen;  // of one source, by sensor
   std::vector<Segment> segments;
   std::vector<RayHit> hits;
 };
+
+/// Whether something could stand between a ring and the lights of one entity. @param rays of a sphere around both
+/// @param near scratch
+bool mayStandBetween(const Space& space, const IlluminatedRing& ring, const Lights& lights, const RayBundle& rays,
+                     std::vector<PositionalIndex::Place>& near) {
+  constexpr double kRounding = 1e-9;  // m
+  if (space.terrain) {
+    return true;
+  }
+  const auto is_other = [&](Row row) { return row != ring.self && row != lights.owner; };
+  for (const PositionalIndex::LargeOutline& large : space.index.large()) {
+    if (is_other(large.row) && large.meets(rays.centre, rays.radius)) {
+      return true;
+    }
+  }
+  near.clear();
+  space.index.collectPlaces(rays.centre, rays.radius + space.index.prismMargin(), near);
+  // seen from above all rays are within this distance of the line between the middles of ring and lights
+  const Eigen::Vector2d from = ring.centre.head<2>();
+  const Eigen::Vector2d way = lights.box.center().head<2>() - from;
+  const double width = std::max(ring.radius, 0.5 * lights.box.sizes().head<2>().norm()) + kRounding;
+  const double squared_length = std::max(way.squaredNorm(), kRounding * kRounding);
+  return std::any_of(near.begin(), near.end(), [&](PositionalIndex::Place place) {
+    const PositionalIndex::Outline& outline = space.index.at(place);
+    const Eigen::Vector2d to_outline = outline.position - from;
+    const double fraction = std::clamp(to_outline.dot(way) / squared_length, 0.0, 1.0);
+    const double reach = width + M_SQRT2 * outline.radius;  // prisms reach so far out of it
+    return is_other(outline.row) && (to_outline - fraction * way).squaredNorm() <= reach * reach;
+  });
+}
 
 /// Leaves out the lights that something else stands before. All rays of a source are cast together.
 /// @param rays without segments
@@ -108,11 +129,9 @@ void leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lig
                       Scratch& scratch) {
   scratch.segments.clear();
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    for (std::size_t k = 0; scratch.seen[i].any() && k < lights.lit.size(); ++k) {
-      if (scratch.seen[i][k]) {
-        scratch.segments.push_back({ring.sensors[i].position, lights.points[k]});
-      }
-    }
+    visitLeds(scratch.seen[i], [&](std::size_t k) {
+      scratch.segments.push_back({ring.sensors[i].position, lights.points[k]});
+    });
   }
   if (scratch.segments.empty()) {
     return;
@@ -123,68 +142,58 @@ void leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lig
   std::size_t next = 0;
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
     const LedSet asked = scratch.seen[i];
-    for (std::size_t k = 0; asked.any() && k < asked.size(); ++k) {
-      if (asked[k]) {
-        scratch.seen[i][k] = scratch.hits[next++].fraction >= 1.0 - kOwnSurface;
-      }
-    }
+    visitLeds(asked, [&](std::size_t k) { scratch.seen[i][k] = scratch.hits[next++].fraction >= 1.0 - kOwnSurface; });
   }
 }
 
-void addLights(const Space& space, const IlluminatedRing& ring, Row row, Scratch& scratch) {
-  const Lights lights = lightsOf(space, row);
+/// Calls add(sensor, brightness, offset) for each light of an entity that shines on a sensor.
+template <class Add>
+void addLights(const Space& space, const IlluminatedRing& ring, Row row, Scratch& scratch, const Add& add) {
+  const Lights lights = lightsOf(space, row, ring.reach);
   if (lights.lit.none()) {
     return;
   }
   scratch.seen.resize(ring.sensors.size());
+  scratch.shades.begin(*space.entities.model[row], space.joints[row]);
+  bool any = false;
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    scratch.seen[i] = facingLights(space, ring.sensors[i], ring.range, lights);
+    scratch.seen[i] = facingLights(space, ring.sensors[i], lights, scratch.shades);
+    any = any || scratch.seen[i].any();
   }
-  const RayBundle rays = bundleAround(boxAround(ring, lights), ring.self, row);
-  if (space.mayHit(rays)) {  // a cheap question that spares most rays
+  if (!any) {
+    return;
+  }
+  const RayBundle rays = bundleBetween(ring, lights);
+  if (mayStandBetween(space, ring, lights, rays, scratch.near)) {  // a cheap question that spares most rays
     leaveOutOccluded(space, ring, lights, rays, scratch);
   }
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    IlluminatedSensor& sensor = ring.sensors[i];
-    const LedSet& seen = scratch.seen[i];
-    for (std::size_t k = 0; seen.any() && k < seen.size(); ++k) {
-      if (seen[k]) {
-        sensor.sum += Light::share(lights.brightness[k], sensor.direction, lights.points[k] - sensor.position);
-      }
-    }
+    visitLeds(scratch.seen[i],
+              [&](std::size_t k) { add(i, lights.brightness[k], lights.points[k] - ring.sensors[i].position); });
   }
 }
 
-/// Fills `near` with what shines there, but for the robot itself, in no order.
-void findShining(const Space& space, Row self, const Eigen::Vector3d& centre, double reach, std::vector<Row>& near) {
-  near.clear();
-  space.index.collect(centre, reach, near);
-  const auto is_dark = [&](Row row) { return row == self || !shines(space, row); };
-  near.erase(std::remove_if(near.begin(), near.end(), is_dark), near.end());
-}
-
-Scratch& scratchOfThread() {
+/// Calls add likewise for the lights of all those entities.
+template <class Add>
+void addAllLights(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit, const Add& add) {
   thread_local Scratch scratch;
-  return scratch;
+  for (const Row row : lit) {
+    addLights(space, ring, row, scratch, add);
+  }
 }
 
 }  // namespace
 
-bool isDark(const Space& space, Row self, const Eigen::Vector3d& centre, double reach) {
-  std::vector<Row>& near = scratchOfThread().near;
-  findShining(space, self, centre, reach, near);
-  return near.empty();
+void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit) {
+  addAllLights(space, ring, lit, [&ring](std::size_t i, double brightness, const Eigen::Vector3d& offset) {
+    ring.sensors[i].sum += Light::share(brightness, ring.sensors[i].direction, offset);
+  });
 }
 
-void illuminate(const Space& space, const IlluminatedRing& ring) {
-  Scratch& scratch = scratchOfThread();
-  findShining(space, ring.self, ring.centre, ring.radius + ring.range, scratch.near);
-  const Entities& entities = space.entities;
-  std::sort(scratch.near.begin(), scratch.near.end(),
-            [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
-  for (const Row row : scratch.near) {
-    addLights(space, ring, row, scratch);
-  }
+void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit, LightLaw& law) {
+  addAllLights(space, ring, lit, [&law](std::size_t i, double brightness, const Eigen::Vector3d& offset) {
+    law.add(i, brightness, offset);
+  });
 }
 
 }  // namespace swarmanoid::devices

@@ -1,11 +1,13 @@
 /// What shines on the light sensors of a robot: the lit LEDs of other robots, and lamps, unless another entity, the
-/// ground or the robot that carries the LED (hiddenLeds) is in between. All rings of light sensors share it.
+/// ground or the robot that carries the LED (LedShades) is in between. All rings of light sensors share it.
 ///
-/// To add another kind of source is to add another loop to `illuminate`.
+/// Which entities shine at all in a tick, LitEntities knows.
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
+#include "lit_entities.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::devices {
@@ -22,15 +24,35 @@ struct IlluminatedRing {
   Row self = kNoRow;       ///< whose own LEDs do not count, and which hides nothing
   Eigen::Vector3d centre;  ///< of a sphere that holds all sensors, in W [m]
   double radius = 0.0;     ///< of that sphere [m]
-  double range = 0.0;      ///< beyond which a source gives no light [m]
+  LightReach reach;        ///< beyond which sources give no light
   Span<IlluminatedSensor> sensors;
 };
 
-/// Whether nothing shines around a ring, so that its sensors need not be placed: in a large world most robots are in
-/// the dark. @param reach radius and range of the ring [m] Thread-safe.
-bool isDark(const Space& space, Row self, const Eigen::Vector3d& centre, double reach);
+/// What becomes of the light of a source on a sensor, where it is not the sum of shares.
+class LightLaw {
+ public:
+  virtual ~LightLaw() = default;
+  /// @param brightness of the source (Light::share) @param offset from the sensor to it, in W [m]
+  virtual void add(std::size_t sensor, double brightness, const Eigen::Vector3d& offset) = 0;
+};
 
-/// Adds to each sensor's sum what shines on it, in the order of entity numbers and LEDs. Thread-safe.
-void illuminate(const Space& space, const IlluminatedRing& ring);
+/// Hands on what shines to a function of the arguments of LightLaw::add.
+template <class Visit>
+class VisitedLight final : public LightLaw {
+ public:
+  explicit VisitedLight(Visit visit) : visit_(visit) {}
+  void add(std::size_t sensor, double brightness, const Eigen::Vector3d& offset) override {
+    visit_(sensor, brightness, offset);
+  }
+
+ private:
+  Visit visit_;
+};
+
+/// Adds to each sensor's sum what those entities shine on it, in their order, LED by LED. Thread-safe.
+/// @param lit LitEntities::collect of the ring's sphere
+void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit);
+/// The same by another law, which gets the lights instead of the sums.
+void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit, LightLaw& law);
 
 }  // namespace swarmanoid::devices

@@ -7,10 +7,9 @@
 
 #include <Eigen/Geometry>
 #include <array>
-#include <cstdint>
 #include <vector>
 
-#include "swarmanoid_space/rays/solid_ray.hpp"
+#include "swarmanoid_space/rays/led_shades.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::devices {
@@ -23,14 +22,6 @@ constexpr double kSightRounding = 1e-9;
 
 /// Points of one thing, in W [m]; those of LEDs that nobody asks about are not set.
 using LedPoints = std::array<Eigen::Vector3d, LedSet{}.size()>;
-
-/// Calls visit(number of the LED) for those in the set, in their order.
-template <class Visit>
-void visitLeds(const LedSet& leds, Visit visit) {
-  for (std::uint64_t left = leds.to_ullong(); left != 0; left &= left - 1) {
-    visit(static_cast<std::size_t>(__builtin_ctzll(left)));
-  }
-}
 
 class NearObstacles {
  public:

@@ -1,6 +1,7 @@
 /// Lines of sight from one robot to many points around it: which are free is what Space::isOccluded says, at a fraction
-/// of the cost. Most lines pass by everything that is near; where one comes near something, that alone is asked
-/// whether it stands in the way (Engine::blocks). What is near is known by its outline in the positional index.
+/// of the cost. Most lines pass by everything that is near, which is known by its outline in the positional index.
+/// Where one does not, the silhouettes of that one thing say most of the time whether it stands in the way; else its
+/// engine is asked (Engine::blocks).
 ///
 /// Threads  each needs a SightLines of its own, and keeps it: its room grows to what was needed, and stays.
 #pragma once
@@ -28,21 +29,26 @@ class SightLines {
   bool isOccluded(const Eigen::Vector3d& point, Row owner);
 
  private:
-  bool isBlocked(std::size_t obstacle, const Segment& line, Row owner) const;
+  enum class Verdict { kFree, kBlocked, kUnsure };
+
+  bool isBlocked(const PositionalIndex::Outline& outline, const Segment& line, Row owner) const;
+  Verdict judge(const PositionalIndex::Outline& outline, const Segment& line) const;
 
   std::vector<Place> near_;  // scratch of begin
   const Space* space_ = nullptr;
   Row self_ = kNoRow;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();
+  double prism_reach_ = 1.0;
 
   // Outlines of what could hide something, seen from above, column by column so that a line is compared with several at
-  // once. The columns are as long as they have ever been; the first `count_` places are in use.
+  // once: in single precision, and larger by what that rounds. The columns are as long as they have ever been; the
+  // first `count_` places are in use.
   std::size_t count_ = 0;
   std::vector<const PositionalIndex::Outline*> outlines_;
-  std::vector<double> x_;       // of the axes, from the eye [m]
-  std::vector<double> y_;       // likewise
-  std::vector<double> radius_;  // [m]
-  std::vector<double> excess_;  // of the line that is asked about: it passes by if positive
+  std::vector<float> x_;       // of the axes, from the eye [m]
+  std::vector<float> y_;       // likewise
+  std::vector<float> radius_;  // [m]
+  std::vector<float> excess_;  // of the line that is asked about: it passes by if positive
   std::vector<const PositionalIndex::LargeOutline*> large_;
 };
 

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "device_world.hpp"
+#include "swarmanoid_space/device_drawing.hpp"
 
 namespace swarmanoid::test {
 namespace {
@@ -197,6 +198,37 @@ TEST(FootbotScannerTest, ErrorsMoveDistancesOnlyAndADeadOneMeasuresNothing) {
   EXPECT_TRUE(std::isnan(robot.tick().short_ahead[2]));
   robot.sensor.sensor->setFaults(world.space, robot.row, {});
   EXPECT_EQ(kNothing, robot.tick().short_ahead[2]);
+}
+
+TEST(FootbotScannerTest, WhatItReadsIsDrawn) {
+  DeviceWorld world;
+  Scanning robot(world, 4.0, 5.0, 0.53);
+  world.addWall({0.1, 8.0, 0.5}, {4.0 + 0.27 + 0.05, 5.0});
+  robot.scanner.command.turnAt(1.7);
+  const Readings& readings = robot.tick();
+  DeviceDrawing drawing;
+  robot.sensor.sensor->draw(world.space, drawing);
+  // beams 0, ahead, and 3, to the right, face the wall, and only the long one reaches it: 0.27 m / cos(0.53 - pi / 2 +
+  // 0.17)
+  ASSERT_EQ(drawing.lines().size(), Readings::kBeams * Readings::kSamples);
+  ASSERT_EQ(drawing.points().size(), Readings::kSamples);
+  const Eigen::Vector3d centre(4.0, 5.0, 0.13);
+  const double last = 0.53 + 0.17;
+  const Eigen::Vector3d ahead(std::cos(last), std::sin(last), 0.0);
+  const Eigen::Vector3d right(std::sin(last), -std::cos(last), 0.0);
+  const DeviceDrawing::Line& short_one = drawing.lines()[Readings::kSamples - 1];
+  EXPECT_NEAR((short_one.from - centre).norm(), 0.0, 1e-6);
+  EXPECT_NEAR((short_one.to - centre - 0.3 * ahead).norm(), 0.0, 1e-6) << "nothing in range: as far as it reaches";
+  EXPECT_EQ(short_one.color, DeviceDrawing::shade(0.0));
+  const double way = 0.27 / std::sin(last);
+  EXPECT_NEAR((drawing.points().back().place - centre - way * right).norm(), 0.0, 1e-5);
+  EXPECT_EQ(drawing.points().back().color, DeviceDrawing::shade(1.0 - way / 1.5));
+  EXPECT_NEAR(readings.long_right[Readings::kSamples - 1], way, 1e-5);
+  robot.scanner.command.switchOff();
+  robot.tick();
+  drawing.clear();
+  robot.sensor.sensor->draw(world.space, drawing);
+  EXPECT_TRUE(drawing.lines().empty()) << "off";
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 /// The nest is a disc of 0.4 m around (1, 1); preys come back to x from 2 to 4, y from 1.5 to 3.
 constexpr const char* kBox = "<minimum>2, 1.5, 0</minimum><maximum>4, 3, 0.5</maximum>";
 
-Experiment foraging(const std::string& parameters) {
+/// @param robots elements of the arena
+Experiment foraging(const std::string& parameters, const std::string& robots = "") {
   loadPluginLibrary("swarmanoid_devices", {}, {});
   return parseExperiment(R"(<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>100000</maxclock></framework>
@@ -27,7 +28,8 @@ Experiment foraging(const std::string& parameters) {
     <cylindric_prey id="prey_2"><position>4, 4, 0</position><orientation>0, 0, 0</orientation>
       <radius>0.06</radius><height>0.1</height></cylindric_prey>
     <cylindric_prey id="stone_prey"><position>1, 1, 0</position><orientation>0, 0, 0</orientation>
-      <radius>0.06</radius><height>0.1</height></cylindric_prey>
+      <radius>0.06</radius><height>0.1</height></cylindric_prey>)" +
+                             robots + R"(
   </arena>
   <rules><foraging id="f">)" +
                              parameters + "</foraging></rules></ahss-config>",
@@ -61,6 +63,7 @@ TEST_F(ForagingTest, APreyInTheNestIsCountedAndThenLiesElsewhere) {
   simulation.tick();
   EXPECT_EQ(metric("preys"), 1.0);
   EXPECT_DOUBLE_EQ(metric("preys_per_minute"), 600.0) << "1 in 0.1 s";
+  EXPECT_EQ(metric("preys_per_kilojoule"), 0.0) << "nobody runs on a battery";
   EXPECT_EQ(poseOf("prey_1").position.x(), 1.39) << "not in this tick";
   simulation.tick();
   EXPECT_EQ(metric("preys"), 1.0) << "once";
@@ -172,6 +175,38 @@ TEST_F(ForagingTest, NoPreyComesBackIntoTheNest) {
     around.tick();
     EXPECT_EQ(std::get<double>(around.metrics().at("f.preys")), expected);
   }
+}
+
+// Robots without a controller draw what their electronics need, all the same: after ten ticks two have used what one
+// has after twenty.
+TEST(ForagingEfficiencyTest, WhatDeletedRobotsHaveUsedStillCounts) {
+  Simulation simulation(foraging(kBox, R"(
+    <footbot id="fb_1"><position>1, 4, 0</position><orientation>0, 0, 0</orientation><battery>true</battery></footbot>
+    <footbot id="fb_2"><position>2, 4, 0</position><orientation>0, 0, 0</orientation><battery>true</battery></footbot>
+  )"));
+  simulation.start();
+  const Space& space = simulation.space();
+  const auto usedBy = [&space](const std::string& robot) {
+    return space.batteries[space.entities.find(robot)][0].used;
+  };
+  const auto tick = [&simulation](int ticks) {
+    for (int i = 0; i < ticks; ++i) {
+      simulation.tick();
+    }
+    return std::get<double>(simulation.metrics().at("f.preys_per_kilojoule"));
+  };
+  simulation.apply(MoveEntity{"prey_1", {{1.0, 1.0, 0.0}, Eigen::Quaterniond::Identity()}});
+  const double before = tick(10);
+  const double used = usedBy("fb_1");
+  ASSERT_GT(used, 0.0);
+  EXPECT_NEAR(before, 1000.0 / (2.0 * used), 1e-9 * before);
+  simulation.apply(DeleteEntity{"fb_2"});
+  EXPECT_NEAR(tick(10), 1000.0 / (3.0 * used), 1e-9 * before);
+  simulation.apply(DeleteEntity{"fb_1"});
+  EXPECT_NEAR(tick(1), 1000.0 / (3.0 * used), 1e-9 * before) << "also when nobody is left";
+  simulation.reset();
+  simulation.apply(MoveEntity{"prey_1", {{1.0, 1.0, 0.0}, Eigen::Quaterniond::Identity()}});
+  EXPECT_EQ(tick(10), before) << "a new run has used nothing yet";
 }
 
 class ForagingEndTest : public ForagingTest {

@@ -51,6 +51,15 @@ TEST_F(ImuTest, AtRestItFeelsGravityUpwards) {
   expectNear(next().linear_acceleration, {-kGravity * std::sin(0.3), 0.0, kGravity * std::cos(0.3)}, "on a slope");
 }
 
+TEST_F(ImuTest, AnyOfTheThreeRobotsHasIt) {
+  for (const char* type : {"footbot", "eyebot", "handbot"}) {
+    const Row another = world.add(robotModel(type), {1.0, 2.0, 0.5});
+    world.pose(another).orientation = turned(-0.41, Eigen::Vector3d::UnitX());  // its left side is down
+    SensorUnderTest<Imu> sensor(world, another);
+    expectNear(sensor.sense().linear_acceleration, {0.0, -kGravity * std::sin(0.41), kGravity * std::cos(0.41)}, type);
+  }
+}
+
 TEST_F(ImuTest, OnACircleItFeelsSpeedTimesTurnRateInwards) {
   constexpr double kSpeed = 0.27;     // m/s
   constexpr double kTurnRate = -1.3;  // rad/s, to the right

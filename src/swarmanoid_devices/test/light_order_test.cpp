@@ -15,6 +15,7 @@ namespace swarmanoid::test {
 namespace {
 
 constexpr int kLamps = 12;
+constexpr int kCrowd = 70;  // more lamps than are looked at one by one
 constexpr std::size_t kSensors = 24;
 const Eigen::Vector3d kCentre(5.0, 5.0, 0.3);
 
@@ -40,22 +41,32 @@ devices::IlluminatedSensor sensor(std::size_t i) {
 
 using Sums = std::array<double, kSensors>;
 
-/// Adds the lamps, so that their numbers have their order. @param rows which they get @return the sums of the sensors
-Sums sumsIn(DeviceWorld& world, std::vector<Row>& rows) {
-  for (int lamp = 0; lamp < kLamps; ++lamp) {
-    rows.push_back(world.add(lightModel(), placeOfLamp(lamp), 0.0, colorOfLamp(lamp)));
-  }
+/// Of the sensors, when all that shines is asked about.
+Sums sumsIn(DeviceWorld& world) {
   world.space.index.rebuild(world.space.entities);
   std::array<devices::IlluminatedSensor, kSensors> sensors;
   for (std::size_t i = 0; i < kSensors; ++i) {
     sensors[i] = sensor(i);
   }
-  devices::illuminate(world.space, {kNoRow, kCentre, 0.05, 2.0, {sensors.data(), sensors.size()}});
+  const devices::LightReach reach{2.0, 2.0};
+  devices::LitEntities lit;
+  lit.fill(world.space);
+  std::vector<Row> near;
+  lit.collect(world.space, kNoRow, kCentre, 0.05, reach, near);
+  devices::illuminate(world.space, {kNoRow, kCentre, 0.05, reach, {sensors.data(), sensors.size()}}, near);
   Sums sums{};
   for (std::size_t i = 0; i < kSensors; ++i) {
     sums[i] = sensors[i].sum;
   }
   return sums;
+}
+
+/// Adds the lamps, so that their numbers have their order. @param rows which they get @return the sums of the sensors
+Sums sumsOfLamps(DeviceWorld& world, std::vector<Row>& rows) {
+  for (int lamp = 0; lamp < kLamps; ++lamp) {
+    rows.push_back(world.add(lightModel(), placeOfLamp(lamp), 0.0, colorOfLamp(lamp)));
+  }
+  return sumsIn(world);
 }
 
 double shareOf(int lamp, const devices::IlluminatedSensor& sensor) {
@@ -65,7 +76,7 @@ double shareOf(int lamp, const devices::IlluminatedSensor& sensor) {
 TEST(LightOrderTest, SourcesAreAddedInTheOrderOfTheirNumbers) {
   DeviceWorld world;
   std::vector<Row> rows;
-  const Sums straight = sumsIn(world, rows);
+  const Sums straight = sumsOfLamps(world, rows);
 
   DeviceWorld other;
   std::vector<Row> gone;
@@ -77,7 +88,7 @@ TEST(LightOrderTest, SourcesAreAddedInTheOrderOfTheirNumbers) {
     other.remove(gone[static_cast<std::size_t>((5 * i) % kLamps)]);
   }
   std::vector<Row> other_rows;
-  const Sums mixed = sumsIn(other, other_rows);
+  const Sums mixed = sumsOfLamps(other, other_rows);
   ASSERT_NE(other_rows, rows) << "other rows for the same lamps";
 
   int sensitive = 0;
@@ -98,6 +109,32 @@ TEST(LightOrderTest, SourcesAreAddedInTheOrderOfTheirNumbers) {
     sensitive += by_rows == by_numbers ? 0 : 1;
   }
   EXPECT_GT(sensitive, 0) << "the order of rows would give other bits";
+}
+
+// Few lamps are looked at one by one, many by the index, which says which of them are in reach.
+TEST(LightOrderTest, LampsOutOfReachChangeNothingHoweverMany) {
+  DeviceWorld world;
+  std::vector<Row> rows;
+  const Sums alone = sumsOfLamps(world, rows);
+  for (int i = 0; i < kCrowd; ++i) {
+    world.add(lightModel(), {0.5 + 0.11 * i, 1.0, 0.3}, 0.0, colors::kWhite);  // 4 m away
+  }
+  EXPECT_EQ(sumsIn(world), alone);
+}
+
+TEST(LightOrderTest, ManyLampsAddUpAsFewDo) {
+  const auto place_of = [](int lamp) { return Eigen::Vector3d(5.5 + 0.01 * lamp, 5.1, 0.4); };
+  DeviceWorld world;
+  Sums expected{};
+  for (int lamp = 0; lamp < kCrowd; ++lamp) {
+    world.add(lightModel(), place_of(lamp), 0.0, colorOfLamp(lamp % kLamps));
+    for (std::size_t i = 0; i < kSensors; ++i) {
+      const devices::IlluminatedSensor each = sensor(i);
+      expected[i] +=
+          Light::share(Light::brightness(colorOfLamp(lamp % kLamps)), each.direction, place_of(lamp) - each.position);
+    }
+  }
+  EXPECT_EQ(sumsIn(world), expected);
 }
 
 }  // namespace

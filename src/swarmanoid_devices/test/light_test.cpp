@@ -206,6 +206,24 @@ TEST_F(LightTest, BeyondTheRangeThereIsNoLight) {
   EXPECT_EQ(strongestOf(light.sense()), 0.0);
 }
 
+TEST_F(LightTest, LedsMayHaveAShorterReachThanLamps) {
+  world.pose(robot).orientation.setIdentity();
+  const Row other = world.addFootbot(4.0 + kRadius + 0.7, 5.0, M_PI);  // its LED 0 looks here
+  world.space.leds[other][0] = colors::kWhite;
+  const auto brightest = [&](const std::string& led_range) {
+    LightSensor light(world, robot, {{"range", "1.3"}, {"led_range", led_range}});
+    const double strongest = strongestOf(light.sense());
+    light.sensor->remove(world.space, robot);
+    return strongest;
+  };
+  // the LED is 0.618 m from sensor 0, the nearest
+  EXPECT_GT(brightest("0.9"), 0.005);
+  EXPECT_EQ(brightest("0.6"), 0.0);
+  EXPECT_EQ(brightest("50"), brightest("0.9")) << "the range holds for all";
+  addLamp({4.0, 5.0 + kRadius + 1.2, kHeight});
+  EXPECT_NEAR(brightest("0.6"), std::pow(0.1 / 1.2, 2.0), 1e-7) << "the lamp alone, straight ahead of sensor 6";
+}
+
 TEST_F(LightTest, ReadingsSaturate) {
   world.pose(robot).orientation.setIdentity();
   const Row lamp = addLamp({4.0 + kRadius + 0.125, 5.0, kHeight});

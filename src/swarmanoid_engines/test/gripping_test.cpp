@@ -150,6 +150,50 @@ TEST(GrippingTest, FootbotsAreNotGripped) {
   EXPECT_EQ(world.space.structure.grippedBy(other), kNoRow);
 }
 
+/// A robot without wheels, with a gripper and a strip.
+std::shared_ptr<const EntityModel> wheellessModel() {
+  auto model = std::make_shared<EntityModel>(*footbotModel());
+  model->wheels.reset();
+  return model;
+}
+
+TEST(GrippingTest, ARobotWithoutADriveIsGrippedOneThatFliesIsNot) {
+  for (const bool flies : {false, true}) {
+    World world;
+    const Row gripper = world.addFootbot(flatPose(2.0, 2.0));
+    const Row other = world.addToSpace(wheellessModel(), flatPose(2.205, 2.0));
+    world.space.flight[other].is_driven = flies;
+    world.engine.add(world.space, other, Role::kMove);
+    world.setGripper(gripper, true);
+    world.step();
+    EXPECT_EQ(world.space.structure.grippedBy(gripper), flies ? kNoRow : other);
+    world.space.structure.connect(gripper, other);  // as another engine may have it
+    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, gripper),
+              flies ? "grips the robot 'e2', which this engine cannot hold" : "");
+  }
+}
+
+TEST(GrippingTest, ThereAreNoChains) {
+  for (const bool is_first_gripped_first : {true, false}) {
+    World world;
+    const Row first = world.addFootbot(flatPose(2.0, 2.0));
+    const Row middle = world.addRobot(wheellessModel(), flatPose(2.205, 2.0));
+    const Row prey = world.addPrey(0.1, 0.12, 2.205 + 0.22, 2.0);
+    world.setGripper(is_first_gripped_first ? first : middle, true);
+    world.step();
+    world.setGripper(first, true);
+    world.setGripper(middle, true);
+    world.step();
+    EXPECT_EQ(world.space.structure.grippedBy(first), is_first_gripped_first ? middle : kNoRow);
+    EXPECT_EQ(world.space.structure.grippedBy(middle), is_first_gripped_first ? kNoRow : prey);
+    world.space.structure.connect(first, middle);
+    world.space.structure.connect(middle, prey);
+    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, first),
+              "grips 'e2' while that grips something, which this engine cannot hold");
+    EXPECT_EQ(world.engine.unsupportedGripReason(world.space, middle), "");
+  }
+}
+
 TEST(GrippingTest, APreyLowerThanTheGripperIsOutOfReach) {
   World world;
   const Row footbot = world.addFootbot(flatPose(2.0, 2.0));

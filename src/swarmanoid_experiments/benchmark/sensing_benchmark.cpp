@@ -3,7 +3,7 @@
 // (items_per_second), and the part of a tick that sensing takes (`sense_share`).
 //
 // All robots send by range and bearing, about 18 others are within 3 m; with a camera all twelve LEDs of each robot are
-// lit. Ten bulbs hang 2 m above the floor and reach 5 m. The floor has a nest of 4 m in its middle.
+// lit. Ten bulbs hang 2 m above the floor and reach 5 m, LEDs 1 m. The floor has a nest of 4 m in its middle.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -49,7 +49,7 @@ struct Devices {
 };
 
 const Devices kProximity{"", "<footbot_proximity><range>0.1</range></footbot_proximity>"};
-const Devices kLight{"", "<light><range>5</range></light>"};
+const Devices kLight{"", "<light><range>5</range><led_range>1</led_range></light>"};
 const Devices kScanner{"<footbot_scanner/>", "<footbot_scanner_readings/>"};  // to 1.5 m
 const Devices kGround{"", "<footbot_ground/>"};
 const Devices kMessages{"<range_and_bearing/>",

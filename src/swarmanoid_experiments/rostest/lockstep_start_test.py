@@ -23,11 +23,16 @@ STARTS = int(os.environ.get("LOCKSTEP_STARTS", 0))
 PATIENCE = 20.0  # [s] of wall time for each answer
 PACES = [(factor, paused) for factor in (0, 1, 10) for paused in ("false", "true")]
 # experiment: robot, its controller
-REMOTE = {"charging": ("fb_1", "footbot_charging"), "climbing": ("hb", "climbing"), "conformance": ("hb", "conformance"),
-          "diffusion": ("fb_1", "diffusion"),
+REMOTE = {"aggregation": ("fb_1", "aggregation"), "battery_foraging": ("fb_1", "footbot_battery_foraging"),
+          "chain_formation": ("fb_1", "chain_formation"), "charging": ("fb_1", "footbot_charging"),
+          "climbing": ("hb_1", "climbing"), "conformance": ("hb", "conformance"), "diffusion": ("fb_1", "diffusion"),
+          "emergent_taxis": ("fb_1", "emergent_taxis"), "flocking": ("fb_1", "flocking"),
           "foraging": ("fb_1", "footbot_foraging"), "gap": ("fb_3", "chain"), "group_pull": ("fb_7", "pulling"),
           "object_retrieval": ("eb", "eyebot_retrieval"), "phototaxis": ("fb_1", "phototaxis"),
-          "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb", "climbing"), "trail": ("fb_1", "trail_following")}
+          "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb_1", "climbing"),
+          "trail": ("fb_1", "trail_following")}
+# all robots of a distribution have one source
+DISTRIBUTED = ("aggregation", "battery_foraging", "chain_formation", "diffusion", "emergent_taxis", "flocking")
 QUICK = [("object_retrieval", 0, "false"), ("shelf_retrieval", 1, "false"), ("diffusion", 10, "true")]
 
 
@@ -38,8 +43,10 @@ class LockstepStartTest(RoslaunchTest):
     def waiting_space(self, experiment, factor, paused):
         robot = REMOTE[experiment][0]
         setting = f"arena.{robot}.controller.source=remote"
-        if experiment == "diffusion":  # all of a distribution have one source
+        if experiment in DISTRIBUTED:
             setting = "arena.distribute.quantity=1 arena.fb.controller.source=remote"
+        elif experiment == "climbing":
+            setting = "arena.hb.controller.source=remote"
         process = self.launch("rviz:=false", f"experiment:={experiment}", f"real_time_factor:={factor}",
                               f"paused:={paused}", f"set:={setting}", "on_end:=stay")
         os.environ.update(ROS_MASTER_URI=self.master, ROS_HOSTNAME="localhost")

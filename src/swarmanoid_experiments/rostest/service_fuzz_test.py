@@ -28,7 +28,7 @@ SEED = os.environ.get("FUZZ_SEED", "1")
 PATIENCE = 20.0  # [s] of wall time for each answer
 # experiment: engines, entities, controllers
 WORLDS = {"object_retrieval": (["ground", "sky"], ["fb_1", "fb_2", "fb_3", "eb", "prey_yellow"], ["fc", "ec"]),
-          "shelf_retrieval": (["ground", "space"], ["hb", "fb_1", "fb_2", "box"], ["climbing"]),
+          "shelf_retrieval": (["ground", "space"], ["hb_1", "fb_1", "fb_2", "box_1"], ["climbing"]),
           "group_pull": (["ground"], ["prey", "fb_1", "fb_10"], ["pull"])}
 STOPPED = "the run has stopped: "
 

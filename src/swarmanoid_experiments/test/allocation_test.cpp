@@ -52,7 +52,9 @@ TEST_P(SteadyTickTest, AllocatesNothing) {
 INSTANTIATE_TEST_SUITE_P(Experiments, SteadyTickTest,
                          testing::Values(Stretch{"diffusion", false, 1000, 2000},
                                          Stretch{"object_retrieval", false, 1000, 2000},
-                                         Stretch{"object_retrieval", true, 100, 6000}),
+                                         Stretch{"object_retrieval", true, 100, 6000},
+                                         Stretch{"emergent_taxis", false, 100, 250},
+                                         Stretch{"flocking", false, 300, 500}),
                          [](const auto& run) {
                            return std::string(run.param.experiment) + (run.param.with_monitor ? "_with_monitor" : "");
                          });

@@ -1,6 +1,7 @@
 // A reset forgets everything: in the middle of whatever it does, a controller that is reset goes on like a fresh one.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <set>
 #include <vector>
 
@@ -9,11 +10,20 @@
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/eyebot_laser.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
+#include "swarmanoid_interface/devices/footbot_beacon.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_proximity.hpp"
+#include "swarmanoid_interface/devices/footbot_turret.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/handbot_arms.hpp"
+#include "swarmanoid_interface/devices/handbot_distance.hpp"
+#include "swarmanoid_interface/devices/handbot_hands.hpp"
+#include "swarmanoid_interface/devices/handbot_rope.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
+#include "swarmanoid_interface/devices/light.hpp"
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
+#include "swarmanoid_interface/devices/wifi.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::test {
@@ -31,12 +41,27 @@ class Bench {
     robot_.provideSensor(FootbotCamera::kType, &footbot_camera_);
     robot_.provideSensor(EyebotCamera::kType, &eyebot_camera_);
     robot_.provideSensor(Battery::kType, &battery_);
+    robot_.provideSensor(Light::kType, &light_);
+    robot_.provideSensor(RangeAndBearingReceived::kType, &messages_received_);
+    robot_.provideSensor(WifiReceived::kType, &wifi_received_);
+    robot_.provideSensor(FootbotTurretState::kType, &turret_state_);
+    robot_.provideSensor(HandbotArmsState::kType, &arms_state_);
+    robot_.provideSensor(HandbotHandsState::kType, &hands_state_);
+    robot_.provideSensor(HandbotRopeState::kType, &rope_state_);
+    robot_.provideSensor(HandbotDistance::kType, &distance_);
     robot_.provideActuator(FootbotWheels::kType, &wheels_);
     robot_.provideActuator(FootbotGripper::kType, &gripper_);
+    robot_.provideActuator(RangeAndBearing::kType, &messages_);
     robot_.provideActuator(FootbotLeds::kType, &leds_);
+    robot_.provideActuator(FootbotBeacon::kType, &beacon_);
     robot_.provideActuator(EyebotLeds::kType, &eyebot_leds_);
     robot_.provideActuator(EyebotVelocity::kType, &velocity_);
     robot_.provideActuator(EyebotLaser::kType, &laser_);
+    robot_.provideActuator(Wifi::kType, &wifi_);
+    robot_.provideActuator(FootbotTurret::kType, &turret_);
+    robot_.provideActuator(HandbotArms::kType, &arms_);
+    robot_.provideActuator(HandbotHands::kType, &hands_);
+    robot_.provideActuator(HandbotRope::kType, &rope_);
     loadPluginLibrary(label, {}, {});
     controller_ = makePlugin<Controller>(*Registry::instance().find(PluginKind::kController, label));
     Configuration parameters("parameters", "", {});
@@ -52,6 +77,14 @@ class Bench {
     }
     if (label == "footbot_charging") {
       parameters.set("little", "0.9");
+    }
+    if (label == "footbot_battery_foraging") {
+      parameters.set("little", "0.22");  // with 0.2 of it left it is charged now and then, and forages else
+    }
+    if (label == "chain_formation") {
+      parameters.set("distance", "0.3");
+      parameters.set("joining", "3");
+      parameters.set("leaving", "1");
     }
     controller_->init(robot_, parameters);
   }
@@ -74,8 +107,6 @@ class Bench {
                           is_at_spot ? distance : static_cast<float>(scene.uniform(0.02, 1.5))});
       }
     }
-    footbot_camera_.blobs = blobs_;
-    eyebot_camera_.blobs = blobs_;
     gripper_state_.gripping = scene.uniform() < 0.5;
     battery_.capacity = 1.0F;
     battery_.charge = scene.uniform() < 0.2 ? 1.0F : 0.2F;
@@ -87,18 +118,47 @@ class Bench {
     if (scene.uniform() < 0.5) {
       ground_.value[scene.below(FootbotGround::kCount)] = 0.1F;
     }
+    messages_heard_.clear();
+    if (scene.uniform() < 0.6) {
+      RangeAndBearingMessage& message = messages_heard_.emplace_back();
+      message.range = scene.uniform() < 0.3 ? 0.4F : 2.0F;
+      message.bearing = direction;
+    }
+    messages_received_.messages = messages_heard_;
+    lights_.assign(24, {scene.uniform() < 0.5 ? 0.5F : 0.0F, 0.0F});
+    light_.sensors = lights_;
+    for (const Color color : {colors::kCyan, colors::kOrange, colors::kWhite}) {
+      if (scene.uniform() < 0.45) {
+        blobs_.push_back({color, direction, distance});
+      }
+    }
+    footbot_camera_.blobs = blobs_;
+    eyebot_camera_.blobs = blobs_;
+    senseHandsAndWords(scene);
     robot_.startTick(tick, kEpoch + tick * kTick);
     controller_->step(kEpoch + tick * kTick, kTick);
   }
 
-  void reset() { controller_->reset(); }
+  /// The rope is as long again as at the begin.
+  void reset() {
+    controller_->reset();
+    rope_state_.length = kRopeLength;
+  }
 
   /// All commands of the robot, as numbers.
   std::vector<double> commands() const {
-    std::vector<double> all{wheels_.left,         wheels_.right,         gripper_.closed ? 1.0 : 0.0,
-                            velocity_.linear.x(), velocity_.linear.y(),  velocity_.linear.z(),
-                            velocity_.yaw_rate,   laser_.on ? 1.0 : 0.0, laser_.pan,
-                            laser_.tilt};
+    std::vector<double> all{wheels_.left,         wheels_.right,          gripper_.closed ? 1.0 : 0.0,
+                            velocity_.linear.x(), velocity_.linear.y(),   velocity_.linear.z(),
+                            velocity_.yaw_rate,   laser_.on ? 1.0 : 0.0,  laser_.pan,
+                            laser_.tilt,          arms_.left.shoulder,    arms_.right.shoulder,
+                            arms_.left.elbow,     arms_.right.elbow,      hands_.left ? 1.0 : 0.0,
+                            rope_.winding_speed,  rope_.shot ? 1.0 : 0.0, turret_.angle};
+    const auto addMessage = [&all](const auto& message) {
+      all.push_back(message.sends ? 1.0 : 0.0);
+      all.insert(all.end(), message.payload.begin(), message.payload.end());
+    };
+    addMessage(messages_);
+    addMessage(wifi_);
     const auto add = [&all](const auto& ring) {
       for (const Color led : ring) {
         all.insert(all.end(),
@@ -106,6 +166,7 @@ class Bench {
       }
     };
     add(leds_.ring);
+    add(std::array{beacon_.color});
     add(eyebot_leds_.ring);
     return all;
   }
@@ -120,6 +181,26 @@ class Bench {
   }
 
  private:
+  static constexpr double kRopeLength = 1.0;  // m
+
+  /// The joints of arms and turret stand as commanded, the rope is as long as it was wound.
+  void senseHandsAndWords(RandomStream& scene) {
+    wifi_heard_.clear();
+    if (scene.uniform() < 0.8) {
+      wifi_heard_.emplace_back().payload[0] = static_cast<std::uint8_t>(scene.below(4));
+    }
+    wifi_received_.messages = wifi_heard_;
+    turret_state_.angle = turret_.angle;
+    arms_state_.joints[0].angle = arms_.left.shoulder;
+    const bool is_object_there = scene.uniform() < 0.5;
+    hands_state_.left.holding = hands_.left && is_object_there;
+    const bool is_ceiling_there = scene.uniform() < 0.5;
+    rope_state_.attached = rope_.shot && is_ceiling_there;
+    rope_state_.length -= 0.1 * rope_.winding_speed;
+    rope_state_.tension = scene.uniform() < 0.3 ? 0.1 : 5.0;
+    distance_.value(0) = scene.uniform() < 0.6 ? 0.07F : 0.29F;
+  }
+
   Robot robot_;
   std::vector<ColorBlob> blobs_;
   FootbotProximity proximity_;
@@ -128,12 +209,30 @@ class Bench {
   FootbotCamera footbot_camera_;
   EyebotCamera eyebot_camera_;
   Battery battery_;
+  std::vector<LightReading> lights_;
+  Light light_;
+  std::vector<RangeAndBearingMessage> messages_heard_;
+  RangeAndBearingReceived messages_received_;
+  std::vector<WifiMessage> wifi_heard_;
+  WifiReceived wifi_received_;
+  FootbotTurretState turret_state_;
+  HandbotArmsState arms_state_;
+  HandbotHandsState hands_state_;
+  HandbotRopeState rope_state_{false, kRopeLength, 0.0};
+  HandbotDistance distance_;
   FootbotWheels wheels_;
   FootbotGripper gripper_;
+  RangeAndBearing messages_;
   FootbotLeds leds_;
+  FootbotBeacon beacon_;
   EyebotLeds eyebot_leds_;
   EyebotVelocity velocity_;
   EyebotLaser laser_;
+  Wifi wifi_;
+  FootbotTurret turret_;
+  HandbotArms arms_;
+  HandbotHands hands_;
+  HandbotRope rope_;
   std::shared_ptr<Controller> controller_;
 };
 
@@ -167,7 +266,10 @@ INSTANTIATE_TEST_SUITE_P(Controllers, ControllerResetTest,
                          testing::Values(std::pair("diffusion", 1), std::pair("sample_footbot_controller", 1),
                                          std::pair("footbot_retrieval", 5), std::pair("eyebot_retrieval", 5),
                                          std::pair("footbot_foraging", 4), std::pair("footbot_charging", 3),
-                                         std::pair("scout", 2), std::pair("trail_following", 6)),
+                                         std::pair("scout", 2), std::pair("trail_following", 6),
+                                         std::pair("aggregation", 2), std::pair("emergent_taxis", 3),
+                                         std::pair("chain_formation", 5), std::pair("footbot_battery_foraging", 6),
+                                         std::pair("flocking", 1), std::pair("carrying", 5), std::pair("climbing", 8)),
                          [](const auto& controller) { return std::string(controller.param.first); });
 
 }  // namespace

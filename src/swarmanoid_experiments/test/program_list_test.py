@@ -30,8 +30,9 @@ class ListTest(ProgramTest):
         self.assertEqual([line for line in everything.splitlines() if not line.startswith(" ")], HEADINGS)
         self.assertEqual("".join(self.list(heading) for heading in HEADINGS), everything)
         self.assertEqual(self.list("experiment"),
-                         "experiment\n  charging\n  climbing\n  conformance\n  diffusion\n  foraging\n  gap\n  group_pull\n"
-                         "  object_retrieval\n  phototaxis\n  rough_terrain\n  shelf_retrieval\n  trail\n")
+                         "experiment\n  aggregation\n  battery_foraging\n  chain_formation\n  charging\n  climbing\n  conformance\n"
+                         "  diffusion\n  emergent_taxis\n  flocking\n  foraging\n  gap\n  group_pull\n  object_retrieval\n  phototaxis\n"
+                         "  rough_terrain\n  shelf_retrieval\n  trail\n")
         sensors = self.list("sensor")
         self.assertIn("  footbot_proximity (polynomial, default): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)

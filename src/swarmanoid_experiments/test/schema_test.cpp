@@ -153,9 +153,13 @@ TEST(SchemaTest, LetsThroughPluginsThatItDoesNotKnow) {
 TEST(SchemaTest, AsksForTheLibraryWhereAFileMustNameIt) {
   loadBuiltInPlugins();
   const Registry& registry = Registry::instance();
-  const auto* engine = registry.find(PluginKind::kEngine, "kinematics2d");
-  const auto* wheels = registry.find(PluginKind::kActuator, "footbot_wheels");
-  const fs::path strict = writeFile("strict.xsd", experimentSchema({{engine, "my_engine"}, {wheels, "my_wheels"}}));
+  PluginLibraries libraries{{registry.find(PluginKind::kEngine, "kinematics2d"), "my_engine"}};
+  for (const Registry::Entry* entry : registry.all(PluginKind::kActuator)) {
+    if (entry->description.label == "footbot_wheels") {
+      libraries[entry] = "my_wheels";
+    }
+  }
+  const fs::path strict = writeFile("strict.xsd", experimentSchema(libraries));
   std::string text = test::readTestData("good.xml");
   const auto accepts = [&] { return schemaAccepts(writeFile("strict.xml", text), strict); };
   const auto insert_library = [&](const std::string& tag, const std::string& library) {

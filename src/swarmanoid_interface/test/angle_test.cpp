@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+
+#include "swarmanoid_interface/arctangent.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -45,6 +48,30 @@ TEST(AngleTest, WhatIsNotFiniteIsNoAngle) {
     EXPECT_TRUE(std::isnan(wrap(std::numeric_limits<double>::infinity())));
     EXPECT_TRUE(std::isnan(wrap(std::numeric_limits<double>::quiet_NaN())));
   }
+}
+
+TEST(ArctangentTest, IsTheLibrarysWithinSinglePrecision) {
+  // each direction at lengths from 1e-6 to 1e6: 1.3e5 vectors on both sides of both diagonals and both axes
+  double worst = 0.0;
+  for (int i = 0; i < 20011; ++i) {
+    const double angle = -M_PI + 2.0 * M_PI * (i + 0.37) / 20011.0;
+    for (double length = 1e-6; length < 2e6; length *= 100.0) {
+      const auto y = static_cast<float>(length * std::sin(angle));
+      const auto x = static_cast<float>(length * std::cos(angle));
+      const double expected = std::atan2(static_cast<double>(y), static_cast<double>(x));
+      worst = std::max(worst, std::abs(static_cast<double>(arctangent(y, x)) - expected));
+    }
+  }
+  EXPECT_LT(worst, 4e-7);
+}
+
+TEST(ArctangentTest, IsExactAlongTheAxes) {
+  EXPECT_EQ(arctangent(0.0F, 3.0F), 0.0F);
+  EXPECT_EQ(arctangent(0.7F, 0.0F), static_cast<float>(M_PI / 2.0));
+  EXPECT_EQ(arctangent(-0.7F, 0.0F), static_cast<float>(-M_PI / 2.0));
+  EXPECT_EQ(arctangent(0.0F, -0.2F), static_cast<float>(M_PI));
+  EXPECT_EQ(arctangent(-0.0F, -0.2F), static_cast<float>(-M_PI));
+  EXPECT_EQ(arctangent(0.0F, 0.0F), 0.0F);
 }
 
 }  // namespace

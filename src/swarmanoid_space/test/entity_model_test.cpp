@@ -156,6 +156,29 @@ TEST(EntityModelTest, BoxOnItsEdgeIsHigherThanOnItsFace) {
   EXPECT_NEAR(model.bounding_radius, std::hypot(2.0 + std::sqrt(2.0), 1.0), 1e-15);
 }
 
+TEST(EntityModelTest, ASilhouetteIsWholeOnlyOfAnUprightCylinderAboutTheAxis) {
+  CollisionShape cylinder;
+  cylinder.half_extent = {0.3, 0.3, 0.2};
+  cylinder.position = {0.0, 0.0, 1.1};
+  const EntityModel::Silhouette whole = modelOf(cylinder).silhouettes.at(0);
+  EXPECT_TRUE(whole.is_whole);
+  EXPECT_NEAR(whole.radius, 0.3, 1e-15);
+  EXPECT_NEAR(whole.low, 0.9, 1e-15);
+  EXPECT_NEAR(whole.high, 1.3, 1e-15);
+
+  cylinder.position.x() = 0.4;
+  const EntityModel::Silhouette beside = modelOf(cylinder).silhouettes.at(0);
+  EXPECT_FALSE(beside.is_whole);
+  EXPECT_NEAR(beside.radius, 0.7, 1e-15);
+
+  cylinder.position.x() = 0.0;
+  cylinder.orientation = AngleAxisd(M_PI / 2, Vector3d::UnitY());
+  const EntityModel::Silhouette rolled = modelOf(cylinder).silhouettes.at(0);
+  EXPECT_FALSE(rolled.is_whole);
+  EXPECT_NEAR(rolled.high, 1.4, 1e-15);
+  EXPECT_NEAR(rolled.radius, std::hypot(0.2, 0.3), 1e-15) << "to the rim of its faces";
+}
+
 TEST(EntityModelTest, SphereReachesItsRadiusEverywhere) {
   CollisionShape sphere;
   sphere.kind = CollisionShape::Kind::kSphere;

@@ -12,19 +12,29 @@ namespace {
 
 constexpr double kDegree = M_PI / 180.0;
 
-/// Real cameras do not report exactly the colour of the object.
-bool isAbout(Color a, Color b) {
-  constexpr int kAllowed = 64;  // of 255, each channel
-  return std::abs(a.red - b.red) <= kAllowed && std::abs(a.green - b.green) <= kAllowed &&
-         std::abs(a.blue - b.blue) <= kAllowed;
-}
-
 std::string comparison(const std::string& what, double found, double expected, double allowed, const char* unit) {
   return what + ": " + withUnit(found, unit) + ", expected " + withUnit(expected, unit) + " +- " +
          withUnit(allowed, unit);
 }
 
 }  // namespace
+
+bool isAbout(Color a, Color b) {
+  constexpr int kAllowed = 64;  // of 255, each channel
+  return std::abs(a.red - b.red) <= kAllowed && std::abs(a.green - b.green) <= kAllowed &&
+         std::abs(a.blue - b.blue) <= kAllowed;
+}
+
+std::optional<double> bearingOf(const ColorBlobs& seen, Color color) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const ColorBlob& blob : seen.blobs) {
+    if (isAbout(blob.color, color)) {
+      const double bearing = blob.bearing;
+      sum += Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+    }
+  }
+  return sum.isZero() ? std::nullopt : std::optional<double>(bearingOf(sum));
+}
 
 double bearingOf(const Eigen::Vector2d& place) { return std::atan2(place.y(), place.x()); }
 
@@ -71,14 +81,17 @@ void Bench::readSurroundings(const Configuration& parameters) {
   place.has_board = parameters.boolean("board", false);
   place.is_free_upwards = parameters.boolean("upwards", true);
   place.has_sound = parameters.boolean("sound", false);
+  place.has_lamp = parameters.boolean("lamp", false);
+  place.floor_color = parameters.color("floor_color", colors::kWhite);
   place.observed_leds = static_cast<std::size_t>(parameters.integer("observed_leds", 12, {0.0, 360.0}));
   place.observed_radius = parameters.number("observed_radius", 0.085, {0.001, 1.0});
   place.observer_bearing = parameters.angle("observer_bearing", 90.0 * kDegree, {-180.0, 180.0});
   place.settling_time = parameters.number("settling_time", place.settling_time, {0.0, 10.0});
   tolerance_ = parameters.number("tolerance", 0.15, {0.001, 0.5});
   parameters.refuseUnread({"role", "beacon_color", "beacon_distance", "prey_color", "prey_distance", "prey_bearing",
-                           "wall_distance", "laser_height", "ceiling", "board", "upwards", "sound", "observed_leds",
-                           "observed_radius", "observer_bearing", "settling_time", "tolerance"});
+                           "wall_distance", "laser_height", "ceiling", "board", "upwards", "sound", "lamp",
+                           "floor_color", "observed_leds", "observed_radius", "observer_bearing", "settling_time",
+                           "tolerance"});
 }
 
 bool Bench::isListed(const std::string& device) const { return robot_.hasSensor(device) || robot_.hasActuator(device); }

@@ -25,6 +25,8 @@ struct Surroundings {
   bool has_board = false;         ///< upright, which only the left hand touches when its arm is stretched ahead
   bool is_free_upwards = true;    ///< the robot can move up and down
   bool has_sound = false;         ///< something sounds, louder than all else
+  bool has_lamp = false;          ///< something shines, brighter than all else
+  Color floor_color;              ///< of the floor, all of it that the robot stands on
   double settling_time = 0.5;     ///< time after a motion until its effect can be measured [s]
   std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: no robot is observed
   double observed_radius = 0.0;   ///< of that ring [m]
@@ -93,6 +95,10 @@ class Bench {
   std::string failure_;
 };
 
+/// Returns whether two colours look alike: real sensors do not report exactly the colour of the object.
+bool isAbout(Color a, Color b);
+/// Returns the direction of all blobs of about that colour, the mean of them [rad], as below; none: none is in sight.
+std::optional<double> bearingOf(const ColorBlobs& seen, Color color);
 /// Returns the direction of a place in the robot's frame [rad], counter-clockwise from ahead, in [-pi, pi].
 double bearingOf(const Eigen::Vector2d& place);
 std::string withUnit(double value, const char* unit);

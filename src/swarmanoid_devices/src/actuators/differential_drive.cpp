@@ -1,12 +1,12 @@
 // The wheels of any robot with a differential drive, by speed and turn rate.
 #include "swarmanoid_interface/devices/differential_drive.hpp"
 
-#include "wheel_drive.hpp"
+#include "slipping_wheels.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class DifferentialDriveActuator final : public WheelDriveActuator<DifferentialDriveActuator, DifferentialDrive> {
+class DifferentialDriveActuator : public WheelDriveActuator<DifferentialDriveActuator, DifferentialDrive> {
  public:
   static PluginDescription describe() {
     return describeDrive("Speed and turn rate; each wheel is limited to its motor's maximum.");
@@ -25,4 +25,4 @@ class DifferentialDriveActuator final : public WheelDriveActuator<DifferentialDr
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_ACTUATOR(swarmanoid::devices::DifferentialDriveActuator)
+REGISTER_WHEEL_DRIVE(swarmanoid::devices::DifferentialDriveActuator)

@@ -1,13 +1,12 @@
 // The footbot's treels.
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
-#include "parameters.hpp"
-#include "wheel_drive.hpp"
+#include "slipping_wheels.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class FootbotWheelsActuator final : public WheelSpeedActuator<FootbotWheelsActuator, FootbotWheels> {
+class FootbotWheelsActuator : public WheelSpeedActuator<FootbotWheelsActuator, FootbotWheels> {
  public:
   static PluginDescription describe() {
     PluginDescription description =
@@ -27,4 +26,4 @@ class FootbotWheelsActuator final : public WheelSpeedActuator<FootbotWheelsActua
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_ACTUATOR(swarmanoid::devices::FootbotWheelsActuator)
+REGISTER_WHEEL_DRIVE(swarmanoid::devices::FootbotWheelsActuator)

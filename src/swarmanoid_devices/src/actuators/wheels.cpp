@@ -1,12 +1,12 @@
 // The wheels of any robot with a differential drive.
 #include "swarmanoid_interface/devices/wheels.hpp"
 
-#include "wheel_drive.hpp"
+#include "slipping_wheels.hpp"
 
 namespace swarmanoid::devices {
 namespace {
 
-class WheelsActuator final : public WheelSpeedActuator<WheelsActuator, Wheels> {
+class WheelsActuator : public WheelSpeedActuator<WheelsActuator, Wheels> {
  public:
   static PluginDescription describe() {
     return describeDrive("Angular velocities of the two wheels, limited to the motors' maximum.");
@@ -16,4 +16,4 @@ class WheelsActuator final : public WheelSpeedActuator<WheelsActuator, Wheels> {
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_ACTUATOR(swarmanoid::devices::WheelsActuator)
+REGISTER_WHEEL_DRIVE(swarmanoid::devices::WheelsActuator)

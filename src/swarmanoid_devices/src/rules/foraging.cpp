@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../parameters.hpp"
+#include "enlist.hpp"
 #include "floor_patch.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/rule.hpp"
@@ -48,10 +49,15 @@ class Foraging final : public Rule {
     Metric& preys = addMetric("preys", "", "Preys that were brought into the nest so far.");
     Metric& per_minute = addMetric("preys_per_minute", "1/min", "As many in each minute of simulated time.");
     tally_ = Tally(preys, per_minute, static_cast<double>(parameters.integer("enough")));
+    preys_ = &preys;
+    per_kilojoule_ = &addMetric("preys_per_kilojoule", "1/kJ",
+                                "As many for each kJ that robots on batteries have used; 0 if none has used any.");
   }
 
   void reset(const Space& space, InterventionQueue&) override {
     waiting_.clear();
+    robots_.clear();
+    used_by_deleted_ = 0.0;
     nest_patch_ = requireFloorPatch(space, "nest", nest_, location_);
   }
 
@@ -73,6 +79,7 @@ class Foraging final : public Rule {
       }
     }
     tally_.measure(space);
+    per_kilojoule_->value = perKilojoule(space);
   }
 
   bool isFinished() const override { return tally_.isEnough(); }
@@ -84,6 +91,29 @@ class Foraging final : public Rule {
     EntityNumber number = kNoEntity;
     std::uint64_t since = 0;  ///< the tick that was to come
   };
+
+  /// A robot on a battery.
+  struct Robot {
+    EntityNumber number = kNoEntity;
+    double used = 0.0;  // J, at the end of the last tick
+  };
+
+  /// What robots that were deleted have used counts on, as what they have brought does.
+  double perKilojoule(const Space& space) {
+    constexpr double kKilojoule = 1000.0;  // J
+    for (const Robot& robot : robots_) {
+      used_by_deleted_ += space.entities.find(robot.number) == kNoRow ? robot.used : 0.0;
+    }
+    const auto is_meant = [](Row) { return true; };
+    enlist(space, space.powered, is_meant, robots_);
+    double used = 0.0;  // J
+    for (Robot& robot : robots_) {
+      robot.used = space.batteries[space.entities.find(robot.number)][0].used;
+      used += robot.used;
+    }
+    used += used_by_deleted_;
+    return used > 0.0 ? preys_->value * kKilojoule / used : 0.0;
+  }
 
   bool isWaiting(EntityNumber number) const {
     return std::any_of(waiting_.begin(), waiting_.end(),
@@ -117,7 +147,11 @@ class Foraging final : public Rule {
   Eigen::Vector3d maximum_ = Eigen::Vector3d::Zero();  // m
   SourceLocation location_;
   Tally tally_;
+  const Metric* preys_ = nullptr;
+  Metric* per_kilojoule_ = nullptr;
   std::vector<Waiting> waiting_;
+  std::vector<Robot> robots_;     // by number
+  double used_by_deleted_ = 0.0;  // J, in this run
 };
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include "../parameters.hpp"
 #include "floor_patch.hpp"
+#include "robot_group.hpp"
 #include "swarmanoid_space/rule.hpp"
 #include "tally.hpp"
 
@@ -19,16 +20,14 @@ class Trips final : public Rule {
     description.label = "trips";
     description.summary = "Counts how often robots come from one floor patch to another, there and back.";
     description.parameters = {
-        makeParameter("robots", Type::kText, "", "", {},
-                      "What the names of those that count begin with; empty: all robots."),
-        makeParameter("from", Type::kText, "", "nest", {}, "Id of a floor patch."),
+        RobotGroup::parameter(), makeParameter("from", Type::kText, "", "nest", {}, "Id of a floor patch."),
         makeParameter("to", Type::kText, "", "food", {}, "Id of another one."),
         integer("enough", "0", {0.0, 1e9}, "Trips after which the run ends, a success; 0: it does not.")};
     return description;
   }
 
   void configure(const Configuration& parameters) override {
-    robots_ = parameters.text("robots");
+    group_ = RobotGroup(parameters.text("robots"));
     ids_ = {parameters.text("from"), parameters.text("to")};
     if (ids_[0] == ids_[1]) {
       throw ConfigError(parameters.location(),
@@ -49,7 +48,7 @@ class Trips final : public Rule {
 
   void afterTick(const Space& space, InterventionQueue&) override {
     for (const Row row : space.entities.order) {
-      if (space.entities.model[row]->is_robot && space.entities.name[row].compare(0, robots_.size(), robots_) == 0) {
+      if (group_.has(space, row)) {
         look(space, row);
       }
     }
@@ -84,7 +83,7 @@ class Trips final : public Rule {
     }
   }
 
-  std::string robots_;
+  RobotGroup group_;
   std::array<std::string, 2> ids_;
   std::array<std::size_t, 2> patches_{};
   SourceLocation location_;

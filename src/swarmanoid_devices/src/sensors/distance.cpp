@@ -12,8 +12,7 @@ namespace {
 
 using RoomyDistanceInstance = SpanReadings<DistanceInstance<Distance, Eigen::Dynamic>, DistanceReading>;
 
-class DistanceSensor final
-    : public DistanceRingSensor<DistanceSensor, Distance, Eigen::Dynamic, RoomyDistanceInstance> {
+class DistanceSensor : public DistanceRingSensor<DistanceSensor, Distance, Eigen::Dynamic, RoomyDistanceInstance> {
   using Base = DistanceRingSensor<DistanceSensor, Distance, Eigen::Dynamic, RoomyDistanceInstance>;
 
  public:
@@ -45,4 +44,4 @@ class DistanceSensor final
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::DistanceSensor)
+REGISTER_RING(swarmanoid::devices::DistanceSensor)

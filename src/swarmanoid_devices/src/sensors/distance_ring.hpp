@@ -19,6 +19,8 @@
 #include "distance_rays.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
+#include "sampled_ring.hpp"
+#include "surface_angles.hpp"
 #include "swarmanoid_interface/devices/distance.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -45,6 +47,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
                                                    ", allowed: less than range_max, which is " +
                                                    numberText(range_.maximum));
     }
+    reach_ = range_.maximum;
   }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
@@ -53,7 +56,31 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
   }
 
+  // For the implementation `sampled`.
+  static constexpr SampledLaw kSampledLaw{Stimulus::kObstacle, {0.0, Distance::kFarthest}, kInfinity};
+  double range() const { return range_.maximum; }
+
  protected:
+  /// As far as rays reach is the table's business; what can be measured is what stands there as measured.
+  void setRange(const SampleTable& table) {
+    range_ = table.finiteReadings();
+    reach_ = table.farthest() + kSampledMargin;
+  }
+
+  template <class Visit>
+  void visitFelt(const Space& space, const Instance& instance, Visit visit) const {
+    Rays rays = raysOf(space, instance);
+    if (!mayMeasure(space, rays.bundle, rays.lowest())) {
+      return;
+    }
+    Segments segments;
+    Hits hits;
+    castRays(space, rays, segments, hits);
+    visitSurfaces<RingGeometry<count>::kMost>(
+        space, rays.bundle, Span<const RayHit>(hits.data(), rays.bundle.segments.size()), castDistances,
+        [&](std::size_t sensor, double way, double angle) { visit(sensor, way, angle, 1.0); });
+  }
+
   /// @param usual what its sensors can measure, where an experiment does not say it [m]
   static PluginDescription describeRing(const std::string& summary, Range usual) {
     PluginDescription description;
@@ -75,18 +102,45 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
  private:
-  void senseOne(const Space& space, Instance& instance) const {
+  using Segments = std::array<Segment, RingGeometry<count>::kMost>;
+  using Hits = std::array<RayHit, RingGeometry<count>::kMost>;
+
+  struct Rays {
+    typename RingGeometry<count>::Points from;
+    typename RingGeometry<count>::Points to;
+    RayBundle bundle;
+
+    double lowest() const { return std::min(from.row(2).minCoeff(), to.row(2).minCoeff()); }
+  };
+
+  /// All but the segments of the bundle.
+  Rays raysOf(const Space& space, const Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;
-    const std::size_t size = ring.size();
     const Pose& pose = space.entities.pose[instance.row];
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
-    const typename RingGeometry<count>::Points from = (rotation * ring.from).colwise() + pose.position;
-    const typename RingGeometry<count>::Points to = from + (range_.maximum * rotation) * ring.direction;
-    RayBundle rays;
-    rays.centre = pose.toWorld(ring.centre);
-    rays.radius = ring.radius + range_.maximum;
-    rays.ignored = instance.row;
-    if (!mayMeasure(space, rays, std::min(from.row(2).minCoeff(), to.row(2).minCoeff()))) {
+    Rays rays;
+    rays.from = (rotation * ring.from).colwise() + pose.position;
+    rays.to = rays.from + (reach_ * rotation) * ring.direction;
+    rays.bundle.centre = pose.toWorld(ring.centre);
+    rays.bundle.radius = ring.radius + reach_;
+    rays.bundle.ignored = instance.row;
+    return rays;
+  }
+
+  /// @param rays get their segments
+  static void castRays(const Space& space, Rays& rays, Segments& segments, Hits& hits) {
+    const auto size = static_cast<std::size_t>(rays.from.cols());
+    for (std::size_t i = 0; i < size; ++i) {
+      segments[i] = {rays.from.col(static_cast<Eigen::Index>(i)), rays.to.col(static_cast<Eigen::Index>(i))};
+    }
+    rays.bundle.segments = Span<const Segment>(segments.data(), size);
+    castDistances(space, rays.bundle, Span<RayHit>(hits.data(), size));
+  }
+
+  void senseOne(const Space& space, Instance& instance) const {
+    const std::size_t size = instance.ring->size();
+    Rays rays = raysOf(space, instance);
+    if (!mayMeasure(space, rays.bundle, rays.lowest())) {
       for (std::size_t i = 0; !instance.is_clear && i < size; ++i) {
         Ring::valueOf(instance, i) = Distance::reading(kInfinity, range_);
       }
@@ -94,20 +148,17 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
       return;
     }
     instance.is_clear = false;
-    std::array<Segment, RingGeometry<count>::kMost> segments;
-    std::array<RayHit, RingGeometry<count>::kMost> hits;
+    Segments segments;
+    Hits hits;
+    castRays(space, rays, segments, hits);
     for (std::size_t i = 0; i < size; ++i) {
-      segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
-    }
-    rays.segments = Span<const Segment>(segments.data(), size);
-    castDistances(space, rays, Span<RayHit>(hits.data(), size));
-    for (std::size_t i = 0; i < size; ++i) {
-      const double distance = hits[i].isHit() ? hits[i].fraction * range_.maximum : kInfinity;
+      const double distance = hits[i].isHit() ? hits[i].fraction * reach_ : kInfinity;
       Ring::valueOf(instance, i) = Distance::reading(distance, range_);
     }
   }
 
-  Range range_;
+  Range range_;         // that can be measured, m
+  double reach_ = 0.0;  // of rays, m
   Rings<count> rings_;
 };
 

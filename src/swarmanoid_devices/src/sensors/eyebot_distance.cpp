@@ -6,8 +6,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-class EyebotDistanceSensor final
-    : public DistanceRingSensor<EyebotDistanceSensor, EyebotDistance, EyebotDistance::kCount> {
+class EyebotDistanceSensor : public DistanceRingSensor<EyebotDistanceSensor, EyebotDistance, EyebotDistance::kCount> {
  public:
   static PluginDescription describe() {
     return describeRing(
@@ -21,4 +20,4 @@ class EyebotDistanceSensor final
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::EyebotDistanceSensor)
+REGISTER_RING(swarmanoid::devices::EyebotDistanceSensor)

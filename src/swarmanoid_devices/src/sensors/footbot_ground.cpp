@@ -6,7 +6,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-class FootbotGroundSensor final : public GroundSpotsSensor<FootbotGroundSensor, FootbotGround, FootbotGround::kCount> {
+class FootbotGroundSensor : public GroundSpotsSensor<FootbotGroundSensor, FootbotGround, FootbotGround::kCount> {
  public:
   static PluginDescription describe() {
     return describeSpots("8 infrared spots around the body; the mean of the channels of the floor's colour.");
@@ -15,7 +15,7 @@ class FootbotGroundSensor final : public GroundSpotsSensor<FootbotGroundSensor, 
   static float& valueOf(Instance& instance, std::size_t spot) { return instance.readings->value[spot]; }
 };
 
-class FootbotBaseGroundSensor final
+class FootbotBaseGroundSensor
     : public GroundSpotsSensor<FootbotBaseGroundSensor, FootbotBaseGround, FootbotBaseGround::kCount> {
  public:
   static constexpr const char* kLinks = "base_ground";
@@ -30,5 +30,5 @@ class FootbotBaseGroundSensor final
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::FootbotGroundSensor)
-REGISTER_SENSOR(swarmanoid::devices::FootbotBaseGroundSensor)
+REGISTER_RING(swarmanoid::devices::FootbotGroundSensor)
+REGISTER_RING(swarmanoid::devices::FootbotBaseGroundSensor)

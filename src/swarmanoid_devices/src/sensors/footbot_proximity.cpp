@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kCount = FootbotProximity::kCount;
 
-class FootbotProximitySensor final : public ProximityRingSensor<FootbotProximitySensor, FootbotProximity, kCount> {
+class FootbotProximitySensor : public ProximityRingSensor<FootbotProximitySensor, FootbotProximity, kCount> {
  public:
   static PluginDescription describe() {
     PluginDescription description =
@@ -32,4 +32,4 @@ class FootbotProximitySensor final : public ProximityRingSensor<FootbotProximity
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::FootbotProximitySensor)
+REGISTER_RING(swarmanoid::devices::FootbotProximitySensor)

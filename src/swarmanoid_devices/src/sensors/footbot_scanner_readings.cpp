@@ -1,11 +1,13 @@
 // The four beams of the rotating distance scanner. The head has no mass and no shape, so no engine moves it: its angle
 // follows from the actuations alone, tick by tick.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "color_blob_finder.hpp"
 #include "distance_rays.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
+#include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "tick_guard.hpp"
@@ -45,6 +47,31 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
  protected:
   void prepareInstance(const Space& space, ScannerInstance& instance) override {
     instance.mount = space.entities.model[instance.row]->mount("scanner");
+  }
+
+  /// The samples of the tick, from where the head is now, as long as they are read; what is too close is not drawn.
+  void drawOne(const Space& space, const ScannerInstance& instance, DeviceDrawing& drawing) const override {
+    const Readings& readings = delivered(instance);
+    const Pose& pose = space.entities.pose[instance.row];
+    const Eigen::Vector3d centre = pose.toWorld(instance.mount.position);
+    const Eigen::Matrix3d head = (pose.orientation * instance.mount.orientation).toRotationMatrix();
+    for (std::size_t beam = 0; beam < Readings::kBeams; ++beam) {
+      const double range = Readings::rangeOf(beam).maximum;
+      for (std::size_t i = 0; i < Readings::kSamples; ++i) {
+        const auto distance = static_cast<double>(readings.distances(beam)[i]);
+        if (!(distance >= 0.0)) {  // too close, or not measured
+          continue;
+        }
+        const double angle = static_cast<double>(readings.angles[i]) + Readings::offset(beam);
+        const Eigen::Vector3d direction = head.col(0) * std::cos(angle) + head.col(1) * std::sin(angle);
+        const double way = std::min(distance, range);
+        const Color shade = DeviceDrawing::shade(1.0 - way / range);
+        drawing.line(centre, centre + way * direction, shade);
+        if (distance <= range) {
+          drawing.point(centre + way * direction, shade);
+        }
+      }
+    }
   }
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 using RoomyGroundInstance = SpanReadings<GroundInstance<Ground, Eigen::Dynamic>, GroundSpot>;
 
-class GroundSensor final : public GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynamic, RoomyGroundInstance> {
+class GroundSensor : public GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynamic, RoomyGroundInstance> {
   using Base = GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynamic, RoomyGroundInstance>;
 
  public:
@@ -35,4 +35,4 @@ class GroundSensor final : public GroundSpotsSensor<GroundSensor, Ground, Eigen:
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::GroundSensor)
+REGISTER_RING(swarmanoid::devices::GroundSensor)

@@ -21,6 +21,7 @@
 #include "field_numbers.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
+#include "sampled_ring.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "way_to_ground.hpp"
@@ -51,7 +52,30 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     }
   }
 
+  // For the implementation `sampled`.
+  static constexpr SampledLaw kSampledLaw{Stimulus::kFloor, {0.0, 1.0}, 0.0};
+  double range() const { return range_; }
+
  protected:
+  void setRange(const SampleTable& table) { range_ = table.farthest() + kSampledMargin; }
+
+  template <class Visit>
+  void visitFelt(const Space& space, const Instance& instance, Visit visit) const {
+    const RingGeometry<count>& ring = *instance.ring;
+    const Pose& pose = space.entities.pose[instance.row];
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      const Eigen::Vector3d spot = pose.toWorld(ring.from.col(column));
+      const Eigen::Vector3d direction = pose.orientation * ring.direction.col(column);
+      const double way = wayToGround(space, spot, direction, range_);
+      if (way != kInfinity) {
+        const Color color = space.floor.colorAt(spot + way * direction, space.tick);
+        const double tilt = std::atan2(direction.head<2>().norm(), -direction.z());
+        visit(i, std::max(way, 0.0), tilt, static_cast<double>(Ground::reflection(color)));
+      }
+    }
+  }
+
   static PluginDescription describeSpots(const std::string& summary) {
     PluginDescription description;
     description.label = Device::kType;

@@ -6,7 +6,7 @@
 namespace swarmanoid::devices {
 namespace {
 
-class HandbotDistanceSensor final
+class HandbotDistanceSensor
     : public DistanceRingSensor<HandbotDistanceSensor, HandbotDistance, HandbotDistance::kCount> {
  public:
   static PluginDescription describe() {
@@ -20,4 +20,4 @@ class HandbotDistanceSensor final
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::HandbotDistanceSensor)
+REGISTER_RING(swarmanoid::devices::HandbotDistanceSensor)

@@ -9,7 +9,7 @@ namespace {
 
 using RoomyLightInstance = RoomyInstance<LightInstance<Light, Eigen::Dynamic>, LightReading>;
 
-class LightSensor final : public LightRingSensor<LightSensor, Light, Eigen::Dynamic, RoomyLightInstance> {
+class LightSensor : public LightRingSensor<LightSensor, Light, Eigen::Dynamic, RoomyLightInstance> {
   using Base = LightRingSensor<LightSensor, Light, Eigen::Dynamic, RoomyLightInstance>;
 
  public:
@@ -31,4 +31,4 @@ class LightSensor final : public LightRingSensor<LightSensor, Light, Eigen::Dyna
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::LightSensor)
+REGISTER_RING(swarmanoid::devices::LightSensor)

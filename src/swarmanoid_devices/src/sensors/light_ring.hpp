@@ -11,14 +11,17 @@
 ///     };
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "field_numbers.hpp"
 #include "light_sources.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
+#include "sampled_ring.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -41,7 +44,16 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   /// @param sum of the shares of light that a sensor gets @return what it reads
   static float response(double sum) { return Light::response(sum); }
 
-  void configure(const Configuration& parameters) override { range_ = parameters.number("range", Light::kUsualRange); }
+  void configure(const Configuration& parameters) override {
+    const double range = parameters.number("range", Light::kUsualRange);
+    reach_ = {range, std::min(range, parameters.number("led_range", kFarthest))};
+  }
+
+  void prepare(const Space& space) override {
+    if (!this->instances_.empty()) {
+      lit_.fill(space);
+    }
+  }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     for (std::size_t k = first; k < last; ++k) {
@@ -49,7 +61,32 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
   }
 
+  // For the implementation `sampled`.
+  static constexpr SampledLaw kSampledLaw{Stimulus::kLight, {0.0, 1.0}, 0.0};
+  double range() const { return reach_.of_lamps; }
+
  protected:
+  void setRange(const SampleTable& table) {
+    const double range = table.farthest() + kSampledMargin;
+    reach_ = {range, range};
+  }
+
+  template <class Visit>
+  void visitFelt(const Space& space, const Instance& instance, Visit visit) const {
+    const std::vector<Row>& near = shiningOn(space, instance);
+    if (near.empty()) {
+      return;
+    }
+    Sensors sensors;
+    const IlluminatedRing ring = placedRing(space, instance, sensors);
+    VisitedLight law([&](std::size_t sensor, double brightness, const Eigen::Vector3d& offset) {
+      const Eigen::Vector3d& direction = sensors[sensor].direction;
+      const double angle = std::atan2(direction.cross(offset).norm(), direction.dot(offset));
+      visit(sensor, offset.norm(), angle, brightness);
+    });
+    illuminate(space, ring, near, law);
+  }
+
   /// @param implementation its name; the inverse square law is used where an experiment names none
   static PluginDescription describeRing(const std::string& summary,
                                         const std::string& implementation = "inverse_square") {
@@ -58,8 +95,10 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     description.implementation = implementation;
     description.is_default = implementation == "inverse_square";
     description.summary = summary;
-    description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, 100.0},
-                                     "Distance beyond which a source gives no light.")};
+    description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, kFarthest},
+                                     "Distance beyond which a source gives no light."),
+                              number("led_range", "m", numberText(kFarthest), {0.001, kFarthest},
+                                     "The same for LEDs of robots, if it is less than `range`.")};
     return description;
   }
 
@@ -84,30 +123,52 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
  private:
-  void senseOne(const Space& space, Instance& instance) const {
+  static constexpr double kFarthest = 100.0;  // m
+  using Sensors = std::array<IlluminatedSensor, RingGeometry<count>::kMost>;
+
+  /// What shines on a ring. The list is kept between calls so that a steady state allocates
+  /// nothing.
+  const std::vector<Row>& shiningOn(const Space& space, const Instance& instance) const {
+    thread_local std::vector<Row> near;
+    lit_.collect(space, instance.row, centreOf(space, instance), instance.ring->radius, reach_, near);
+    return near;
+  }
+
+  static Eigen::Vector3d centreOf(const Space& space, const Instance& instance) {
+    return space.entities.pose[instance.row].toWorld(instance.ring->centre);
+  }
+
+  /// @param sensors to be placed
+  IlluminatedRing placedRing(const Space& space, const Instance& instance, Sensors& sensors) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
-    const Eigen::Vector3d centre = pose.toWorld(ring.centre);
-    if (isDark(space, instance.row, centre, ring.radius + range_)) {
-      const float dark = Ring::response(0.0);
-      for (std::size_t i = 0; i < ring.size(); ++i) {
-        Ring::valueOf(instance, i) = dark;
-      }
-      return;
-    }
-    std::array<IlluminatedSensor, RingGeometry<count>::kMost> sensors;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       sensors[i].position = pose.toWorld(ring.from.col(column));
       sensors[i].direction = pose.orientation * ring.direction.col(column);
     }
-    illuminate(space, {instance.row, centre, ring.radius, range_, {sensors.data(), ring.size()}});
-    for (std::size_t i = 0; i < ring.size(); ++i) {
+    return {instance.row, pose.toWorld(ring.centre), ring.radius, reach_, {sensors.data(), ring.size()}};
+  }
+
+  void senseOne(const Space& space, Instance& instance) const {
+    const std::size_t size = instance.ring->size();
+    const std::vector<Row>& near = shiningOn(space, instance);
+    if (near.empty()) {  // so it is for most robots of a large world
+      const float dark = Ring::response(0.0);
+      for (std::size_t i = 0; i < size; ++i) {
+        Ring::valueOf(instance, i) = dark;
+      }
+      return;
+    }
+    Sensors sensors;
+    illuminate(space, placedRing(space, instance, sensors), near);
+    for (std::size_t i = 0; i < size; ++i) {
       Ring::valueOf(instance, i) = Ring::response(sensors[i].sum);
     }
   }
 
-  double range_ = Light::kUsualRange;
+  LightReach reach_;
+  LitEntities lit_;  // of this tick
   Rings<count> rings_;
 };
 

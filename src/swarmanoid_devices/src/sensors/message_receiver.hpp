@@ -166,13 +166,13 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     std::size_t count = 0;
     for (const Found& found : heard) {
       const Sender<Command>& sender = *found.sender;
-      if (!isFor(instance, *sender.command)) {
+      if (!isFor(instance, sender.command)) {
         continue;
       }
       instance.senders[count] = sender.number;
       Message& message = instance.buffer[count++];
       message.measure(to_body * (sender.position - own_position));
-      message.payload = sender.command->payload;
+      message.payload = sender.command.payload;
       complete(space, sender.row, message);
     }
     readings.messages = Span<const Message>(instance.buffer.data(), count);

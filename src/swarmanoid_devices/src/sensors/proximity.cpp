@@ -9,8 +9,7 @@ namespace {
 
 using RoomyProximityInstance = RoomyInstance<ProximityInstance<Proximity, Eigen::Dynamic>, ProximityReading>;
 
-class ProximitySensor final
-    : public ProximityRingSensor<ProximitySensor, Proximity, Eigen::Dynamic, RoomyProximityInstance> {
+class ProximitySensor : public ProximityRingSensor<ProximitySensor, Proximity, Eigen::Dynamic, RoomyProximityInstance> {
   using Base = ProximityRingSensor<ProximitySensor, Proximity, Eigen::Dynamic, RoomyProximityInstance>;
 
  public:
@@ -32,4 +31,4 @@ class ProximitySensor final
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_SENSOR(swarmanoid::devices::ProximitySensor)
+REGISTER_RING(swarmanoid::devices::ProximitySensor)

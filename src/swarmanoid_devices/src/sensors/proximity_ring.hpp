@@ -9,6 +9,8 @@
 #include "field_numbers.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
+#include "sampled_ring.hpp"
+#include "surface_angles.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
@@ -25,9 +27,11 @@ struct ProximityInstance : BasicSensorInstance<Device> {
 /// `Ring` derives from this, and has `static float& valueOf(Instance&, std::size_t)`, where the reading of a sensor is.
 /// Another law than the polynomial is a `static float response(double fraction)` of its own, as the one here. Drawn are
 /// the rays as far as they reach, in the shade of the struct's `value`, with a point where they hit something.
-template <class Ring, class Device, int count, class Instance = ProximityInstance<Device, count>>
-class ProximityRingSensor : public SensorOf<Device, Instance> {
+template <class Ring, class Device, int count, class InstanceOfRing = ProximityInstance<Device, count>>
+class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
  public:
+  using Instance = InstanceOfRing;
+
   /// @param fraction of the range at which something is: 0 at contact, 1 at the range or beyond
   /// @return from 0 to 1; 0 at the range, which is read too where nothing is near
   static float response(double fraction) { return Proximity::response(fraction); }
@@ -42,7 +46,28 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
     }
   }
 
+  // For the implementation `sampled`.
+  static constexpr SampledLaw kSampledLaw{Stimulus::kObstacle, {0.0, 1.0}, 0.0};
+  double range() const { return range_; }
+
  protected:
+  void setRange(const SampleTable& table) { range_ = table.farthest() + kSampledMargin; }
+
+  template <class Visit>
+  void visitFelt(const Space& space, const Instance& instance, Visit visit) const {
+    RayBundle rays = bundleOf(space, instance);
+    if (!space.mayHit(rays)) {
+      return;
+    }
+    Segments segments;
+    Hits hits;
+    castRays(space, instance, segments, hits, rays);
+    visitSurfaces<RingGeometry<count>::kMost>(
+        space, rays, Span<const RayHit>(hits.data(), rays.segments.size()),
+        [](const Space& in, const RayBundle& beside, Span<RayHit> found) { in.raycast(beside, found); },
+        [&](std::size_t sensor, double way, double angle) { visit(sensor, way, angle, 1.0); });
+  }
+
   /// @param implementation its name; the polynomial is used where an experiment names none
   static PluginDescription describeRing(const std::string& summary, const std::string& implementation = "polynomial") {
     PluginDescription description;
@@ -106,6 +131,14 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
     }
   }
 
+  /// @param rays of bundleOf, which get their segments
+  void castRays(const Space& space, const Instance& instance, Segments& segments, Hits& hits, RayBundle& rays) const {
+    const std::size_t size = instance.ring->size();
+    aim(space, instance, segments);
+    rays.segments = Span<const Segment>(segments.data(), size);
+    space.raycast(rays, Span<RayHit>(hits.data(), size));
+  }
+
   void senseOne(const Space& space, Instance& instance) const {
     const std::size_t size = instance.ring->size();
     RayBundle rays = bundleOf(space, instance);
@@ -119,9 +152,7 @@ class ProximityRingSensor : public SensorOf<Device, Instance> {
     instance.is_clear = false;
     Segments segments;
     Hits hits;
-    aim(space, instance, segments);
-    rays.segments = Span<const Segment>(segments.data(), size);
-    space.raycast(rays, Span<RayHit>(hits.data(), size));
+    castRays(space, instance, segments, hits, rays);
     for (std::size_t i = 0; i < size; ++i) {
       Ring::valueOf(instance, i) = Ring::response(hits[i].fraction);
     }

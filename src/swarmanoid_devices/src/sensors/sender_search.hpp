@@ -12,13 +12,13 @@
 
 namespace swarmanoid::devices {
 
-/// Somebody who sends.
+/// Somebody who sends, with a copy of what, so that who hears it finds both in one place.
 template <class Command>
 struct Sender {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the transmitter, in W [m]
   EntityNumber number = kNoEntity;
   Row row = kNoRow;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the transmitter, in W [m]
-  const Command* command = nullptr;                    ///< null: does not send
+  Command command;  ///< does not send if there is nobody
 };
 
 /// All who send in this tick. Filled on one thread, then read by any number.
@@ -35,11 +35,11 @@ class SenderTable {
     std::size_t count = 0;
     for (std::size_t place = 0; place < by_place_.size(); ++place) {
       by_place_[place] = senderAt(space, space.index.at(static_cast<PositionalIndex::Place>(place)).row, commands);
-      count += by_place_[place].command == nullptr ? 0 : 1;
+      count += by_place_[place].command.sends ? 1 : 0;
     }
     for (const PositionalIndex::LargeOutline& large : space.index.large()) {
       const Sender<Command> sender = senderAt(space, large.row, commands);
-      if (sender.command != nullptr) {
+      if (sender.command.sends) {
         large_.push_back(sender);
       }
     }
@@ -60,7 +60,7 @@ class SenderTable {
       return {};
     }
     const Transmitter& transmitter = transmitters_.of(*space.entities.model[row], Command::kType, Command::kLink);
-    return {space.entities.number[row], row, positionOf(space, row, transmitter), command};
+    return {positionOf(space, row, transmitter), space.entities.number[row], row, *command};
   }
 
   void keepFew(bool are_few) {
@@ -68,7 +68,7 @@ class SenderTable {
     few_.clear();
     if (are_few) {
       std::copy_if(by_place_.begin(), by_place_.end(), std::back_inserter(few_),
-                   [](const Sender<Command>& sender) { return sender.command != nullptr; });
+                   [](const Sender<Command>& sender) { return sender.command.sends; });
       few_.insert(few_.end(), large_.begin(), large_.end());
     }
   }
@@ -108,7 +108,7 @@ class SenderSearch {
     } else {
       space.index.collectPlaces(position, reach + std::max(kMostOutside, space.index.prismMargin()), near);
       for (const PositionalIndex::Place place : near) {
-        if (table.at(place).command != nullptr) {
+        if (table.at(place).command.sends) {
           keep_within(table.at(place));
         }
       }

@@ -87,21 +87,21 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target) {
 const std::vector<planar::Penetration>& Kinematics2d::findContacts(BodyIndex index, const PlacedPose& pose) {
   contacts_.clear();
   const BodyIndex gripped = motion(index).gripped;
-  addContacts(index, pose, gripped);
+  addContacts(index, pose);
   const planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
   const bool is_trailing = turret != nullptr && turret->command.mode == JointCommand::Mode::kPassive;
   if (gripped != kNoBody && !is_trailing) {  // what trails behind is not where the pose alone would put it
-    addContacts(gripped, carriedPose(pose, motion(gripped).place_in_gripper), index);
+    addContacts(gripped, carriedPose(pose, motion(index).place_of_gripped));
   }
   return contacts_;
 }
 
-/// @param partner what it holds, or is held by: never in its way
-void Kinematics2d::addContacts(BodyIndex index, const PlacedPose& pose, BodyIndex partner) {
+/// What it holds, or is held by, is never in its way.
+void Kinematics2d::addContacts(BodyIndex index, const PlacedPose& pose) {
   const Body& body = bodies_[index];
   bodies_.visitNear(pose.position, body.model->radius, [&](BodyIndex other_index) {
     const Body& other = bodies_[other_index];
-    if (other_index != index && other_index != partner) {
+    if (!areConnected(index, other_index)) {
       const auto found = planar::deepestPenetration(*body.model, pose, body.along, other, relative_shapes_);
       if (found.depth > planar::kContactTolerance && isHindering(index, pose, other)) {
         contacts_.push_back(found);

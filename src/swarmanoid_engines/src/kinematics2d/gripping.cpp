@@ -1,4 +1,4 @@
-// Phase `connect`: robots grip preys and let go of them.
+// Phase `connect`: robots grip preys and handbots, and let go of them.
 #include "common/grips.hpp"
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/gripper_reach.hpp"
@@ -15,84 +15,114 @@ void Kinematics2d::connect(Space& space) {
       if (motion(index).gripped != kNoBody) {
         release(space, index);
       }
-    } else if (motion(index).gripped == kNoBody) {
-      const BodyIndex prey = findPrey(index);
-      if (prey != kNoBody) {
-        grip(space, index, prey);
+    } else if (mayGrip(index)) {
+      const BodyIndex found = findGrippable(index);
+      if (found != kNoBody) {
+        grip(space, index, found);
       }
     }
   }
 }
 
-BodyIndex Kinematics2d::findPrey(BodyIndex gripper) const {
+BodyIndex Kinematics2d::findGrippable(BodyIndex gripper) const {
   return planar::findInReach(bodies_, gripper, [&](BodyIndex index) {
-    const Body& prey = bodies_[index];
-    return !prey.entity->is_robot && prey.is_movable && prey.role == Role::kMove && motion(index).gripped_by == kNoBody;
+    const Body& body = bodies_[index];
+    return body.is_movable && body.role == Role::kMove && mayBeGripped(index);
   });
 }
 
-void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex prey_index) {
+/// Who is held goes where others take it, and takes nothing along.
+bool Kinematics2d::mayGrip(BodyIndex index) const {
+  return motion(index).gripped == kNoBody && motion(index).gripped_by == kNoBody;
+}
+
+/// One robot at a time holds a prey, any number a robot without a drive. None holds what goes by itself, or holds
+/// something.
+bool Kinematics2d::mayBeGripped(BodyIndex index) const {
+  const Body& body = bodies_[index];
+  if (motion(index).gripped != kNoBody) {
+    return false;
+  }
+  return body.entity->is_robot ? !body.entity->wheels && !body.flies : motion(index).gripped_by == kNoBody;
+}
+
+void Kinematics2d::grip(Space& space, BodyIndex gripper_index, BodyIndex gripped_index) {
   const Row gripper = bodies_[gripper_index].row;
-  const Row prey = bodies_[prey_index].row;
-  if (space.structure.connect(gripper, prey)) {
-    join(gripper_index, prey_index);
-    reportGrip(space, Event::Kind::kAttached, gripper, prey);
+  const Row gripped = bodies_[gripped_index].row;
+  if (space.structure.connect(gripper, gripped)) {
+    join(gripper_index, gripped_index);
+    reportGrip(space, Event::Kind::kAttached, gripper, gripped);
   }
 }
 
-void Kinematics2d::join(BodyIndex gripper_index, BodyIndex prey_index) {
-  motion(gripper_index).gripped = prey_index;
-  motion(prey_index).gripped_by = gripper_index;
+void Kinematics2d::join(BodyIndex gripper_index, BodyIndex gripped_index) {
+  BodyIndex* next = &motion(gripped_index).gripped_by;
+  while (*next != kNoBody && bodies_[*next].number < bodies_[gripper_index].number) {
+    next = &motion(*next).next_gripper;
+  }
+  Motion& record = motion(gripper_index);
+  record.next_gripper = *next;
+  *next = gripper_index;
+  record.gripped = gripped_index;
   const PlacedPose& gripper = bodies_[gripper_index].pose;
-  const PlacedPose& prey = bodies_[prey_index].pose;
-  motion(prey_index).place_in_gripper = {gripper.unrotated(prey.position - gripper.position),
-                                         prey.heading - gripper.heading};
+  const PlacedPose& gripped = bodies_[gripped_index].pose;
+  record.place_of_gripped = {gripper.unrotated(gripped.position - gripper.position), gripped.heading - gripper.heading};
   if (planar::Turret* turret = bodies_.findTurret(gripper_index)) {
     const PlacedPose turned = PlacedPose::at(gripper.position, gripper.heading + turret->sense * turret->state.angle);
-    turret->held = {turned.unrotated(prey.position - gripper.position), prey.heading - turned.heading};
+    turret->held = {turned.unrotated(gripped.position - gripper.position), gripped.heading - turned.heading};
   }
 }
 
 std::string Kinematics2d::unsupportedGripReason(const Space& space, Row gripper) const {
   const Row gripped = space.structure.grippedBy(gripper);
-  if (space.entities.model[gripped]->is_robot) {
-    return "grips the robot '" + space.entities.name[gripped] + "', which this engine cannot hold";
+  const EntityModel& model = *space.entities.model[gripped];
+  const std::string name = "'" + space.entities.name[gripped] + "'";
+  if (model.is_robot && (model.wheels || space.flight[gripped].is_driven)) {
+    return "grips the robot " + name + ", which this engine cannot hold";
   }
-  const bool is_shared = space.structure.grippersOf(gripped).size() > 1;
-  return is_shared ? "is not alone in gripping '" + space.entities.name[gripped] + "', which this engine cannot hold"
-                   : "";
+  if (space.structure.grippedBy(gripped) != kNoRow) {
+    return "grips " + name + " while that grips something, which this engine cannot hold";
+  }
+  const bool is_shared = !model.is_robot && space.structure.grippersOf(gripped).size() > 1;
+  return is_shared ? "is not alone in gripping " + name + ", which this engine cannot hold" : "";
 }
 
 void Kinematics2d::takeOverGrips(const Space& space, BodyIndex index) {
-  visitGripsOf(bodies_[index].row, space.structure, [&](Row gripper_row, Row prey_row) {
+  visitGripsOf(bodies_[index].row, space.structure, [&](Row gripper_row, Row gripped_row) {
     const BodyIndex gripper = bodies_.find(gripper_row);
-    const BodyIndex prey = bodies_.find(prey_row);
-    const bool both_here = gripper != kNoBody && prey != kNoBody && bodies_[gripper].role == Role::kMove &&
-                           bodies_[prey].role == Role::kMove;
-    if (both_here && motion(gripper).gripped == kNoBody && motion(prey).gripped_by == kNoBody) {
-      join(gripper, prey);
+    const BodyIndex gripped = bodies_.find(gripped_row);
+    const bool both_here = gripper != kNoBody && gripped != kNoBody && bodies_[gripper].role == Role::kMove &&
+                           bodies_[gripped].role == Role::kMove;
+    if (both_here && mayGrip(gripper) && mayBeGripped(gripped)) {
+      join(gripper, gripped);
     }
   });
 }
 
 void Kinematics2d::release(Space& space, BodyIndex gripper_index) {
   const Row gripper = bodies_[gripper_index].row;
-  const BodyIndex prey = motion(gripper_index).gripped;
-  reportGrip(space, Event::Kind::kReleased, gripper, bodies_[prey].row);
+  reportGrip(space, Event::Kind::kReleased, gripper, bodies_[motion(gripper_index).gripped].row);
   space.structure.release(gripper);
-  motion(prey).gripped_by = kNoBody;
-  motion(gripper_index).gripped = kNoBody;
+  letGo(gripper_index);
+}
+
+void Kinematics2d::letGo(BodyIndex gripper) {
+  Motion& record = motion(gripper);
+  BodyIndex* next = &motion(record.gripped).gripped_by;
+  while (*next != gripper) {
+    next = &motion(*next).next_gripper;
+  }
+  *next = record.next_gripper;
+  record.next_gripper = kNoBody;
+  record.gripped = kNoBody;
 }
 
 void Kinematics2d::forgetGrips(BodyIndex index) {
-  Motion& record = motion(index);
-  if (record.gripped != kNoBody) {
-    motion(record.gripped).gripped_by = kNoBody;
-    record.gripped = kNoBody;
+  if (motion(index).gripped != kNoBody) {
+    letGo(index);
   }
-  if (record.gripped_by != kNoBody) {
-    motion(record.gripped_by).gripped = kNoBody;
-    record.gripped_by = kNoBody;
+  while (motion(index).gripped_by != kNoBody) {
+    letGo(motion(index).gripped_by);
   }
 }
 

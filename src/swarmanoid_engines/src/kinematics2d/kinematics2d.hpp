@@ -9,12 +9,16 @@
 /// others are near, a body moves in pieces of half its inner radius, so nothing fast jumps through a thin wall.
 ///
 /// Wheels are integrated exactly along the arc. What would lead out of the plane is dropped: an eyebot flies the part
-/// of its velocity that lies in the plane. A footbot can grip a prey, not another footbot; a prey is gripped by one
-/// footbot at a time, and keeps its place in the gripper to the last digits.
+/// of its velocity that lies in the plane. A footbot can grip a prey, or a robot without a drive, such as a handbot,
+/// not another footbot, nor what flies. There are no chains: who is gripped grips nothing, and who grips is not
+/// gripped. A prey is gripped by one footbot at a time, a handbot by any number; both keep their place in the gripper
+/// to the last digits. What several hold goes the mean of the ways, and makes the mean of the turns, that each of them
+/// alone would give it; they go along, all of them as far as all have room.
 ///
 /// Turrets turn after all bodies have moved, at the commanded speed; what the gripper holds turns with them
-/// around the robot. One that would overlap another with its gripper or with what that holds turns as far as is free.
-/// What a passive one holds trails behind the robot like a trailer: its centre is never moved to the side.
+/// around the robot, unless others hold it too: then the turret stands. One that would overlap another with its gripper
+/// or with what that holds turns as far as is free. What a passive one holds trails behind the robot like a trailer:
+/// its centre is never moved to the side.
 ///
 /// Rays hit bodies as prisms over their planar shapes. A mirror of what another engine moves is not hit: that engine
 /// answers for it.
@@ -50,8 +54,9 @@ struct Motion {
 
   // Gripping: a gripped body goes where its gripper goes.
   BodyIndex gripped = kNoBody;
-  BodyIndex gripped_by = kNoBody;
-  planar::PlanarPose place_in_gripper;  ///< in the gripper's frame, from the moment of gripping
+  BodyIndex gripped_by = kNoBody;       ///< the first of its grippers, by entity number
+  BodyIndex next_gripper = kNoBody;     ///< that grips the same, by entity number
+  planar::PlanarPose place_of_gripped;  ///< in this gripper's frame, from the moment of gripping
 };
 
 class Kinematics2d final : public planar::PlanarEngine {
@@ -82,16 +87,22 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool tryPose(BodyIndex index, const PlacedPose& pose);
   bool tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place);
   static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
-  bool isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner, Clearance& clearance);
+  bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& clearance);
   bool isHindering(BodyIndex index, const PlacedPose& pose, const Body& other);
   void finishTick(Space& space, double dt);
+
+  // group.cpp
+  double fastestOfGroups() const;
+  void moveGroup(BodyIndex gripped, double dt);
+  planar::PlanarPose wayOfGroup(BodyIndex gripped, double dt) const;
+  bool tryGroup(BodyIndex gripped, const PlacedPose& pose);
 
   // contact.cpp
   void movePiece(BodyIndex index, double dt);
   void turnPiece(BodyIndex index, double turn);
   bool tryPushedOut(BodyIndex index, const PlacedPose& target);
   const std::vector<planar::Penetration>& findContacts(BodyIndex index, const PlacedPose& pose);
-  void addContacts(BodyIndex index, const PlacedPose& pose, BodyIndex partner);
+  void addContacts(BodyIndex index, const PlacedPose& pose);
   void countDetour(double moved);
 
   // turret.cpp
@@ -107,12 +118,26 @@ class Kinematics2d final : public planar::PlanarEngine {
   const Motion& motion(BodyIndex index) const { return motions_[static_cast<std::size_t>(index)]; }
 
   // gripping.cpp
-  BodyIndex findPrey(BodyIndex gripper) const;
-  void grip(Space& space, BodyIndex gripper, BodyIndex prey);
-  void join(BodyIndex gripper, BodyIndex prey);
+  BodyIndex findGrippable(BodyIndex gripper) const;
+  bool mayGrip(BodyIndex index) const;
+  bool mayBeGripped(BodyIndex index) const;
+  void grip(Space& space, BodyIndex gripper, BodyIndex gripped);
+  void join(BodyIndex gripper, BodyIndex gripped);
   void takeOverGrips(const Space& space, BodyIndex index);
   void release(Space& space, BodyIndex gripper);
+  void letGo(BodyIndex gripper);
   void forgetGrips(BodyIndex index);
+  /// What a body grips, or else itself.
+  BodyIndex objectOf(BodyIndex index) const {
+    const BodyIndex gripped = motion(index).gripped;
+    return gripped == kNoBody ? index : gripped;
+  }
+  bool areConnected(BodyIndex a, BodyIndex b) const { return objectOf(a) == objectOf(b); }
+  /// Whether a body grips what others grip too.
+  bool isInGroup(BodyIndex gripper) const {
+    const BodyIndex gripped = motion(gripper).gripped;
+    return gripped != kNoBody && motion(motion(gripped).gripped_by).next_gripper != kNoBody;
+  }
 
   std::vector<Motion> motions_;                       // by body
   std::vector<planar::PlanarShape> relative_shapes_;  // scratch of modelsOverlap

@@ -29,7 +29,11 @@ void Kinematics2d::move(Space& space, Duration dt) {
     travelled_ += stride_;
     detour_ = 0.0;
     for (const BodyIndex index : bodies_.order()) {
-      moveBody(index, step);
+      if (!isInGroup(index)) {
+        moveBody(index, step);
+      } else if (const BodyIndex gripped = motion(index).gripped; motion(gripped).gripped_by == index) {
+        moveGroup(gripped, step);
+      }
     }
     for (planar::Turret& turret : bodies_.turrets()) {
       turn(turret, step);
@@ -42,6 +46,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
 void Kinematics2d::startTick(const Space& space, double step) {
   bodies_.readTurretCommands(space);
   double fastest_squared = 0.0;
+  bool is_anything_gripped = false;
   for (const BodyIndex index : bodies_.order()) {
     Body& body = bodies_[index];
     motion(index).pose_at_start = {body.pose.position, body.pose.heading};
@@ -51,14 +56,15 @@ void Kinematics2d::startTick(const Space& space, double step) {
     }
     readCommands(space, body);
     fastest_squared = std::max(fastest_squared, body.velocity.squaredNorm());
-    if (const BodyIndex gripped = motion(index).gripped; gripped != kNoBody) {
+    if (motion(index).gripped != kNoBody) {
       // what is gripped swings around its gripper
-      const double arm = motion(gripped).place_in_gripper.position.norm();
+      is_anything_gripped = true;
+      const double arm = motion(index).place_of_gripped.position.norm();
       const double speed = body.velocity.norm() + arm * std::abs(body.turn_rate);
       fastest_squared = std::max(fastest_squared, speed * speed);
     }
   }
-  const double swing = startTurrets(step);
+  const double swing = std::max(startTurrets(step), is_anything_gripped ? fastestOfGroups() : 0.0);
   fastest_squared = std::max(fastest_squared, swing * swing);
   stride_ = std::sqrt(fastest_squared) * step;
   travelled_ += mirrors_moved_;
@@ -108,11 +114,11 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
   }
   Clearance clearance = record.clearance;
-  if (!isFree(index, pose, gripped, clearance)) {
+  if (!isFree(index, pose, clearance)) {
     return false;
   }
   if (gripped != kNoBody) {
-    if (!tryCarry(index, pose, motion(gripped).place_in_gripper)) {
+    if (!tryCarry(index, pose, record.place_of_gripped)) {
       return false;
     }
     clearance.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
@@ -131,21 +137,22 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
   const PlacedPose carried = carriedPose(pose, place);
   Clearance unused;
   unused.look_ahead = 0.0;
-  if (!isFree(gripped, carried, index, unused)) {
+  if (!isFree(gripped, carried, unused)) {
     return false;
   }
   bodies_.setPose(gripped, carried);
   return true;
 }
 
-bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex partner, Clearance& clearance) {
+/// What it holds, or is held by, is never in its way.
+bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& clearance) {
   const Body& body = bodies_[index];
   const double radius = body.model->radius;
   double nearest = clearance.look_ahead;
   bool free = true;
   clearance.at_all_heights = true;
   bodies_.visitNear(pose.position, radius + nearest, [&](BodyIndex other_index) {
-    if (other_index == index || other_index == partner) {
+    if (other_index == index) {
       return true;
     }
     const Body& other = bodies_[other_index];
@@ -156,7 +163,8 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, BodyIndex par
     }
     const double gap = bodies_.distanceTo(other_index, pose.position) - radius;
     nearest = std::min(nearest, gap);
-    free = gap > 0.0 || !planar::modelsOverlap(*body.model, pose, body.along, other, relative_shapes_) ||
+    free = gap > 0.0 || areConnected(index, other_index) ||
+           !planar::modelsOverlap(*body.model, pose, body.along, other, relative_shapes_) ||
            !isHindering(index, pose, other);
     return free;
   });

@@ -15,20 +15,22 @@ double Kinematics2d::startTurrets(double step) {
   double fastest = 0.0;
   for (Turret& turret : bodies_.turrets()) {
     turret.angle_at_start = turret.state.angle;
-    const BodyIndex gripped = motion(turret.body).gripped;
-    if (gripped == kNoBody) {
+    if (motion(turret.body).gripped == kNoBody) {
       continue;
     }
     const Body& body = bodies_[turret.body];
     const double next = freeTurn(turret.command, bodies_.jointOf(turret), turret.state.angle, step);
     const double turn_rate = std::abs(wrapTurn(next - turret.state.angle)) / step + std::abs(body.turn_rate);
-    const double arm = motion(gripped).place_in_gripper.position.norm();
+    const double arm = motion(turret.body).place_of_gripped.position.norm();
     fastest = std::max(fastest, body.velocity.norm() + arm * turn_rate);
   }
   return fastest;
 }
 
 void Kinematics2d::turn(Turret& turret, double dt) {
+  if (isInGroup(turret.body)) {
+    return;
+  }
   const double start = turret.state.angle;
   const double angle = freeTurn(turret.command, bodies_.jointOf(turret), start, dt);
   const PlacedPose& pose = bodies_[turret.body].pose;
@@ -45,7 +47,7 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
   if (gripped != kNoBody || travelled_ > clearance.free_until) {
     const planar::PlanarModel* now = bodies_[index].model;
     bodies_[index].model = &bodies_.modelAt(turret, angle);
-    const bool is_free = isFree(index, pose, gripped, clearance);
+    const bool is_free = isFree(index, pose, clearance);
     bodies_[index].model = now;
     if (!is_free) {
       return false;
@@ -56,7 +58,7 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
     if (!tryCarry(index, pose, place)) {
       return false;
     }
-    motion(gripped).place_in_gripper = place;
+    record.place_of_gripped = place;
     clearance.free_until = -1.0;  // as where a body moves
   }
   record.clearance = clearance;

@@ -108,6 +108,8 @@ bool PlanarEngine::mayHit(const RayBundle& rays) const { return planar::mayHit(b
 
 void PlanarEngine::raycast(const RayBundle& rays, Span<RayHit> hits) const { planar::raycast(bodies_, rays, hits); }
 
+bool PlanarEngine::hitsPrisms() const { return bodies_.plane().normal() != Eigen::Vector3d::UnitZ(); }
+
 bool PlanarEngine::blocks(Row row, const RayBundle& ray) const {
   SWARMANOID_EXPECTS(bodies_.find(row) != kNoBody);
   return planar::isHit(bodies_, ray.segments[0], bodies_.find(row));

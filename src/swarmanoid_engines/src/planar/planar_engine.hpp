@@ -23,6 +23,8 @@ class PlanarEngine : public Engine {
   bool mayHit(const RayBundle& rays) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   bool blocks(Row row, const RayBundle& ray) const override;
+  /// In a plane that stands upright.
+  bool hitsPrisms() const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override { return {subclock_, "", {}}; }
 

@@ -25,6 +25,8 @@ Command addValidateCommand(CLI::App& app);
 Command addListCommand(CLI::App& app);
 /// `describe [DEVICE]` prints what the code says of a device, as Markdown.
 Command addDescribeCommand(CLI::App& app);
+/// `sample DEVICE` writes a table of what a sensor reads, for its implementation `sampled`.
+Command addSampleCommand(CLI::App& app);
 /// `schema` prints the XSD of experiment files, with all that is installed.
 Command addSchemaCommand(CLI::App& app);
 

@@ -24,7 +24,7 @@ ExitCode call(int argc, char** argv) {
   app.set_version_flag("--version", "swarmanoid " + version());
   std::vector<std::pair<CLI::App*, Command>> commands;
   for (const auto add : {addRunCommand, addRerunCommand, addLaunchCommand, addDiffCommand, addValidateCommand,
-                         addListCommand, addDescribeCommand, addSchemaCommand}) {
+                         addListCommand, addDescribeCommand, addSampleCommand, addSchemaCommand}) {
     Command command = add(app);
     commands.emplace_back(app.get_subcommands({}).back(), std::move(command));
   }

@@ -17,7 +17,9 @@
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/handbot_arms.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
+#include "swarmanoid_interface/devices/handbot_proximity.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/devices/handbot_vacuum.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::mock {
@@ -282,9 +284,13 @@ TEST(MockHandbot, HoldsWhatItsHandReaches) {
   bench.advance(1.0);
   EXPECT_TRUE(bench.reading<HandbotHandsState>().left.holding);
   EXPECT_FALSE(bench.reading<HandbotHandsState>().right.holding);
+  EXPECT_EQ(1.0F, bench.reading<HandbotVacuum>().left[1]);
+  EXPECT_EQ(0.0F, bench.reading<HandbotVacuum>().right[1]);
+  EXPECT_EQ(1.0F, bench.reading<HandbotProximity>().left);
   bench.command<HandbotArms>().left.shoulder = -1.0;
   bench.advance(1.0);
   EXPECT_TRUE(bench.reading<HandbotHandsState>().left.holding) << "until it lets go";
+  EXPECT_EQ(0.0F, bench.reading<HandbotProximity>().left) << "the arm is up";
 }
 
 TEST(MockHandbot, ClimbsItsRope) {

@@ -132,6 +132,10 @@ class Engine {
   /// it holds, and says whether anything is hit. For callers who know what could stand in the way: to look at one
   /// entity costs a fraction of a look-up of what is near. @param ray of one segment @pre this engine moves the entity
   virtual bool blocks(Row row, const RayBundle& ray) const;
+  /// Whether rays hit prisms, which may stand out of the upright cylinder around a solid, up to the corners of the
+  /// square around that. Nothing that rays hit may stand out farther; and who has solids hits an upright cylinder of a
+  /// model where it is. Lines of sight count on both.
+  virtual bool hitsPrisms() const { return false; }
 
   /// Shows people what the engine works with. Allocates; called on request only.
   virtual void draw(EngineDrawing& /*drawing*/) const {}

@@ -1,5 +1,6 @@
 // <controllers>: which controllers there are, with their devices.
 #include <algorithm>
+#include <filesystem>
 
 #include "reader.hpp"
 
@@ -31,6 +32,24 @@ void refuseErrorParameter(const XmlElement& element, const PluginDescription& de
   }
 }
 
+/// A device's parameter `file` names a file of the experiment, as those of the floor do: the device gets its path.
+void takeFileOf(const XmlElement& element, Configuration& parameters, Reader& reader) {
+  const auto child = element.child("file");
+  if (!child || !parameters.has("file")) {
+    return;
+  }
+  const std::string path = takeFile(child->text(), reader);
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(path, ignored)) {
+    child->refuse("file: found '" + child->text() + "', which is no file, allowed: the name of a file that is there");
+  }
+  Configuration with_path(parameters.name(), parameters.text(), parameters.location());
+  for (const Configuration& value : parameters.children()) {
+    with_path.add(value.name() == "file" ? Configuration("file", path, value.location()) : value);
+  }
+  parameters = std::move(with_path);
+}
+
 DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader& reader) {
   const std::string path = kind == PluginKind::kSensor ? "controllers/*/sensors/*" : "controllers/*/actuators/*";
   element.allowAttributes(attributesOf(path));
@@ -60,6 +79,9 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
   std::vector<std::string> others = valuesOf(path);
   others.emplace_back("error");
   device.parameters = readPluginParameters(element, entry->description, others);
+  if (!is_stand_in) {
+    takeFileOf(element, device.parameters, reader);
+  }
   device.errors = readErrors(element, is_stand_in ? "" : device.type);
   return device;
 }

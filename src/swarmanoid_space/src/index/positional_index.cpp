@@ -103,9 +103,9 @@ PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Ro
   const Eigen::Quaterniond& q = entities.pose[row].orientation;
   const bool is_upright = q.x() == 0.0 && q.y() == 0.0;
   if (is_upright && model.joints_keep_outline && !model.shapes.empty()) {
-    return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row};
+    return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row, true};
   }
-  return {p.head<2>(), model.moving_reach, p.z() - model.moving_reach, p.z() + model.moving_reach, row};
+  return {p.head<2>(), model.moving_reach, p.z() - model.moving_reach, p.z() + model.moving_reach, row, false};
 }
 
 template <class Visit>
@@ -120,10 +120,7 @@ void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, double radius, 
       const Place first = first_item_[flat({low[0], y, z})];
       const Place last = first_item_[flat({high[0], y, z}) + 1];
       for (Place place = first; place < last; ++place) {
-        const Outline& item = items_[place];
-        const double item_reach = radius + item.radius;
-        if ((item.position - centre.head<2>()).squaredNorm() <= item_reach * item_reach &&
-            item.low <= centre.z() + radius && item.high >= centre.z() - radius) {
+        if (items_[place].meets(centre, radius)) {
           visit(place);
         }
       }
@@ -134,7 +131,7 @@ void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, double radius, 
 template <class Visit>
 void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
   for (const LargeOutline& large : large_items_) {
-    if (large.bounds.squaredExteriorDistance(centre) <= radius * radius) {
+    if (large.meets(centre, radius)) {
       visit(large.row);
     }
   }

@@ -44,6 +44,14 @@ double reachFromAxis(const CollisionShape& shape) {
   return reach;
 }
 
+EntityModel::Silhouette silhouetteOf(const CollisionShape& shape) {
+  const double reach = shape.reachAlong(Vector3d::UnitZ());
+  const bool is_upright = shape.orientation.x() == 0.0 && shape.orientation.y() == 0.0;
+  const bool is_about_z = shape.position.head<2>().isZero(0.0);
+  return {reachFromAxis(shape), shape.position.z() - reach, shape.position.z() + reach,
+          shape.kind == CollisionShape::Kind::kCylinder && is_upright && is_about_z};
+}
+
 /// Whether all joints that turn the shape turn it about body z.
 bool turnsAboutBodyZ(const EntityModel& model, const CollisionShape& shape) {
   for (int joint = shape.joint; joint >= 0; joint = model.joints[static_cast<std::size_t>(joint)].carrier) {
@@ -87,16 +95,18 @@ void EntityModel::measureShapes() {
   highest = 0.0;
   bounding_radius = 0.0;
   horizontal_radius = 0.0;
+  silhouettes.clear();
   if (!shapes.empty()) {
     lowest = std::numeric_limits<double>::infinity();
     highest = -lowest;
   }
   for (const CollisionShape& shape : shapes) {
-    const double reach = shape.reachAlong(Vector3d::UnitZ());
-    lowest = std::min(lowest, shape.position.z() - reach);
-    highest = std::max(highest, shape.position.z() + reach);
+    const Silhouette silhouette = silhouetteOf(shape);
+    lowest = std::min(lowest, silhouette.low);
+    highest = std::max(highest, silhouette.high);
     bounding_radius = std::max(bounding_radius, reachFrom(Vector3d::Zero(), shape));
-    horizontal_radius = std::max(horizontal_radius, reachFromAxis(shape));
+    horizontal_radius = std::max(horizontal_radius, silhouette.radius);
+    silhouettes.push_back(silhouette);
   }
   measureTurning();
 }

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 
+#include "swarmanoid_interface/arctangent.hpp"
 #include "swarmanoid_interface/color.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/span.hpp"
@@ -26,7 +27,7 @@ struct ColorBlob {
 
   /// What takes as much of a picture as a ball or disc does that is seen in full: 2 atan(radius / way). @param radius
   /// [m] @param way from the camera to the middle [m] @return [rad]
-  static float sizeOf(float radius, float way) { return 2.0F * std::atan2(radius, way); }
+  static float sizeOf(float radius, float way) { return 2.0F * arctangent(radius, way); }
 
   /// LEDs, lamps and laser spots are as large as this, half across [m].
   static constexpr double kPointRadius = 0.005;

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "swarmanoid_interface/arctangent.hpp"
 #include "swarmanoid_interface/devices/messages.hpp"
 
 namespace swarmanoid {
@@ -26,12 +27,11 @@ struct RangeAndBearingMessage {
 
   /// Measures where a sender is. @param offset from the own transmitter to its one, in the robot's frame [m]
   void measure(const Eigen::Vector3d& offset) {
-    // in single precision, as they are reported: arctangents of doubles would take longer than all else together
     const Eigen::Vector3f to_sender = offset.cast<float>();
-    const float angle = std::atan2(to_sender.y(), to_sender.x());
+    const float angle = arctangent(to_sender.y(), to_sender.x());
     range = static_cast<float>(offset.norm());
     bearing = angle <= -static_cast<float>(M_PI) ? static_cast<float>(M_PI) : angle;
-    elevation = std::atan2(to_sender.z(), to_sender.head<2>().norm());
+    elevation = arctangent(to_sender.z(), to_sender.head<2>().norm());
   }
 };
 

@@ -40,11 +40,26 @@ class PositionalIndex {
     double low;                ///< [m]
     double high;               ///< [m]
     Row row;
+    /// It is just as wide, low and high as the model says, which stands upright: its silhouettes are where they are,
+    /// over `low`. Else it holds the sphere around the entity.
+    bool is_upright;
+
+    /// Whether it meets the sphere: the question of collect, for those who keep what they look for themselves.
+    bool meets(const Eigen::Vector3d& centre, double sphere_radius) const {
+      const double reach = sphere_radius + radius;
+      return (position - centre.head<2>()).squaredNorm() <= reach * reach && low <= centre.z() + sphere_radius &&
+             high >= centre.z() - sphere_radius;
+    }
   };
   /// What is wider than a cell, such as a wall: a box is a better bound for it.
   struct LargeOutline {
     Eigen::AlignedBox3d bounds;  ///< in W [m]
     Row row;
+
+    /// Likewise.
+    bool meets(const Eigen::Vector3d& centre, double sphere_radius) const {
+      return bounds.squaredExteriorDistance(centre) <= sphere_radius * sphere_radius;
+    }
   };
   /// Where an entity stands in the index until the next rebuild, from 0 to placeCount() - 1. What is near each other
   /// has neighbouring places mostly: what is kept by place is read faster than what is kept by row.

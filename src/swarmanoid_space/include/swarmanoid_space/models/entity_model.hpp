@@ -70,6 +70,15 @@ struct EntityModel {
   double moving_reach = 0.0;        ///< around the body's origin, it holds all shapes whatever the joints do [m]
   bool joints_keep_outline = true;  ///< joints turn shapes about body z only, as turrets: within the four
 
+  /// An upright cylinder about body z that holds a shape, also while joints turn it about body z.
+  struct Silhouette {
+    double radius = 0.0;    ///< [m]
+    double low = 0.0;       ///< along body z [m]
+    double high = 0.0;      ///< likewise
+    bool is_whole = false;  ///< the shape is all of that cylinder
+  };
+  std::vector<Silhouette> silhouettes;  ///< of the shapes
+
   // How it resists as a whole, with all joints at zero; of no meaning to engines without forces, and for what is not
   // movable.
   double mass = 0.0;                                         ///< [kg]
@@ -166,7 +175,7 @@ struct EntityModel {
   std::vector<std::string> devices;  ///< device types that the description of a robot lists
   std::string urdf;                  ///< the whole URDF text; empty if there is none
 
-  /// Fills `lowest`, `highest`, the two radii and what follows them from `shapes` and `joints`.
+  /// Fills `lowest`, `highest`, the two radii and what follows them, with `silhouettes`, from `shapes` and `joints`.
   void measureShapes();
 
   /// Joins a part to what the model weighs so far.

@@ -17,8 +17,9 @@ struct WheelsCommand {
 };
 
 /// What the wheels have really turned since the entity came into the space [rad], positive drives ahead: the engine
-/// that moves the robot adds to it in `move`. Where a robot is blocked, or slips, its wheels turn all the same. Moving
-/// it from outside turns no wheel.
+/// that moves the robot adds to it in `move`. Where a robot is blocked, or slips, its wheels turn all the same: an
+/// actuator whose wheels slip, and which commands the engine what the ground is to pass under them, adds what they have
+/// turned besides in `afterMove`. Moving it from outside turns no wheel.
 struct WheelTurns {
   double left = 0.0;
   double right = 0.0;

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "swarmanoid_space/rays/solid_ray.hpp"
+#include "swarmanoid_space/rays/led_shades.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -21,6 +21,8 @@ inline std::vector<SeenLed> ledsByPlainRays(const Space& space, Row self, const 
   for (const Row row : space.entities.order) {
     const EntityModel& model = *space.entities.model[row];
     const Pose& pose = space.entities.pose[row];
+    LedShades shades;
+    shades.begin(model, space.joints[row]);
     for (std::size_t k = 0; row != self && k < model.led_positions.size(); ++k) {
       const Color color = model.is_robot ? space.leds[row][k] : space.ownColor(row);
       const Eigen::Vector3d point = pose.toWorld(model.led_positions[k]);
@@ -28,7 +30,7 @@ inline std::vector<SeenLed> ledsByPlainRays(const Space& space, Row self, const 
       LedSet asked;
       asked[k] = true;
       const double distance = (point - eye).head<2>().norm();
-      if (color.isLit() && distance <= range && hiddenLeds(model, space.joints[row], in_body, asked).none() &&
+      if (color.isLit() && distance <= range && shades.hidden(in_body, asked).none() &&
           space.castRay({eye, point}, self, row).fraction >= 1.0 - kOwnSurface) {
         seen.emplace_back(color.red, color.green, color.blue, static_cast<float>(distance));
       }

@@ -1,9 +1,12 @@
 // Which of its own LEDs an entity hides, at places of LEDs as URDFs have them.
-#include "swarmanoid_space/rays/solid_ray.hpp"
+#include "swarmanoid_space/rays/led_shades.hpp"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <optional>
+#include <random>
 #include <string>
 
 #include "swarmanoid_space/space.hpp"
@@ -30,7 +33,13 @@ class OwnLedTest : public testing::Test {
   /// Both in B.
   bool isSeen(const Vector3d& eye, const Vector3d& led) {
     model.led_positions = {Vector3d::Zero(), led};
-    return hiddenLeds(model, joints, eye, LedSet("10")).none();
+    return hidden(eye, LedSet("10")).none();
+  }
+  LedSet hidden(const Vector3d& eye, const LedSet& asked) {
+    model.measureShapes();
+    LedShades shades;
+    shades.begin(model, {joints.data(), joints.size()});
+    return shades.hidden(eye, asked);
   }
 
   EntityModel model;
@@ -113,8 +122,53 @@ TEST_F(OwnLedTest, AShapeThatIsTurnedHidesAsItStands) {
 TEST_F(OwnLedTest, OnlyWhatIsAskedIsSaid) {
   model.led_positions = {{0.1, 0.0, 0.0}, {0.0, 0.15, 0.0}, {-0.1, 0.0, 0.0}};
   const Vector3d eye(1.0, 0.3, 0.0);
-  EXPECT_EQ(hiddenLeds(model, joints, eye, LedSet("111")), LedSet("100"));
-  EXPECT_EQ(hiddenLeds(model, joints, eye, LedSet("011")), LedSet());
+  EXPECT_EQ(hidden(eye, LedSet("111")), LedSet("100"));
+  EXPECT_EQ(hidden(eye, LedSet("011")), LedSet());
+}
+
+/// Whether a point of the way before the LED is in the cylinder made smaller by the height of LEDs; nothing if it is
+/// nearer to the surface than steps are long.
+std::optional<bool> isThroughCylinder(const CollisionShape& cylinder, const Vector3d& eye, const Vector3d& led) {
+  constexpr int kSteps = 4000;
+  const double radius = cylinder.half_extent.x() - kLedHeight;
+  const double half_height = cylinder.half_extent.z() - kLedHeight;
+  double deepest = -1.0;
+  for (int i = 0; i <= kSteps; ++i) {
+    const Vector3d point = cylinder.orientation.conjugate() * (eye + (led - eye) * i / kSteps - cylinder.position);
+    deepest = std::max(deepest, std::min(radius - point.head<2>().norm(), half_height - std::abs(point.z())));
+  }
+  if (std::abs(deepest) < (led - eye).norm() / kSteps) {
+    return std::nullopt;
+  }
+  return deepest > 0.0;
+}
+
+TEST_F(OwnLedTest, ACylinderHidesWhatItsInsideStandsBefore) {
+  CollisionShape& cylinder = model.shapes[0];
+  cylinder.kind = CollisionShape::Kind::kCylinder;
+  std::mt19937_64 random(5);
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int seen = 0;
+  int hidden_ones = 0;
+  for (int i = 0; i < 600; ++i) {
+    cylinder.half_extent = {0.085, 0.085, uniform(0.02, 0.1)};
+    cylinder.position = {uniform(-0.05, 0.05), uniform(-0.05, 0.05), uniform(0.0, 0.1)};
+    cylinder.orientation = Eigen::AngleAxisd(i % 2 == 0 ? 0.0 : uniform(-3.0, 3.0), Vector3d(0.6, 0.0, 0.8));
+    const double angle = uniform(-3.1, 3.1);
+    const double height = uniform(-1.3, 1.3) * cylinder.half_extent.z();
+    const Vector3d led =
+        cylinder.position + cylinder.orientation * Vector3d(0.084 * std::cos(angle), 0.084 * std::sin(angle), height);
+    const Vector3d eye(uniform(-1.0, 1.0), uniform(-1.0, 1.0), uniform(-0.3, 0.5));
+    const std::optional<bool> expected = isThroughCylinder(cylinder, eye, led);
+    if (expected && std::abs(std::abs(height) - cylinder.half_extent.z()) > 0.01) {
+      EXPECT_EQ(!isSeen(eye, led), *expected) << i;
+      ++(*expected ? hidden_ones : seen);
+    }
+  }
+  EXPECT_GT(seen, 150);
+  EXPECT_GT(hidden_ones, 150);
 }
 
 TEST_F(OwnLedTest, NothingHidesALedWithoutABody) {

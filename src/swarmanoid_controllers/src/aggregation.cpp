@@ -1,0 +1,72 @@
+// Aggregation without computation: Gauci, Chen, Li, Dodd and Gross, "Self-organized aggregation without computation",
+// International Journal of Robotics Research 33 (2014). The robot knows one bit, whether another robot is on the line
+// ahead of it, and drives in one of two ways: round on the spot if so, and else backwards on a circle. It remembers
+// nothing. All robots show the colour that they look for; with black, which no camera sees, the bit is always 0.
+#include <cmath>
+
+#include "blob_search.hpp"
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/devices/leds.hpp"
+
+namespace swarmanoid {
+
+class Aggregation final : public Controller {
+ public:
+  void init(Robot& robot, const Configuration& parameters) override {
+    robot_ = &robot;
+    wheels_ = &robot.actuator<FootbotWheels>();
+    leds_ = &robot.actuator<FootbotLeds>();
+    camera_ = &robot.sensor<FootbotCamera>();
+    speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
+    color_ = parameters.color("color", colors::kGreen);
+    parameters.refuseUnread({"speed", "color"});
+    reset();
+  }
+
+  void reset() override {
+    leds_->setAll(color_);
+    *wheels_ = FootbotWheels{};
+    robot_->debug("state", "Circle");
+  }
+
+  void step(Time, Duration) override {
+    const bool sees = seesRobotAhead();
+    const Wheels& part = sees ? kSees : kSeesNobody;
+    wheels_->left = part.left * speed_ / FootbotWheels::kRadius;
+    wheels_->right = part.right * speed_ / FootbotWheels::kRadius;
+    robot_->debug("state", sees ? "Turn" : "Circle");
+  }
+
+ private:
+  /// Speeds of the wheels, in parts of the greatest.
+  struct Wheels {
+    double left = 0.0;
+    double right = 0.0;
+  };
+  static constexpr Wheels kSees{1.0, -1.0};         // the paper's best controller
+  static constexpr Wheels kSeesNobody{-0.7, -1.0};  // likewise: a circle of 0.4 m with a footbot's wheels
+  /// Half the width of the line, m. LEDs are 44 mm from each other: a line through a robot meets one of them.
+  static constexpr double kHalfWidth = 0.025;
+
+  bool seesRobotAhead() const {
+    for (const ColorBlob& blob : camera_->blobs) {
+      const Sighting led = sightingOf(blob);
+      if (blob.color == color_ && led.x > 0.0 && std::abs(led.y) <= kHalfWidth) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  Robot* robot_ = nullptr;
+  FootbotWheels* wheels_ = nullptr;
+  FootbotLeds* leds_ = nullptr;
+  const FootbotCamera* camera_ = nullptr;
+  double speed_ = 0.0;  // m/s, of the faster wheel
+  Color color_;
+};
+
+}  // namespace swarmanoid
+
+REGISTER_CONTROLLER(swarmanoid::Aggregation, "aggregation")

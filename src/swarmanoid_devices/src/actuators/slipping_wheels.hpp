@@ -1,0 +1,91 @@
+/// The implementation `slipping` of any drive with two wheels, and the registration of drives with it.
+#pragma once
+
+#include <algorithm>
+#include <string>
+
+#include "parameters.hpp"
+#include "wheel_drive.hpp"
+
+namespace swarmanoid::devices {
+
+/// The least that is left of a wheel's speed on the ground, whatever is drawn: a wheel that slips does not drive
+/// backwards.
+constexpr double kLeastGrip = 0.01;
+
+/// A drive whose wheels slip: the implementation `slipping` of any. By the definition of slip, i = 1 - v / (r omega)
+/// (J. Y. Wong, Theory of Ground Vehicles, Wiley), the robot advances as if a wheel turned 1 - i times as fast as it
+/// does. In each tick that factor is drawn anew, so that the error of a wheel's speed grows with the speed (Thrun,
+/// Burgard and Fox, Probabilistic Robotics, MIT Press 2005, section 5.3). Encoders count what the wheel turns.
+///
+/// Phases  `actuate` commands the engine the speeds with which the ground passes under the wheels, `afterMove` makes of
+///         what the engine says has passed (Space::wheel_turns) what the wheels have turned.
+template <class Drive>
+class SlippingDrive final : public Drive {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description = Drive::describe();
+    description.implementation = "slipping";
+    description.is_default = false;
+    description.implementation_aliases.clear();
+    description.summary += " On the ground they slip.";
+    const Range any{0.0, 1.0 - kLeastGrip};
+    description.parameters = {
+        number("slip_left", "", "0.05", any, "Share of what the left wheel turns by which the robot does not advance."),
+        number("slip_right", "", "0.05", any, "Likewise of the right wheel."),
+        number("slip_noise", "", "0.02", {0.0, 1.0},
+               "Standard deviation of each of these shares, drawn anew in each tick.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    slip_ = {parameters.number("slip_left"), parameters.number("slip_right")};
+    noise_ = parameters.number("slip_noise");
+  }
+
+  void afterMove(Space& space) override {
+    for (Instance& instance : this->instances_) {
+      WheelTurns& turns = space.wheel_turns[instance.row];
+      const WheelTurns& before = instance.turns_before;
+      // an engine with forces does not bring wheels to the speed of this tick at once, but motors have their limit
+      const double most = instance.wheels.max_speed * toSeconds(space.clocktick);
+      turns = {before.left + std::clamp((turns.left - before.left) / instance.grip.left, -most, most),
+               before.right + std::clamp((turns.right - before.right) / instance.grip.right, -most, most)};
+      instance.turns_before = turns;
+    }
+  }
+
+ protected:
+  using Instance = typename Drive::Instance;
+
+  void apply(Space& space, Instance& instance) override {
+    Drive::apply(space, instance);
+    instance.random.startTick(space.tick);
+    instance.grip.left = draw(instance, slip_.left);
+    instance.grip.right = draw(instance, slip_.right);
+    instance.turns_before = space.wheel_turns[instance.row];
+    WheelsCommand& wheels = space.wheels[instance.row];
+    wheels.left *= instance.grip.left;
+    wheels.right *= instance.grip.right;
+  }
+
+ private:
+  /// @return what part of a wheel's speed is left on the ground
+  double draw(Instance& instance, double slip) const {
+    const double part = noise_ > 0.0 ? instance.random.gaussian(1.0 - slip, noise_) : 1.0 - slip;
+    return std::max(part, kLeastGrip);
+  }
+
+  struct {
+    double left = 0.0;
+    double right = 0.0;
+  } slip_;
+  double noise_ = 0.0;
+};
+
+}  // namespace swarmanoid::devices
+
+/// At the end of a drive's source: registers it as it is, and with wheels that slip.
+#define REGISTER_WHEEL_DRIVE(Class) \
+  REGISTER_ACTUATOR(Class)          \
+  REGISTER_ACTUATOR(::swarmanoid::devices::SlippingDrive<Class>)

@@ -1,0 +1,98 @@
+// A flock: how well robots drive in one direction, and whether they stay together, to judge what they make of each
+// other's headings.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "../parameters.hpp"
+#include "robot_group.hpp"
+#include "swarmanoid_space/rule.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class Flock final : public Rule {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "flock";
+    description.summary = "Measures how well robots drive in one direction, and how near each other they are.";
+    description.parameters = {RobotGroup::parameter(),
+                              number("settling", "s", "0", {0.0, 1e9}, "Time of the run after which means are taken.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    group_ = RobotGroup(parameters.text("robots"));
+    settling_ = parameters.number("settling");
+    order_ = &addMetric("order", "", "Length of the mean of the robots' headings as vectors: 1 if all are the same.");
+    mean_order_ = &addMetric("mean_order", "", "Its mean over the ticks that count.");
+    spread_ = &addMetric("spread", "m", "Mean distance of the robots from their centre, seen from above.");
+    speed_ = &addMetric("speed", "m/s", "How fast the centre moves, in the mean over the ticks that count.");
+  }
+
+  void reset(const Space&, InterventionQueue&) override { ticks_ = 0; }
+
+  void afterTick(const Space& space, InterventionQueue&) override {
+    const std::optional<Eigen::Vector2d> centre = group_.centroid(space);
+    measure(space, centre);
+    if (centre && toSeconds(space.time - kEpoch) >= settling_) {
+      ++ticks_;
+      mean_order_->value += (order_->value - mean_order_->value) / static_cast<double>(ticks_);
+      follow(space, *centre);
+    }
+  }
+
+ private:
+  /// Order and spread; 0 without robots.
+  void measure(const Space& space, const std::optional<Eigen::Vector2d>& centre) {
+    std::size_t robots = 0;
+    Eigen::Vector2d headings = Eigen::Vector2d::Zero();
+    double distances = 0.0;
+    for (const Row row : space.entities.order) {
+      if (group_.has(space, row)) {
+        const Pose& pose = space.entities.pose[row];
+        headings += (pose.orientation * Eigen::Vector3d::UnitX()).head<2>().stableNormalized();
+        distances += (pose.position.head<2>() - *centre).norm();
+        ++robots;
+      }
+    }
+    const double share = robots > 0 ? 1.0 / static_cast<double>(robots) : 0.0;
+    order_->value = share * headings.norm();
+    spread_->value = share * distances;
+  }
+
+  /// The way of the centre, in a tick that counts.
+  void follow(const Space& space, const Eigen::Vector2d& centre) {
+    const bool is_changed = roster_.update(space, group_);
+    if (ticks_ == 1) {
+      first_ = space.time;
+      first_centre_ = centre;
+    } else if (is_changed) {  // what comes and goes moves the centre: neither that nor the time in which it did counts
+      first_ += space.time - last_;
+      first_centre_ += centre - last_centre_;
+    } else {
+      speed_->value = (centre - first_centre_).norm() / toSeconds(space.time - first_);
+    }
+    last_ = space.time;
+    last_centre_ = centre;
+  }
+
+  RobotGroup group_;
+  Roster roster_;                                           // of the last tick that counts
+  double settling_ = 0.0;                                   // s
+  std::uint64_t ticks_ = 0;                                 // that count so far
+  Time first_ = kEpoch;                                     // the time of the first of them, and
+  Eigen::Vector2d first_centre_ = Eigen::Vector2d::Zero();  // m: where the centre was then, less what does not count
+  Time last_ = kEpoch;                                      // the time of the last of them, and
+  Eigen::Vector2d last_centre_ = Eigen::Vector2d::Zero();   // m: where the centre was then
+  Metric* order_ = nullptr;
+  Metric* mean_order_ = nullptr;
+  Metric* spread_ = nullptr;
+  Metric* speed_ = nullptr;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::Flock)

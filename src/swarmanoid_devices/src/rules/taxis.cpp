@@ -1,0 +1,73 @@
+// Taxis: how far robots, as one, have come towards something, to judge swarms that move as a whole. It changes nothing.
+#include <optional>
+#include <string>
+
+#include "../parameters.hpp"
+#include "named_entity.hpp"
+#include "robot_group.hpp"
+#include "swarmanoid_space/rule.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class Taxis final : public Rule {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "taxis";
+    description.summary = "Measures how far robots, as one, have come towards something.";
+    description.parameters = {makeParameter("target", Parameter::Type::kText, "", std::nullopt, {},
+                                            "Id of the entity towards which they are to come."),
+                              RobotGroup::parameter()};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    target_ = parameters.text("target");
+    group_ = RobotGroup(parameters.text("robots"));
+    location_ = parameters.location();
+    distance_ = &addMetric("distance", "m", "From the robots' centroid to the target, seen from above.");
+    progress_ = &addMetric("progress", "m", "By which that distance is less than when the run began.");
+  }
+
+  void reset(const Space& space, InterventionQueue&) override {
+    const Row target = requireEntity(space, "target", target_, location_);
+    roster_.clear();
+    measure(space, target);
+  }
+
+  void afterTick(const Space& space, InterventionQueue&) override {
+    const Row target = space.entities.find(target_);
+    if (target != kNoRow) {
+      measure(space, target);
+    }
+  }
+
+ private:
+  /// Without robots all stays as it is.
+  void measure(const Space& space, Row target) {
+    const std::optional<Eigen::Vector2d> centroid = group_.centroid(space);
+    if (!centroid) {
+      return;
+    }
+    distance_->value = (*centroid - space.entities.pose[target].position.head<2>()).norm();
+    if (roster_.update(space, group_)) {  // also with the first robots of a run, whose progress is 0
+      distance_at_first_ = distance_->value + progress_->value;
+    } else {
+      progress_->value = distance_at_first_ - distance_->value;
+    }
+  }
+
+  std::string target_;
+  RobotGroup group_;
+  SourceLocation location_;
+  Roster roster_;
+  double distance_at_first_ = 0.0;  // m: that it would have been with the robots of now
+  Metric* distance_ = nullptr;
+  Metric* progress_ = nullptr;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::Taxis)

@@ -1,0 +1,114 @@
+/// The implementation `sampled` of any ring of sensors, and the registration of rings with it.
+///
+/// Readings are taken from a table of recorded ones by distance and angle (thesis 3.1; sample_table.hpp has the format
+/// of its file). What a sensor feels, and where, is found as by the ideal implementation, whose class it derives from;
+/// the table says what it reads then. A sensor that feels several things, such as lamps, reads the sum.
+///
+/// A family of rings has for it
+///
+///     static constexpr SampledLaw kSampledLaw{...};
+///     double range() const;                   // as far as it feels anything [m]
+///     void setRange(const SampleTable&);      // that of the table
+///     template <class Visit> void visitFelt(const Space&, const Instance&, Visit visit) const;
+///
+/// where visitFelt calls visit(sensor, distance [m], angle [rad], strength) for all that its sensors feel.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "ring_geometry.hpp"
+#include "swarmanoid_space/samples/sample_table.hpp"
+#include "swarmanoid_space/samples/sampled_sensor.hpp"
+
+namespace swarmanoid::devices {
+
+/// By how much farther than its table a sensor still feels, for rounding [m].
+constexpr double kSampledMargin = 1e-9;
+
+/// What tables of a family are of.
+struct SampledLaw {
+  Stimulus stimulus;
+  Range readings;  ///< that are finite
+  double nothing;  ///< what is read where nothing is felt; infinite readings are allowed if this is
+};
+
+template <class Ideal>
+class SampledRing final : public Ideal, public SampledSensor {
+ public:
+  using Instance = typename Ideal::Instance;
+
+  static PluginDescription describe() {
+    PluginDescription description = Ideal::describe();
+    description.implementation = "sampled";
+    description.is_default = false;
+    description.implementation_aliases.clear();
+    description.summary += " Readings are taken from a table of recorded ones.";
+    description.parameters = {makeParameter("file", Parameter::Type::kText, "", std::nullopt, {},
+                                            "A CSV file of readings by distance and angle; its folder is relative to "
+                                            "the experiment file's.")};
+    return description;
+  }
+
+  void configure(const Configuration& parameters) override {
+    const SampledLaw& law = Ideal::kSampledLaw;
+    table_ = readSampleTable(parameters.text("file"), {law.readings, law.nothing == kInfinity});
+    this->setRange(table_);
+  }
+
+  void sense(const Space& space, std::size_t first, std::size_t last) override {
+    if (table_.isEmpty()) {
+      Ideal::sense(space, first, last);
+      return;
+    }
+    for (std::size_t k = first; k < last; ++k) {
+      senseOne(space, this->instances_[k]);
+    }
+  }
+
+  Stimulus stimulus() const override { return Ideal::kSampledLaw.stimulus; }
+  void configureIdeal(const Configuration& parameters) override { Ideal::configure(parameters); }
+  bool hasErrors() const override { return this->delivers_; }
+  double reach() const override { return this->range(); }
+  std::size_t sensorCount() const override { return this->instances_.front().ring->size(); }
+  Line line(std::size_t sensor) const override {
+    const auto column = static_cast<Eigen::Index>(sensor);
+    const auto& ring = *this->instances_.front().ring;
+    return {ring.from.col(column), ring.direction.col(column)};
+  }
+  double reading(std::size_t sensor) const override {
+    // a ring has no other way to a reading than the one by which it writes it
+    Instance& instance = const_cast<Instance&>(this->instances_.front());
+    return static_cast<double>(Ideal::valueOf(instance, sensor));
+  }
+
+ private:
+  void senseOne(const Space& space, Instance& instance) const {
+    const SampledLaw& law = Ideal::kSampledLaw;
+    const std::size_t size = instance.ring->size();
+    std::array<double, kMostRingSensors> sums;
+    std::array<bool, kMostRingSensors> feels;
+    std::fill_n(sums.begin(), size, 0.0);
+    std::fill_n(feels.begin(), size, false);
+    instance.random.startTick(space.tick);
+    this->visitFelt(space, instance, [&](std::size_t sensor, double distance, double angle, double strength) {
+      const double rank = table_.isRandom() ? instance.random.uniform() : 0.0;
+      sums[sensor] += strength * table_.reading(distance, angle, rank);
+      feels[sensor] = true;
+    });
+    for (std::size_t i = 0; i < size; ++i) {
+      const double felt = std::isfinite(sums[i]) ? std::min(sums[i], law.readings.maximum) : sums[i];
+      Ideal::valueOf(instance, i) = static_cast<float>(feels[i] ? felt : law.nothing);
+    }
+  }
+
+  SampleTable table_;  // empty: it reads by the ideal law
+};
+
+}  // namespace swarmanoid::devices
+
+/// At the end of the source of a ring of sensors: registers it as it is, and with readings from a table.
+#define REGISTER_RING(Class) \
+  REGISTER_SENSOR(Class)     \
+  REGISTER_SENSOR(::swarmanoid::devices::SampledRing<Class>)
