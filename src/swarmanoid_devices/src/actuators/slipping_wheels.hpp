@@ -61,8 +61,8 @@ class SlippingDrive final : public Drive {
   void apply(Space& space, Instance& instance) override {
     Drive::apply(space, instance);
     instance.random.startTick(space.tick);
-    instance.grip.left = draw(instance, slip_.left);
-    instance.grip.right = draw(instance, slip_.right);
+    instance.grip.left = drawGrip(instance, slip_.left);
+    instance.grip.right = drawGrip(instance, slip_.right);
     instance.turns_before = space.wheel_turns[instance.row];
     WheelsCommand& wheels = space.wheels[instance.row];
     wheels.left *= instance.grip.left;
@@ -71,7 +71,7 @@ class SlippingDrive final : public Drive {
 
  private:
   /// @return what part of a wheel's speed is left on the ground
-  double draw(Instance& instance, double slip) const {
+  double drawGrip(Instance& instance, double slip) const {
     const double part = noise_ > 0.0 ? instance.random.gaussian(1.0 - slip, noise_) : 1.0 - slip;
     return std::max(part, kLeastGrip);
   }
