@@ -67,6 +67,18 @@ TEST(SlippingWheelsTest, WhereTheBatteryHasCutThemNothingTurns) {
   EXPECT_EQ(world.space.wheel_turns[robot].right, 0.0);
 }
 
+TEST(SlippingWheelsTest, AWheelThatTheEngineHasNotSlowedYetTurnsNoFasterThanItsMotor) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(1.0, 1.0);
+  ActuatorUnderTest<Wheels> wheels(world, robot, slips("0.97", "0.2", "0"));
+  wheels.actuate();
+  world.space.wheel_turns[robot] = {-0.4, 0.4};
+  wheels.actuator->afterMove(world.space);
+  const double fastest = world.space.entities.model[robot]->wheels->max_speed;
+  EXPECT_NEAR(world.space.wheel_turns[robot].left, -fastest * kTick, 1e-12) << "not 13.3 rad";
+  EXPECT_NEAR(world.space.wheel_turns[robot].right, 0.5, 1e-12);
+}
+
 TEST(SlippingWheelsTest, NoiseIsDrawnForEachWheelAndTickInProportionToTheSpeed) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);

@@ -101,6 +101,21 @@ TEST(BatteryTest, DrainsByWhatIsListedAndHowTheWheelsTurn) {
   EXPECT_EQ(held(*simulation, "capacitor"), 60.0);
 }
 
+TEST(BatteryTest, WheelsThatSlipDrawWhatTheyTurn) {
+  std::string text = worldWith("<battery>true</battery>", "<left>2</left><right>-3.7</right>").xml();
+  const std::string wheels = "<footbot_wheels/>";
+  const std::size_t place = text.find(wheels);
+  ASSERT_NE(place, std::string::npos);
+  text.replace(place, wheels.size(),
+               "<footbot_wheels><implementation>slipping</implementation><slip_left>0.41</slip_left>"
+               "<slip_right>0.23</slip_right><slip_noise>0.1</slip_noise></footbot_wheels>");
+  loadBuiltInPlugins();
+  Simulation simulation(parseExperiment(text, "test.xml"));
+  simulation.start();
+  tick(simulation, 37);
+  EXPECT_NEAR(stateOf(simulation).used, 3.7 * 4.842, 1e-9) << "as without slip";
+}
+
 TEST(BatteryTest, LedsDrawAsMuchAsTheyShine) {
   const auto simulation = startedWith("test_lights", "<battery>true</battery>");
   tick(*simulation, 3);

@@ -19,7 +19,8 @@ constexpr double kLeastGrip = 0.01;
 /// Burgard and Fox, Probabilistic Robotics, MIT Press 2005, section 5.3). Encoders count what the wheel turns.
 ///
 /// Phases  `actuate` commands the engine the speeds with which the ground passes under the wheels, `afterMove` makes of
-///         what the engine says has passed (Space::wheel_turns) what the wheels have turned.
+///         what the engine says has passed (Space::wheel_turns) what the wheels have turned: no more than motors at
+///         their limit do, since an engine with forces does not bring wheels to the speed of this tick at once.
 template <class Drive>
 class SlippingDrive final : public Drive {
  public:
@@ -47,10 +48,10 @@ class SlippingDrive final : public Drive {
     for (Instance& instance : this->instances_) {
       WheelTurns& turns = space.wheel_turns[instance.row];
       const WheelTurns& before = instance.turns_before;
-      // an engine with forces does not bring wheels to the speed of this tick at once, but motors have their limit
+      const WheelGrip& grip = space.wheels[instance.row].grip;
       const double most = instance.wheels.max_speed * toSeconds(space.clocktick);
-      turns = {before.left + std::clamp((turns.left - before.left) / instance.grip.left, -most, most),
-               before.right + std::clamp((turns.right - before.right) / instance.grip.right, -most, most)};
+      turns = {before.left + std::clamp((turns.left - before.left) / grip.left, -most, most),
+               before.right + std::clamp((turns.right - before.right) / grip.right, -most, most)};
       instance.turns_before = turns;
     }
   }
@@ -61,12 +62,12 @@ class SlippingDrive final : public Drive {
   void apply(Space& space, Instance& instance) override {
     Drive::apply(space, instance);
     instance.random.startTick(space.tick);
-    instance.grip.left = drawGrip(instance, slip_.left);
-    instance.grip.right = drawGrip(instance, slip_.right);
     instance.turns_before = space.wheel_turns[instance.row];
     WheelsCommand& wheels = space.wheels[instance.row];
-    wheels.left *= instance.grip.left;
-    wheels.right *= instance.grip.right;
+    wheels.grip.left = drawGrip(instance, slip_.left);
+    wheels.grip.right = drawGrip(instance, slip_.right);
+    wheels.left *= wheels.grip.left;
+    wheels.right *= wheels.grip.right;
   }
 
  private:

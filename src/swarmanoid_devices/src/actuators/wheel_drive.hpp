@@ -15,18 +15,10 @@ struct WheelSpeeds {
   double right = 0.0;
 };
 
-/// What part of the speed of each wheel is left on the ground, in this tick.
-struct WheelGrip {
-  double left = 1.0;
-  double right = 1.0;
-};
-
 template <class Device>
 struct WheelDriveInstance : BasicActuatorInstance<Device> {
   EntityModel::Wheels wheels;
-  // For wheels that slip (slipping_wheels.hpp).
-  WheelGrip grip;
-  WheelTurns turns_before;  // before the engine has moved the robot, rad
+  WheelTurns turns_before;  // for wheels that slip (slipping_wheels.hpp): before the engine has moved the robot, rad
 };
 
 /// `Drive` derives from this, and says how a command becomes the speeds of two wheels and how these become it:

@@ -28,7 +28,8 @@ double demandOf(const Space& space, Row row, const BatteryState& state) {
   }
   const WheelsCommand& wheels = space.wheels[row];
   if (wheels.is_driven && model.wheels) {
-    power += battery.drive * (std::abs(wheels.left) + std::abs(wheels.right)) / (2.0 * model.wheels->max_speed);
+    const double turned = std::abs(wheels.left) / wheels.grip.left + std::abs(wheels.right) / wheels.grip.right;
+    power += battery.drive * turned / (2.0 * model.wheels->max_speed);
   }
   if (battery.flight > 0.0 && space.flight[row].is_driven && !rests(space, row)) {
     power += battery.flight;

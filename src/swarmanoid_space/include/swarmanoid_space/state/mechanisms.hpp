@@ -9,11 +9,19 @@
 
 namespace swarmanoid {
 
-/// Angular velocities of the wheels [rad/s].
+/// What part of what each wheel turns passes under it as ground, above 0: less than 1 where it slips.
+struct WheelGrip {
+  double left = 1.0;
+  double right = 1.0;
+};
+
+/// Angular velocities with which the ground is to pass under the wheels [rad/s]. Motors turn them by 1 / `grip` as
+/// fast.
 struct WheelsCommand {
   bool is_driven = false;  ///< false: the robot has no actuator for them, and nothing drives or brakes it
   double left = 0.0;
   double right = 0.0;
+  WheelGrip grip = {};  ///< of this tick; engines do not ask for it
 };
 
 /// What the wheels have really turned since the entity came into the space [rad], positive drives ahead: the engine
