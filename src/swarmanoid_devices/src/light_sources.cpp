@@ -91,6 +91,7 @@ struct Scratch {
   std::vector<LedSet> seen;  // of one source, by sensor
   std::vector<Segment> segments;
   std::vector<RayHit> hits;
+  std::vector<LightOnSensor> found;
 };
 
 /// Whether something could stand between a ring and the lights of one entity. @param rays of a sphere around both
@@ -146,9 +147,8 @@ void leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lig
   }
 }
 
-/// Calls add(sensor, brightness, offset) for each light of an entity that shines on a sensor.
-template <class Add>
-void addLights(const Space& space, const IlluminatedRing& ring, Row row, Scratch& scratch, const Add& add) {
+/// Adds what one entity sheds on the ring.
+void addLights(const Space& space, const IlluminatedRing& ring, Row row, Scratch& scratch) {
   const Lights lights = lightsOf(space, row, ring.reach);
   if (lights.lit.none()) {
     return;
@@ -168,32 +168,22 @@ void addLights(const Space& space, const IlluminatedRing& ring, Row row, Scratch
     leaveOutOccluded(space, ring, lights, rays, scratch);
   }
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    visitLeds(scratch.seen[i],
-              [&](std::size_t k) { add(i, lights.brightness[k], lights.points[k] - ring.sensors[i].position); });
-  }
-}
-
-/// Calls add likewise for the lights of all those entities.
-template <class Add>
-void addAllLights(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit, const Add& add) {
-  thread_local Scratch scratch;
-  for (const Row row : lit) {
-    addLights(space, ring, row, scratch, add);
+    visitLeds(scratch.seen[i], [&](std::size_t k) {
+      scratch.found.push_back({i, lights.brightness[k], lights.points[k] - ring.sensors[i].position});
+    });
   }
 }
 
 }  // namespace
 
-void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit) {
-  addAllLights(space, ring, lit, [&ring](std::size_t i, double brightness, const Eigen::Vector3d& offset) {
-    ring.sensors[i].sum += Light::share(brightness, ring.sensors[i].direction, offset);
-  });
-}
-
-void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit, LightLaw& law) {
-  addAllLights(space, ring, lit, [&law](std::size_t i, double brightness, const Eigen::Vector3d& offset) {
-    law.add(i, brightness, offset);
-  });
+const std::vector<LightOnSensor>& lightOn(const Space& space, const IlluminatedRing& ring,
+                                          const std::vector<Row>& lit) {
+  thread_local Scratch scratch;
+  scratch.found.clear();
+  for (const Row row : lit) {
+    addLights(space, ring, row, scratch);
+  }
+  return scratch.found;
 }
 
 }  // namespace swarmanoid::devices

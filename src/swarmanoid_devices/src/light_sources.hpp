@@ -16,7 +16,6 @@ namespace swarmanoid::devices {
 struct IlluminatedSensor {
   Eigen::Vector3d position;   ///< in W [m]
   Eigen::Vector3d direction;  ///< in which it looks, in W, of length 1
-  double sum = 0.0;           ///< of the shares of light (Light::share)
 };
 
 /// The light sensors of one robot, at this tick.
@@ -25,34 +24,19 @@ struct IlluminatedRing {
   Eigen::Vector3d centre;  ///< of a sphere that holds all sensors, in W [m]
   double radius = 0.0;     ///< of that sphere [m]
   LightReach reach;        ///< beyond which sources give no light
-  Span<IlluminatedSensor> sensors;
+  Span<const IlluminatedSensor> sensors;
 };
 
-/// What becomes of the light of a source on a sensor, where it is not the sum of shares.
-class LightLaw {
- public:
-  virtual ~LightLaw() = default;
-  /// @param brightness of the source (Light::share) @param offset from the sensor to it, in W [m]
-  virtual void add(std::size_t sensor, double brightness, const Eigen::Vector3d& offset) = 0;
+/// The light of one LED or lamp that falls on one sensor.
+struct LightOnSensor {
+  std::size_t sensor;      ///< of the ring
+  double brightness;       ///< of the source (Light::share)
+  Eigen::Vector3d offset;  ///< from the sensor to it, in W [m]
 };
 
-/// Hands on what shines to a function of the arguments of LightLaw::add.
-template <class Visit>
-class VisitedLight final : public LightLaw {
- public:
-  explicit VisitedLight(Visit visit) : visit_(visit) {}
-  void add(std::size_t sensor, double brightness, const Eigen::Vector3d& offset) override {
-    visit_(sensor, brightness, offset);
-  }
-
- private:
-  Visit visit_;
-};
-
-/// Adds to each sensor's sum what those entities shine on it, in their order, LED by LED. Thread-safe.
+/// All light that those entities shed on a ring: source by source in their order, sensor by sensor, LED by LED.
 /// @param lit LitEntities::collect of the ring's sphere
-void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit);
-/// The same by another law, which gets the lights instead of the sums.
-void illuminate(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit, LightLaw& law);
+/// @return valid until the next call by the same thread, so that a steady state allocates nothing. Thread-safe.
+const std::vector<LightOnSensor>& lightOn(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit);
 
 }  // namespace swarmanoid::devices

@@ -14,8 +14,7 @@ bool isLit(const Space& space, Row row) {
     // the surface of a prey has a colour, and does not shine
     return model.findProperty(kIntensity) >= 0 && space.ownColor(row).isLit();
   }
-  const Span<const Color> leds = space.leds[row];
-  return std::any_of(leds.begin(), leds.end(), [](Color color) { return color.isLit(); });
+  return isAnyLit(space.leds[row]);
 }
 
 }  // namespace

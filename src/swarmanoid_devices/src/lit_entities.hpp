@@ -4,6 +4,7 @@
 /// Phase    fill: in Sensor::prepare. collect: in `sense`, from any number of threads.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -20,6 +21,11 @@ struct LightReach {
 /// How far that of an entity goes: of what is a robot its LEDs shine, of anything else itself.
 inline double reachOfLight(const EntityModel& model, const LightReach& reach) {
   return model.is_robot ? reach.of_leds : reach.of_lamps;
+}
+
+/// Whether any LED of a robot shines.
+inline bool isAnyLit(Span<const Color> leds) {
+  return std::any_of(leds.begin(), leds.end(), [](Color led) { return led.isLit(); });
 }
 
 class LitEntities {

@@ -53,10 +53,10 @@ Sums sumsIn(DeviceWorld& world) {
   lit.fill(world.space);
   std::vector<Row> near;
   lit.collect(world.space, kNoRow, kCentre, 0.05, reach, near);
-  devices::illuminate(world.space, {kNoRow, kCentre, 0.05, reach, {sensors.data(), sensors.size()}}, near);
+  const devices::IlluminatedRing ring{kNoRow, kCentre, 0.05, reach, {sensors.data(), sensors.size()}};
   Sums sums{};
-  for (std::size_t i = 0; i < kSensors; ++i) {
-    sums[i] = sensors[i].sum;
+  for (const devices::LightOnSensor& light : devices::lightOn(world.space, ring, near)) {
+    sums[light.sensor] += Light::share(light.brightness, sensors[light.sensor].direction, light.offset);
   }
   return sums;
 }

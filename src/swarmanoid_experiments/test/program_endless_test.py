@@ -96,7 +96,7 @@ class EndlessTest(MisbehavingTest):
 
     def test_validate_ends_with_who_has_started_it(self):
         (self.folder / "world.xml").write_text(world("init", "loop_deaf"))
-        script = "swarmanoid validate world.xml --end-with-parent & echo $!; sleep 1000"
+        script = "swarmanoid validate world.xml --end-with-parent & echo $!; exec sleep 60"
         parent = subprocess.Popen(["bash", "-c", script], cwd=self.folder, stdout=subprocess.PIPE,
                                   stderr=subprocess.DEVNULL, encoding="utf-8", start_new_session=True)
         child = pathlib.Path("/proc") / parent.stdout.readline().strip()

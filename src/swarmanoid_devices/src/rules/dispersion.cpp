@@ -31,16 +31,15 @@ class Dispersion final : public Rule {
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
+    group_.look(space);
     const Eigen::Vector2d centroid = group_.centroid(space).value_or(Eigen::Vector2d::Zero());  // of nobody: not used
     places_.clear();
     places_.reserve(space.entities.order.size());  // robots may have come since the run began
     double sum = 0.0;
-    for (const Row row : space.entities.order) {
-      if (group_.has(space, row)) {
-        const Eigen::Vector2d position = space.entities.pose[row].position.head<2>();
-        places_.push_back({position, 0, 0});
-        sum += (position - centroid).squaredNorm();
-      }
+    for (const Row row : group_.rows()) {
+      const Eigen::Vector2d position = space.entities.pose[row].position.head<2>();
+      places_.push_back({position, 0, 0});
+      sum += (position - centroid).squaredNorm();
     }
     second_moment_->value = sum / (4.0 * radius_ * radius_);
     largest_cluster_->value =

@@ -34,37 +34,33 @@ class Flock final : public Rule {
   void reset(const Space&, InterventionQueue&) override { ticks_ = 0; }
 
   void afterTick(const Space& space, InterventionQueue&) override {
+    const bool is_changed = group_.look(space);
     const std::optional<Eigen::Vector2d> centre = group_.centroid(space);
     measure(space, centre);
     if (centre && toSeconds(space.time - kEpoch) >= settling_) {
       ++ticks_;
       mean_order_->value += (order_->value - mean_order_->value) / static_cast<double>(ticks_);
-      follow(space, *centre);
+      follow(space, *centre, is_changed);
     }
   }
 
  private:
   /// Order and spread; 0 without robots.
   void measure(const Space& space, const std::optional<Eigen::Vector2d>& centre) {
-    std::size_t robots = 0;
     Eigen::Vector2d headings = Eigen::Vector2d::Zero();
     double distances = 0.0;
-    for (const Row row : space.entities.order) {
-      if (group_.has(space, row)) {
-        const Pose& pose = space.entities.pose[row];
-        headings += (pose.orientation * Eigen::Vector3d::UnitX()).head<2>().stableNormalized();
-        distances += (pose.position.head<2>() - *centre).norm();
-        ++robots;
-      }
+    for (const Row row : group_.rows()) {
+      const Pose& pose = space.entities.pose[row];
+      headings += (pose.orientation * Eigen::Vector3d::UnitX()).head<2>().stableNormalized();
+      distances += (pose.position.head<2>() - *centre).norm();
     }
-    const double share = robots > 0 ? 1.0 / static_cast<double>(robots) : 0.0;
+    const double share = centre ? 1.0 / static_cast<double>(group_.rows().size()) : 0.0;
     order_->value = share * headings.norm();
     spread_->value = share * distances;
   }
 
   /// The way of the centre, in a tick that counts.
-  void follow(const Space& space, const Eigen::Vector2d& centre) {
-    const bool is_changed = roster_.update(space, group_);
+  void follow(const Space& space, const Eigen::Vector2d& centre, bool is_changed) {
     if (ticks_ == 1) {
       first_ = space.time;
       first_centre_ = centre;
@@ -79,7 +75,6 @@ class Flock final : public Rule {
   }
 
   RobotGroup group_;
-  Roster roster_;                                           // of the last tick that counts
   double settling_ = 0.0;                                   // s
   std::uint64_t ticks_ = 0;                                 // that count so far
   Time first_ = kEpoch;                                     // the time of the first of them, and

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "../lit_entities.hpp"
 #include "../parameters.hpp"
 #include "named_entity.hpp"
 #include "swarmanoid_space/rule.hpp"
@@ -54,7 +55,7 @@ class PathFormation final : public Rule {
     unreached_.clear();
     for (const Row row : space.entities.order) {
       const bool is_end = row == nest || row == prey;
-      if (!is_end && space.entities.model[row]->is_robot && shines(space.leds[row])) {
+      if (!is_end && space.entities.model[row]->is_robot && isAnyLit(space.leds[row])) {
         unreached_.push_back(row);
       }
     }
@@ -70,10 +71,6 @@ class PathFormation final : public Rule {
   std::optional<bool> success() const override { return ends_ ? std::optional<bool>(is_formed_) : std::nullopt; }
 
  private:
-  static bool shines(Span<const Color> leds) {
-    return std::any_of(leds.begin(), leds.end(), [](Color led) { return led.isLit(); });
-  }
-
   bool areInReach(const Space& space, Row one, Row other) const {
     const Eigen::Vector3d way = space.entities.pose[one].position - space.entities.pose[other].position;
     return way.head<2>().norm() <= reach_;

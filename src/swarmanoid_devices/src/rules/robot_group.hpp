@@ -1,4 +1,4 @@
-/// The robots that a rule measures, those whose names begin alike, and whether they are still the same.
+/// The robots that a rule measures: those whose names begin alike.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,6 +12,7 @@
 
 namespace swarmanoid::devices {
 
+/// Phase `rule`, one thread; `look` says who is there until it is called again.
 class RobotGroup {
  public:
   RobotGroup() = default;
@@ -22,59 +23,48 @@ class RobotGroup {
                          "What the names of those that count begin with; empty: all robots.");
   }
 
-  bool has(const Space& space, Row row) const {
-    return space.entities.model[row]->is_robot &&
-           space.entities.name[row].compare(0, beginning_.size(), beginning_) == 0;
+  /// Once a tick. Allocates only while there are more entities than ever before.
+  /// @return whether others are there than at the last look: then the centroid jumps, which is no motion
+  bool look(const Space& space) {
+    const Entities& entities = space.entities;
+    rows_.reserve(entities.size());
+    numbers_.reserve(entities.size());
+    rows_.clear();
+    for (const Row row : entities.order) {
+      if (entities.model[row]->is_robot && entities.name[row].compare(0, beginning_.size(), beginning_) == 0) {
+        rows_.push_back(row);
+      }
+    }
+    bool is_changed = rows_.size() != numbers_.size();
+    numbers_.resize(rows_.size(), kNoEntity);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      is_changed = is_changed || numbers_[i] != entities.number[rows_[i]];
+      numbers_[i] = entities.number[rows_[i]];
+    }
+    return is_changed;
   }
+  /// For a run that begins: nobody has been seen yet.
+  void forget() {
+    rows_.clear();
+    numbers_.clear();
+  }
+
+  /// By entity number, as of the last look.
+  const std::vector<Row>& rows() const { return rows_; }
 
   /// The mean of their positions in W, seen from above [m]. @return nothing if there are none
   std::optional<Eigen::Vector2d> centroid(const Space& space) const {
     Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    double robots = 0.0;
-    for (const Row row : space.entities.order) {
-      if (has(space, row)) {
-        sum += space.entities.pose[row].position.head<2>();
-        robots += 1.0;
-      }
+    for (const Row row : rows_) {
+      sum += space.entities.pose[row].position.head<2>();
     }
-    return robots > 0.0 ? std::optional<Eigen::Vector2d>(sum / robots) : std::nullopt;
+    return rows_.empty() ? std::nullopt : std::optional<Eigen::Vector2d>(sum / static_cast<double>(rows_.size()));
   }
 
  private:
   std::string beginning_;
-};
-
-/// Who is in a group: where robots come or go, its centroid jumps, which is no motion.
-class Roster {
- public:
-  /// For a run that begins: it knows nobody.
-  void clear() { numbers_.clear(); }
-
-  /// Allocates only while there are more robots than ever before.
-  /// @return whether others are in the group than at the last call
-  bool update(const Space& space, const RobotGroup& group) {
-    numbers_.reserve(space.entities.size());
-    bool is_changed = false;
-    std::size_t robots = 0;
-    for (const Row row : space.entities.order) {
-      if (!group.has(space, row)) {
-        continue;
-      }
-      const EntityNumber number = space.entities.number[row];
-      if (robots == numbers_.size()) {
-        numbers_.push_back(kNoEntity);
-      }
-      is_changed = is_changed || numbers_[robots] != number;
-      numbers_[robots] = number;
-      ++robots;
-    }
-    is_changed = is_changed || robots != numbers_.size();
-    numbers_.resize(robots);
-    return is_changed;
-  }
-
- private:
-  std::vector<EntityNumber> numbers_;  // that grow
+  std::vector<Row> rows_;
+  std::vector<EntityNumber> numbers_;  // which, unlike rows, are nobody else's later
 };
 
 }  // namespace swarmanoid::devices

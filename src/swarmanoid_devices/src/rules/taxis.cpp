@@ -32,7 +32,7 @@ class Taxis final : public Rule {
 
   void reset(const Space& space, InterventionQueue&) override {
     const Row target = requireEntity(space, "target", target_, location_);
-    roster_.clear();
+    group_.forget();
     measure(space, target);
   }
 
@@ -46,12 +46,13 @@ class Taxis final : public Rule {
  private:
   /// Without robots all stays as it is.
   void measure(const Space& space, Row target) {
+    const bool is_changed = group_.look(space);
     const std::optional<Eigen::Vector2d> centroid = group_.centroid(space);
     if (!centroid) {
       return;
     }
     distance_->value = (*centroid - space.entities.pose[target].position.head<2>()).norm();
-    if (roster_.update(space, group_)) {  // also with the first robots of a run, whose progress is 0
+    if (is_changed) {  // also with the first robots of a run, whose progress is 0
       distance_at_first_ = distance_->value + progress_->value;
     } else {
       progress_->value = distance_at_first_ - distance_->value;
@@ -61,7 +62,6 @@ class Taxis final : public Rule {
   std::string target_;
   RobotGroup group_;
   SourceLocation location_;
-  Roster roster_;
   double distance_at_first_ = 0.0;  // m: that it would have been with the robots of now
   Metric* distance_ = nullptr;
   Metric* progress_ = nullptr;

@@ -47,10 +47,9 @@ class Trips final : public Rule {
   }
 
   void afterTick(const Space& space, InterventionQueue&) override {
-    for (const Row row : space.entities.order) {
-      if (group_.has(space, row)) {
-        look(space, row);
-      }
+    group_.look(space);
+    for (const Row row : group_.rows()) {
+      look(space, row);
     }
     tally_.measure(space);
   }

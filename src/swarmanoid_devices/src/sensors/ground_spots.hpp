@@ -61,19 +61,12 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
 
   template <class Visit>
   void visitFelt(const Space& space, const Instance& instance, Visit visit) const {
-    const RingGeometry<count>& ring = *instance.ring;
-    const Pose& pose = space.entities.pose[instance.row];
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const auto column = static_cast<Eigen::Index>(i);
-      const Eigen::Vector3d spot = pose.toWorld(ring.from.col(column));
-      const Eigen::Vector3d direction = pose.orientation * ring.direction.col(column);
-      const double way = wayToGround(space, spot, direction, range_);
-      if (way != kInfinity) {
-        const Color color = space.floor.colorAt(spot + way * direction, space.tick);
-        const double tilt = std::atan2(direction.head<2>().norm(), -direction.z());
-        visit(i, std::max(way, 0.0), tilt, static_cast<double>(Ground::reflection(color)));
-      }
-    }
+    visitGround(space, instance,
+                [&](std::size_t i, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction, double way) {
+                  const Color color = space.floor.colorAt(spot + way * direction, space.tick);
+                  const double tilt = std::atan2(direction.head<2>().norm(), -direction.z());
+                  visit(i, std::max(way, 0.0), tilt, static_cast<double>(Ground::reflection(color)));
+                });
   }
 
   static PluginDescription describeSpots(const std::string& summary) {
@@ -93,24 +86,33 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
 
   /// For each spot that meets the ground its line of sight, and a point there, in the grey of its `value`.
   void drawOne(const Space& space, const InstanceOfSpots& instance, DeviceDrawing& drawing) const override {
+    const auto& values = numbersOf(this->delivered(instance), "value", instance.ring->size());
+    visitGround(space, instance,
+                [&](std::size_t i, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction, double way) {
+                  const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(values[i], 0.0, 1.0)));
+                  drawing.line(spot, spot + way * direction, {grey, grey, grey});
+                  drawing.point(spot + way * direction, {grey, grey, grey});
+                });
+  }
+
+ private:
+  static constexpr double kMargin = 1e-6;  // for rounding, m
+
+  /// Calls visit(spot, its place in W [m], where it looks, way to the ground [m]) for each that meets the ground.
+  template <class Visit>
+  void visitGround(const Space& space, const Instance& instance, Visit visit) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
-    const auto& values = numbersOf(this->delivered(instance), "value", ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       const Eigen::Vector3d spot = pose.toWorld(ring.from.col(column));
       const Eigen::Vector3d direction = pose.orientation * ring.direction.col(column);
       const double way = wayToGround(space, spot, direction, range_);
       if (way != kInfinity) {
-        const auto grey = static_cast<std::uint8_t>(std::lround(255.0 * std::clamp(values[i], 0.0, 1.0)));
-        drawing.line(spot, spot + way * direction, {grey, grey, grey});
-        drawing.point(spot + way * direction, {grey, grey, grey});
+        visit(i, spot, direction, way);
       }
     }
   }
-
- private:
-  static constexpr double kMargin = 1e-6;  // for rounding, m
 
   void senseOne(const Space& space, Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;

@@ -79,12 +79,11 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
     Sensors sensors;
     const IlluminatedRing ring = placedRing(space, instance, sensors);
-    VisitedLight law([&](std::size_t sensor, double brightness, const Eigen::Vector3d& offset) {
-      const Eigen::Vector3d& direction = sensors[sensor].direction;
-      const double angle = std::atan2(direction.cross(offset).norm(), direction.dot(offset));
-      visit(sensor, offset.norm(), angle, brightness);
-    });
-    illuminate(space, ring, near, law);
+    for (const LightOnSensor& light : lightOn(space, ring, near)) {
+      const Eigen::Vector3d& direction = sensors[light.sensor].direction;
+      const double angle = std::atan2(direction.cross(light.offset).norm(), direction.dot(light.offset));
+      visit(light.sensor, light.offset.norm(), angle, light.brightness);
+    }
   }
 
   /// @param implementation its name; the inverse square law is used where an experiment names none
@@ -161,9 +160,13 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
       return;
     }
     Sensors sensors;
-    illuminate(space, placedRing(space, instance, sensors), near);
+    std::array<double, RingGeometry<count>::kMost> sums;
+    std::fill_n(sums.begin(), size, 0.0);
+    for (const LightOnSensor& light : lightOn(space, placedRing(space, instance, sensors), near)) {
+      sums[light.sensor] += Light::share(light.brightness, sensors[light.sensor].direction, light.offset);
+    }
     for (std::size_t i = 0; i < size; ++i) {
-      Ring::valueOf(instance, i) = Ring::response(sensors[i].sum);
+      Ring::valueOf(instance, i) = Ring::response(sums[i]);
     }
   }
 

@@ -7,7 +7,7 @@
 namespace swarmanoid {
 
 /// The angle of (x, y) counter-clockwise from x, as std::atan2(y, x) to within 4e-7 rad, but of nothing but sums,
-/// products and one quotient: a few times as fast, and the same bits from every C library. Directions along the axes
+/// products and one quotient: twice as fast, and the same bits from every C library. Directions along the axes
 /// are exact to the last bit; that of nothing at all is 0. Thread-safe.
 /// @pre y and x are finite
 inline float arctangent(float y, float x) {

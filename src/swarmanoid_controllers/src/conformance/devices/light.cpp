@@ -35,10 +35,11 @@ Check feelsLamp(Bench& bench) {
   check.stages.push_back(settle(bench, [&bench] {
     constexpr double kDark = 1e-6;
     const Light& light = *bench.sensor<Light>();
+    const double bearing = lightBearing(bench);
     double towards = 0.0;  // the most that sensors read which look there
     double away = 0.0;     // likewise
     for (const LightReading& reading : light.sensors) {
-      const double off = std::abs(wrapAngle(static_cast<double>(reading.angle) - lightBearing(bench)));
+      const double off = std::abs(wrapAngle(static_cast<double>(reading.angle) - bearing));
       double& most = off < M_PI / 2.0 ? towards : away;
       most = std::max(most, static_cast<double>(reading.value));
     }
