@@ -1,6 +1,7 @@
 #include "sight_lines.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace swarmanoid::devices {
@@ -17,6 +18,18 @@ constexpr double kMargin = 1e-9;
 /// roundings of 6e-8 each.
 constexpr double kSingleRounding = 1e-6;
 
+/// The radius of places of a batch that nothing is in: no line comes that near [m].
+constexpr float kPassedByAll = -1.0F;
+
+constexpr std::array<std::uint32_t, 32> makeBits() {
+  std::array<std::uint32_t, 32> bits{};
+  for (std::size_t k = 0; k < bits.size(); ++k) {
+    bits[k] = std::uint32_t{1} << k;
+  }
+  return bits;
+}
+constexpr std::array<std::uint32_t, 32> kBits = makeBits();
+
 RayBundle bundleOf(const Segment& line, Row self, Row owner) {
   RayBundle ray;
   ray.segments = Span<const Segment>(&line, 1);
@@ -26,6 +39,8 @@ RayBundle bundleOf(const Segment& line, Row self, Row owner) {
   ray.also_ignored = owner;
   return ray;
 }
+
+constexpr double squareOf(double number) { return number * number; }
 
 /// Whether the heights of a line and of a thing overlap.
 bool meetHeights(const Segment& line, double low, double high) {
@@ -43,28 +58,52 @@ void SightLines::begin(const Space& space, Row self, const Eigen::Vector3d& eye,
   const bool has_prisms = std::any_of(space.engines.begin(), space.engines.end(),
                                       [](const Engine* engine) { return engine->hitsPrisms(); });
   prism_reach_ = has_prisms ? kPrismReach : 1.0;
-  if (outlines_.size() < near.size()) {
-    outlines_.resize(near.size(), nullptr);
-    for (std::vector<float>* column : {&x_, &y_, &radius_, &excess_}) {
-      column->resize(near.size());
-    }
-  }
-  const double margin = kMargin + kSingleRounding * reach;
-  count_ = 0;
-  for (const Place place : near) {
-    const PositionalIndex::Outline& outline = space.index.at(place);
-    outlines_[count_] = &outline;
-    x_[count_] = static_cast<float>(outline.position.x() - eye.x());
-    y_[count_] = static_cast<float>(outline.position.y() - eye.y());
-    radius_[count_] = static_cast<float>((1.0 + kSingleRounding) * prism_reach_ * outline.radius + margin);
-    count_ += outline.row == self ? 0 : 1;
-  }
+  fillBatches(near, kMargin + kSingleRounding * reach);
   large_.clear();
   for (const PositionalIndex::LargeOutline& large : space.index.large()) {
     if (large.row != self && large.meets(eye, reach)) {
       large_.push_back(&large);
     }
   }
+}
+
+void SightLines::fillBatches(const std::vector<Place>& near, double margin) {
+  if (batches_.size() * Batch::kSize < near.size()) {
+    batches_.resize((near.size() + Batch::kSize - 1) / Batch::kSize);
+  }
+  const double widening = (1.0 + kSingleRounding) * prism_reach_;
+  count_ = 0;
+  for (const Place place : near) {
+    const PositionalIndex::Outline& outline = space_->index.at(place);
+    Batch& batch = batches_[count_ / Batch::kSize];
+    const std::size_t k = count_ % Batch::kSize;
+    batch.outlines[k] = &outline;
+    batch.x[k] = static_cast<float>(outline.position.x() - eye_.x());
+    batch.y[k] = static_cast<float>(outline.position.y() - eye_.y());
+    batch.radius[k] = static_cast<float>(widening * outline.radius + margin);
+    count_ += outline.row == self_ ? 0 : 1;
+  }
+  for (std::size_t b = 0; b * Batch::kSize < count_; ++b) {
+    Batch& batch = batches_[b];
+    const std::size_t in_use = std::min(count_ - b * Batch::kSize, Batch::kSize);
+    batch.lanes = (in_use + Batch::kLanes - 1) / Batch::kLanes * Batch::kLanes;
+    std::fill(batch.radius.data() + in_use, batch.radius.data() + batch.lanes, kPassedByAll);
+  }
+}
+
+std::uint32_t SightLines::Batch::meeting(const Eigen::Vector2f& way, float length) const {
+  // all is scaled by the length: how far to the side of the line a thing is, and how far before or behind it
+  const float ahead_x = way.x();
+  const float ahead_y = way.y();
+  const float half = 0.5F * length * length;
+  std::uint32_t met = 0;
+  for (std::size_t k = 0; k < lanes / kLanes * kLanes; ++k) {  // so that compilers see that no lane is left over
+    const float across = std::abs(x[k] * ahead_y - y[k] * ahead_x);
+    const float beyond = std::abs(x[k] * ahead_x + y[k] * ahead_y - half) - half;
+    const float excess = (across > beyond ? across : beyond) - radius[k] * length;
+    met |= kBits[k] & (0U - static_cast<std::uint32_t>(excess <= 0.0F));
+  }
+  return met;
 }
 
 void SightLines::begin(const Space& space, Row self, const Eigen::Vector3d& eye, double reach) {
@@ -80,25 +119,24 @@ bool SightLines::isOccluded(const Eigen::Vector3d& point, Row owner) {
   if (space_->terrain || length < kMargin) {
     return space_->isOccluded(line, self_, owner);
   }
-  // all is scaled by the length: how far to the side of the line a thing is, and how far before or behind it
-  const Eigen::Vector2f ahead = way.head<2>().cast<float>();
-  const auto scale = static_cast<float>(length);
-  const float half = 0.5F * scale * scale;
-  for (std::size_t k = 0; k < count_; ++k) {
-    const float across = std::abs(x_[k] * ahead.y() - y_[k] * ahead.x());
-    const float beyond = std::abs(x_[k] * ahead.x() + y_[k] * ahead.y() - half) - half;
-    excess_[k] = (across > beyond ? across : beyond) - radius_[k] * scale;
-  }
-  for (std::size_t k = 0; k < count_; ++k) {
-    if (excess_[k] <= 0.0F && isBlocked(*outlines_[k], line, owner)) {
-      return true;
+  for (std::size_t b = 0; b * Batch::kSize < count_; ++b) {
+    const Batch& batch = batches_[b];
+    std::uint32_t met = batch.meeting(way.head<2>().cast<float>(), static_cast<float>(length));
+    for (; met != 0; met &= met - 1) {
+      if (isBlocked(*batch.outlines[static_cast<std::size_t>(__builtin_ctz(met))], line, owner)) {
+        return true;
+      }
     }
   }
-  const Eigen::AlignedBox3d box(eye_.cwiseMin(point), eye_.cwiseMax(point));
-  const bool is_large_near = std::any_of(large_.begin(), large_.end(), [&](const PositionalIndex::LargeOutline* large) {
+  return !large_.empty() && isBlockedByLarge(line, owner);
+}
+
+bool SightLines::isBlockedByLarge(const Segment& line, Row owner) const {
+  const Eigen::AlignedBox3d box(line.from.cwiseMin(line.to), line.from.cwiseMax(line.to));
+  const bool is_one_near = std::any_of(large_.begin(), large_.end(), [&](const PositionalIndex::LargeOutline* large) {
     return large->row != owner && large->bounds.squaredExteriorDistance(box) <= kMargin * kMargin;
   });
-  return is_large_near && space_->isOccluded(line, self_, owner);
+  return is_one_near && space_->isOccluded(line, self_, owner);
 }
 
 bool SightLines::isBlocked(const PositionalIndex::Outline& outline, const Segment& line, Row owner) const {
@@ -124,18 +162,19 @@ SightLines::Verdict SightLines::judge(const PositionalIndex::Outline& outline, c
   const Eigen::Vector2d axis = outline.position - line.from.head<2>();
   const double fraction = axis.dot(way) / way.squaredNorm();  // of the way, where it is nearest to the axis
   const bool is_between = fraction > 0.0 && fraction < 1.0;
-  const double distance = (axis - std::clamp(fraction, 0.0, 1.0) * way).norm();
+  const double squared_distance = (axis - std::clamp(fraction, 0.0, 1.0) * way).squaredNorm();
   Verdict verdict = Verdict::kFree;
   for (const EntityModel::Silhouette& silhouette : model.silhouettes) {
     const double low = height + silhouette.low;
     const double high = height + silhouette.high;
-    if (distance > prism_reach_ * silhouette.radius + kMargin || !meetHeights(line, low, high)) {
+    if (squared_distance > squareOf(prism_reach_ * silhouette.radius + kMargin) || !meetHeights(line, low, high)) {
       continue;
     }
     const bool is_inside =
         std::min(line.from.z(), line.to.z()) > low + kMargin && std::max(line.from.z(), line.to.z()) < high - kMargin;
-    if (silhouette.is_whole && is_between && is_inside && distance < silhouette.radius - kMargin &&
-        axis.norm() > silhouette.radius + kMargin) {
+    const double inner_radius = std::max(0.0, silhouette.radius - kMargin);
+    if (silhouette.is_whole && is_between && is_inside && squared_distance < squareOf(inner_radius) &&
+        axis.squaredNorm() > squareOf(silhouette.radius + kMargin)) {
       return Verdict::kBlocked;
     }
     verdict = Verdict::kUnsure;

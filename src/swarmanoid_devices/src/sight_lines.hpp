@@ -7,6 +7,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "swarmanoid_space/space.hpp"
@@ -31,6 +34,25 @@ class SightLines {
  private:
   enum class Verdict { kFree, kBlocked, kUnsure };
 
+  /// Outlines of what could hide something, seen from above, column by column so that a line is compared with several
+  /// at once: in single precision, and larger by what that rounds.
+  struct Batch {
+    static constexpr std::size_t kSize = 32;  // a bit of a word each
+    static constexpr std::size_t kLanes = 4;  // that are compared at once
+
+    alignas(16) std::array<float, kSize> x{};       ///< of the axes, from the eye [m]
+    alignas(16) std::array<float, kSize> y{};       ///< likewise
+    alignas(16) std::array<float, kSize> radius{};  ///< [m]
+    std::array<const PositionalIndex::Outline*, kSize> outlines{};
+    std::size_t lanes = 0;  ///< how many are looked at: a multiple of kLanes
+
+    /// The bits of those that a line may pass by too near. @param way from the eye to its end, seen from above [m]
+    std::uint32_t meeting(const Eigen::Vector2f& way, float length) const;
+  };
+
+  /// @param margin by which all are made larger [m]
+  void fillBatches(const std::vector<Place>& near, double margin);
+  bool isBlockedByLarge(const Segment& line, Row owner) const;
   bool isBlocked(const PositionalIndex::Outline& outline, const Segment& line, Row owner) const;
   Verdict judge(const PositionalIndex::Outline& outline, const Segment& line) const;
 
@@ -39,16 +61,8 @@ class SightLines {
   Row self_ = kNoRow;
   Eigen::Vector3d eye_ = Eigen::Vector3d::Zero();
   double prism_reach_ = 1.0;
-
-  // Outlines of what could hide something, seen from above, column by column so that a line is compared with several at
-  // once: in single precision, and larger by what that rounds. The columns are as long as they have ever been; the
-  // first `count_` places are in use.
-  std::size_t count_ = 0;
-  std::vector<const PositionalIndex::Outline*> outlines_;
-  std::vector<float> x_;       // of the axes, from the eye [m]
-  std::vector<float> y_;       // likewise
-  std::vector<float> radius_;  // [m]
-  std::vector<float> excess_;  // of the line that is asked about: it passes by if positive
+  std::size_t count_ = 0;       // of the outlines in batches_
+  std::vector<Batch> batches_;  // as many as there have ever been
   std::vector<const PositionalIndex::LargeOutline*> large_;
 };
 

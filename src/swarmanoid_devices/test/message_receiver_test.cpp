@@ -2,6 +2,7 @@
 // robots that come, go and stop mean for them. The receivers are boards of range and bearing.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -151,6 +152,35 @@ TEST(MessageReceiverTest, OfEquallyNearSendersTheOneOfTheLowerNumberIsReported) 
   }
   world.exchange();
   EXPECT_EQ(firstBytes(robot), (std::vector<int>{1, 3}));
+}
+
+TEST(MessageReceiverTest, AnyNumberOfSendersIsHeardByTheDefinition) {
+  for (const int quantity : {1, 3, 4, 5, 63, 64, 65, 66, 130}) {
+    MessageWorld world(Parameters{{"line_of_sight", "false"}});
+    RandomStream random(3, "crowd", "places");
+    std::vector<Board> others;
+    for (int i = 0; i < quantity; ++i) {
+      others.push_back(world.footbot(random.uniform(3.2, 6.8), random.uniform(3.2, 6.8)));
+      others.back().command->send({static_cast<std::uint8_t>(i)});
+    }
+    const Board robot = world.footbot(5.0, 5.0);
+    const auto distanceTo = [&](int i) {
+      return (world.pose(others[static_cast<std::size_t>(i)].row).position - world.pose(robot.row).position).norm();
+    };
+    std::vector<int> expected;  // the nearest of as many as there are slots, by number
+    for (int i = 0; i < quantity; ++i) {
+      expected.push_back(i);
+    }
+    std::sort(expected.begin(), expected.end(), [&](int a, int b) { return distanceTo(a) < distanceTo(b); });
+    expected.resize(std::min<std::size_t>(expected.size(), RangeAndBearingReceived::kMostMessages));
+    std::sort(expected.begin(), expected.end());
+    world.exchange();
+    EXPECT_EQ(firstBytes(robot), expected) << quantity;
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      EXPECT_EQ(robot.messages()[k].range, static_cast<float>(distanceTo(expected[k])));
+    }
+    EXPECT_EQ(robot.received->overflowed, quantity > 64);
+  }
 }
 
 TEST(MessageReceiverTest, AnOverflowIsOneEventAndIsCounted) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 #include <random>
 #include <utility>
 #include <vector>
@@ -51,9 +53,19 @@ class StillEngine final : public Engine {
     }
   }
   bool blocks(Row row, const RayBundle& ray) const override { return hitOf(row, ray.segments[0]) < 1.0; }
+  bool hitsPrisms() const override { return has_prisms; }
+
+  bool has_prisms = false;  ///< each cylinder is the square column around it
 
  private:
   double hitOf(Row row, const Segment& segment) const {
+    if (has_prisms) {
+      EntityModel model = *space_.entities.model[row];
+      for (CollisionShape& shape : model.shapes) {
+        shape.kind = CollisionShape::Kind::kBox;
+      }
+      return closestHit(segment, model, space_.entities.pose[row]);
+    }
     const auto posed = posedModel(space_.entities.model[row], space_.joints[row]);
     return closestHit(segment, *posed, space_.entities.pose[row]);
   }
@@ -141,6 +153,61 @@ TEST_F(SightLinesTest, AreBlockedWhereRaysAre) {
   }
   EXPECT_GT(all.free, 1000);
   EXPECT_GT(all.blocked, 1000);
+}
+
+TEST_F(SightLinesTest, AreBlockedByAnyNumberOfThings) {
+  // around an eye, since what is near is compared in batches: full ones, and such with places left over
+  Count all;
+  for (int i = 0; i < 70; ++i) {
+    const double angle = 2.4 * i;
+    const double distance = 0.2 + 0.02 * i;
+    const Row footbot =
+        world.addFootbot(4.5 + distance * std::cos(angle), 4.5 + distance * std::sin(angle), uniform(-3.1, 3.1));
+    moved(footbot);
+    const Row self = i % 2 == 0 ? kNoRow : footbot;
+    const Count count = compare(self, {4.5, 4.5, 0.1}, 0.05, 0.2);
+    all.free += count.free;
+    all.blocked += count.blocked;
+  }
+  EXPECT_GT(all.free, 1000);
+  EXPECT_GT(all.blocked, 1000);
+}
+
+TEST_F(SightLinesTest, AreBlockedByTheCornersOfPrisms) {
+  engine.has_prisms = true;
+  for (int i = 0; i < 40; ++i) {
+    moved(world.addFootbot(uniform(3.0, 6.0), uniform(3.0, 6.0), uniform(-3.1, 3.1)));
+  }
+  const auto blockedLines = [&] {
+    Count all;
+    for (int i = 0; i < 15; ++i) {
+      all.blocked += compare(kNoRow, {3.1 + 0.2 * i, 4.4, 0.1}, 0.05, 0.2).blocked;
+    }
+    return all.blocked;
+  };
+  random.seed(11);
+  const int by_prisms = blockedLines();
+  engine.has_prisms = false;
+  random.seed(11);
+  EXPECT_GT(by_prisms, blockedLines() + 50) << "the same lines, past the corners";
+}
+
+TEST_F(SightLinesTest, AreBlockedByHills) {
+  std::vector<double> heights(21U * 21U, 0.0);
+  for (std::size_t i = 0; i < heights.size(); ++i) {
+    heights[i] = 0.3 * uniform(0.0, 1.0);
+  }
+  world.space.terrain =
+      std::make_shared<const Terrain>(Eigen::Vector2d(3.0, 3.0), Eigen::Vector2d(3.0, 3.0), 21, 21, heights);
+  crowd();
+  Count all;
+  for (int i = 0; i < 5; ++i) {
+    const Count count = compare(kNoRow, place(0.3, 0.6), 0.2, 0.8);
+    all.free += count.free;
+    all.blocked += count.blocked;
+  }
+  EXPECT_GT(all.free, 100);
+  EXPECT_GT(all.blocked, 100);
 }
 
 TEST_F(SightLinesTest, AreBlockedByARaisedArm) {

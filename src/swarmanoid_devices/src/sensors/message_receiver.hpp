@@ -138,44 +138,72 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     }
   }
 
-  /// What a message says beside what was sent and measured.
-  virtual void complete(const Space&, Row /*sender*/, Message&) const {}
-  /// Whether a message that came is for this robot.
-  virtual bool isFor(const Instance&, const Command&) const { return true; }
-
- private:
   using Search = SenderSearch<Command>;
   using Found = typename Search::Found;
+
+  /// Leaves out those whose messages came, but are not for this robot.
+  virtual void leaveOutOthers(const Instance&, std::vector<Found>&) const {}
+  /// What messages say beside what was sent and measured. @param heard their senders, in the same order
+  virtual void complete(const Space&, const std::vector<Found>& /*heard*/, Span<Message>) const {}
+
+ private:
+  /// From the receiver to the senders of messages, in its robot's frame [m]: by coordinate, so that several messages
+  /// are measured at once.
+  struct Offsets {
+    std::vector<double> x;
+    std::vector<double> y;
+    std::vector<double> z;
+
+    void fit(std::size_t count) {
+      for (std::vector<double>* column : {&x, &y, &z}) {
+        column->resize(std::max(column->size(), count));
+      }
+    }
+  };
   struct Scratch {
     Search senders;
     SightLines lines;
+    Offsets offsets;
   };
 
   void senseOne(const Space& space, Instance& instance, Scratch& scratch) const {
     const Eigen::Vector3d own_position = positionOf(space, instance.row, instance.transmitter);
     if constexpr (Received::kSharesChannel) {
       hearNearest(space, instance, own_position, scratch);
+      scratch.senders.sort();
     } else {
-      scratch.senders.find(space, table_, instance.row, own_position, range_);
-      leaveOutUnheard(space, instance, own_position, range_, scratch);
+      findInSight(space, instance, own_position, range_, scratch);
+      scratch.senders.sort();
+      leaveOutLost(space, instance, scratch.senders.found);
     }
     std::vector<Found>& heard = scratch.senders.found;
     Received& readings = *instance.readings;
     readings.overflowed = keepNearest(heard, slots_, [](const Found& each) { return each.squared_range; });
+    leaveOutOthers(instance, heard);
+    measure(space, instance, own_position, heard, scratch.offsets);
+    const Span<Message> messages(instance.buffer.data(), heard.size());
+    complete(space, heard, messages);
+    readings.messages = messages;
+  }
+
+  /// Fills messages with what was sent and where from.
+  void measure(const Space& space, Instance& instance, const Eigen::Vector3d& own_position,
+               const std::vector<Found>& heard, Offsets& offsets) const {
     const Eigen::Matrix3d to_body = space.entities.pose[instance.row].orientation.conjugate().toRotationMatrix();
-    std::size_t count = 0;
-    for (const Found& found : heard) {
-      const Sender<Command>& sender = *found.sender;
-      if (!isFor(instance, sender.command)) {
-        continue;
-      }
-      instance.senders[count] = sender.number;
-      Message& message = instance.buffer[count++];
-      message.measure(to_body * (sender.position - own_position));
-      message.payload = sender.command.payload;
-      complete(space, sender.row, message);
+    offsets.fit(heard.size());
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+      const Sender<Command>& sender = *heard[i].sender;
+      const Eigen::Vector3d offset = to_body * (sender.position - own_position);
+      offsets.x[i] = offset.x();
+      offsets.y[i] = offset.y();
+      offsets.z[i] = offset.z();
+      instance.senders[i] = sender.number;
+      instance.buffer[i].payload = sender.command.payload;
     }
-    readings.messages = Span<const Message>(instance.buffer.data(), count);
+    // a loop of its own, without calls or branches, since compilers make it one over several messages at once
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+      instance.buffer[i].measure({offsets.x[i], offsets.y[i], offsets.z[i]});
+    }
   }
 
   /// Leaves who is heard, all up to some distance: as far as there are senders for all slots, or as the range.
@@ -187,8 +215,8 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     const bool looks_around = table_.few() == nullptr;
     double reach = looks_around ? std::min(range_, instance.reach) : range_;
     while (true) {
-      scratch.senders.find(space, table_, instance.row, own_position, reach);
-      leaveOutUnheard(space, instance, own_position, reach, scratch);
+      findInSight(space, instance, own_position, reach, scratch);
+      leaveOutLost(space, instance, scratch.senders.found);
       if (heard.size() > slots_ || reach >= range_) {
         break;
       }
@@ -199,37 +227,47 @@ class MessageReceiver : public SensorOf<Received, InstanceOfReceiver> {
     }
   }
 
-  /// Leaves out whom something hides, and what is lost.
-  void leaveOutUnheard(const Space& space, Instance& instance, const Eigen::Vector3d& own_position, double reach,
-                       Scratch& scratch) const {
-    std::vector<Found>& heard = scratch.senders.found;
-    if (needs_sight_ && !heard.empty()) {
+  /// Finds those whom nothing hides, in no stated order.
+  void findInSight(const Space& space, const Instance& instance, const Eigen::Vector3d& own_position, double reach,
+                   Scratch& scratch) const {
+    scratch.senders.find(space, table_, instance.row, own_position, reach);
+    std::vector<Found>& found = scratch.senders.found;
+    if (needs_sight_ && !found.empty()) {
       scratch.lines.begin(space, instance.row, own_position, reach + kMostOutside, scratch.senders.near);
+      leaveOut(found,
+               [&](const Found& each) { return scratch.lines.isOccluded(each.sender->position, each.sender->row); });
     }
-    std::uint64_t draws = 0;
-    if (loss_.loses()) {
-      instance.random.startTick(space.tick);
-      draws = Received::kSharesChannel ? instance.random.bits() : 0;
+  }
+
+  /// @param found if the channel is not shared, in the order of entity numbers: each draws a number
+  void leaveOutLost(const Space& space, Instance& instance, std::vector<Found>& found) const {
+    if (!loss_.loses()) {
+      return;
     }
-    const auto is_lost = [&](const Found& found) {
-      const double probability = loss_.probability(found.squared_range);
+    instance.random.startTick(space.tick);
+    const std::uint64_t draws = Received::kSharesChannel ? instance.random.bits() : 0;
+    leaveOut(found, [&](const Found& each) {
+      const double probability = loss_.probability(each.squared_range);
       if constexpr (Received::kSharesChannel) {
         // a number of the pair's own, so that it does not depend on how far the receiver looks
-        RandomStream pair(draws, static_cast<std::uint64_t>(found.number));
+        RandomStream pair(draws, static_cast<std::uint64_t>(each.sender->number));
         return pair.uniform() < probability;
       } else {
         return instance.random.uniform() < probability;
       }
-    };
-    // in their order: each that nothing hides draws a number
+    });
+  }
+
+  /// Asks about each once, in their order, which stays.
+  template <class IsOut>
+  static void leaveOut(std::vector<Found>& found, IsOut is_out) {
     std::size_t kept = 0;
-    for (const Found& found : heard) {
-      const bool is_hidden = needs_sight_ && scratch.lines.isOccluded(found.sender->position, found.sender->row);
-      if (!is_hidden && !(loss_.loses() && is_lost(found))) {
-        heard[kept++] = found;
-      }
+    for (const Found& each : found) {
+      const bool is_kept = !is_out(each);
+      found[kept] = each;
+      kept += is_kept ? 1 : 0;
     }
-    heard.resize(kept);
+    found.resize(kept);
   }
 
   double range_ = Received::kUsualRange;

@@ -7,6 +7,10 @@
 ///     };
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
 #include "message_receiver.hpp"
 #include "swarmanoid_interface/devices/radio.hpp"
 
@@ -31,12 +35,19 @@ class RadioReceiver : public MessageReceiver<Received, Command, RadioReceiverIns
     instance.address = addressOf(space.entities.name[instance.row]);
   }
 
-  void complete(const Space& space, Row sender, typename Base::Message& message) const override {
-    message.sender = addressOf(space.entities.name[sender]);
+  void leaveOutOthers(const Instance& instance, std::vector<typename Base::Found>& heard) const override {
+    const auto is_for_another = [&](const typename Base::Found& found) {
+      const Command& command = found.sender->command;
+      return command.to != kEverybody && command.to != instance.address;
+    };
+    heard.erase(std::remove_if(heard.begin(), heard.end(), is_for_another), heard.end());
   }
 
-  bool isFor(const Instance& instance, const Command& command) const override {
-    return command.to == kEverybody || command.to == instance.address;
+  void complete(const Space& space, const std::vector<typename Base::Found>& heard,
+                Span<typename Base::Message> messages) const override {
+    for (std::size_t i = 0; i < heard.size(); ++i) {
+      messages[i].sender = addressOf(space.entities.name[heard[i].sender->row]);
+    }
   }
 };
 

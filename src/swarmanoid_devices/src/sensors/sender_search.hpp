@@ -4,7 +4,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "swarmanoid_space/space.hpp"
@@ -17,6 +20,7 @@ template <class Command>
 struct Sender {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< of the transmitter, in W [m]
   EntityNumber number = kNoEntity;
+  std::int32_t rank = 0;  ///< among all entities, by number
   Row row = kNoRow;
   Command command;  ///< does not send if there is nobody
 };
@@ -30,6 +34,10 @@ class SenderTable {
   /// takes that many messages finds them sooner than around itself, where it would look at few_for * entities / senders
   void fill(const Space& space, const Bank<Command>& commands, std::size_t few_for) {
     transmitters_.clear();
+    const std::vector<Row>& order = space.entities.order;
+    for (std::size_t k = 0; k < order.size(); ++k) {
+      ranks_.fit(order[k]) = static_cast<std::int32_t>(k);
+    }
     by_place_.resize(space.index.placeCount());
     large_.clear();
     std::size_t count = 0;
@@ -44,7 +52,7 @@ class SenderTable {
       }
     }
     count += large_.size();
-    keepFew(count * count <= few_for * space.entities.order.size());
+    keepFew(count * count <= few_for * order.size());
   }
 
   const Sender<Command>& at(PositionalIndex::Place place) const { return by_place_[place]; }
@@ -60,7 +68,7 @@ class SenderTable {
       return {};
     }
     const Transmitter& transmitter = transmitters_.of(*space.entities.model[row], Command::kType, Command::kLink);
-    return {positionOf(space, row, transmitter), space.entities.number[row], row, *command};
+    return {positionOf(space, row, transmitter), space.entities.number[row], ranks_[row], row, *command};
   }
 
   void keepFew(bool are_few) {
@@ -74,6 +82,7 @@ class SenderTable {
   }
 
   Transmitters transmitters_;
+  RowMap<std::int32_t> ranks_;
   std::vector<Sender<Command>> by_place_;  // by place in the index
   std::vector<Sender<Command>> large_;
   std::vector<Sender<Command>> few_;
@@ -85,36 +94,48 @@ template <class Command>
 class SenderSearch {
  public:
   struct Found {
-    EntityNumber number;
     const Sender<Command>* sender;
     double squared_range;  ///< from the receiver [m2]
-    std::size_t place;     ///< among those in range, by entity number
+    std::size_t place;     ///< among those found, by entity number, once sorted
   };
 
-  /// Fills `found` with those within a distance, by entity number, and `near` with the places in the index of who could
-  /// hide them, unless few send. @param self who does not hear itself @param position of the own transmitter, in W [m]
+  /// Fills `found` with those within a distance, in no stated order, and `near` with the places in the index of who
+  /// could hide them, unless few send. @param self who does not hear itself @param position of the own transmitter, in
+  /// W [m]
   void find(const Space& space, const SenderTable<Command>& table, Row self, const Eigen::Vector3d& position,
             double reach) {
     near.clear();
-    found.clear();
+    std::size_t count = 0;
+    // each has its place, which the next one takes if it is not in range: who is near is as random as branches are slow
+    // then
     const auto keep_within = [&](const Sender<Command>& sender) {
       const double squared_range = (sender.position - position).squaredNorm();
-      if (sender.row != self && squared_range <= reach * reach) {
-        found.push_back({sender.number, &sender, squared_range, 0});
-      }
+      found[count] = {&sender, squared_range, 0};
+      count += static_cast<std::size_t>(sender.command.sends) & static_cast<std::size_t>(sender.row != self) &
+               static_cast<std::size_t>(squared_range <= reach * reach);
     };
     if (table.few() != nullptr) {
+      found.resize(table.few()->size());
       std::for_each(table.few()->begin(), table.few()->end(), keep_within);
     } else {
       space.index.collectPlaces(position, reach + std::max(kMostOutside, space.index.prismMargin()), near);
+      found.resize(near.size() + table.large().size());
       for (const PositionalIndex::Place place : near) {
-        if (table.at(place).command.sends) {
-          keep_within(table.at(place));
-        }
+        keep_within(table.at(place));
       }
       std::for_each(table.large().begin(), table.large().end(), keep_within);
     }
-    std::sort(found.begin(), found.end(), [](const Found& a, const Found& b) { return a.number < b.number; });
+    found.resize(count);
+  }
+
+  /// Puts `found` in the order of entity numbers.
+  void sort() {
+    if (found.size() <= kFew) {
+      sortFew();
+    } else {
+      std::sort(found.begin(), found.end(),
+                [](const Found& a, const Found& b) { return a.sender->rank < b.sender->rank; });
+    }
     for (std::size_t i = 0; i < found.size(); ++i) {
       found[i].place = i;
     }
@@ -122,6 +143,30 @@ class SenderSearch {
 
   std::vector<Found> found;
   std::vector<PositionalIndex::Place> near;
+
+ private:
+  static constexpr std::size_t kFew = 64;
+  static constexpr std::size_t kLanes = 4;  // that are compared at once
+
+  /// Each goes after as many as are lower: without a branch that depends on an order which is random, and several
+  /// comparisons at once.
+  void sortFew() {
+    alignas(16) std::array<std::int32_t, kFew> ranks;
+    const std::size_t groups = (found.size() + kLanes - 1) / kLanes;
+    std::fill_n(ranks.begin(), groups * kLanes, std::numeric_limits<std::int32_t>::max());
+    std::transform(found.begin(), found.end(), ranks.begin(), [](const Found& each) { return each.sender->rank; });
+    sorted_.resize(found.size());
+    for (const Found& each : found) {
+      std::int32_t lower = 0;
+      for (std::size_t k = 0; k < groups * kLanes; ++k) {
+        lower += ranks[k] < each.sender->rank ? 1 : 0;
+      }
+      sorted_[static_cast<std::size_t>(lower)] = each;
+    }
+    found.swap(sorted_);
+  }
+
+  std::vector<Found> sorted_;  // scratch of sortFew
 };
 
 }  // namespace swarmanoid::devices

@@ -35,6 +35,15 @@ Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
   return bounds;
 }
 
+/// As Outline::meets, but by all of its comparisons always.
+bool meetsSphere(const PositionalIndex::Outline& outline, const Eigen::Vector3d& centre, double radius) {
+  const double reach = radius + outline.radius;
+  const auto is_beside = static_cast<int>((outline.position - centre.head<2>()).squaredNorm() <= reach * reach);
+  const auto is_above = static_cast<int>(outline.high >= centre.z() - radius);
+  const auto is_below = static_cast<int>(outline.low <= centre.z() + radius);
+  return (is_beside & is_above & is_below) != 0;
+}
+
 }  // namespace
 
 void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities) {
@@ -110,7 +119,7 @@ PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Ro
 
 template <class Visit>
 void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, double radius, Visit visit) const {
-  constexpr double kRounding = 1e-9;  // m: the cells must hold all that the exact comparison below accepts
+  constexpr double kRounding = 1e-9;  // m: the cells must hold all that Outline::meets accepts
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius + largest_small_radius_ + kRounding);
   const Cell low = cellOf(centre - reach);
   const Cell high = cellOf(centre + reach);
@@ -120,9 +129,7 @@ void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, double radius, 
       const Place first = first_item_[flat({low[0], y, z})];
       const Place last = first_item_[flat({high[0], y, z}) + 1];
       for (Place place = first; place < last; ++place) {
-        if (items_[place].meets(centre, radius)) {
-          visit(place);
-        }
+        visit(place);
       }
     }
   }
@@ -135,7 +142,11 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
       visit(large.row);
     }
   }
-  visitPlaces(centre, radius, [&](Place place) { visit(items_[place].row); });
+  visitPlaces(centre, radius, [&](Place place) {
+    if (items_[place].meets(centre, radius)) {
+      visit(items_[place].row);
+    }
+  });
 }
 
 void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const {
@@ -143,7 +154,18 @@ void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std:
 }
 
 void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const {
-  visitPlaces(centre, radius, [&](Place place) { found.push_back(place); });
+  constexpr std::size_t kMore = 64;  // so that room is made few times
+  std::size_t count = found.size();
+  visitPlaces(centre, radius, [&](Place place) {
+    // each has its place in the list, which the next one takes if it is not near: near the border of the sphere a
+    // branch would be foretold badly
+    if (count == found.size()) {
+      found.resize(count + kMore);
+    }
+    found[count] = place;
+    count += meetsSphere(items_[place], centre, radius) ? 1 : 0;
+  });
+  found.resize(count);
 }
 
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {

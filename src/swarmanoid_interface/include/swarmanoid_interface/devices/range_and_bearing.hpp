@@ -25,13 +25,17 @@ struct RangeAndBearingMessage {
   float elevation = 0.0F;  ///< of the direction above the robot's x-y plane, from -pi/2 to pi/2 [rad]
   RangeAndBearing::Payload payload{};
 
-  /// Measures where a sender is. @param offset from the own transmitter to its one, in the robot's frame [m]
+  /// Measures where a sender is. Sums, products and roots, written out, since then compilers make a loop over messages
+  /// one over several at once; Eigen's norms keep them from it.
+  /// @param offset from the own transmitter to its one, in the robot's frame [m]
   void measure(const Eigen::Vector3d& offset) {
-    const Eigen::Vector3f to_sender = offset.cast<float>();
-    const float angle = arctangent(to_sender.y(), to_sender.x());
-    range = static_cast<float>(offset.norm());
+    const auto ahead = static_cast<float>(offset.x());
+    const auto left = static_cast<float>(offset.y());
+    const auto up = static_cast<float>(offset.z());
+    const float angle = arctangent(left, ahead);
+    range = static_cast<float>(std::sqrt(offset.x() * offset.x() + offset.y() * offset.y() + offset.z() * offset.z()));
     bearing = angle <= -static_cast<float>(M_PI) ? static_cast<float>(M_PI) : angle;
-    elevation = arctangent(to_sender.z(), to_sender.head<2>().norm());
+    elevation = arctangent(up, std::sqrt(ahead * ahead + left * left));
   }
 };
 

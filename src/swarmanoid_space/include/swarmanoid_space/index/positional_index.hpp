@@ -88,7 +88,7 @@ class PositionalIndex {
   std::size_t flat(const Cell& cell) const;
   template <class Visit>  // visit(Row)
   void visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const;
-  template <class Visit>  // visit(Place)
+  template <class Visit>  // visit(Place), of all in cells that the sphere may meet
   void visitPlaces(const Eigen::Vector3d& centre, double radius, Visit visit) const;
 
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
