@@ -16,6 +16,7 @@
 #include "swarmanoid_space/records/record_folder.hpp"
 #include "swarmanoid_space/simulation/run_files.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
+#include "swarmanoid_space/simulation/without_ros.hpp"
 #include "version.hpp"
 
 namespace swarmanoid::program {
@@ -38,17 +39,6 @@ struct RunOptions : ExperimentOptions {
   bool quiet = false;
   bool profile = false;
 };
-
-/// Refuses robots with controllers in other processes: this program does not transport frames.
-void refuseRobotsOfOthers(const Experiment& experiment) {
-  for (const EntityDescription& entity : experiment.arena.entities) {
-    if (isOfOthers(entity.source)) {
-      throw ConfigError(entity.location, "'" + entity.id + "' is commanded by another process (source=\"" +
-                                             toString(entity.source) +
-                                             "\"), which needs ROS; allowed: roslaunch, or another source");
-    }
-  }
-}
 
 /// Prints the wall time of each phase.
 void printProfile(const PhaseTimes& total, const Space& space) {

@@ -11,6 +11,7 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/actuator.hpp"
+#include "swarmanoid_space/group_controller.hpp"
 #include "swarmanoid_space/sensor.hpp"
 
 namespace swarmanoid {
@@ -21,8 +22,11 @@ struct ControllerGroup {
   std::vector<Named<Sensor>> sensors;
   std::vector<Named<Actuator>> actuators;
   std::vector<DeviceUse> devices;  ///< all of them
+  /// Steps the robots together; null: each has a controller of its own, which `make` makes.
+  std::shared_ptr<GroupController> together;
+  std::vector<GroupMember> members;  ///< scratch of `control`
   std::function<std::shared_ptr<Controller>()> make;
-  std::string part;  ///< what `make` makes, as UserCode has it
+  std::string part;  ///< `together`, or what `make` makes, as UserCode has it
 };
 
 /// Its devices; none without a group.
@@ -34,7 +38,7 @@ struct RobotInstance {
   Robot* robot = nullptr;
   ControllerGroup* group = nullptr;
   CommandSource source = CommandSource::kController;
-  std::shared_ptr<Controller> controller;  ///< null unless the source is kController
+  std::shared_ptr<Controller> controller;  ///< null unless the source is kController, and for groups stepped together
   UserCode step;                           ///< of the controller
   Duration command_timeout{};              ///< with kTopics, these three
   Time last_command = kEpoch;
@@ -44,5 +48,9 @@ struct RobotInstance {
   bool has_failed = false;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };
+
+/// A controller of the robot's own, started. @return null if its group is stepped together
+/// @throws what startController throws
+std::shared_ptr<Controller> startControllerOf(const RobotInstance& instance);
 
 }  // namespace swarmanoid

@@ -18,8 +18,7 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
   const bool is_off = instance->source_when_charged.has_value();
   try {
     if (source == CommandSource::kController && !is_off) {
-      controller = startController(instance->group->make, instance->group->part, *instance->robot,
-                                   instance->group->description->parameters);
+      controller = startControllerOf(*instance);
     }
     refuseUnlessReachable(*instance, source);
     if (source == CommandSource::kRemote && !world.context.is_open) {

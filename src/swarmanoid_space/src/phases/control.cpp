@@ -3,8 +3,35 @@
 #include "swarmanoid_interface/step_controller.hpp"
 
 namespace swarmanoid::phases {
+namespace {
 
-void control(const Space& space, ByRow<ControllerState>& states, std::vector<RobotInstance>& instances,
+/// Steps all robots of a group by one call.
+void stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& states, ControllerGroup& group,
+                  std::vector<RobotInstance>& instances) {
+  group.members.clear();
+  for (const RobotInstance& instance : instances) {
+    if (instance.group == &group && instance.source == CommandSource::kController && !instance.has_failed) {
+      instance.robot->startTick(space.tick, space.time);
+      group.members.push_back({instance.row, instance.robot});
+    }
+  }
+  const Span<const GroupMember> members(group.members.data(), group.members.size());
+  const std::string failure =
+      failureOf({"step", group.part, "", space.tick}, [&] { group.together->step(space, commands, members); });
+  for (RobotInstance& instance : instances) {
+    if (instance.group != &group || instance.source != CommandSource::kController || instance.has_failed) {
+      continue;
+    }
+    instance.has_failed = !failure.empty();
+    instance.failure = failure;
+    states[instance.row].status = instance.has_failed ? StepStatus::kFailed : StepStatus::kStepped;
+  }
+}
+
+}  // namespace
+
+void control(const Space& space, Banks& commands, ByRow<ControllerState>& states,
+             const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<RobotInstance>& instances,
              const Workers& workers) {
   constexpr std::size_t kGrain = 64;
   workers.forRanges(instances.size(), kGrain, [&](std::size_t first, std::size_t last) {
@@ -22,6 +49,11 @@ void control(const Space& space, ByRow<ControllerState>& states, std::vector<Rob
       }
     }
   });
+  for (const auto& group : groups) {
+    if (group->together != nullptr) {
+      stepTogether(space, commands, states, *group, instances);
+    }
+  }
 }
 
 }  // namespace swarmanoid::phases

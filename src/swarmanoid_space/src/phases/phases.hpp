@@ -27,8 +27,10 @@ void applyTopics(const Space& space, Banks& commands, std::vector<Event>& events
                  CommandMailbox& mailbox, const Robot::LogSink& log);
 
 /// Every controller of this process turns readings into commands; those of participants have done so before, see
-/// Lockstep::exchange. A robot whose controller throws is marked as failed.
-void control(const Space& space, ByRow<ControllerState>& states, std::vector<RobotInstance>& instances,
+/// Lockstep::exchange. A robot whose controller throws is marked as failed, and so are all of a group that is stepped
+/// together (GroupController).
+void control(const Space& space, Banks& commands, ByRow<ControllerState>& states,
+             const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<RobotInstance>& instances,
              const Workers& workers);
 
 /// Robots that are being stopped get the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).

@@ -35,7 +35,8 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     phases::applyTopics(world.space, world.space.commands, world.space.events, world.assembly.robots,
                         *world.supplied.commands, world.log_sink);
   }
-  phases::control(world.space, world.space.controllers, world.assembly.robots, world.assembly.workers);
+  phases::control(world.space, world.space.commands, world.space.controllers, world.assembly.groups,
+                  world.assembly.robots, world.assembly.workers);
   restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(world.space, world.assembly.groups, faulty_);

@@ -67,6 +67,22 @@ void refuseEndlessRun(const FrameworkDescription& framework) {
   }
 }
 
+/// What steps the robots of the group: one controller for all of them, or what makes one for each.
+void giveController(const SuppliedParts& supplied, const ControllerDescription& description, ControllerGroup& group) {
+  const auto together = supplied.group_controllers.find(description.id);
+  const auto single = supplied.controllers.find(description.id);
+  if (together != supplied.group_controllers.end()) {
+    group.together = together->second;
+    group.part = "controller '" + description.id + "' of all its robots";
+    callUserCode({"init", group.part, ""}, [&] { group.together->init(description.parameters); });
+  } else if (single != supplied.controllers.end()) {
+    group.make = single->second;
+  } else {
+    const auto* entry = Registry::instance().find(PluginKind::kController, description.label);
+    group.make = [entry] { return makePlugin<Controller>(*entry); };
+  }
+}
+
 void buildControllerGroups(World& world) {
   for (const ControllerDescription& description : world.experiment.controllers) {
     auto group = std::make_unique<ControllerGroup>();
@@ -78,13 +94,7 @@ void buildControllerGroups(World& world) {
       addDevice(PluginKind::kActuator, device, description.id, group->actuators, group->devices);
     }
     group->part = controllerPart(description.id, description.label);
-    const auto supplied = world.supplied.controllers.find(description.id);
-    if (supplied != world.supplied.controllers.end()) {
-      group->make = supplied->second;
-    } else {
-      const auto* entry = Registry::instance().find(PluginKind::kController, description.label);
-      group->make = [entry] { return makePlugin<Controller>(*entry); };
-    }
+    giveController(world.supplied, description, *group);
     world.assembly.groups.push_back(std::move(group));
   }
 }

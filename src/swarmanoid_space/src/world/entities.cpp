@@ -37,7 +37,7 @@ void giveController(World& world, Row row, const EntityDescription& entity) {
       instance.robot->provideActuator(actuator->type(), actuator->add(world.space, row));
     }
     if (instance.source == CommandSource::kController) {
-      instance.controller = startController(group->make, group->part, *instance.robot, group->description->parameters);
+      instance.controller = startControllerOf(instance);
     }
     refuseUnlessReachable(instance, instance.source);
   } catch (const ConfigError& error) {

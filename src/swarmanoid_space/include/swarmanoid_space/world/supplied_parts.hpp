@@ -9,13 +9,16 @@
 #include "swarmanoid_interface/command_mailbox.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_space/engine.hpp"
+#include "swarmanoid_space/group_controller.hpp"
 
 namespace swarmanoid {
 
-/// By id: the nodelets supply these.
+/// By id. Nodelets supply engines and controllers, the bindings to Python controllers of groups.
 struct SuppliedParts {
   std::map<std::string, std::shared_ptr<Engine>> engines;  ///< already configured
   std::map<std::string, std::function<std::shared_ptr<Controller>()>> controllers;
+  /// Instead of the controller that the experiment file names for the configuration.
+  std::map<std::string, std::shared_ptr<GroupController>> group_controllers;
   std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
 };
 

@@ -1,0 +1,188 @@
+#include "field_arrays.hpp"
+
+#include <pybind11/stl.h>
+
+#include <cstring>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace py = pybind11;
+
+namespace swarmanoid::bindings {
+namespace {
+
+py::dtype dtypeOf(NumberType type) {
+  return withNumberType(type, [](auto zero) { return py::dtype::of<decltype(zero)>(); });
+}
+
+std::vector<py::ssize_t> shapeOf(const FieldPlaces& field, std::size_t records) {
+  std::vector<py::ssize_t> shape{static_cast<py::ssize_t>(records)};
+  for (const std::size_t length : field.shape) {
+    shape.push_back(static_cast<py::ssize_t>(length));
+  }
+  return shape;
+}
+
+/// Calls copy(place in the record, number of bytes) for each part of the field that lies in one piece.
+template <class Copy>
+void visitPieces(const FieldPlaces& field, Copy copy) {
+  const std::size_t size = sizeOf(field.type);
+  if (field.isContiguous()) {
+    copy(field.offsets.front(), size * field.offsets.size());
+    return;
+  }
+  for (const std::size_t offset : field.offsets) {
+    copy(offset, size);
+  }
+}
+
+std::string textOf(const py::handle& object) { return py::str(object); }
+
+/// What the caller gives, as numbers of the field's type in the shape of the field.
+/// @throws py::value_error if the type does not have them
+py::array convert(const py::object& value, const FieldPlaces& field, std::size_t records, const std::string& name) {
+  const py::module_ numpy = py::module_::import("numpy");
+  const py::array given = numpy.attr("asarray")(value);
+  const char kind = given.dtype().kind();
+  if (kind != 'b' && kind != 'i' && kind != 'u' && kind != 'f') {
+    throw py::type_error(name + ": found " + textOf(given.dtype()) + ", allowed: numbers");
+  }
+  const py::dtype wanted = dtypeOf(field.type);
+  const py::array converted = given.dtype().is(wanted) ? given : py::array(given.attr("astype")(wanted));
+  const bool is_real = field.type == NumberType::kF4 || field.type == NumberType::kF8;
+  if (!is_real && !numpy.attr("array_equal")(converted, given).cast<bool>()) {
+    throw py::value_error(name + ": found numbers that are no " + textOf(wanted));
+  }
+  try {
+    return numpy.attr("ascontiguousarray")(numpy.attr("broadcast_to")(converted, shapeOf(field, records)));
+  } catch (py::error_already_set& error) {
+    if (!error.matches(PyExc_ValueError)) {
+      throw;
+    }
+    throw py::value_error(name + ": found the shape " + textOf(given.attr("shape")) + ", allowed: " +
+                          textOf(py::tuple(py::cast(shapeOf(field, records)))) + " or what becomes that");
+  }
+}
+
+std::vector<std::byte*> elementsOf(const Records& records, const ListPlaces& list, std::int64_t* counts) {
+  std::vector<std::byte*> places;
+  for (std::size_t i = 0; i < records.places.size(); ++i) {
+    const Span<const std::byte> bytes = list.access.bytes(records.places[i] + list.offset);
+    const std::size_t count = bytes.size() / list.access.element_size;
+    counts[i] = static_cast<std::int64_t>(count);
+    for (std::size_t k = 0; k < count; ++k) {
+      // they are only read
+      places.push_back(const_cast<std::byte*>(bytes.data()) + k * list.access.element_size);
+    }
+  }
+  return places;
+}
+
+FieldArrays elementArrays(const Records& records, const ListPlaces& list, const std::string& device,
+                          std::int64_t* counts) {
+  auto elements = std::make_shared<Records>(Records{records.moment, elementsOf(records, list, counts)});
+  return {std::move(elements), list.elements, device + "." + list.name, "", false};
+}
+
+/// @return a field, a list or a part; what is no copy keeps the simulation
+py::object partOf(const py::object& owner, const FieldArrays& arrays, const std::string& name) {
+  py::object part = arrays.get(name);
+  if (!py::isinstance<py::array>(part)) {
+    py::detail::keep_alive_impl(part, owner);
+  }
+  return part;
+}
+
+}  // namespace
+
+py::array FieldArrays::copyOf(const FieldPlaces& field) const {
+  py::array copy(dtypeOf(field.type), shapeOf(field, size()));
+  auto* to = static_cast<std::byte*>(copy.mutable_data());
+  for (const std::byte* record : records_->places) {
+    visitPieces(field, [&](std::size_t offset, std::size_t bytes) {
+      std::memcpy(to, record + offset, bytes);
+      to += bytes;
+    });
+  }
+  return copy;
+}
+
+void FieldArrays::refuse(const std::string& name) const {
+  throw py::attribute_error(device_ + ": found '" + prefix_ + name + "', allowed: " + joinNames(names()) +
+                            didYouMean(name, names()));
+}
+
+py::object FieldArrays::get(const std::string& name) const {
+  records_->moment.require();
+  const std::string full = prefix_ + name;
+  if (const FieldPlaces* field = table_->findField(full)) {
+    return copyOf(*field);
+  }
+  if (const ListPlaces* list = table_->findList(full)) {
+    return py::cast(ListArrays(*records_, *list, device_));
+  }
+  if (table_->namesBehind(full + ".").empty()) {
+    refuse(name);
+  }
+  return py::cast(FieldArrays(records_, *table_, device_, full + ".", is_writable_));
+}
+
+void FieldArrays::set(const std::string& name, const py::object& value) const {
+  records_->moment.require();
+  const FieldPlaces* field = table_->findField(prefix_ + name);
+  if (field == nullptr) {
+    refuse(name);
+  }
+  const std::string full = device_ + "." + prefix_ + name;
+  if (!is_writable_) {
+    throw py::type_error(full + " is not written here: commands are, in the step of a controller");
+  }
+  const py::array numbers = convert(value, *field, size(), full);
+  const auto* from = static_cast<const std::byte*>(numbers.data());
+  for (std::byte* record : records_->places) {
+    visitPieces(*field, [&](std::size_t offset, std::size_t bytes) {
+      std::memcpy(record + offset, from, bytes);
+      from += bytes;
+    });
+  }
+}
+
+std::string FieldArrays::describe() const {
+  return "<" + device_ + " of " + std::to_string(size()) + ": " + joinNames(names()) + ">";
+}
+
+ListArrays::ListArrays(const Records& records, const ListPlaces& list, const std::string& device)
+    : counts_(static_cast<py::ssize_t>(records.places.size())),
+      elements_(elementArrays(records, list, device, counts_.mutable_data())) {
+  robot_ = py::module_::import("numpy").attr("repeat")(
+      py::module_::import("numpy").attr("arange")(records.places.size()), counts_);
+}
+
+void bindFieldArrays(py::module_& module) {
+  py::class_<FieldArrays>(module, "FieldArrays", "Fields of one device of many robots, as arrays.")
+      .def("__getattr__",
+           [](const py::object& arrays, const std::string& name) {
+             return partOf(arrays, arrays.cast<const FieldArrays&>(), name);
+           })
+      .def("__setattr__", &FieldArrays::set)
+      .def("__dir__", &FieldArrays::names)
+      .def("__len__", &FieldArrays::size)
+      .def("__repr__", &FieldArrays::describe);
+  py::class_<ListArrays>(module, "ListArrays", "A list of elements of many robots, as arrays over all elements.")
+      .def_property_readonly("counts", &ListArrays::counts, "How many elements each robot has.")
+      .def_property_readonly("robot", &ListArrays::robot, "Whose each element is: a place among the robots.")
+      .def("__getattr__",
+           [](const py::object& list, const std::string& name) {
+             return partOf(list, list.cast<const ListArrays&>().elements(), name);
+           })
+      .def("__dir__",
+           [](const ListArrays& list) {
+             std::vector<std::string> names = list.elements().names();
+             names.insert(names.end(), {"counts", "robot"});
+             return names;
+           })
+      .def("__len__", [](const ListArrays& list) { return list.elements().size(); })
+      .def("__repr__", [](const ListArrays& list) { return list.elements().describe(); });
+}
+
+}  // namespace swarmanoid::bindings

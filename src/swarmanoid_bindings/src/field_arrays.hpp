@@ -1,0 +1,75 @@
+/// The fields of a device of many robots in Python, as NumPy arrays: `readings["footbot_proximity"].value` has the
+/// shape (robots, 24). Arrays are copies; a field is written as a whole, `commands["footbot_wheels"].left = speeds`.
+///
+/// Threads  under Python's lock.
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "field_table.hpp"
+#include "moment.hpp"
+
+namespace swarmanoid::bindings {
+
+/// Where the devices of the robots are, in the order of the robots.
+struct Records {
+  OfMoment moment;
+  std::vector<std::byte*> places;
+};
+
+/// One device of all robots, or a part of it such as `joints` of `joints.angle`.
+class FieldArrays {
+ public:
+  /// @param device for messages @param prefix of the part: "" or "joints."
+  FieldArrays(std::shared_ptr<const Records> records, const FieldTable& table, std::string device, std::string prefix,
+              bool is_writable)
+      : records_(std::move(records)),
+        table_(&table),
+        device_(std::move(device)),
+        prefix_(std::move(prefix)),
+        is_writable_(is_writable) {}
+
+  std::size_t size() const { return records_->places.size(); }
+  /// An array, a list or a part. @throws pybind11::attribute_error naming those that there are
+  pybind11::object get(const std::string& name) const;
+  /// @param value an array of the field's shape, or what NumPy broadcasts to it
+  /// @throws pybind11::type_error if it is not writable here, pybind11::value_error for a wrong shape or number
+  void set(const std::string& name, const pybind11::object& value) const;
+  std::vector<std::string> names() const { return table_->namesBehind(prefix_); }
+  std::string describe() const;
+
+ private:
+  pybind11::array copyOf(const FieldPlaces& field) const;
+  [[noreturn]] void refuse(const std::string& name) const;
+
+  std::shared_ptr<const Records> records_;
+  const FieldTable* table_;
+  std::string device_;
+  std::string prefix_;
+  bool is_writable_;
+};
+
+/// A list such as `blobs`: the elements of all robots, one robot's behind those of the one before. `counts` says how
+/// many each robot has, `robot` whose each is.
+class ListArrays {
+ public:
+  ListArrays(const Records& records, const ListPlaces& list, const std::string& device);
+
+  pybind11::array counts() const { return counts_; }
+  pybind11::array robot() const { return robot_; }
+  const FieldArrays& elements() const { return elements_; }
+
+ private:
+  pybind11::array_t<std::int64_t> counts_;
+  pybind11::array_t<std::int64_t> robot_;
+  FieldArrays elements_;
+};
+
+void bindFieldArrays(pybind11::module_& module);
+
+}  // namespace swarmanoid::bindings

@@ -1,0 +1,97 @@
+/// Robots of a run in Python, in the order of their entity numbers: names, poses, readings and commands as arrays with
+/// one row a robot.
+///
+/// Units    SI, radians; frame W.
+/// Threads  under Python's lock. Good for the moment in which they were asked for (moment.hpp).
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "field_arrays.hpp"
+#include "moment.hpp"
+#include "swarmanoid_space/group_controller.hpp"
+#include "swarmanoid_space/space.hpp"
+
+namespace swarmanoid::bindings {
+
+/// The robots' devices of one direction, by type: robots.readings["footbot_proximity"].
+class Devices {
+ public:
+  /// @param banks outlive the moment
+  Devices(OfMoment moment, const Banks& banks, std::vector<Row> rows, bool is_writable)
+      : moment_(std::move(moment)), banks_(&banks), rows_(std::move(rows)), is_writable_(is_writable) {}
+
+  /// Of the robots that have such a device. @throws pybind11::key_error if none has
+  const FieldArrays& at(const std::string& type);
+  bool has(const std::string& type) const;
+  std::vector<std::string> types() const;
+  /// The places, among the robots, of those that have it.
+  pybind11::array_t<std::int64_t> owners(const std::string& type) const;
+
+ private:
+  OfMoment moment_;
+  const Banks* banks_;
+  std::vector<Row> rows_;
+  bool is_writable_;
+  std::map<std::string, FieldArrays> known_;
+};
+
+/// Any robots of a run, to look at.
+class Robots {
+ public:
+  Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows);
+
+  std::size_t size() const { return rows_.size(); }
+  std::vector<std::string> names() const;
+  std::vector<std::string> types() const;
+  /// x, y, z, and the quaternion x, y, z, w: (robots, 7).
+  pybind11::array_t<double> poses() const;
+  /// Linear, then angular velocity: (robots, 6).
+  pybind11::array_t<double> twists() const;
+  Devices& readings() { return readings_; }
+  Devices& commands() { return commands_; }
+
+ protected:
+  Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows, bool is_writable);
+  const Space& space() const {
+    moment_.require();
+    return *space_;
+  }
+
+ private:
+  const Space* space_;
+  OfMoment moment_;
+  std::vector<Row> rows_;
+  Devices readings_;
+  Devices commands_;
+};
+
+/// Those that a controller steps just now: their commands can be written, and they have random numbers and a log.
+class SteppedRobots : public Robots {
+ public:
+  SteppedRobots(const Space& space, std::shared_ptr<const Moment> moment, Span<const GroupMember> members);
+
+  std::uint64_t tick() const { return space().tick; }
+  double time() const { return toSeconds(space().time - kEpoch); }
+  double dt() const { return toSeconds(space().clocktick); }
+  /// The next number of each robot's own stream (Robot::random), as a controller in C++ gets it.
+  pybind11::array_t<double> uniform(double low, double high) const;
+  pybind11::array_t<double> gaussian(double mean, double standard_deviation) const;
+  void log(std::size_t robot, const std::string& text) const;
+  void debug(std::size_t robot, const std::string& key, const std::string& value) const;
+
+ private:
+  Robot& at(std::size_t robot) const;
+
+  std::vector<Robot*> robots_;
+};
+
+void bindRobots(pybind11::module_& module);
+
+}  // namespace swarmanoid::bindings

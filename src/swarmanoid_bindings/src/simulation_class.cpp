@@ -1,0 +1,188 @@
+#include "simulation_class.hpp"
+
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "run.hpp"
+#include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_space/simulation/run_files.hpp"
+#include "swarmanoid_space/simulation/run_result.hpp"
+#include "swarmanoid_space/simulation/without_ros.hpp"
+
+namespace py = pybind11;
+
+namespace swarmanoid::bindings {
+namespace {
+
+/// What the constructor is given.
+struct Options {
+  std::optional<std::string> experiment;
+  std::optional<std::string> text;
+  std::optional<std::uint64_t> seed;
+  std::optional<std::uint64_t> ticks;
+  std::optional<int> threads;
+  std::map<std::string, py::object> overrides;
+  std::map<std::string, py::object> controllers;
+  std::optional<std::string> out;
+};
+
+std::vector<Override> overridesOf(const Options& options) {
+  std::vector<Override> overrides;
+  for (const auto& [path, value] : options.overrides) {
+    const bool is_truth = py::isinstance<py::bool_>(value);
+    overrides.push_back({path, is_truth ? (value.cast<bool>() ? "true" : "false") : std::string(py::str(value))});
+  }
+  return overrides;
+}
+
+/// Without a folder of the run nothing is written: what would write a file is left out.
+void leaveOutWriters(Experiment& experiment) {
+  auto& observers = experiment.visualisations;
+  const auto writes = [](const VisualisationDescription& observer) { return observer.parameters.has("file"); };
+  observers.erase(std::remove_if(observers.begin(), observers.end(), writes), observers.end());
+}
+
+Experiment read(const Options& options) {
+  if (options.experiment.has_value() == options.text.has_value()) {
+    throw py::type_error("allowed: either an experiment (a file or a name) or a text");
+  }
+  loadBuiltInPlugins();
+  const std::vector<Override> overrides = overridesOf(options);
+  Experiment experiment = options.text ? parseExperiment(*options.text, "<text>", overrides)
+                                       : readExperiment(findExperiment(*options.experiment), overrides);
+  for (const std::string& warning : takeExperimentWarnings()) {
+    py::module_::import("warnings").attr("warn")(warning);
+  }
+  FrameworkDescription& framework = experiment.framework;
+  framework.seed = options.seed.value_or(framework.seed);
+  framework.max_clock = options.ticks.value_or(framework.max_clock);
+  framework.threads = options.threads.value_or(framework.threads);
+  refuseRobotsOfOthers(experiment);
+  if (!options.out) {
+    leaveOutWriters(experiment);
+  }
+  return experiment;
+}
+
+std::unique_ptr<Run> makeRun(const Options& options) {
+  Experiment experiment = read(options);
+  RunContext context;
+  context.is_open = false;
+  if (options.out) {
+    RunFiles files;
+    files.prefix = "";
+    files.folder = *options.out;
+    context.out = openOutFolder(files, experiment);
+  }
+  auto run = std::make_unique<Run>(std::move(experiment), context, options.controllers);
+  if (context.out != nullptr) {
+    context.out->keep();
+  }
+  return run;
+}
+
+py::dict metricsOf(const Metrics& metrics) {
+  py::dict values;
+  for (const auto& [name, value] : metrics) {
+    values[py::str(name)] = std::visit([](const auto& held) { return py::object(py::cast(held)); }, value);
+  }
+  return values;
+}
+
+py::list failuresOf(const Run& run) {
+  py::list failures;
+  for (const ControllerFailure& failure : run.simulation().failures()) {
+    failures.append(
+        py::dict(py::arg("robot") = failure.robot, py::arg("tick") = failure.tick, py::arg("reason") = failure.reason));
+  }
+  return failures;
+}
+
+py::list eventsOf(const Run& run) {
+  py::list events;
+  for (const Event& event : run.simulation().space().events) {
+    events.append(py::dict(py::arg("kind") = toString(event.kind), py::arg("entity") = event.entity,
+                           py::arg("other") = event.other, py::arg("text") = event.text));
+  }
+  return events;
+}
+
+py::dict resultOfRun(const Run& run) {
+  const RunResult result = resultOf(run.simulation(), {run.simulation().isFinished(), "", 0.0, {}});
+  py::dict values;
+  values["experiment"] = result.experiment;
+  values["seed"] = result.seed;
+  values["ticks"] = result.ticks;
+  values["finished"] = result.finished;
+  values["success"] = result.success;
+  values["metrics"] = metricsOf(result.metrics);
+  values["failed_controllers"] = failuresOf(run);
+  values["state_hash"] = hashText(result.state_hash);
+  return values;
+}
+
+void bindState(py::class_<Run>& simulation) {
+  simulation
+      .def_property_readonly("robots", py::cpp_function(&Run::robots, py::keep_alive<0, 1>()),
+                             "The robots, by entity number: a Robots of this moment.")
+      .def_property_readonly("entities", py::cpp_function(&Run::entities, py::keep_alive<0, 1>()),
+                             "All entities, robots among them.")
+      .def_property_readonly(
+          "ticks", [](const Run& run) { return run.simulation().space().tick; }, "Finished ticks.")
+      .def_property_readonly(
+          "time", [](const Run& run) { return toSeconds(run.simulation().space().time - kEpoch); },
+          "Simulated time since the start [s].")
+      .def_property_readonly("seed", [](const Run& run) { return run.simulation().space().seed; })
+      .def_property_readonly("finished", [](const Run& run) { return run.simulation().isFinished(); })
+      .def_property_readonly(
+          "success", [](const Run& run) { return run.simulation().success(); },
+          "What the experiment's judges agree on; None without judges.")
+      .def_property_readonly("metrics", [](const Run& run) { return metricsOf(run.simulation().metrics()); })
+      .def_property_readonly("failures", &failuresOf, "Robots whose controllers failed.")
+      .def_property_readonly("events", &eventsOf, "What happened in the last tick.")
+      .def_property_readonly(
+          "state_hash", [](const Run& run) { return hashText(run.simulation().stateHash()); },
+          "Of all state, as `swarmanoid run` prints it: equal runs have equal ones.")
+      .def_property_readonly("result", &resultOfRun, "What a run has come to, as a dictionary.");
+}
+
+}  // namespace
+
+void bindSimulation(py::module_& module) {
+  py::class_<Run> simulation(module, "Simulation", "A run of an experiment.");
+  simulation
+      .def(py::init([](std::optional<std::string> experiment, std::optional<std::string> text,
+                       std::optional<std::uint64_t> seed, std::optional<std::uint64_t> ticks,
+                       std::optional<int> threads, std::map<std::string, py::object> overrides,
+                       std::map<std::string, py::object> controllers, std::optional<std::string> out) {
+             return makeRun({std::move(experiment), std::move(text), seed, ticks, threads, std::move(overrides),
+                             std::move(controllers), std::move(out)});
+           }),
+           py::arg("experiment") = py::none(), py::kw_only(), py::arg("text") = py::none(),
+           py::arg("seed") = py::none(), py::arg("ticks") = py::none(), py::arg("threads") = py::none(),
+           py::arg("overrides") = py::dict(), py::arg("controllers") = py::dict(), py::arg("out") = py::none())
+      .def("tick", &Run::tick, py::arg("count") = 1,
+           "Makes up to so many ticks, fewer if the run is over. Returns how many.")
+      .def(
+          "run",
+          [](Run& run) {
+            run.tick(~std::uint64_t{0});
+            return resultOfRun(run);
+          },
+          "Makes ticks until the run is over. Returns `result`.")
+      .def("reset", &Run::reset, py::arg("seed") = py::none(), "Back to the state before the first tick.")
+      .def("close", &Run::close, "Completes the files that the run writes; there are no ticks afterwards.")
+      .def(
+          "__enter__", [](Run& run) -> Run& { return run; }, py::return_value_policy::reference_internal)
+      .def("__exit__", [](Run& run, const py::args&) { run.close(); });
+  bindState(simulation);
+}
+
+}  // namespace swarmanoid::bindings

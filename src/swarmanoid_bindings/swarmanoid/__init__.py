@@ -1,0 +1,16 @@
+"""The simulator of robot swarms in Python, in process and without ROS.
+
+    import swarmanoid
+
+    simulation = swarmanoid.Simulation("diffusion", seed=3)
+    simulation.tick(100)
+    print(simulation.robots.poses[:, :2])                             # (robots, 2), in metres
+    print(simulation.robots.readings["footbot_proximity"].value)      # (robots, 24)
+
+docs/how-to/simulate_in_python.md shows controllers in Python. Simulations of different threads run at the same time."""
+
+from ._core import (Devices, ExperimentError, FieldArrays, ListArrays, Robots, Simulation, SteppedRobots,
+                    installed_experiments)
+
+__all__ = ["Devices", "ExperimentError", "FieldArrays", "ListArrays", "Robots", "Simulation", "SteppedRobots",
+           "installed_experiments"]
