@@ -82,6 +82,8 @@ TEST(ConformanceChecks, OfOtherRobotsAreThoseOfTheirDevices) {
   EXPECT_EQ((Names{"battery_plausible", "battery_drains"}), checksOf("epuck", {"battery"}));
   EXPECT_EQ((Names{"differential_drive", "imu_at_rest", "imu_turns"}),
             checksOf("epuck", {"differential_drive", "imu"}));
+  EXPECT_EQ((Names{"rfid_reader", "rfid_reader_leaves", "differential_drive"}),
+            checksOf("epuck", {"differential_drive", "rfid_reader"}));
   EXPECT_EQ((Names{"differential_drive", "odometry", "wheel_encoders"}),
             checksOf("epuck", {"differential_drive", "odometry", "wheel_encoders"}));
 }
@@ -98,6 +100,34 @@ TEST(ConformanceChecks, AnObserverLooksThroughTheCameraThatIsListed) {
   TestRobot without("eyebot", {Whistle::kType});
   Bench blind(without.robot, parameters);
   EXPECT_EQ("no camera is listed", checksFor(blind)[0].obstacle);
+}
+
+TEST(ConformanceChecks, AnObserverAnswersListensAndLooksByWhatIsListed) {
+  Configuration parameters("parameters", "", {});
+  parameters.set("role", "observer");
+  const auto checksWith = [&](const std::vector<std::string>& devices) {
+    return checksOf("footbot", devices, parameters);
+  };
+  EXPECT_EQ((Names{"leds_of_the_other", "loudspeaker_of_the_other", "wifi_of_the_other"}),
+            checksWith({"wifi", "wifi_received", "footbot_camera", "footbot_microphones"}));
+  EXPECT_EQ(Names{"range_and_bearing_of_the_other"}, checksWith({"range_and_bearing", "range_and_bearing_received"}));
+  parameters.set("one_color", "true");
+  EXPECT_EQ(Names{"one_color_of_the_other"}, checksWith({"footbot_camera"}));
+  parameters.set("observed_leds", "0");
+  EXPECT_EQ(Names{"loudspeaker_of_the_other"}, checksWith({"footbot_camera", "microphones"}));
+}
+
+TEST(ConformanceChecks, HoldersThatHoldAreAListOfNumbers) {
+  TestRobot robot("epuck", {});
+  const auto heldBy = [&robot](const char* text) {
+    Configuration parameters("parameters", "", {});
+    parameters.set("held", text);
+    return Bench(robot.robot, parameters).surroundings().held;
+  };
+  EXPECT_EQ((std::vector<std::size_t>{0, 2}), heldBy("0, 2"));
+  EXPECT_EQ(std::vector<std::size_t>{}, heldBy(""));
+  EXPECT_THROW(heldBy("8"), ConfigError);
+  EXPECT_THROW(heldBy("left"), ConfigError);
 }
 
 TEST(ConformanceChecks, ThePanTiltCameraMissesThePreyBeforeAnythingElse) {
@@ -157,6 +187,13 @@ TEST(ConformanceChecks, WhatIsShownComesFirstAndEachComesAfterThoseThatItNames) 
   follows.follows = {"needs", "is not done here"};
   const Check other{"other", {}, "", {}, {}};
   EXPECT_EQ((Names{"shown", "other", "needs", "follows"}), namesOf(inOrder({follows, needs, other, shown})));
+  Check at_start{"at start", {}, "", {}, {}};
+  at_start.is_at_start = true;
+  Check trusts{"trusts", {}, "", {}, {}};
+  trusts.is_at_start = true;
+  trusts.trusts = {"other"};
+  EXPECT_EQ((Names{"shown", "at start", "other", "trusts", "needs", "follows"}),
+            namesOf(inOrder({follows, needs, trusts, other, at_start, shown})));
   const Check circle{"other", {}, "", {"needs"}, {}};
   EXPECT_THROW(inOrder({needs, circle}), std::logic_error);
 }

@@ -16,14 +16,25 @@ from space_client import TIMEOUT, Collector
 from topic_hosts import ConformanceHosts
 
 FOOTBOT_PLACE = {"walls": {"right": [-1, -0.4, 1, -0.4]},
+                 "tags": {"below": {"at": [0, 0], "id": 7, "data": 1234}},
                  "beacons": {"beacon": {"at": [1, 0, 0.05], "color": "yellow"},
-                             "prey": {"at": [0, 0.5, 0.05], "color": "magenta", "can_be_gripped": True}}}
+                             "prey": {"at": [0, 0.5, 0.05], "color": "magenta", "can_be_gripped": True},
+                             "partner": {"at": [-0.6, 0.8, 0], "color": "black", "answers": True}}}
 EYEBOT_PLACE = {"start": [0, 0, 1.2], "ceiling": 2.5,
                 "beacons": {"beacon": {"at": [0.6, 0, 0], "color": "yellow"},
-                            "prey": {"at": [0, 0.6, 0], "color": "magenta"}}}
-HANDBOT_PLACE = {"ceiling": 2.5, "hands": {"left": True, "right": False}}
-ROBOTS = {"m_footbot": ("footbot", {}), "m_eyebot": ("eyebot", {"laser_height": 1.35, "ceiling": True}),
-          "m_handbot": ("handbot", {"ceiling": True, "board": True})}
+                            "prey": {"at": [0, 0.6, 0], "color": "magenta"},
+                            "partner": {"at": [-0.6, 0.8, 0.2], "color": "black", "answers": True}}}
+HANDBOT_PLACE = {"ceiling": 2.5, "hands": {"left": True, "right": False}, "walls": {"right": [-1, -0.3, 1, -0.3]},
+                 "beacons": {"beacon": {"at": [0.8, 0, 0.05], "color": "yellow"},
+                             "prey": {"at": [0.773, -0.207, 0.05], "color": "magenta"},
+                             "partner": {"at": [-0.6, 0.8, 0], "color": "black", "answers": True}}}
+TALKING = {"partner": "partner", "partner_distance": 1, "partner_bearing": 126.87}
+ROBOTS = {"m_footbot": ("footbot", dict(TALKING, tag_id=7, tag_data=1234)),
+          "m_eyebot": ("eyebot", dict(TALKING, partner_height=-1, laser_height=1.35, ceiling=True)),
+          "m_handbot": ("handbot", dict(TALKING, ceiling=True, board=True, beacon_distance=0.8, prey_distance=0.8,
+                                        prey_bearing=-15, wall_distance=0.3))}
+OTHERS = ["range_and_bearing", "range_and_bearing_received", "wifi", "wifi_received", "bluetooth", "bluetooth_received",
+          "rfid_reader", "rfid_writer"]  # devices that any robot may have
 FRAMES = {"start": ControllerStart, "sensors": SensorFrame, "commands": CommandFrame}
 PLACES = {"m_footbot": FOOTBOT_PLACE, "m_eyebot": EYEBOT_PLACE, "m_handbot": HANDBOT_PLACE}
 
@@ -41,7 +52,7 @@ class ConformanceMockTest(unittest.TestCase):
             rospy.set_param(f"/{robot}_drivers/world", PLACES[robot])
             self.drivers.append(subprocess.Popen(
                 ["rosrun", "swarmanoid_hosts", "mock_drivers", f"__name:={robot}_drivers", f"_robot:={robot}",
-                 f"_type:={kind}"], start_new_session=True))
+                 f"_type:={kind}", f"_devices:={' '.join(OTHERS)}"], start_new_session=True))
         self.leds = Collector("/m_footbot/leds/state", LedArray)
 
     def tearDown(self):

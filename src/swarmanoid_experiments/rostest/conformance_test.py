@@ -31,7 +31,7 @@ class ConformanceTest(unittest.TestCase):
         result = results.wait_for(lambda message: message.ticks > 0)
         self.assertIsNotNone(result)
         verdicts = {metric.name: metric.value for metric in result.metrics}
-        self.assertEqual({robot: "passed" for robot in TESTED + ("fb_observer", "eb_observer")}, verdicts)
+        self.assertEqual({robot: "passed" for robot in TESTED + ("fb_observer", "eb_observer", "hb_observer")}, verdicts)
         self.assertTrue(result.judged and result.success)
         self.assertEqual([], result.failed_robots)
 

@@ -11,8 +11,14 @@ from participants import set_source
 from space_client import Space
 from topic_hosts import ConformanceHosts
 
-ROBOTS = {"fb": ("footbot", {}), "eb": ("eyebot", {"laser_height": 1.35, "ceiling": True}),
-          "hb": ("handbot", {"ceiling": True, "board": True})}
+# as in conformance.xml
+TALKING = {robot: {"partner": robot + "_observer", "partner_distance": distance, "partner_bearing": bearing,
+                   "partner_height": height}
+           for robot, distance, bearing, height in (("fb", 1.2, 90, 0), ("eb", 0.6, 180, -1.29), ("hb", 0.7, 150, -0.075))}
+ROBOTS = {"fb": ("footbot", dict(TALKING["fb"], tag_id=7, tag_data=1234)),
+          "eb": ("eyebot", dict(TALKING["eb"], laser_height=1.35, ceiling=True)),
+          "hb": ("handbot", dict(TALKING["hb"], ceiling=True, board=True, beacon_distance=0.8, prey_distance=0.8,
+                                 prey_bearing=-15, wall_distance=0.3))}
 
 
 class ConformanceTopicsTest(unittest.TestCase):

@@ -6,12 +6,15 @@ from diagnostic_msgs.msg import DiagnosticArray
 from participants import Participant
 from space_client import Collector
 
-DEVICES = {"footbot": (["footbot_proximity", "footbot_camera", "footbot_gripper_state", "footbot_turret_state"],
-                       ["footbot_wheels", "footbot_gripper", "footbot_turret", "footbot_leds"]),
-           "eyebot": (["eyebot_camera", "eyebot_magnet_state"],
-                      ["eyebot_velocity", "eyebot_laser", "eyebot_leds", "eyebot_magnet"]),
-           "handbot": (["handbot_arms_state", "handbot_hands_state", "handbot_rope_state"],
-                       ["handbot_arms", "handbot_hands", "handbot_rope"])}
+DEVICES = {"footbot": (["footbot_proximity", "footbot_camera", "footbot_gripper_state", "footbot_turret_state",
+                        "range_and_bearing_received", "wifi_received", "bluetooth_received", "rfid_reader"],
+                       ["footbot_wheels", "footbot_gripper", "footbot_turret", "footbot_leds", "range_and_bearing", "wifi",
+                        "bluetooth", "rfid_writer"]),
+           "eyebot": (["eyebot_camera", "eyebot_magnet_state", "eyebot_distance", "range_and_bearing_received"],
+                      ["eyebot_velocity", "eyebot_laser", "eyebot_leds", "eyebot_magnet", "range_and_bearing"]),
+           "handbot": (["handbot_arms_state", "handbot_hands_state", "handbot_rope_state", "handbot_camera",
+                        "handbot_distance", "handbot_proximity", "handbot_vacuum", "range_and_bearing_received"],
+                       ["handbot_arms", "handbot_hands", "handbot_rope", "range_and_bearing"])}
 SETTLING = 1.0  # [s]: both ways over topics, on a machine that is busy
 TOLERANCE = 0.3  # robot and host have a clock each: 2 s of motion are up to two periods of 0.1 s longer or shorter
 LONGEST = 110.0  # [s] of wall time for all checks of a robot

@@ -5,10 +5,9 @@
 #include <algorithm>
 #include <memory>
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "miswired_robot.hpp"
+#include "conformance_world.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 #include "swarmanoid_interface/devices/distance.hpp"
 #include "swarmanoid_interface/devices/eyebot_distance.hpp"
@@ -18,7 +17,6 @@
 #include "swarmanoid_interface/devices/footbot_microphones.hpp"
 #include "swarmanoid_interface/devices/ground.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
-#include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::test {
 namespace {
@@ -90,51 +88,25 @@ constexpr const char* kEyebot = R"(<?xml version="1.0"?>
 </ahss-config>
 )";
 
-std::unique_ptr<Simulation> start(const std::string& text, const std::vector<Override>& overrides) {
-  loadBuiltInPlugins();
-  auto simulation = std::make_unique<Simulation>(parseExperiment(text, "senses.xml", overrides));
-  simulation->start();
-  return simulation;
-}
-
-std::string verdictOf(Simulation& simulation) {
-  while (!simulation.isFinished()) {
-    simulation.tick();
-  }
-  return std::get<std::string>(simulation.metrics().at("r"));
-}
-
-std::string debugOf(const Simulation& simulation, const std::string& key) {
-  const Space& space = simulation.space();
-  for (const auto& [known, value] : space.robots[space.entities.find("r")]->debugValues()) {
-    if (known == key) {
-      return value;
-    }
-  }
-  return "";
-}
-
-void expectFailure(const std::string& text, const Miswiring& miswiring, const std::string& why) {
-  const auto simulation = start(text, {{"arena.r.controller.source", "remote"}});
-  MiswiredRobot robot(*simulation, "r", miswiring);
-  const std::string verdict = verdictOf(*simulation);
-  EXPECT_EQ(0U, verdict.find("conformance test failed: " + why)) << verdict;
+void expectFailure(const char* text, const Miswiring& miswiring, const std::string& why) {
+  expectFailure(text, "r", miswiring, why);
 }
 
 TEST(ConformanceSensesTest, PassesAFootbot) {
-  const auto simulation = start(kFootbot, {});
-  EXPECT_EQ("passed", verdictOf(*simulation));
+  const auto simulation = start(kFootbot);
+  EXPECT_EQ("passed", fullVerdictsOf(*simulation)["r"]);
   EXPECT_EQ(
-      "floor_color, footbot_base_ground, footbot_front_camera, footbot_ground, footbot_microphones_hear, "
+      "footbot_front_camera, footbot_front_camera_turns, floor_color, footbot_base_ground, footbot_ground, "
+      "footbot_microphones_hear, "
       "footbot_microphones_turn, ground, light, light_turns",
-      debugOf(*simulation, "passed"));
+      debugOf(*simulation, "r", "passed"));
 }
 
 TEST(ConformanceSensesTest, WhatTheWorldDoesNotHaveIsNamed) {
   const auto simulation =
       start(kFootbot, {{"controllers.test.parameters.sound", "false"}, {"controllers.test.parameters.lamp", "false"}});
-  EXPECT_EQ("passed", verdictOf(*simulation));
-  EXPECT_EQ("differential_drive, footbot_microphones, light", debugOf(*simulation, "unchecked_devices"));
+  EXPECT_EQ("passed", fullVerdictsOf(*simulation)["r"]);
+  EXPECT_EQ("footbot_microphones, light", debugOf(*simulation, "r", "unchecked_devices"));
 }
 
 TEST(ConformanceSensesTest, FindsLightSensorsThatAreDeadOrGoRoundTheOtherWay) {
@@ -199,6 +171,9 @@ Miswiring turned(float turn, float sign) {
 }
 
 TEST(ConformanceSensesTest, FindsACameraThatIsMountedAskewOrMirrored) {
+  expectFailure(
+      kFootbot, turned<FootbotFrontCamera>(0.0F, -1.0F),
+      "footbot_front_camera_turns (footbot_front_camera_turns: bearing of the beacon after a turn to the left: ");
   expectFailure(kFootbot, turned<FootbotFrontCamera>(0.4F, 1.0F),
                 "footbot_front_camera (footbot_front_camera: bearing of the beacon ahead: 0.4");
   expectFailure(kEyebot, turned<EyebotOmnidirectionalCamera>(0.0F, -1.0F),
@@ -206,12 +181,24 @@ TEST(ConformanceSensesTest, FindsACameraThatIsMountedAskewOrMirrored) {
 }
 
 TEST(ConformanceSensesTest, PassesAnEyebotAndFindsASensorThatLooksUpInsteadOfDown) {
-  const auto simulation = start(kEyebot, {});
-  EXPECT_EQ("passed", verdictOf(*simulation));
-  EXPECT_EQ("distances, eyebot_distance, eyebot_omnidirectional_camera, eyebot_pan_tilt",
-            debugOf(*simulation, "passed"));
+  const auto simulation = start(kEyebot);
+  EXPECT_EQ("passed", fullVerdictsOf(*simulation)["r"]);
+  EXPECT_EQ("distances, eyebot_distance_around, eyebot_omnidirectional_camera, eyebot_distance, eyebot_pan_tilt",
+            debugOf(*simulation, "r", "passed"));
   expectFailure(kEyebot, wire<EyebotDistance>([](EyebotDistance& distance) { std::swap(distance.up, distance.down); }),
                 "eyebot_distance (eyebot_distance: flown down, it is higher by: ");
+}
+
+TEST(ConformanceSensesTest, FindsDistanceSensorsAroundAnEyebotThatAreCountedFromElsewhere) {
+  const std::string judged = "eyebot_distance_around (eyebot_distance_around: ";
+  expectFailure(kEyebot, wire<EyebotDistance>([](EyebotDistance& distance) {
+                  std::rotate(distance.around.begin(), distance.around.begin() + 1, distance.around.end());
+                }),
+                judged);
+  expectFailure(kEyebot, wire<EyebotDistance>([](EyebotDistance& distance) {
+                  std::reverse(distance.around.begin() + 1, distance.around.end());
+                }),
+                judged);
 }
 
 TEST(ConformanceSensesTest, FindsAMountingThatPansTheOtherWayOrTiltsUpwards) {

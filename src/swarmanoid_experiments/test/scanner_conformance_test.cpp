@@ -2,60 +2,35 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
 
-#include "miswired_robot.hpp"
+#include "conformance_world.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
-#include "swarmanoid_interface/plugin_library.hpp"
-#include "swarmanoid_space/simulation/simulation.hpp"
 
 namespace swarmanoid::test {
 namespace {
 
-void replace(std::string& text, const std::string& part, const std::string& by) {
-  const auto found = text.find(part);
-  ASSERT_NE(std::string::npos, found) << part;
-  text.replace(found, part.size(), by);
-}
-
 /// The conformance experiment, with the scanner alone for the footbot.
-std::unique_ptr<Simulation> start(const std::string& engine, const std::vector<Override>& overrides = {}) {
-  loadBuiltInPlugins();
-  std::ifstream in(findShared("swarmanoid_experiments", "experiments/conformance.xml"));
-  std::ostringstream read;
-  read << in.rdbuf();
-  std::string text = read.str();
+std::unique_ptr<Simulation> scannerIn(const std::string& engine, const std::vector<Override>& overrides = {}) {
+  std::string text = conformanceText();
   replace(text, "<footbot_wheels/>\n        <footbot_gripper/>\n        <footbot_turret/>", "<footbot_scanner/>");
   replace(text, "<footbot_turret_state/>", "<footbot_scanner_readings/>");
   replace(text, "<dynamics2d id=\"ground\"/>", "<" + engine + " id=\"ground\"/>");
-  auto simulation = std::make_unique<Simulation>(parseExperiment(text, "conformance.xml", overrides));
-  simulation->start();
-  return simulation;
+  return start(text, overrides);
 }
 
 std::string verdictOn(Simulation& simulation) {
-  while (!simulation.isFinished()) {
-    simulation.tick();
-  }
-  for (const auto& [robot, verdict] : simulation.metrics()) {
-    if (robot == "fb") {
-      const auto& text = std::get<std::string>(verdict);
-      return text.substr(0, text.find(" ("));  // the details are in brackets
-    }
-  }
-  return "";
+  const std::string verdict = fullVerdictsOf(simulation)["fb"];
+  return verdict.substr(0, verdict.find(" ("));  // the details are in brackets
 }
 
 TEST(ScannerConformanceTest, PassesInEachEngine) {
   for (const char* engine : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
-    const auto simulation = start(engine);
+    const auto simulation = scannerIn(engine);
     EXPECT_EQ("passed", verdictOn(*simulation)) << engine;
-    const Space& space = simulation->space();
-    std::string passed;
-    for (const auto& [key, value] : space.robots[space.entities.find("fb")]->debugValues()) {
-      passed += key == "passed" ? value : "";
-    }
+    const std::string passed = debugOf(*simulation, "fb", "passed");
     EXPECT_NE(std::string::npos, passed.find("footbot_scanner")) << passed;
   }
 }
@@ -79,7 +54,7 @@ TEST(ScannerConformanceTest, FindsWhatADriverHasGotWrong) {
       })};
   int index = 0;
   for (const Miswiring& mistake : mistakes) {
-    const auto simulation = start("kinematics2d", {{"arena.fb.controller.source", "remote"}});
+    const auto simulation = scannerIn("kinematics2d", {{"arena.fb.controller.source", "remote"}});
     MiswiredRobot robot(*simulation, "fb", mistake);
     EXPECT_EQ("conformance test failed: footbot_scanner", verdictOn(*simulation)) << index;
     ++index;

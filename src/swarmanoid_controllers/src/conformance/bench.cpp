@@ -10,8 +10,6 @@
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 std::string comparison(const std::string& what, double found, double expected, double allowed, const char* unit) {
   return what + ": " + withUnit(found, unit) + ", expected " + withUnit(expected, unit) + " +- " +
          withUnit(allowed, unit);
@@ -36,6 +34,16 @@ std::optional<double> bearingOf(const ColorBlobs& seen, Color color) {
   return sum.isZero() ? std::nullopt : std::optional<double>(bearingOf(sum));
 }
 
+bool isBelowHorizon(const ColorBlobs& seen, Color color) {
+  for (const ColorBlob& blob : seen.blobs) {
+    const auto elevation = static_cast<double>(blob.elevation);
+    if (isAbout(blob.color, color) && (elevation >= 0.0 || elevation < -M_PI / 2.0)) {
+      return false;
+    }
+  }
+  return true;
+}
+
 double bearingOf(const Eigen::Vector2d& place) { return std::atan2(place.y(), place.x()); }
 
 std::string withUnit(double value, const char* unit) {
@@ -57,10 +65,10 @@ Bench::Bench(Robot& robot, const Configuration& parameters) : robot_(robot) {
       device.prepare(surroundings_);
     }
   }
-  readSurroundings(parameters);
+  readParameters(parameters);
 }
 
-void Bench::readSurroundings(const Configuration& parameters) {
+void Bench::readParameters(const Configuration& parameters) {
   const std::vector<std::string> roles = {"test", "observer"};
   const std::string role = parameters.text("role", "test");
   if (role != "test" && role != "observer") {
@@ -68,51 +76,39 @@ void Bench::readSurroundings(const Configuration& parameters) {
                       "role: found '" + role + "', allowed: test, observer" + didYouMean(role, roles));
   }
   is_observer_ = role == "observer";
-  const Range distance{0.0, 100.0};
-  Surroundings& place = surroundings_;  // with what is usual for the devices
-  place.beacon_color = parameters.color("beacon_color", colors::kYellow);
-  place.beacon_distance = parameters.number("beacon_distance", place.beacon_distance, distance);
-  place.prey_color = parameters.color("prey_color", colors::kMagenta);
-  place.prey_distance = parameters.number("prey_distance", place.prey_distance, distance);
-  place.prey_bearing = parameters.angle("prey_bearing", 90.0 * kDegree, {-180.0, 180.0});
-  place.wall_distance = parameters.number("wall_distance", place.wall_distance, distance);
-  place.laser_height = parameters.number("laser_height", place.laser_height, distance);
-  place.has_ceiling = parameters.boolean("ceiling", false);
-  place.has_board = parameters.boolean("board", false);
-  place.is_free_upwards = parameters.boolean("upwards", true);
-  place.has_sound = parameters.boolean("sound", false);
-  place.has_lamp = parameters.boolean("lamp", false);
-  place.floor_color = parameters.color("floor_color", colors::kWhite);
-  place.observed_leds = static_cast<std::size_t>(parameters.integer("observed_leds", 12, {0.0, 360.0}));
-  place.observed_radius = parameters.number("observed_radius", 0.085, {0.001, 1.0});
-  place.observer_bearing = parameters.angle("observer_bearing", 90.0 * kDegree, {-180.0, 180.0});
-  place.settling_time = parameters.number("settling_time", place.settling_time, {0.0, 10.0});
+  surroundings_ = readSurroundings(parameters, surroundings_);  // with what is usual for the devices
   tolerance_ = parameters.number("tolerance", 0.15, {0.001, 0.5});
-  parameters.refuseUnread({"role", "beacon_color", "beacon_distance", "prey_color", "prey_distance", "prey_bearing",
-                           "wall_distance", "laser_height", "ceiling", "board", "upwards", "sound", "lamp",
-                           "floor_color", "observed_leds", "observed_radius", "observer_bearing", "settling_time",
-                           "tolerance"});
+  std::vector<std::string> known = surroundingsParameters();
+  known.insert(known.end(), {"role", "tolerance"});
+  parameters.refuseUnread(known);
 }
 
 bool Bench::isListed(const std::string& device) const { return robot_.hasSensor(device) || robot_.hasActuator(device); }
 
-std::optional<Eigen::Vector2d> Bench::see(Color color) const {
+std::vector<Eigen::Vector2d> Bench::placesOf(Color color) const {
+  std::vector<Eigen::Vector2d> places;
   if (camera_ == nullptr) {
-    return std::nullopt;
+    return places;
   }
-  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-  double count = 0.0;
   for (const ColorBlob& blob : camera_->blobs) {
     if (isAbout(blob.color, color)) {
       const double bearing = blob.bearing;
-      sum += static_cast<double>(blob.distance) * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
-      count += 1.0;
+      places.emplace_back(static_cast<double>(blob.distance) * Eigen::Vector2d(std::cos(bearing), std::sin(bearing)));
     }
   }
-  if (count == 0.0) {
+  return places;
+}
+
+std::optional<Eigen::Vector2d> Bench::see(Color color) const {
+  const std::vector<Eigen::Vector2d> places = placesOf(color);
+  if (places.empty()) {
     return std::nullopt;
   }
-  return Eigen::Vector2d(sum / count);
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const Eigen::Vector2d& place : places) {
+    sum += place;
+  }
+  return Eigen::Vector2d(sum / static_cast<double>(places.size()));
 }
 
 Eigen::Vector2d Bench::find(Color color, const std::string& name) {

@@ -6,32 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "surroundings.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/color_blob_camera.hpp"
 
 namespace swarmanoid::conformance {
-
-/// The place where the robot is tested, as seen from its start pose. A distance of 0 means that there is no such
-/// object.
-struct Surroundings {
-  Color beacon_color;             ///< of the object straight ahead
-  double beacon_distance = 0.6;   ///< [m]
-  Color prey_color;               ///< of the object to the left: for a gripper a prey that can be gripped
-  double prey_distance = 0.6;     ///< [m]
-  double prey_bearing = 0.0;      ///< [rad]
-  double wall_distance = 0.0;     ///< from the robot's middle to a wall on its right, along the robot [m]
-  double laser_height = 0.0;      ///< of a laser pointer above the ground; 0: not known [m]
-  bool has_ceiling = false;       ///< there is a ferromagnetic ceiling above
-  bool has_board = false;         ///< upright, which only the left hand touches when its arm is stretched ahead
-  bool is_free_upwards = true;    ///< the robot can move up and down
-  bool has_sound = false;         ///< something sounds, louder than all else
-  bool has_lamp = false;          ///< something shines, brighter than all else
-  Color floor_color;              ///< of the floor, all of it that the robot stands on
-  double settling_time = 0.5;     ///< time after a motion until its effect can be measured [s]
-  std::size_t observed_leds = 0;  ///< of an observed robot, in its ring; 0: no robot is observed
-  double observed_radius = 0.0;   ///< of that ring [m]
-  double observer_bearing = 0.0;  ///< direction of the observer in the observed robot's frame [rad]
-};
 
 class Bench {
  public:
@@ -60,11 +39,14 @@ class Bench {
     return robot_.hasActuator(Device::kType) ? &robot_.actuator<Device>() : nullptr;
   }
 
-  /// Returns the mean position of all blobs of about that colour in the readings of the robot's camera, in its frame
-  /// [m].
+  /// Returns the positions of all blobs of about that colour in the readings of the robot's camera, in its frame [m].
+  std::vector<Eigen::Vector2d> placesOf(Color color) const;
+  /// Returns their mean.
   std::optional<Eigen::Vector2d> see(Color color) const;
   /// Does the same; without a blob in sight the check fails, and the origin is returned.
   Eigen::Vector2d find(Color color, const std::string& name);
+  /// Returns all that the camera sees. @pre there is one
+  const ColorBlobs& seen() const { return *camera_; }
 
   /// Commands rest for all actuators that move the robot.
   void rest();
@@ -82,7 +64,7 @@ class Bench {
   const std::string& failure() const { return failure_; }
 
  private:
-  void readSurroundings(const Configuration& parameters);
+  void readParameters(const Configuration& parameters);
   void judge(const std::string& text, bool is_good);
 
   Robot& robot_;
@@ -99,6 +81,8 @@ class Bench {
 bool isAbout(Color a, Color b);
 /// Returns the direction of all blobs of about that colour, the mean of them [rad], as below; none: none is in sight.
 std::optional<double> bearingOf(const ColorBlobs& seen, Color color);
+/// Returns whether all blobs of about that colour are below the camera's horizon, as what stands on the ground is.
+bool isBelowHorizon(const ColorBlobs& seen, Color color);
 /// Returns the direction of a place in the robot's frame [rad], counter-clockwise from ahead, in [-pi, pi].
 double bearingOf(const Eigen::Vector2d& place);
 std::string withUnit(double value, const char* unit);

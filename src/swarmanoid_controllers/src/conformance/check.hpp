@@ -28,8 +28,11 @@ struct Check {
   std::vector<std::string> after;    ///< checks that must succeed before; otherwise this one has no meaning
   std::vector<Stage> stages;
   std::vector<std::string> follows = {};    ///< checks that come before, if they are done, whatever their outcome
+  std::vector<std::string> trusts = {};     ///< likewise; if one of them fails, this one has no meaning
   std::function<void()> tidy_up = nullptr;  ///< called once after a failure: ends what must not last
   bool is_only_shown = false;               ///< the check covers nothing: an observer judges it
+  bool is_at_start = false;                 ///< it is done before the robot moves away from where it was put
+  std::function<void()> always = nullptr;   ///< called in each tick, whichever check is at work and after all of them
 };
 
 }  // namespace swarmanoid::conformance

@@ -48,12 +48,15 @@ std::vector<Check> checksFor(Bench& bench) {
 }
 
 std::vector<Check> inOrder(std::vector<Check> checks) {
-  std::stable_partition(checks.begin(), checks.end(), [](const Check& check) { return check.is_only_shown; });
+  const auto moving =
+      std::stable_partition(checks.begin(), checks.end(), [](const Check& check) { return check.is_only_shown; });
+  std::stable_partition(moving, checks.end(), [](const Check& check) { return check.is_at_start; });
   std::vector<Check> ordered;
   while (!checks.empty()) {
     const auto next = std::find_if(checks.begin(), checks.end(), [&](const Check& check) {
       return std::none_of(checks.begin(), checks.end(), [&](const Check& other) {
-        return contains(check.after, other.name) || contains(check.follows, other.name);
+        return contains(check.after, other.name) || contains(check.follows, other.name) ||
+               contains(check.trusts, other.name);
       });
     });
     if (next == checks.end()) {
@@ -69,6 +72,10 @@ std::function<void()> rememberPlace(Bench& bench, Color color, const std::string
   return [&bench, color, name, before] { *before = bench.find(color, name); };
 }
 
+std::string needsPartner(const Bench& bench) {
+  return bench.surroundings().partner.empty() ? "nobody answers here (partner is not given)" : "";
+}
+
 std::string needsBeacon(const Bench& bench) {
   return bench.surroundings().beacon_distance > 0.0 ? "" : "there is no beacon (beacon_distance is 0)";
 }
@@ -79,6 +86,10 @@ std::string needsPrey(const Bench& bench) {
 
 std::string needsWall(const Bench& bench) {
   return bench.surroundings().wall_distance > 0.0 ? "" : "there is no wall (wall_distance is 0)";
+}
+
+std::string needsBoard(const Bench& bench) {
+  return bench.surroundings().has_board ? "" : "there is no board before the left hand (board is false)";
 }
 
 std::string needsCeiling(const Bench& bench) {
@@ -111,6 +122,7 @@ Check camera(Bench& bench, const std::string& device) {
     const Eigen::Vector2d beacon = bench.find(place.beacon_color, "the beacon ahead");
     bench.expectAbout("distance of the beacon", beacon.norm(), place.beacon_distance, kDistance, "m");
     bench.expectAngle("bearing of the beacon", bearingOf(beacon), 0.0, kBearing);
+    bench.expectTrue("the beacon is below the camera's horizon", isBelowHorizon(bench.seen(), place.beacon_color));
     if (place.prey_distance > 0.0) {
       const Eigen::Vector2d prey = bench.find(place.prey_color, "the prey");
       bench.expectAbout("distance of the prey", prey.norm(), place.prey_distance, kDistance, "m");

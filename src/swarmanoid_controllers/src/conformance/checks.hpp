@@ -19,8 +19,8 @@ std::vector<Check> checksFor(Bench& bench);
 
 std::vector<Check> observerChecks(Bench& bench);
 
-/// Brings checks into an order: first what is only shown, since its observer looks from the start, then each check
-/// after those that it needs or follows; otherwise as they are.
+/// Brings checks into an order: first what is only shown, since its observer looks from the start, then what is done
+/// where the robot was put, and each check after those that it needs or follows; otherwise as they are.
 /// @throws std::logic_error if checks wait for each other
 std::vector<Check> inOrder(std::vector<Check> checks);
 
@@ -29,6 +29,8 @@ std::vector<Check> inOrder(std::vector<Check> checks);
 constexpr double kLeastWay = 0.03;       ///< allowed error of a driven distance [m]
 constexpr double kLeastFlownWay = 0.05;  ///< allowed error of a flown distance [m]
 constexpr double kLeastAngle = 0.1;      ///< allowed error of a turn [rad]
+/// What a ring in one colour shows: no two channels of it can be confused.
+constexpr Color kOneColor = colors::kOrange;
 
 /// The position of an object before a motion, in the robot's frame [m].
 using Place = std::shared_ptr<Eigen::Vector2d>;
@@ -55,11 +57,18 @@ Check ledsShown(Bench& bench) {
 }
 /// Stands still until the effect of a motion can be measured, then judges.
 Stage settle(Bench& bench, std::function<void()> judge);
+/// Shows a ring in one colour, for an observer.
+template <class Leds>
+Check ringShown(Bench& bench, void (*light)(Leds& leds)) {
+  return shown(bench, Leds::kType, [&bench, light] { light(*bench.actuator<Leds>()); });
+}
 /// Returns "" or the reason why a check that needs the beacon cannot be done; the others likewise.
 std::string needsBeacon(const Bench& bench);
 std::string needsPrey(const Bench& bench);
 std::string needsWall(const Bench& bench);
+std::string needsBoard(const Bench& bench);
 std::string needsCeiling(const Bench& bench);
+std::string needsPartner(const Bench& bench);
 std::string needsRoomAbove(const Bench& bench);
 
 }  // namespace swarmanoid::conformance

@@ -2,6 +2,8 @@
 ///
 ///     std::vector<Check> sonarChecks(Bench& bench) { ... }
 ///     const ChecksRegistration sonar_checks({Sonar::kType, sonarChecks});
+///
+/// A device may be registered more than once: by its own checks, and by those of a device that it observes.
 #pragma once
 
 #include <string>
@@ -21,6 +23,8 @@ struct DeviceChecks {
   void (*rest)(const Bench& bench) = nullptr;
   /// Returns the readings of a camera; null for devices that are none.
   const ColorBlobs* (*look)(const Bench& bench) = nullptr;
+  /// Returns what an observer that lists the device judges of the other robot; null: nothing.
+  std::vector<Check> (*observe)(Bench& bench) = nullptr;
 };
 
 /// Returns the checks of all devices, sorted by device.
@@ -31,6 +35,9 @@ template <class Device>
 void restAtOnce(const Bench& bench) {
   *bench.actuator<Device>() = Device{};
 }
+
+/// A DeviceChecks::make of what has none of its own.
+inline std::vector<Check> noChecks(Bench& /*bench*/) { return {}; }
 
 /// A DeviceChecks::prepare: there is a wall, for sensors that feel it.
 inline void besideWall(Surroundings& usual) { usual.wall_distance = 0.4; }

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/devices/differential_drive.hpp"
+#include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
 namespace swarmanoid::conformance {
@@ -31,6 +33,28 @@ Stage turnTo(Bench& bench, Color color, std::function<double()> bearing) {
           },
           [missing] { return std::abs(missing()) < kClose; },
           nullptr};
+}
+
+std::optional<Drive> driveOf(const Bench& bench) {
+  if (auto* wheels = bench.actuator<FootbotWheels>()) {
+    return Drive{FootbotWheels::kType, "wheels_left", true,
+                 [wheels](double speed, double turn_rate) { wheels->drive(speed, turn_rate); }};
+  }
+  if (auto* drive = bench.actuator<DifferentialDrive>()) {
+    return Drive{DifferentialDrive::kType, DifferentialDrive::kType, false,
+                 [drive](double speed, double turn_rate) { drive->drive(speed, turn_rate); }};
+  }
+  return std::nullopt;
+}
+
+std::optional<Drive> turningDriveOf(const Bench& bench) {
+  if (auto* velocity = bench.actuator<EyebotVelocity>()) {
+    return Drive{EyebotVelocity::kType, "yaw_left", true, [velocity](double speed, double turn_rate) {
+                   velocity->linear = {speed, 0.0, 0.0};
+                   velocity->yaw_rate = turn_rate;
+                 }};
+  }
+  return driveOf(bench);
 }
 
 }  // namespace swarmanoid::conformance

@@ -107,8 +107,8 @@ std::unique_ptr<MockRobot> makeMockRobot(const std::vector<std::string>& devices
   Pose start = robot->state().pose;
   start.position = values.vector3("start", start.position);
   start.yaw = values.angle("start_yaw", 0.0);
-  values.refuseUnread(
-      {"walls", "beacons", "discs", "ceiling", "hands", "ring", "joints", "holders", "wheels", "start", "start_yaw"});
+  values.refuseUnread({"walls", "beacons", "discs", "ceiling", "hands", "ring", "tags", "joints", "holders", "wheels",
+                       "start", "start_yaw"});
   robot->place(start);
   return robot;
 }

@@ -8,7 +8,9 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "swarmanoid_interface/devices/radio.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::mock {
@@ -35,6 +37,12 @@ struct Holder {
   std::optional<std::size_t> beacon;  ///< what is held, in the world's list
 };
 
+/// A message that the robot sends by one of its devices.
+struct Saying {
+  std::vector<std::uint8_t> payload;
+  RadioAddress to = kEverybody;
+};
+
 struct MockState {
   World world;
   Pose pose;
@@ -50,6 +58,8 @@ struct MockState {
   std::map<std::string, Holder> holders;
   /// Spots of light on the ground, by the device that makes them: cameras see them as they see beacons.
   std::map<std::string, Beacon> spots;
+  /// What the robot says, by the type of the device that sends; it is silent by those that are not here.
+  std::map<std::string, Saying> sayings;
 
   /// Return those of a name, at rest if nobody has written it.
   Joint joint(const std::string& name) const;

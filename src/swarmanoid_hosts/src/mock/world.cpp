@@ -90,14 +90,24 @@ World readWorld(const Configuration& values) {
       world.beacons.push_back({beacon.name(), beacon.vector3("at"), beacon.color("color"),
                                beacon.boolean("can_be_gripped", false), readBytes(beacon),
                                beacon.number("sound_level", silent.sound_level, Sound::kLevels),
-                               beacon.number("sound_frequency", silent.sound_frequency, Sound::kFrequencies)});
-      beacon.refuseUnread({"at", "color", "can_be_gripped", "says", "sound_level", "sound_frequency"});
+                               beacon.number("sound_frequency", silent.sound_frequency, Sound::kFrequencies),
+                               beacon.boolean("answers", silent.answers)});
+      beacon.refuseUnread({"at", "color", "can_be_gripped", "says", "answers", "sound_level", "sound_frequency"});
     }
   }
   if (const Configuration* discs = values.find("discs")) {
     for (const Configuration& disc : discs->children()) {
       world.discs.push_back({disc.vector2("at"), disc.number("radius", Range{0.0, 1000.0}), disc.color("color")});
       disc.refuseUnread({"at", "radius", "color"});
+    }
+  }
+  if (const Configuration* tags = values.find("tags")) {
+    constexpr Range kWord{0.0, static_cast<double>(std::numeric_limits<std::uint32_t>::max())};
+    constexpr Range kId{1.0, kWord.maximum};
+    for (const Configuration& tag : tags->children()) {
+      world.tags.push_back({tag.vector2("at"), static_cast<std::uint32_t>(tag.integer("id", kId)),
+                            static_cast<std::uint32_t>(tag.integer("data", 0, kWord))});
+      tag.refuseUnread({"at", "id", "data"});
     }
   }
   if (const Configuration* hands = values.find("hands")) {

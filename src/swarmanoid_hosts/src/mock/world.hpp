@@ -1,5 +1,5 @@
-/// The surroundings of a mock robot: walls, coloured objects, a white floor with coloured discs, a ceiling. They
-/// suffice for its sensors to show its motion.
+/// The surroundings of a mock robot: walls, coloured objects, a white floor with coloured discs and radio tags, a
+/// ceiling. They suffice for its sensors to show its motion.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,7 +29,7 @@ struct Wall {
 };
 
 /// An object that a camera sees, that shines on light sensors as a lamp of its colour, that robots hear if it says
-/// something, and microphones if it sounds.
+/// something or answers, and microphones if it sounds.
 struct Beacon {
   static constexpr std::size_t kMostBytes = 10;  ///< that it says: as many as a message of range and bearing has
 
@@ -40,6 +40,7 @@ struct Beacon {
   std::vector<std::uint8_t> says{};  ///< the bytes of the message that it sends all the time; none: it is silent
   double sound_level = 0.0;          ///< sound pressure level at 1 m [dB re 20 uPa]; 0: no sound
   double sound_frequency = 1000.0;   ///< [Hz]
+  bool answers = false;              ///< messages of the robot, with the same bytes, each bit turned over
 };
 
 /// A coloured disc on the floor.
@@ -47,6 +48,13 @@ struct Disc {
   Eigen::Vector2d at;   ///< its middle, in the world [m]
   double radius = 0.0;  ///< [m]
   Color color;
+};
+
+/// A radio tag in the floor.
+struct Tag {
+  Eigen::Vector2d at;      ///< in the world [m]
+  std::uint32_t id = 1;    ///< 1 or more
+  std::uint32_t data = 0;  ///< what it holds
 };
 
 struct World {
@@ -85,7 +93,8 @@ struct World {
   std::vector<Wall> walls;
   std::vector<Beacon> beacons;
   std::vector<Disc> discs;  ///< on a white floor; later ones lie on earlier ones
-  double ceiling = 3.0;     ///< height of the ceiling, which is ferromagnetic [m]
+  std::vector<Tag> tags;
+  double ceiling = 3.0;  ///< height of the ceiling, which is ferromagnetic [m]
   Ring ring;
   Joints joints;
   Holders holders;
@@ -98,8 +107,9 @@ struct World {
 /// Reads the world from values such as these of a parameter file:
 ///     walls: {front: [1, -1, 1, 1]}                        from x, y to x, y
 ///     beacons: {prey: {at: [0.5, 0, 0.05], color: yellow, can_be_gripped: true}, nest: {..., says: [1, 255]},
-///               horn: {..., sound_level: 70, sound_frequency: 440}}
+///               partner: {..., answers: true}, horn: {..., sound_level: 70, sound_frequency: 440}}
 ///     discs: {nest: {at: [0.5, 0], radius: 0.3, color: gray}}
+///     tags: {door: {at: [0.5, 0], id: 7, data: 1234}}
 ///     ceiling: 3
 ///     hands: {left: true, right: false}                    what they reach out for is there
 ///     ring: {sensors: 8, radius: 0.035}                    of a `proximity`, `light`, `ground` or `microphones`

@@ -251,6 +251,30 @@ TEST(MockWorld, BeaconsSayBytes) {
   }
 }
 
+TEST(MockWorld, BeaconsAnswerAndTagsLieWhereItIsSaid) {
+  const auto worldWith = [](const std::string& key, const std::string& value) {
+    Configuration values("world", "", {"/w", 0});
+    Configuration& beacon =
+        values.add(Configuration("beacons", "", {"/w", 0})).add(Configuration("nest", "", {"/w", 0}));
+    beacon.set("at", "1, 2, 3");
+    beacon.set("color", "green");
+    beacon.set("answers", "true");
+    Configuration& tag = values.add(Configuration("tags", "", {"/w", 0})).add(Configuration("door", "", {"/w", 0}));
+    tag.set("at", "0.5, -1");
+    tag.set("id", "7");
+    tag.set(key, value);
+    return readWorld(values);
+  };
+  const World world = worldWith("data", "4294967295");
+  EXPECT_TRUE(world.beacons.at(0).answers);
+  EXPECT_EQ(Eigen::Vector2d(0.5, -1.0), world.tags.at(0).at);
+  EXPECT_EQ(7U, world.tags[0].id);
+  EXPECT_EQ(4294967295U, world.tags[0].data);
+  EXPECT_THROW(worldWith("data", "4294967296"), ConfigError);
+  EXPECT_THROW(worldWith("id", "0"), ConfigError);
+  EXPECT_THROW(worldWith("holds", "1"), ConfigError);
+}
+
 TEST(MockWorld, BeaconsSoundIfAskedTo) {
   Configuration values("world", "", {"/w", 0});
   Configuration& beacon = values.add(Configuration("beacons", "", {"/w", 0})).add(Configuration("horn", "", {"/w", 0}));

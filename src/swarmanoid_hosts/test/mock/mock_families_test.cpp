@@ -1,7 +1,9 @@
 // Devices of any robot, of a mock robot: they show its motion and its world.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "mock_bench.hpp"
 #include "swarmanoid_interface/devices/battery.hpp"
@@ -15,6 +17,7 @@
 #include "swarmanoid_interface/devices/joints.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
+#include "swarmanoid_interface/devices/rfid.hpp"
 #include "swarmanoid_interface/devices/wifi.hpp"
 
 namespace swarmanoid::mock {
@@ -58,6 +61,66 @@ TEST(MockRadios, HearBeaconsByTheAddressesOfTheirNames) {
   ASSERT_EQ(2U, all.size()) << "it does not hear itself";
   EXPECT_EQ(addressOf("far"), all[1].sender);
   EXPECT_EQ(9, all[1].payload[0]);
+}
+
+TEST(MockRangeAndBearing, IsAnsweredByBeaconsThatDo) {
+  World world;
+  world.beacons.push_back({"nest", {0.6, 0.8, 0.0}, colors::kGreen, false, {}, 0.0, 1000.0, true});
+  Bench bench(std::vector<std::string>{"range_and_bearing", "range_and_bearing_received"}, world);
+  const RangeAndBearingReceived& received = bench.reading<RangeAndBearingReceived>();
+  bench.advance(kStep);
+  EXPECT_EQ(0U, received.messages.size()) << "nothing was said";
+  RangeAndBearing::Payload said{1, 0xF0};
+  bench.command<RangeAndBearing>().send(said);
+  bench.advance(kStep);
+  ASSERT_EQ(1U, received.messages.size());
+  EXPECT_NEAR(1.0, received.messages[0].range, 1e-6);
+  EXPECT_EQ((std::array<std::uint8_t, 3>{0xFE, 0x0F, 0xFF}),
+            (std::array<std::uint8_t, 3>{received.messages[0].payload[0], received.messages[0].payload[1],
+                                         received.messages[0].payload[2]}));
+  bench.command<RangeAndBearing>().fallSilent();
+  bench.advance(kStep);
+  EXPECT_EQ(0U, received.messages.size());
+}
+
+TEST(MockRadios, AreAnsweredByTheRobotThatTheyTalkTo) {
+  World world;
+  world.beacons.push_back({"nest", {0.6, 0.8, 0.0}, colors::kGreen, false, {}, 0.0, 1000.0, true});
+  Bench bench(std::vector<std::string>{"wifi", "wifi_received"}, world);
+  const auto answersTo = [&bench](RadioAddress to) {
+    bench.command<Wifi>().send({1}, to);
+    bench.advance(kStep);
+    return bench.reading<WifiReceived>().messages.size();
+  };
+  EXPECT_EQ(1U, answersTo(kEverybody));
+  EXPECT_EQ(addressOf("nest"), bench.reading<WifiReceived>().messages[0].sender);
+  EXPECT_EQ(1U, answersTo(addressOf("nest")));
+  EXPECT_EQ(0U, answersTo(addressOf("another")));
+}
+
+TEST(MockAntenna, ReadsAndWritesTheTagsInReachTheNearestFirst) {
+  World world;
+  world.tags = {{{0.05, 0.0}, 20, 5}, {{0.01, 0.0}, 7, 1234}, {{0.3, 0.0}, 9, 0}};
+  Bench bench({"differential_drive", "rfid_reader", "rfid_writer"}, world);
+  bench.advance(kStep);
+  const RfidReader& reader = bench.reading<RfidReader>();
+  ASSERT_EQ(2U, reader.tags.size());
+  EXPECT_EQ(7U, reader.tags[0].id);
+  EXPECT_EQ(1234U, reader.tags[0].data);
+  EXPECT_EQ(20U, reader.tags[1].id);
+  bench.command<RfidWriter>().write(99);
+  bench.advance(kStep);
+  EXPECT_EQ(99U, reader.tags[0].data);
+  bench.command<RfidWriter>().write(98, 20);
+  bench.advance(kStep);
+  EXPECT_EQ(98U, reader.tags[1].data);
+  bench.command<RfidWriter>().write(97, 9);
+  bench.command<DifferentialDrive>().drive(0.15, 0.0);
+  bench.advance(1.0);
+  EXPECT_EQ(0U, reader.tags.size()) << "between the tags";
+  bench.advance(1.0);
+  ASSERT_EQ(1U, reader.tags.size());
+  EXPECT_EQ(97U, reader.tags[0].data);
 }
 
 TEST(MockRobotOfAnyType, UsesUpItsBatteryAndMoreOfItInMotion) {

@@ -1,43 +1,120 @@
-// Any robot that has a battery uses it up, the more so when it drives, and knows what is left.
+// Any robot that has a battery uses it up, and knows what is left; it knows when it is charged, or exchanged.
 #include "swarmanoid_interface/devices/battery.hpp"
 
 #include <cmath>
 #include <memory>
 
 #include "../checks.hpp"
-#include "swarmanoid_interface/devices/differential_drive.hpp"
+#include "../driving.hpp"
 
 namespace swarmanoid::conformance {
 namespace {
 
-constexpr double kDrivingTime = 2.0;  // s
+constexpr double kWatchingTime = 2.0;  // s
+constexpr double kLeastChange = 2.0;   // J, allowed error of a charge: what charges may do so in portions
 
-/// The charge never rises while the robot drives to and fro, or stands; at the end there is less.
-Stage watch(Bench& bench, double speed, const std::shared_ptr<float>& before, const std::shared_ptr<float>& last) {
+/// What the gauge has said while nothing charged the robot.
+struct Draining {
+  float before = 0.0F;  ///< charge at first [J]
+  float last = 0.0F;    ///< charge in the last tick [J]
+  double power = 0.0;   ///< sum over the ticks [W]
+  double ticks = 0.0;
+};
+
+/// The charge never rises while the robot drives to and fro, or stands; at the end there is less, by what the power
+/// says.
+Stage watch(Bench& bench, const Drive& drive, double speed) {
+  const auto seen = std::make_shared<Draining>();
   return {speed > 0.0   ? "driving ahead"
           : speed < 0.0 ? "driving back"
                         : "standing",
-          kDrivingTime,
-          [&bench, before, last] { *before = *last = bench.sensor<Battery>()->charge; },
-          [&bench, speed, last] {
-            if (auto* drive = bench.actuator<DifferentialDrive>()) {
-              drive->drive(speed, 0.0);
+          kWatchingTime,
+          [&bench, seen] { seen->before = seen->last = bench.sensor<Battery>()->charge; },
+          [&bench, drive, speed, seen] {
+            if (drive.command) {
+              drive.command(speed, 0.0);
             }
-            const float now = bench.sensor<Battery>()->charge;
-            if (now > *last) {
+            const Battery& battery = *bench.sensor<Battery>();
+            if (battery.charge > seen->last) {
               bench.fail("the charge rises while nothing charges the robot");
             }
-            *last = now;
+            seen->last = battery.charge;
+            seen->power += static_cast<double>(battery.power);
+            seen->ticks += 1.0;
           },
           nullptr,
-          [&bench, before](double) {
-            bench.expectTrue("some of the charge is used", bench.sensor<Battery>()->charge < *before);
+          [&bench, seen](double took) {
+            const Battery& battery = *bench.sensor<Battery>();
+            bench.expectTrue("some of the charge is used", battery.charge < seen->before);
+            if (!bench.surroundings().has_exchanger) {  // after an exchange the battery fills the super-capacitor too
+              bench.expectAbout("charge that is used", static_cast<double>(seen->before - battery.charge),
+                                seen->power / seen->ticks * took, kLeastChange, "J");
+            }
+            bench.expectTrue("the robot draws power, and nothing charges it",
+                             battery.power > 0.0F && !battery.is_charging);
           }};
 }
 
-std::vector<Check> batteryChecks(Bench& bench) {
+/// Drives further from what charges it than it can reach.
+Stage leave(Bench& bench, const Drive& drive) {
+  constexpr double kLeavingTime = 6.0;  // s
+  Stage stage = settle(bench, nullptr);
+  stage.what = "driving away from what charges it";
+  stage.seconds = kLeavingTime;
+  stage.act = [drive] { drive.command(kSpeed, 0.0); };
+  return stage;
+}
+
+/// Where something charges it the charge rises, by what the power says.
+Check charges(Bench& bench) {
+  constexpr double kTime = 3.0;  // s
+  Check check{"battery_charges", {Battery::kType}, "", {"battery_plausible"}, {}};
+  check.is_at_start = true;
   const auto before = std::make_shared<float>(0.0F);
-  const auto last = std::make_shared<float>(0.0F);
+  check.stages.push_back(settle(bench, nullptr));
+  check.stages.push_back({"standing where something charges it", kTime,
+                          [&bench, before] { *before = bench.sensor<Battery>()->charge; }, nullptr, nullptr,
+                          [&bench, before](double took) {
+                            const Battery& battery = *bench.sensor<Battery>();
+                            bench.expectTrue("something charges it", battery.is_charging);
+                            bench.expectTrue("it is not full", battery.fraction() < 1.0F);
+                            bench.expectTrue(
+                                "more comes in than is drawn: " + withUnit(static_cast<double>(battery.power), "W"),
+                                battery.power < 0.0F);
+                            bench.expectAbout("the charge has risen by", static_cast<double>(battery.charge - *before),
+                                              -static_cast<double>(battery.power) * took, kLeastChange, "J");
+                          }});
+  return check;
+}
+
+/// Where its battery is exchanged the robot lives on its super-capacitor meanwhile, then on more than before.
+Check isExchanged(Bench& bench) {
+  constexpr double kPatience = 60.0;  // s
+  Check check{"battery_exchanged", {Battery::kType}, "", {}, {}};
+  check.is_at_start = true;
+  const auto before = std::make_shared<float>(0.0F);
+  check.always = [&bench, before, is_known = false]() mutable {
+    if (!is_known && !bench.sensor<Battery>()->on_capacitor) {
+      *before = bench.sensor<Battery>()->charge;
+    }
+    is_known = is_known || bench.sensor<Battery>()->on_capacitor;
+  };
+  check.stages.push_back({"losing the old battery", kPatience, nullptr, nullptr,
+                          [&bench] { return bench.sensor<Battery>()->on_capacitor; },
+                          [&bench](double) {
+                            bench.expectTrue("while the battery is out, it holds nothing",
+                                             bench.sensor<Battery>()->charge <= 0.0F);
+                          }});
+  check.stages.push_back({"getting the new battery", kPatience, nullptr, nullptr,
+                          [&bench] { return !bench.sensor<Battery>()->on_capacitor; },
+                          [&bench, before](double) {
+                            bench.expectTrue("the new battery holds more than the old one",
+                                             bench.sensor<Battery>()->charge > *before);
+                          }});
+  return check;
+}
+
+std::vector<Check> batteryChecks(Bench& bench) {
   Check plausible{"battery_plausible", {Battery::kType}, "", {}, {}};
   plausible.stages.push_back(settle(bench, [&bench] {
     const Battery& battery = *bench.sensor<Battery>();
@@ -47,15 +124,28 @@ std::vector<Check> batteryChecks(Bench& bench) {
     bench.expectTrue("it has a voltage", battery.voltage > 0.0F);
   }));
   Check drains{"battery_drains", {Battery::kType}, "", {plausible.name}, {}};
-  if (bench.isListed(DifferentialDrive::kType)) {
-    constexpr double kSlow = 0.1;  // m/s
-    drains.devices.emplace_back(DifferentialDrive::kType);
-    drains.follows = {DifferentialDrive::kType};  // which begins where the robot was put
-    drains.stages = {watch(bench, kSlow, before, last), watch(bench, -kSlow, before, last)};
+  const auto drive = driveOf(bench);
+  const bool is_charged = bench.surroundings().has_charger;
+  if (drive) {
+    drains.devices.push_back(drive->device);
+    drains.follows = {drive->check};  // which begins where the robot was put
+    if (is_charged) {
+      drains.stages.push_back(leave(bench, *drive));
+    }
+    drains.stages.push_back(watch(bench, *drive, kSpeed));
+    drains.stages.push_back(watch(bench, *drive, -kSpeed));
   } else {
-    drains.stages = {watch(bench, 0.0, before, last)};
+    drains.obstacle = is_charged ? "something charges it here (charger is true), and it cannot drive away" : "";
+    drains.stages = {watch(bench, {}, 0.0)};
   }
-  return {plausible, drains};
+  std::vector<Check> checks{plausible, drains};
+  if (is_charged) {
+    checks.push_back(charges(bench));
+  }
+  if (bench.surroundings().has_exchanger) {
+    checks.push_back(isExchanged(bench));
+  }
+  return checks;
 }
 
 const ChecksRegistration battery_checks({Battery::kType, batteryChecks});

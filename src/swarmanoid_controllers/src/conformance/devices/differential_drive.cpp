@@ -6,7 +6,6 @@
 #include "../../differential_drive.hpp"
 #include "../checks.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
-#include "swarmanoid_interface/devices/distance.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
 
 namespace swarmanoid::conformance {
@@ -41,7 +40,6 @@ Stage expectWall(Bench& bench, const std::string& where, double bearing) {
 std::vector<Check> driveChecks(Bench& bench) {
   const double way = bench.surroundings().wall_distance;
   Check check{DifferentialDrive::kType, {DifferentialDrive::kType, Proximity::kType}, needsWall(bench), {}, {}};
-  check.follows = {Distance::kType, FootbotFrontCamera::kType};  // which measure from where the robot was put
   check.stages.push_back(settle(bench, [&bench] {
     bench.expectNear("away from everything the strongest reading", strongestReading(bench), 0.0, kNearReading / 3.0,
                      "");

@@ -21,6 +21,7 @@ bool looksRight(const DistanceReading& reading) {
 std::vector<Check> distanceChecks(Bench& bench) {
   const double wall = bench.surroundings().wall_distance;
   Check check{Distance::kType, {Distance::kType}, needsWall(bench), {}, {}};
+  check.is_at_start = true;
   check.stages.push_back(settle(bench, [&bench, wall] {
     const Distance& distances = *bench.sensor<Distance>();
     std::size_t looking = 0;

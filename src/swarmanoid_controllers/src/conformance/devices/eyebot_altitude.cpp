@@ -1,9 +1,11 @@
-// Flown up and down, the altimeter, the barometer and the distance sensor below say how far.
+// Flown up and down, the altimeter, the barometer and the distance sensors below and above say how far.
 #include "swarmanoid_interface/devices/eyebot_altitude.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <memory>
+#include <string>
 
 #include "../checks.hpp"
 #include "swarmanoid_interface/devices/eyebot_distance.hpp"
@@ -16,50 +18,71 @@ namespace {
 constexpr std::array<double, 2> kUpFirst{0.2, -0.2};
 constexpr std::array<double, 2> kDownFirst{-0.2, 0.2};
 
-/// Flies up and down. @param speeds of the one and of the other [m/s] @param height how high the robot is, by the
-/// sensor, from where it does not matter [m]
+/// Of one flight: how long it was, and how much higher the robot was then.
+struct Flight {
+  double took = 0.0;    // s
+  double before = 0.0;  // m
+  double rise = 0.0;    // m
+};
+
+/// Flies up and down, and judges when it is back: a sensor that fails does so at the expense of no later check.
+/// @param name of the check @param speeds of the one flight and of the other [m/s] @param height how high the robot is,
+/// by the sensor, from where it does not matter [m]
 template <class Device>
-Check upAndDown(Bench& bench, const std::array<double, 2>& speeds, double (*height)(const Device&)) {
-  Check check{Device::kType, {Device::kType, EyebotVelocity::kType}, needsRoomAbove(bench), {}, {}};
-  const auto took = std::make_shared<double>(0.0);
-  const auto before = std::make_shared<double>(0.0);
-  for (const double speed : speeds) {
+Check upAndDown(Bench& bench, const std::string& name, const std::array<double, 2>& speeds,
+                double (*height)(const Device&)) {
+  Check check{name, {Device::kType, EyebotVelocity::kType}, needsRoomAbove(bench), {}, {}};
+  const auto flights = std::make_shared<std::array<Flight, 2>>();
+  for (std::size_t i = 0; i < speeds.size(); ++i) {
     constexpr double kTime = 1.5;  // s
-    check.stages.push_back({"flying", kTime, [&bench, before, height] { *before = height(*bench.sensor<Device>()); },
-                            [&bench, speed] {
+    check.stages.push_back({"flying", kTime,
+                            [&bench, flights, i, height] { (*flights)[i].before = height(*bench.sensor<Device>()); },
+                            [&bench, speed = speeds[i]] {
                               bench.actuator<EyebotVelocity>()->linear = {0.0, 0.0, speed};
                             },
-                            nullptr, [took](double seconds) { *took = seconds; }});
-    check.stages.push_back(settle(bench, [&bench, before, took, height, speed] {
-      bench.expectAbout(speed > 0.0 ? "flown up, it is higher by" : "flown down, it is higher by",
-                        height(*bench.sensor<Device>()) - *before, speed * *took, kLeastFlownWay, "m");
+                            nullptr, [flights, i](double seconds) { (*flights)[i].took = seconds; }});
+    check.stages.push_back(settle(bench, [&bench, flights, i, height] {
+      (*flights)[i].rise = height(*bench.sensor<Device>()) - (*flights)[i].before;
     }));
   }
+  check.stages.push_back({"judging", 0.0, nullptr, nullptr, nullptr, [&bench, flights, speeds](double) {
+                            for (std::size_t i = 0; i < speeds.size(); ++i) {
+                              bench.expectAbout(
+                                  speeds[i] > 0.0 ? "flown up, it is higher by" : "flown down, it is higher by",
+                                  (*flights)[i].rise, speeds[i] * (*flights)[i].took, kLeastFlownWay, "m");
+                            }
+                          }});
   return check;
 }
 
 std::vector<Check> altitudeChecks(Bench& bench) {
-  return {upAndDown<EyebotAltitude>(bench, kUpFirst, [](const EyebotAltitude& altitude) {
+  return {upAndDown<EyebotAltitude>(bench, EyebotAltitude::kType, kUpFirst, [](const EyebotAltitude& altitude) {
     return std::max(0.0, static_cast<double>(altitude.distance));  // on the ground it is too close: -infinity
   })};
 }
 
 std::vector<Check> pressureChecks(Bench& bench) {
-  return {upAndDown<EyebotPressure>(bench, kUpFirst, [](const EyebotPressure& pressure) {
+  return {upAndDown<EyebotPressure>(bench, EyebotPressure::kType, kUpFirst, [](const EyebotPressure& pressure) {
     return pressure.difference / EyebotPressure::differenceAt(1.0);  // nearly the same for each metre
   })};
 }
 
 /// Its sensors reach less far than the altimeter: it stays below the height at which it starts.
-std::vector<Check> downwardsChecks(Bench& bench) {
-  if (!bench.isListed(EyebotDistance::kType)) {
+std::vector<Check> upAndDownwardsChecks(Bench& bench) {
+  using Ring = EyebotDistance;
+  if (!bench.isListed(Ring::kType)) {
     return {};
   }
-  return {upAndDown<EyebotDistance>(bench, kDownFirst,
-                                    [](const EyebotDistance& distance) { return static_cast<double>(distance.down); })};
+  std::vector<Check> checks{
+      upAndDown<Ring>(bench, Ring::kType, kDownFirst, [](const Ring& ring) { return static_cast<double>(ring.down); })};
+  if (bench.surroundings().has_ceiling) {
+    checks.push_back(upAndDown<Ring>(bench, "eyebot_distance_up", kUpFirst,
+                                     [](const Ring& ring) { return -static_cast<double>(ring.up); }));
+  }
+  return checks;
 }
 
-const ChecksRegistration downwards_checks({EyebotDistance::kType, downwardsChecks});
+const ChecksRegistration downwards_checks({EyebotDistance::kType, upAndDownwardsChecks});
 const ChecksRegistration altitude_checks({EyebotAltitude::kType, altitudeChecks});
 const ChecksRegistration pressure_checks({EyebotPressure::kType, pressureChecks});
 

@@ -1,8 +1,11 @@
 // Cameras that a robot has beside the one by which it is tested: they see beacon and prey in their directions. Those
 // with a lens see the beacon ahead, and not the prey.
 #include <cmath>
+#include <memory>
+#include <string>
 
 #include "../checks.hpp"
+#include "../driving.hpp"
 
 namespace swarmanoid::conformance {
 namespace {
@@ -17,6 +20,31 @@ void expectBearing(Bench& bench, const ColorBlobs& seen, Color color, const std:
   bench.expectAngle("bearing of " + name, *found, bearing, kPlacingError);
 }
 
+/// Turned to the left, the beacon is further to the right in the picture: of a camera that looks ahead a mirrored
+/// picture looks right as long as the beacon is in its middle.
+template <class Camera>
+Check turnedCamera(Bench& bench, const Drive& drive) {
+  constexpr double kRate = 0.25;  // rad/s
+  constexpr double kTime = 1.2;   // s: less than to the edge of the picture
+  Check check{
+      std::string(Camera::kType) + "_turns", {Camera::kType, drive.device}, needsBeacon(bench), {Camera::kType}, {}};
+  if (drive.returns) {
+    check.trusts = {drive.check};
+  }
+  check.is_at_start = true;
+  const auto took = std::make_shared<double>(0.0);
+  for (const double rate : {kRate, -kRate}) {
+    check.stages.push_back({"turning", kTime, nullptr, [drive, rate] { drive.command(0.0, rate); }, nullptr,
+                            [took](double seconds) { *took = seconds; }});
+    check.stages.push_back(settle(bench, [&bench, took, rate] {
+      expectBearing(bench, *bench.sensor<Camera>(), bench.surroundings().beacon_color,
+                    rate > 0.0 ? "the beacon after a turn to the left" : "the beacon after the turn back",
+                    rate > 0.0 ? -rate * *took : 0.0);
+    }));
+  }
+  return check;
+}
+
 /// @param sees_around or ahead only
 template <class Camera>
 std::vector<Check> furtherCamera(Bench& bench, bool sees_around) {
@@ -24,24 +52,40 @@ std::vector<Check> furtherCamera(Bench& bench, bool sees_around) {
     return {};
   }
   Check check{Camera::kType, {Camera::kType}, needsBeacon(bench), {}, {}};
+  check.is_at_start = true;
   check.stages.push_back(settle(bench, [&bench, sees_around] {
     const Surroundings& place = bench.surroundings();
     const ColorBlobs& seen = *bench.sensor<Camera>();
     expectBearing(bench, seen, place.beacon_color, "the beacon ahead", 0.0);
+    if (sees_around) {
+      bench.expectTrue("the beacon is below the camera's horizon", isBelowHorizon(seen, place.beacon_color));
+    }
     if (place.prey_distance > 0.0 && sees_around) {
       expectBearing(bench, seen, place.prey_color, "the prey", place.prey_bearing);
     }
-    constexpr double kAhead = M_PI / 3.0;  // rad: no lens shows what is further to the side
+    constexpr double kAhead = M_PI / 3.0;    // rad: no lens shows what is further to the side
+    constexpr double kInPicture = M_PI / 8;  // rad: each shows what is nearer to its middle
     if (place.prey_distance > 0.0 && !sees_around && std::abs(place.prey_bearing) > kAhead) {
       bench.expectTrue("the prey is out of the picture", !bearingOf(seen, place.prey_color));
     }
+    if (place.prey_distance > 0.0 && !sees_around && std::abs(place.prey_bearing) < kInPicture) {
+      expectBearing(bench, seen, place.prey_color, "the prey", place.prey_bearing);
+    }
   }));
-  return {check};
+  std::vector<Check> checks{check};
+  const auto drive = driveOf(bench);
+  if (drive && !sees_around) {
+    checks.push_back(turnedCamera<Camera>(bench, *drive));
+  }
+  return checks;
 }
 
 const ChecksRegistration front_camera_checks({FootbotFrontCamera::kType, [](Bench& bench) {
                                                 return furtherCamera<FootbotFrontCamera>(bench, false);
                                               }});
+const ChecksRegistration handbot_camera_checks({HandbotCamera::kType, [](Bench& bench) {
+                                                  return furtherCamera<HandbotCamera>(bench, false);
+                                                }});
 const ChecksRegistration omnidirectional_checks({EyebotOmnidirectionalCamera::kType, [](Bench& bench) {
                                                    return furtherCamera<EyebotOmnidirectionalCamera>(bench, true);
                                                  }});

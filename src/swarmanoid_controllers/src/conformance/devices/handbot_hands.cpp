@@ -10,12 +10,9 @@ namespace {
 Check hands(Bench& bench) {
   Check check{HandbotHands::kType,
               {HandbotHands::kType, HandbotHandsState::kType, HandbotArms::kType},
-              "",
+              needsBoard(bench),
               {HandbotArms::kType},
               {}};
-  if (!bench.surroundings().has_board) {
-    check.obstacle = "there is no board before the left hand (board is false)";
-  }
   constexpr double kPatience = 10.0;  // s
   const auto state = [&bench] { return bench.sensor<HandbotHandsState>(); };
   check.stages.push_back({"stretching the left arm until its hand holds", kPatience,
@@ -26,6 +23,8 @@ Check hands(Bench& bench) {
                           nullptr, [state] { return state()->left.holding; }, nullptr});
   check.stages.push_back(settle(bench, [&bench, state] {
     bench.expectTrue("the left hand holds, the right one does not", state()->left.holding && !state()->right.holding);
+    bench.expectTrue("the right hand, which holds nothing, feels no force: " + withUnit(state()->right.force, "N"),
+                     state()->right.force == 0.0);
   }));
   check.stages.push_back({"letting go", 2.0,
                           [&bench] {

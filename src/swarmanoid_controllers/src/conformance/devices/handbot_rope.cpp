@@ -3,15 +3,17 @@
 
 #include "../checks.hpp"
 #include "swarmanoid_interface/devices/handbot_hands.hpp"
+#include "swarmanoid_interface/devices/handbot_proximity.hpp"
 #include "swarmanoid_interface/devices/handbot_rope.hpp"
+#include "swarmanoid_interface/devices/handbot_vacuum.hpp"
 
 namespace swarmanoid::conformance {
 namespace {
 
 Check rope(Bench& bench) {
   Check check{HandbotRope::kType, {HandbotRope::kType, HandbotRopeState::kType}, needsCeiling(bench), {}, {}};
-  check.follows = {HandbotHands::kType};  // which are at work on the ground
-  constexpr double kPatience = 10.0;      // s
+  check.follows = {HandbotHands::kType, HandbotProximity::kType, HandbotVacuum::kType};  // hands work on the ground
+  constexpr double kPatience = 10.0;                                                     // s
   const auto state = [&bench] { return bench.sensor<HandbotRopeState>(); };
   const auto before = std::make_shared<double>(0.0);
   const auto took = std::make_shared<double>(0.0);

@@ -1,15 +1,15 @@
-// Driven along an arc, the odometry of a robot is where the formula of the arc says, and its encoders have turned for
-// it.
+// Driven along an arc, the odometry of a robot is where the formula of the arc says, at the speeds that are commanded,
+// and its encoders have turned for it.
 #include "swarmanoid_interface/devices/odometry.hpp"
 
 #include <cmath>
 #include <functional>
 #include <memory>
+#include <string>
 
 #include "../checks.hpp"
+#include "../driving.hpp"
 #include "swarmanoid_interface/angle.hpp"
-#include "swarmanoid_interface/devices/differential_drive.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 
 namespace swarmanoid::conformance {
@@ -19,73 +19,140 @@ constexpr double kArcSpeed = 0.06;  // m/s
 constexpr double kArcRate = 0.45;   // rad/s, to the left
 constexpr double kArcTime = 2.0;    // s
 
-/// How it drives, by what is listed; null if it has no such device.
-std::function<void(double, double)> driverOf(const Bench& bench) {
-  if (auto* wheels = bench.actuator<FootbotWheels>()) {
-    return [wheels](double speed, double turn_rate) { wheels->drive(speed, turn_rate); };
-  }
-  if (auto* drive = bench.actuator<DifferentialDrive>()) {
-    return [drive](double speed, double turn_rate) { drive->drive(speed, turn_rate); };
-  }
-  return nullptr;
-}
-
-std::string driveDevice(const Bench& bench) {
-  return bench.isListed(FootbotWheels::kType) ? FootbotWheels::kType : DifferentialDrive::kType;
-}
+/// What a check has to do with an arc.
+struct Arc {
+  std::function<void()> remember;                                        ///< before the robot drives
+  std::function<void()> watch;                                           ///< in each tick of the drive
+  std::function<void(double seconds)> moving;                            ///< at its end, while the robot still drives
+  std::function<void(double speed, double rate, double seconds)> judge;  ///< at rest after it
+};
 
 /// Drives an arc and the same way back.
-Check arc(Bench& bench, const char* name, const char* device, const std::function<void()>& remember,
-          const std::function<void(double speed, double rate, double seconds)>& judge) {
-  Check check{name, {device, driveDevice(bench)}, "", {}, {}};
-  const auto driver = driverOf(bench);
+Check driveArc(Bench& bench, const char* device, const Arc& arc) {
+  Check check{device, {device}, "", {}, {}};
+  const std::optional<Drive> driver = driveOf(bench);
   if (!driver) {
     check.obstacle = "no device that drives it by speed and turn rate is listed";
-  } else {
-    check.follows = {bench.isListed(FootbotWheels::kType) ? "wheels_left" : DifferentialDrive::kType};
+    return check;
   }
+  check.devices.push_back(driver->device);
+  check.follows = {driver->check};
   for (const double sign : {1.0, -1.0}) {
     const auto took = std::make_shared<double>(0.0);
-    check.stages.push_back({"driving an arc", kArcTime, remember,
-                            [driver, sign] { driver(sign * kArcSpeed, sign * kArcRate); }, nullptr,
-                            [took](double seconds) { *took = seconds; }});
-    check.stages.push_back(settle(bench, [took, sign, judge] { judge(sign * kArcSpeed, sign * kArcRate, *took); }));
+    const double speed = sign * kArcSpeed;
+    const double rate = sign * kArcRate;
+    check.stages.push_back({"driving an arc", kArcTime, arc.remember,
+                            [driver, arc, speed, rate] {
+                              driver->command(speed, rate);
+                              arc.watch();
+                            },
+                            nullptr,
+                            [took, arc](double seconds) {
+                              *took = seconds;
+                              arc.moving(seconds);
+                            }});
+    check.stages.push_back(settle(bench, [took, arc, speed, rate] { arc.judge(speed, rate, *took); }));
   }
   return check;
 }
 
+/// The mean of a speed while the robot drives: that of one tick is coarse where encoders are.
+struct Mean {
+  double sum = 0.0;
+  double ticks = 0.0;
+
+  void add(double speed) {
+    sum += speed;
+    ticks += 1.0;
+  }
+  double value() const { return ticks > 0.0 ? sum / ticks : 0.0; }
+};
+
+/// What odometry has said while the robot drove.
+struct Driven {
+  Odometry before;
+  Odometry there;  ///< at the end of the drive
+  Mean speed;
+  Mean turn_rate;
+};
+
+/// The speeds are those of the pose, which is judged by what was commanded.
+void judgeSpeeds(Bench& bench, const Driven& driven, double seconds) {
+  const Odometry& now = driven.there;
+  const double turned = wrapTurn(now.heading - driven.before.heading);
+  const double along = driven.before.heading + 0.5 * turned;
+  const double way = std::cos(along) * (now.x - driven.before.x) + std::sin(along) * (now.y - driven.before.y);
+  bench.expectAbout("way by the speeds of odometry", driven.speed.value() * seconds, way, kLeastWay, "m");
+  bench.expectAbout("turned by the turn rates of odometry", driven.turn_rate.value() * seconds, turned, kLeastAngle,
+                    "rad");
+}
+
 std::vector<Check> odometryChecks(Bench& bench) {
-  const auto before = std::make_shared<Odometry>();
-  const auto remember = [&bench, before] { *before = *bench.sensor<Odometry>(); };
-  return {
-      arc(bench, "odometry", Odometry::kType, remember, [&bench, before](double speed, double rate, double seconds) {
-        const Odometry& now = *bench.sensor<Odometry>();
-        const double cosine = std::cos(before->heading);
-        const double sine = std::sin(before->heading);
-        const double x = now.x - before->x;
-        const double y = now.y - before->y;
-        const double turn = rate * seconds;
-        const double radius = speed / rate;
-        bench.expectAbout("way ahead by odometry", cosine * x + sine * y, radius * std::sin(turn), kLeastWay, "m");
-        bench.expectAbout("way to the left by odometry", cosine * y - sine * x, radius * (1.0 - std::cos(turn)),
-                          kLeastWay, "m");
-        bench.expectAngle("turned by odometry", wrapTurn(now.heading - before->heading), turn, kLeastAngle);
-        bench.expectNear("speed by odometry, at rest", now.speed, 0.0, 0.01, "m/s");
-      })};
+  const auto driven = std::make_shared<Driven>();
+  Arc arc;
+  arc.remember = [&bench, driven] { *driven = {*bench.sensor<Odometry>(), {}, {}, {}}; };
+  arc.watch = [&bench, driven] {
+    driven->speed.add(bench.sensor<Odometry>()->speed);
+    driven->turn_rate.add(bench.sensor<Odometry>()->turn_rate);
+  };
+  arc.moving = [&bench, driven](double) { driven->there = *bench.sensor<Odometry>(); };
+  arc.judge = [&bench, driven](double speed, double rate, double seconds) {
+    const Odometry& now = *bench.sensor<Odometry>();
+    const double cosine = std::cos(driven->before.heading);
+    const double sine = std::sin(driven->before.heading);
+    const double x = now.x - driven->before.x;
+    const double y = now.y - driven->before.y;
+    const double turn = rate * seconds;
+    const double radius = speed / rate;
+    bench.expectAbout("way ahead by odometry", cosine * x + sine * y, radius * std::sin(turn), kLeastWay, "m");
+    bench.expectAbout("way to the left by odometry", cosine * y - sine * x, radius * (1.0 - std::cos(turn)), kLeastWay,
+                      "m");
+    bench.expectAngle("turned by odometry", wrapTurn(now.heading - driven->before.heading), turn, kLeastAngle);
+    bench.expectNear("speed by odometry, at rest", now.speed, 0.0, 0.01, "m/s");
+    judgeSpeeds(bench, *driven, seconds);
+  };
+  return {driveArc(bench, Odometry::kType, arc)};
+}
+
+/// What the encoders have said while the robot drove.
+struct Turned {
+  WheelEncoders before;
+  Mean left;   ///< speed [rad/s]
+  Mean right;  ///< likewise
+};
+
+/// The wheels' size is not known here: that their speeds and angles say the same finds a unit that is wrong in one of
+/// them. How long a step lasts is the driver's affair, so only its direction is judged.
+void judgeWheel(Bench& bench, const std::string& name, const WheelEncoders::Wheel& now, double turned,
+                double expected) {
+  constexpr double kLeast = 0.4;  // rad, allowed error: that of two ticks, in which the wheel begins to turn
+  bench.expectAbout("the " + name + " wheel has turned by", turned, expected, kLeast, "rad");
+  bench.expectTrue("the last step of the " + name + " wheel goes the way that it turns", now.step * turned >= 0.0);
 }
 
 std::vector<Check> encoderChecks(Bench& bench) {
-  const auto before = std::make_shared<WheelEncoders>();
-  const auto remember = [&bench, before] { *before = *bench.sensor<WheelEncoders>(); };
-  return {arc(bench, "wheel_encoders", WheelEncoders::kType, remember, [&bench, before](double speed, double, double) {
+  const auto seen = std::make_shared<Turned>();
+  Arc arc;
+  arc.remember = [&bench, seen] { *seen = {*bench.sensor<WheelEncoders>(), {}, {}}; };
+  arc.watch = [&bench, seen] {
+    seen->left.add(bench.sensor<WheelEncoders>()->left.speed);
+    seen->right.add(bench.sensor<WheelEncoders>()->right.speed);
+  };
+  arc.moving = [&bench, seen](double seconds) {
     const WheelEncoders& now = *bench.sensor<WheelEncoders>();
-    const double left = now.left.turned - before->left.turned;
-    const double right = now.right.turned - before->right.turned;
-    // the wheels' size is not known here: on an arc to the left the right one turns further, either way
+    judgeWheel(bench, "left", now.left, now.left.turned - seen->before.left.turned, seen->left.value() * seconds);
+    judgeWheel(bench, "right", now.right, now.right.turned - seen->before.right.turned, seen->right.value() * seconds);
+  };
+  arc.judge = [&bench, seen](double speed, double, double) {
+    const WheelEncoders& now = *bench.sensor<WheelEncoders>();
+    const double left = now.left.turned - seen->before.left.turned;
+    const double right = now.right.turned - seen->before.right.turned;
+    // on an arc to the left the right one turns further, either way
     bench.expectTrue("both wheels have turned the way that it drove", left * speed > 0.0 && right * speed > 0.0);
     bench.expectTrue("the outer wheel has turned further", std::abs(right) > std::abs(left));
     bench.expectNear("speed of the left wheel, at rest", now.left.speed, 0.0, 0.2, "rad/s");
-  })};
+  };
+  return {driveArc(bench, WheelEncoders::kType, arc)};
 }
 
 const ChecksRegistration odometry_checks({Odometry::kType, odometryChecks});
