@@ -13,8 +13,10 @@ struct LightCone {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  ///< in W, of length 1
   double cosine = -1.0;                             ///< of half the angle; -1: it shines everywhere
 
+  /// Whether it shines everywhere.
+  bool isWhole() const { return cosine <= -1.0; }
   /// Whether its light falls there. @param way from the lamp, in W [m]
-  bool holds(const Eigen::Vector3d& way) const { return cosine <= -1.0 || axis.dot(way) >= cosine * way.norm(); }
+  bool holds(const Eigen::Vector3d& way) const { return isWhole() || axis.dot(way) >= cosine * way.norm(); }
 };
 
 /// @param lamp or anything else, which shines everywhere

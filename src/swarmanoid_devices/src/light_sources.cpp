@@ -8,97 +8,150 @@
 #include "light_cone.hpp"
 #include "near_obstacles.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
-#include "swarmanoid_space/rays/led_shades.hpp"
 
 namespace swarmanoid::devices {
-namespace {
 
 /// The lit LEDs of one entity, or the light of one lamp.
-struct Lights {
+struct LightSearch::Lights {
   Row owner = kNoRow;
-  LedPoints points;
+  LedPoints points;                                // of those that are lit
+  LedColumns places;                               // likewise
   std::array<double, LedSet{}.size()> brightness;  // of those that are lit
+  std::size_t count = 0;                           // of all
   LedSet lit;
   Eigen::AlignedBox3d box;  // around those points, in W [m]
   LightCone cone;
   double reach = 0.0;  // m
+
+  Lights(const Space& space, Row row, const LightReach& reach_of);
+  double radiusFromAbove() const;
+  RayBundle bundleFrom(const IlluminatedRing& ring) const;
+  bool areBehind(const IlluminatedSensor& sensor) const;
+  bool areAllBefore(const IlluminatedSensor& sensor) const;
+  LedSet before(const IlluminatedSensor& sensor) const;
 };
 
-Lights lightsOf(const Space& space, Row row, const LightReach& reach) {
+LightSearch::Lights::Lights(const Space& space, Row row, const LightReach& reach_of)
+    : owner(row), cone(lightConeOf(space, row)), reach(reachOfLight(*space.entities.model[row], reach_of)) {
   const EntityModel& model = *space.entities.model[row];
   const Pose& pose = space.entities.pose[row];
   const Span<const Color> leds = space.leds[row];
-  const double intensity = space.property(row, kIntensity).value_or(1.0);
-  Lights lights;
-  lights.owner = row;
-  lights.cone = lightConeOf(space, row);
-  lights.reach = reachOfLight(model, reach);
-  for (std::size_t k = 0; k < std::min(model.led_positions.size(), lights.lit.size()); ++k) {
+  const double intensity = model.is_robot ? 1.0 : space.property(row, kIntensity).value_or(1.0);
+  count = std::min(model.led_positions.size(), lit.size());
+  for (std::size_t k = 0; k < count; ++k) {
     const Color color = model.is_robot ? leds[k] : space.entities.color[row];
     if (color.isLit() && intensity > 0.0) {
-      lights.lit[k] = true;
-      lights.points[k] = pose.toWorld(model.led_positions[k]);
-      lights.brightness[k] = intensity * Light::brightness(color);
-      lights.box.extend(lights.points[k]);
+      lit[k] = true;
+      points[k] = pose.toWorld(model.led_positions[k]);
+      brightness[k] = intensity * Light::brightness(color);
+      box.extend(points[k]);
     }
+    places.set(k, lit[k] ? points[k] : pose.position);
   }
-  return lights;
+}
+
+/// How far they are at most from the middle of their box, seen from above [m].
+double LightSearch::Lights::radiusFromAbove() const {
+  const Eigen::Vector3d middle = box.center();
+  double squared = 0.0;
+  visitLeds(lit, [&](std::size_t k) { squared = std::max(squared, (points[k] - middle).head<2>().squaredNorm()); });
+  return std::sqrt(squared);
 }
 
 /// A bundle without segments whose sphere holds all rays from the ring to the lights.
-RayBundle bundleBetween(const IlluminatedRing& ring, const Lights& lights) {
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(ring.radius);
-  const Eigen::AlignedBox3d box = lights.box.merged({ring.centre - reach, ring.centre + reach});
+RayBundle LightSearch::Lights::bundleFrom(const IlluminatedRing& ring) const {
+  const Eigen::Vector3d half = Eigen::Vector3d::Constant(ring.radius);
+  const Eigen::AlignedBox3d both = box.merged({ring.centre - half, ring.centre + half});
   RayBundle rays;
-  rays.centre = box.center();
-  rays.radius = 0.5 * box.diagonal().norm();
+  rays.centre = both.center();
+  rays.radius = 0.5 * both.diagonal().norm();
   rays.ignored = ring.self;
-  rays.also_ignored = lights.owner;
+  rays.also_ignored = owner;
   return rays;
 }
 
+namespace {
+
+Eigen::Vector3d inBody(const Pose& pose, const Eigen::Vector3d& point) {
+  return pose.orientation.conjugate() * (point - pose.position);
+}
+
+/// The sensors, seen from the body that carries the lights.
+LedShades::Eyes eyesOf(const IlluminatedRing& ring, const Pose& pose) {
+  const Eigen::Vector3d centre = inBody(pose, ring.centre);
+  LedShades::Eyes eyes{centre.head<2>(), ring.radius, centre.z() - ring.radius, centre.z() + ring.radius};
+  if (pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0) {
+    // upright: sensors of a level ring are all at one height
+    eyes.lowest = std::max(eyes.lowest, ring.lowest - pose.position.z());
+    eyes.highest = std::min(eyes.highest, ring.highest - pose.position.z());
+  }
+  return eyes;
+}
+
+constexpr double kRounding = 1e-9;  // m
+
+}  // namespace
+
 /// Whether all lights are behind a sensor: so half of a ring's sensors are.
-bool isTurnedAway(const IlluminatedSensor& sensor, const Lights& lights) {
-  constexpr double kRounding = 1e-9;  // m
-  const Eigen::Vector3d half = 0.5 * lights.box.sizes();
-  return sensor.direction.dot(lights.box.center() - sensor.position) + sensor.direction.cwiseAbs().dot(half) <
-         -kRounding;
+bool LightSearch::Lights::areBehind(const IlluminatedSensor& sensor) const {
+  const Eigen::Vector3d half = 0.5 * box.sizes();
+  return sensor.direction.dot(box.center() - sensor.position) + sensor.direction.cwiseAbs().dot(half) < -kRounding;
+}
+
+/// Whether it is sure that all lights are before the sensor and within its range: so they are of most sensors that
+/// look their way.
+bool LightSearch::Lights::areAllBefore(const IlluminatedSensor& sensor) const {
+  const Eigen::Vector3d half = 0.5 * box.sizes();
+  const Eigen::Vector3d way = box.center() - sensor.position;
+  return sensor.direction.dot(way) - sensor.direction.cwiseAbs().dot(half) > kRounding &&
+         (way.cwiseAbs() + half).squaredNorm() < reach * reach - kRounding;
+}
+
+/// The lights that are before the sensor and within its range, if they are lit.
+LedSet LightSearch::Lights::before(const IlluminatedSensor& sensor) const {
+  if (areAllBefore(sensor)) {
+    return lit;
+  }
+  const Eigen::Vector3d& from = sensor.position;
+  const Eigen::Vector3d& looks = sensor.direction;
+  const double squared_reach = reach * reach;
+  std::array<double, LedSet{}.size()> ahead;  // how far, or 0 if it is too far away
+  for (std::size_t k = 0; k < count; ++k) {   // without branches: compilers make it one over several lights
+    const double x = places.x[k] - from.x();
+    const double y = places.y[k] - from.y();
+    const double z = places.z[k] - from.z();
+    // in the order in which Eigen adds up
+    const double way_ahead = looks.x() * x + looks.y() * y + looks.z() * z;
+    ahead[k] = x * x + y * y + z * z <= squared_reach ? way_ahead : 0.0;
+  }
+  std::uint64_t found = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    found |= static_cast<std::uint64_t>(ahead[k] > 0.0) << k;
+  }
+  return lit & LedSet(found);
 }
 
 /// The lights that are before the sensor, within its range, and not hidden by the robot that carries them.
-LedSet facingLights(const Space& space, const IlluminatedSensor& sensor, const Lights& lights, LedShades& shades) {
-  LedSet facing;
-  if (isTurnedAway(sensor, lights)) {
+/// @param same for all sensors of the ring
+LedSet LightSearch::facingLights(const Space& space, const IlluminatedSensor& sensor, const Lights& lights,
+                                 const LedShades::SameForAll& same) {
+  if (lights.areBehind(sensor)) {
+    return {};
+  }
+  LedSet facing = lights.before(sensor);
+  if (!lights.cone.isWhole()) {
+    visitLeds(facing, [&](std::size_t k) { facing[k] = lights.cone.holds(sensor.position - lights.points[k]); });
+  }
+  const LedSet unsure = facing & ~same.free;
+  if (unsure.none()) {
     return facing;
   }
-  visitLeds(lights.lit, [&](std::size_t k) {
-    const Eigen::Vector3d offset = lights.points[k] - sensor.position;
-    facing[k] = sensor.direction.dot(offset) > 0.0 && offset.squaredNorm() <= lights.reach * lights.reach &&
-                lights.cone.holds(-offset);
-  });
-  if (facing.none()) {
-    return facing;
-  }
-  const Pose& pose = space.entities.pose[lights.owner];
-  const Eigen::Vector3d eye = pose.orientation.conjugate() * (sensor.position - pose.position);
-  return facing & ~shades.hidden(eye, facing);
+  return facing & ~shades_.hidden(inBody(space.entities.pose[lights.owner], sensor.position), unsure);
 }
 
-/// What a thread keeps between calls so that a steady state allocates nothing.
-struct Scratch {
-  LedShades shades;
-  std::vector<PositionalIndex::Place> near;
-  std::vector<LedSet> seen;  // of one source, by sensor
-  std::vector<Segment> segments;
-  std::vector<RayHit> hits;
-  std::vector<LightOnSensor> found;
-};
-
 /// Whether something could stand between a ring and the lights of one entity. @param rays of a sphere around both
-/// @param near scratch
-bool mayStandBetween(const Space& space, const IlluminatedRing& ring, const Lights& lights, const RayBundle& rays,
-                     std::vector<PositionalIndex::Place>& near) {
-  constexpr double kRounding = 1e-9;  // m
+bool LightSearch::mayStandBetween(const Space& space, const IlluminatedRing& ring, const Lights& lights,
+                                  const RayBundle& rays) {
   if (space.terrain) {
     return true;
   }
@@ -108,82 +161,109 @@ bool mayStandBetween(const Space& space, const IlluminatedRing& ring, const Ligh
       return true;
     }
   }
-  near.clear();
-  space.index.collectPlaces(rays.centre, rays.radius + space.index.prismMargin(), near);
+  near_.clear();
+  space.index.collectPlaces(rays.centre, rays.radius + space.index.prismMargin(), near_);
   // seen from above all rays are within this distance of the line between the middles of ring and lights
   const Eigen::Vector2d from = ring.centre.head<2>();
   const Eigen::Vector2d way = lights.box.center().head<2>() - from;
-  const double width = std::max(ring.radius, 0.5 * lights.box.sizes().head<2>().norm()) + kRounding;
+  const double width = std::max(ring.radius, lights.radiusFromAbove()) + kRounding;
+  const bool has_prisms = std::any_of(space.engines.begin(), space.engines.end(),
+                                      [](const Engine* engine) { return engine->hitsPrisms(); });
+  const double outline_reach = has_prisms ? M_SQRT2 : 1.0;  // prisms reach so far out of outlines
   const double squared_length = std::max(way.squaredNorm(), kRounding * kRounding);
-  return std::any_of(near.begin(), near.end(), [&](PositionalIndex::Place place) {
+  return std::any_of(near_.begin(), near_.end(), [&](PositionalIndex::Place place) {
     const PositionalIndex::Outline& outline = space.index.at(place);
     const Eigen::Vector2d to_outline = outline.position - from;
     const double fraction = std::clamp(to_outline.dot(way) / squared_length, 0.0, 1.0);
-    const double reach = width + M_SQRT2 * outline.radius;  // prisms reach so far out of it
+    const double reach = width + outline_reach * outline.radius;
     return is_other(outline.row) && (to_outline - fraction * way).squaredNorm() <= reach * reach;
   });
 }
 
 /// Leaves out the lights that something else stands before. All rays of a source are cast together.
 /// @param rays without segments
-void leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lights& lights, RayBundle rays,
-                      Scratch& scratch) {
-  scratch.segments.clear();
+void LightSearch::leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lights& lights,
+                                   RayBundle rays) {
+  segments_.clear();
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    visitLeds(scratch.seen[i], [&](std::size_t k) {
-      scratch.segments.push_back({ring.sensors[i].position, lights.points[k]});
-    });
+    visitLeds(seen_[i], [&](std::size_t k) { segments_.push_back({ring.sensors[i].position, lights.points[k]}); });
   }
-  if (scratch.segments.empty()) {
+  if (segments_.empty()) {
     return;
   }
-  scratch.hits.resize(scratch.segments.size());
-  rays.segments = Span<const Segment>(scratch.segments.data(), scratch.segments.size());
-  space.raycast(rays, Span<RayHit>(scratch.hits.data(), scratch.hits.size()));
+  hits_.resize(segments_.size());
+  rays.segments = Span<const Segment>(segments_.data(), segments_.size());
+  space.raycast(rays, Span<RayHit>(hits_.data(), hits_.size()));
   std::size_t next = 0;
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    const LedSet asked = scratch.seen[i];
-    visitLeds(asked, [&](std::size_t k) { scratch.seen[i][k] = scratch.hits[next++].fraction >= 1.0 - kOwnSurface; });
+    const LedSet asked = seen_[i];
+    visitLeds(asked, [&](std::size_t k) { seen_[i][k] = hits_[next++].fraction >= 1.0 - kOwnSurface; });
   }
+}
+
+std::size_t LightSearch::findFacing(const Space& space, const IlluminatedRing& ring, Lights& lights) {
+  shades_.begin(*space.entities.model[lights.owner], space.joints[lights.owner]);
+  const LedShades::SameForAll same = shades_.sameForAll(eyesOf(ring, space.entities.pose[lights.owner]));
+  lights.lit &= ~same.hidden;
+  seen_.resize(ring.sensors.size());
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
+    seen_[i] = facingLights(space, ring.sensors[i], lights, same);
+    visitLeds(seen_[i], [&](std::size_t) { ++count; });
+  }
+  return count;
 }
 
 /// Adds what one entity sheds on the ring.
-void addLights(const Space& space, const IlluminatedRing& ring, Row row, Scratch& scratch) {
-  const Lights lights = lightsOf(space, row, ring.reach);
+void LightSearch::addLights(const Space& space, const IlluminatedRing& ring, Row row) {
+  Lights lights(space, row, ring.reach);
   if (lights.lit.none()) {
     return;
   }
-  scratch.seen.resize(ring.sensors.size());
-  scratch.shades.begin(*space.entities.model[row], space.joints[row]);
-  bool any = false;
-  for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    scratch.seen[i] = facingLights(space, ring.sensors[i], lights, scratch.shades);
-    any = any || scratch.seen[i].any();
-  }
-  if (!any) {
+  const std::size_t count = findFacing(space, ring, lights);
+  if (count == 0) {
     return;
   }
-  const RayBundle rays = bundleBetween(ring, lights);
-  if (mayStandBetween(space, ring, lights, rays, scratch.near)) {  // a cheap question that spares most rays
-    leaveOutOccluded(space, ring, lights, rays, scratch);
+  const RayBundle rays = lights.bundleFrom(ring);
+  if (mayStandBetween(space, ring, lights, rays)) {  // a cheap question that spares most rays
+    leaveOutOccluded(space, ring, lights, rays);
   }
+  found_.reserve(count);
   for (std::size_t i = 0; i < ring.sensors.size(); ++i) {
-    visitLeds(scratch.seen[i], [&](std::size_t k) {
-      scratch.found.push_back({i, lights.brightness[k], lights.points[k] - ring.sensors[i].position});
+    visitLeds(seen_[i], [&](std::size_t k) {
+      const Eigen::Vector3d offset = lights.points[k] - ring.sensors[i].position;
+      found_.add({i, lights.brightness[k], offset}, ring.sensors[i].direction.dot(offset));
     });
   }
 }
 
-}  // namespace
-
-const std::vector<LightOnSensor>& lightOn(const Space& space, const IlluminatedRing& ring,
-                                          const std::vector<Row>& lit) {
-  thread_local Scratch scratch;
-  scratch.found.clear();
+const LightOnRing& LightSearch::find(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit) {
+  found_.clear();
   for (const Row row : lit) {
-    addLights(space, ring, row, scratch);
+    addLights(space, ring, row);
   }
-  return scratch.found;
+  return found_;
+}
+
+void LightOnRing::reserve(std::size_t more) {
+  const std::size_t room = count_ + more;
+  if (room > sensor_.size()) {
+    sensor_.resize(room);
+    for (std::vector<double>* column : {&brightness_, &x_, &y_, &z_, &ahead_, &shares_}) {
+      column->resize(room);
+    }
+  }
+}
+
+void LightOnRing::addTo(double* sums) const {
+  for (std::size_t i = 0; i < count_; ++i) {
+    // in the order in which Eigen adds up
+    const double squared_distance = x_[i] * x_[i] + y_[i] * y_[i] + z_[i] * z_[i];
+    shares_[i] = Light::share(brightness_[i], ahead_[i], squared_distance);
+  }
+  for (std::size_t i = 0; i < count_; ++i) {
+    sums[sensor_[i]] += shares_[i];
+  }
 }
 
 }  // namespace swarmanoid::devices

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lit_entities.hpp"
+#include "swarmanoid_space/rays/led_shades.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::devices {
@@ -23,6 +24,8 @@ struct IlluminatedRing {
   Row self = kNoRow;       ///< whose own LEDs do not count, and which hides nothing
   Eigen::Vector3d centre;  ///< of a sphere that holds all sensors, in W [m]
   double radius = 0.0;     ///< of that sphere [m]
+  double lowest = 0.0;     ///< of the sensors, in W [m]
+  double highest = 0.0;    ///< likewise
   LightReach reach;        ///< beyond which sources give no light
   Span<const IlluminatedSensor> sensors;
 };
@@ -34,9 +37,66 @@ struct LightOnSensor {
   Eigen::Vector3d offset;  ///< from the sensor to it, in W [m]
 };
 
-/// All light that those entities shed on a ring: source by source in their order, sensor by sensor, LED by LED.
-/// @param lit LitEntities::collect of the ring's sphere
-/// @return valid until the next call by the same thread, so that a steady state allocates nothing. Thread-safe.
-const std::vector<LightOnSensor>& lightOn(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit);
+/// All light that falls on a ring, by column, so that the shares of several lights are computed at once.
+class LightOnRing {
+ public:
+  std::size_t size() const { return count_; }
+  LightOnSensor operator[](std::size_t light) const {
+    return {sensor_[light], brightness_[light], {x_[light], y_[light], z_[light]}};
+  }
+  /// Adds up what each sensor gets of it, by Light::share, light by light. @param sums by sensor, which it is added to
+  void addTo(double* sums) const;
+
+  void clear() { count_ = 0; }
+  /// Makes room for so many more.
+  void reserve(std::size_t more);
+  /// @pre there is room @param ahead how far the light is along the direction of the sensor [m], above 0
+  void add(const LightOnSensor& light, double ahead) {
+    sensor_[count_] = light.sensor;
+    brightness_[count_] = light.brightness;
+    x_[count_] = light.offset.x();
+    y_[count_] = light.offset.y();
+    z_[count_] = light.offset.z();
+    ahead_[count_] = ahead;
+    ++count_;
+  }
+
+ private:
+  std::size_t count_ = 0;
+  std::vector<std::size_t> sensor_;
+  std::vector<double> brightness_;
+  std::vector<double> x_;  // of the offset
+  std::vector<double> y_;
+  std::vector<double> z_;
+  std::vector<double> ahead_;
+  mutable std::vector<double> shares_;  // scratch of addTo
+};
+
+/// Threads  each needs a LightSearch of its own, and keeps it: its room grows to what was needed, and stays.
+class LightSearch {
+ public:
+  /// All light that entities shed on a ring: source by source in their order, sensor by sensor, LED by LED.
+  /// @param lit LitEntities::collect of the ring's sphere @return valid until the next call
+  const LightOnRing& find(const Space& space, const IlluminatedRing& ring, const std::vector<Row>& lit);
+
+ private:
+  struct Lights;
+
+  void addLights(const Space& space, const IlluminatedRing& ring, Row row);
+  /// Fills seen_. @return how many lights are seen, each by each sensor
+  std::size_t findFacing(const Space& space, const IlluminatedRing& ring, Lights& lights);
+  LedSet facingLights(const Space& space, const IlluminatedSensor& sensor, const Lights& lights,
+                      const LedShades::SameForAll& same);
+  bool mayStandBetween(const Space& space, const IlluminatedRing& ring, const Lights& lights, const RayBundle& rays);
+  void leaveOutOccluded(const Space& space, const IlluminatedRing& ring, const Lights& lights, RayBundle rays);
+
+  LedShades shades_;
+  std::vector<LedSet> seen_;  // of one source, by sensor
+  LightOnRing found_;
+  // scratch
+  std::vector<PositionalIndex::Place> near_;
+  std::vector<Segment> segments_;
+  std::vector<RayHit> hits_;
+};
 
 }  // namespace swarmanoid::devices

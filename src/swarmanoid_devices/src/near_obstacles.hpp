@@ -23,6 +23,19 @@ constexpr double kSightRounding = 1e-9;
 /// Points of one thing, in W [m]; those of LEDs that nobody asks about are not set.
 using LedPoints = std::array<Eigen::Vector3d, LedSet{}.size()>;
 
+/// The same points by coordinate, so that several are looked at at once.
+struct LedColumns {
+  std::array<double, LedSet{}.size()> x;
+  std::array<double, LedSet{}.size()> y;
+  std::array<double, LedSet{}.size()> z;
+
+  void set(std::size_t led, const Eigen::Vector3d& point) {
+    x[led] = point.x();
+    y[led] = point.y();
+    z[led] = point.z();
+  }
+};
+
 class NearObstacles {
  public:
   /// Looks from another eye, or in another tick. @param self whose eye it is, which hides nothing @param eye in W [m]

@@ -53,11 +53,22 @@ Sums sumsIn(DeviceWorld& world) {
   lit.fill(world.space);
   std::vector<Row> near;
   lit.collect(world.space, kNoRow, kCentre, 0.05, reach, near);
-  const devices::IlluminatedRing ring{kNoRow, kCentre, 0.05, reach, {sensors.data(), sensors.size()}};
+  devices::IlluminatedRing ring;
+  ring.centre = kCentre;
+  ring.radius = 0.05;
+  ring.lowest = ring.highest = kCentre.z();
+  ring.reach = reach;
+  ring.sensors = {sensors.data(), sensors.size()};
   Sums sums{};
-  for (const devices::LightOnSensor& light : devices::lightOn(world.space, ring, near)) {
+  devices::LightSearch search;
+  const devices::LightOnRing& lights = search.find(world.space, ring, near);
+  for (std::size_t k = 0; k < lights.size(); ++k) {
+    const devices::LightOnSensor light = lights[k];
     sums[light.sensor] += Light::share(light.brightness, sensors[light.sensor].direction, light.offset);
   }
+  Sums at_once{};
+  lights.addTo(at_once.data());
+  EXPECT_EQ(at_once, sums) << "shares of several lights at once";
   return sums;
 }
 

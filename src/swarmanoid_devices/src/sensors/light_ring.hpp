@@ -56,8 +56,9 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
+    thread_local LightSearch search;  // kept between calls so that a steady state allocates nothing
     for (std::size_t k = first; k < last; ++k) {
-      senseOne(space, this->instances_[k]);
+      senseOne(space, this->instances_[k], search);
     }
   }
 
@@ -79,7 +80,10 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
     Sensors sensors;
     const IlluminatedRing ring = placedRing(space, instance, sensors);
-    for (const LightOnSensor& light : lightOn(space, ring, near)) {
+    thread_local LightSearch search;
+    const LightOnRing& lights = search.find(space, ring, near);
+    for (std::size_t k = 0; k < lights.size(); ++k) {
+      const LightOnSensor light = lights[k];
       const Eigen::Vector3d& direction = sensors[light.sensor].direction;
       const double angle = std::atan2(direction.cross(light.offset).norm(), direction.dot(light.offset));
       visit(light.sensor, light.offset.norm(), angle, light.brightness);
@@ -141,15 +145,25 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   IlluminatedRing placedRing(const Space& space, const Instance& instance, Sensors& sensors) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
+    IlluminatedRing placed;
+    placed.self = instance.row;
+    placed.centre = pose.toWorld(ring.centre);
+    placed.radius = ring.radius;
+    placed.lowest = kInfinity;
+    placed.highest = -kInfinity;
+    placed.reach = reach_;
+    placed.sensors = {sensors.data(), ring.size()};
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       sensors[i].position = pose.toWorld(ring.from.col(column));
       sensors[i].direction = pose.orientation * ring.direction.col(column);
+      placed.lowest = std::min(placed.lowest, sensors[i].position.z());
+      placed.highest = std::max(placed.highest, sensors[i].position.z());
     }
-    return {instance.row, pose.toWorld(ring.centre), ring.radius, reach_, {sensors.data(), ring.size()}};
+    return placed;
   }
 
-  void senseOne(const Space& space, Instance& instance) const {
+  void senseOne(const Space& space, Instance& instance, LightSearch& search) const {
     const std::size_t size = instance.ring->size();
     const std::vector<Row>& near = shiningOn(space, instance);
     if (near.empty()) {  // so it is for most robots of a large world
@@ -162,9 +176,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     Sensors sensors;
     std::array<double, RingGeometry<count>::kMost> sums;
     std::fill_n(sums.begin(), size, 0.0);
-    for (const LightOnSensor& light : lightOn(space, placedRing(space, instance, sensors), near)) {
-      sums[light.sensor] += Light::share(light.brightness, sensors[light.sensor].direction, light.offset);
-    }
+    search.find(space, placedRing(space, instance, sensors), near).addTo(sums.data());
     for (std::size_t i = 0; i < size; ++i) {
       Ring::valueOf(instance, i) = Ring::response(sums[i]);
     }

@@ -12,72 +12,18 @@ namespace {
 // A LED this near to where a shape ends counts as outside, on whichever side rounding puts it (fraction of the way).
 constexpr double kSameDepth = 1e-6;
 
-/// How high and how low the lines from an eye to LEDs go, along body z [m].
-struct HeightsOfLines {
-  double lowest;
-  double highest;
-};
-
-HeightsOfLines heightsOf(const EntityModel& model, const Eigen::Vector3d& eye, const LedSet& asked) {
-  HeightsOfLines heights{eye.z(), eye.z()};
-  visitLeds(asked, [&](std::size_t k) {
-    heights.lowest = std::min(heights.lowest, model.led_positions[k].z());
-    heights.highest = std::max(heights.highest, model.led_positions[k].z());
-  });
-  return heights;
-}
-
-/// Whether all lines pass over or under a shape, however its joint has turned it: most shapes of a robot hide no LED.
-bool isPassedBy(const EntityModel& model, std::size_t number, const HeightsOfLines& lines) {
-  const CollisionShape& shape = model.shapes[number];
-  if (shape.joint >= 0) {
-    const EntityModel::Joint& joint = model.joints[static_cast<std::size_t>(shape.joint)];
-    if (joint.carrier >= 0 || joint.axis.x() != 0.0 || joint.axis.y() != 0.0) {
-      return false;  // it may lift the shape
-    }
-  }
-  constexpr double kSlack = 1e-4;  // m: more than lines go on behind LEDs, and than rounding
-  const EntityModel::Silhouette& silhouette = model.silhouettes[number];
-  return silhouette.high < lines.lowest - kSlack || silhouette.low > lines.highest + kSlack;
-}
-
-enum class Seen { kFree, kHidden, kUnsure };
-
-/// Whether a cylinder hides a LED, from where the line is nearest to its axis: no quotient, no square root. Unsure
-/// where rounding could decide, and where the line ends or comes nearest in a face. @param start, step in its frame
-Seen behindCylinder(const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start, const Eigen::Vector3d& step) {
-  constexpr double kSure = 1e-9;  // as a fraction; far more than is rounded
-  const double squared_radius = half_extent.x() * half_extent.x();
-  const double a = step.head<2>().squaredNorm();
-  const double b = start.head<2>().dot(step.head<2>());
-  const Eigen::Vector2d led = (start + step).head<2>();
-  if (led.squaredNorm() <= squared_radius * (1.0 + kSure)) {
-    return Seen::kUnsure;
-  }
-  if (a + b < -kSure * a) {
-    return Seen::kFree;  // it goes nearer to the axis beyond the LED only
-  }
-  const double across = start.x() * step.y() - start.y() * step.x();
-  if (across * across > squared_radius * a * (1.0 + kSure)) {
-    return Seen::kFree;
-  }
-  const bool is_before = b < -kSure * a;
-  const bool is_inside = across * across < squared_radius * a * (1.0 - kSure) &&
-                         std::abs(start.z() * a - step.z() * b) < half_extent.z() * a * (1.0 - kSure);
-  return is_before && a + b > kSure * a && is_inside ? Seen::kHidden : Seen::kUnsure;
-}
+constexpr double kSure = 1e-9;  // as a fraction; far more than is rounded
 
 /// Whether a solid hides a LED. @param start, step in its frame
 bool isBehind(CollisionShape::Kind kind, const Eigen::Vector3d& half_extent, const Eigen::Vector3d& start,
               const Eigen::Vector3d& step) {
-  const Seen seen = kind == CollisionShape::Kind::kCylinder ? behindCylinder(half_extent, start, step) : Seen::kUnsure;
-  if (seen != Seen::kUnsure) {
-    return seen == Seen::kHidden;
-  }
   const LinePart inside = insideOf(kind, half_extent, start, step);
   // what goes on behind the LED is a hull around it, or does not stand before it
   return !inside.isEmpty() && inside.to >= 0.0 && inside.to <= 1.0 + kSameDepth;
 }
+
+double least(double a, double b) { return a < b ? a : b; }
+double most(double a, double b) { return a < b ? b : a; }
 
 }  // namespace
 
@@ -91,6 +37,38 @@ void LedShades::begin(const EntityModel& model, Span<const JointState> joints) {
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     shades_[i].is_placed = false;
   }
+  lowest_led_ = model.led_positions.empty() ? 0.0 : model.led_positions.front().z();
+  highest_led_ = lowest_led_;
+  double squared_radius = 0.0;
+  for (const Eigen::Vector3d& led : model.led_positions) {
+    lowest_led_ = std::min(lowest_led_, led.z());
+    highest_led_ = std::max(highest_led_, led.z());
+    squared_radius = std::max(squared_radius, led.head<2>().squaredNorm());
+  }
+  led_radius_ = std::sqrt(squared_radius);
+}
+
+LedShades::Lines LedShades::linesFrom(const Eyes& eyes) const {
+  const double way_in = eyes.axis.norm();
+  return {std::max(0.0, way_in - eyes.radius), way_in + eyes.radius + led_radius_, eyes.lowest, eyes.highest};
+}
+
+/// Whether all lines pass over or under a shape, however its joint has turned it: most shapes of a robot hide no LED.
+bool LedShades::isPassedBy(std::size_t number, const Lines& lines) const {
+  const CollisionShape& shape = model_->shapes[number];
+  if (shape.joint >= 0) {
+    const EntityModel::Joint& joint = model_->joints[static_cast<std::size_t>(shape.joint)];
+    if (joint.carrier >= 0 || joint.axis.x() != 0.0 || joint.axis.y() != 0.0) {
+      return false;  // it may lift the shape
+    }
+  }
+  constexpr double kSlack = 1e-4;  // m: more than lines go on behind LEDs, and than rounding
+  const EntityModel::Silhouette& silhouette = model_->silhouettes[number];
+  // before this fraction of its way no line is as near to body z as the shape
+  const double fraction = std::max(0.0, (lines.way_in - silhouette.radius - kSlack) / (lines.length + kSlack));
+  const double lowest = std::min(lines.lowest + fraction * (lowest_led_ - lines.lowest), lowest_led_);
+  const double highest = std::max(lines.highest + fraction * (highest_led_ - lines.highest), highest_led_);
+  return silhouette.high < lowest - kSlack || silhouette.low > highest + kSlack;
 }
 
 const LedShades::Shade& LedShades::shadeOf(std::size_t number) {
@@ -104,22 +82,157 @@ const LedShades::Shade& LedShades::shadeOf(std::size_t number) {
   return shade;
 }
 
+LedShades::Steps LedShades::stepsTo(const LedSet& asked, const Shade& shade, const Eigen::Vector3d& eye) const {
+  const Eigen::Matrix3d& turn = shade.to_shape;
+  Steps steps;
+  visitLeds(asked, [&](std::size_t k) {
+    const Eigen::Vector3d way = model_->led_positions[k] - eye;
+    const std::size_t i = steps.count++;
+    steps.led[i] = static_cast<std::uint8_t>(k);
+    steps.x[i] = turn(0, 0) * way.x() + turn(0, 1) * way.y() + turn(0, 2) * way.z();
+    steps.y[i] = turn(1, 0) * way.x() + turn(1, 1) * way.y() + turn(1, 2) * way.z();
+    steps.z[i] = turn(2, 0) * way.x() + turn(2, 1) * way.y() + turn(2, 2) * way.z();
+  });
+  return steps;
+}
+
+/// From where each line is nearest to the axis: no quotient, no square root. Not sure where rounding could decide, and
+/// where the line ends or comes nearest in a face.
+LedShades::Sure LedShades::behindCylinder(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps) {
+  const double squared_radius = shade.half_extent.x() * shade.half_extent.x();
+  // above 0 where it is sure
+  Column hidden;
+  Column free;
+  for (std::size_t i = 0; i < steps.count; ++i) {  // without branches: compilers make it one over several LEDs
+    const double x = steps.x[i];
+    const double y = steps.y[i];
+    const double a = x * x + y * y;
+    const double b = start.x() * x + start.y() * y;
+    const double led_x = start.x() + x;
+    const double led_y = start.y() + y;
+    const double outside = led_x * led_x + led_y * led_y - squared_radius * (1.0 + kSure);
+    const double across = start.x() * y - start.y() * x;
+    const double squared_across = across * across;
+    const double after = -kSure * a - (a + b);  // it goes nearer to the axis beyond the LED only
+    const double beside = squared_across - squared_radius * a * (1.0 + kSure);
+    free[i] = least(outside, most(after, beside));
+    const double within = squared_radius * a * (1.0 - kSure) - squared_across;
+    const double height = start.z() * a - steps.z[i] * b;
+    const double between = shade.half_extent.z() * a * (1.0 - kSure) - std::abs(height);
+    const double on_the_way = least(-kSure * a - b, a + b - kSure * a);
+    hidden[i] = least(least(outside, on_the_way), least(within, between));
+  }
+  Sure sure;
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    sure.hidden |= static_cast<std::uint64_t>(hidden[i] > 0.0) << steps.led[i];
+    sure.free |= static_cast<std::uint64_t>(free[i] > 0.0) << steps.led[i];
+  }
+  return sure;
+}
+
+/// Seen from above, the places from which an upright cylinder hides a LED lie between the two lines through the LED
+/// that touch the cylinder, and behind it.
+LedShades::Sure LedShades::behindCylinderForAll(const Shade& shade, const Eyes& eyes) const {
+  Sure sure;
+  if (shade.to_shape(2, 2) != 1.0) {
+    return sure;
+  }
+  constexpr double kMargin = 1e-6;  // m: far more than is rounded, and than lines go on behind LEDs
+  const double far = eyes.radius + kMargin;
+  const double cylinder = shade.half_extent.x();
+  const double low = shade.position.z() - shade.half_extent.z() + kMargin;
+  const double high = shade.position.z() + shade.half_extent.z() - kMargin;
+  const bool is_level = eyes.lowest > low && eyes.highest < high;
+  for (std::size_t k = 0; k < std::min(model_->led_positions.size(), EntityModel::kMaxLeds); ++k) {
+    const double height = model_->led_positions[k].z();
+    const Eigen::Vector2d led = (model_->led_positions[k] - shade.position).head<2>();
+    const double way = led.norm();
+    if (!(way > cylinder + kMargin)) {
+      continue;
+    }
+    const Eigen::Vector2d inwards = led / -way;
+    const Eigen::Vector2d to_eyes = eyes.axis - shade.position.head<2>() - led;
+    const double ahead = inwards.dot(to_eyes);
+    const double aside = std::abs(inwards.x() * to_eyes.y() - inwards.y() * to_eyes.x());
+    const double sine = cylinder / way;  // of the angle between `inwards` and the lines
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const double inside = ahead * sine - aside * cosine;  // how far from the nearer line
+    const bool is_beyond = ahead > way + far;             // the cylinder's axis is passed on the way
+    const bool is_hidden = is_level && inside > far && is_beyond && height > low && height < high;
+    sure.hidden |= static_cast<std::uint64_t>(is_hidden) << k;
+    sure.free |= static_cast<std::uint64_t>(inside < -far) << k;
+  }
+  return sure;
+}
+
+/// The lines that pass beside the sphere around a shape, or end before it.
+LedShades::Sure LedShades::besideSphere(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps) const {
+  const double radius = shade.kind == CollisionShape::Kind::kSphere ? shade.half_extent.x() : shade.half_extent.norm();
+  // lines go on a little behind LEDs
+  const double farthest_led = led_radius_ + std::max(std::abs(lowest_led_), std::abs(highest_led_));
+  const double way = start.norm() + shade.position.norm() + farthest_led;
+  const double reach = radius + 2.0 * kSameDepth * (way + radius);
+  const double squared_reach = reach * reach;
+  Column free;  // above 0 where it is sure
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    const double x = steps.x[i];
+    const double y = steps.y[i];
+    const double z = steps.z[i];
+    const double a = x * x + y * y + z * z;
+    const double b = start.x() * x + start.y() * y + start.z() * z;
+    const double led_x = start.x() + x;
+    const double led_y = start.y() + y;
+    const double led_z = start.z() + z;
+    const double outside = led_x * led_x + led_y * led_y + led_z * led_z - squared_reach;
+    const double across_x = start.y() * z - start.z() * y;
+    const double across_y = start.z() * x - start.x() * z;
+    const double across_z = start.x() * y - start.y() * x;
+    const double beside = across_x * across_x + across_y * across_y + across_z * across_z - squared_reach * a;
+    free[i] = least(outside, most(-kSure * a - (a + b), beside));
+  }
+  Sure sure;
+  for (std::size_t i = 0; i < steps.count; ++i) {
+    sure.free |= static_cast<std::uint64_t>(free[i] > 0.0) << steps.led[i];
+  }
+  return sure;
+}
+
 void LedShades::addHidden(const Shade& shade, const Eigen::Vector3d& eye, const LedSet& asked, LedSet& hidden) const {
   const Eigen::Vector3d start = shade.to_shape * (eye - shade.position);
-  visitLeds(asked & ~hidden, [&](std::size_t k) {
+  const LedSet left = asked & ~hidden;
+  const Steps steps = stepsTo(left, shade, eye);
+  const Sure sure = shade.kind == CollisionShape::Kind::kCylinder ? behindCylinder(shade, start, steps)
+                                                                  : besideSphere(shade, start, steps);
+  hidden |= LedSet(sure.hidden);
+  visitLeds(left & ~LedSet(sure.hidden | sure.free), [&](std::size_t k) {
     hidden[k] = isBehind(shade.kind, shade.half_extent, start, shade.to_shape * (model_->led_positions[k] - eye));
   });
 }
 
 LedSet LedShades::hidden(const Eigen::Vector3d& eye, const LedSet& asked) {
   LedSet hidden;
-  const HeightsOfLines lines = heightsOf(*model_, eye, asked);
+  const Lines lines = linesFrom({eye.head<2>(), 0.0, eye.z(), eye.z()});
   for (std::size_t i = 0; i < model_->shapes.size(); ++i) {
-    if (!isPassedBy(*model_, i, lines)) {
+    if (!isPassedBy(i, lines)) {
       addHidden(shadeOf(i), eye, asked, hidden);
     }
   }
   return hidden;
+}
+
+LedShades::SameForAll LedShades::sameForAll(const Eyes& eyes) {
+  const Lines lines = linesFrom(eyes);
+  SameForAll same{{}, ~LedSet()};
+  for (std::size_t i = 0; i < model_->shapes.size(); ++i) {
+    if (!isPassedBy(i, lines)) {
+      const Shade& shade = shadeOf(i);
+      const bool is_cylinder = shade.kind == CollisionShape::Kind::kCylinder;
+      const Sure sure = is_cylinder ? behindCylinderForAll(shade, eyes) : Sure{};
+      same.hidden |= LedSet(sure.hidden);
+      same.free &= LedSet(sure.free);
+    }
+  }
+  return same;
 }
 
 }  // namespace swarmanoid

@@ -44,10 +44,11 @@ struct Light {
   /// @param direction in which the sensor looks, of length 1; @param offset from the sensor to the source [m]
   static double share(double brightness, const Eigen::Vector3d& direction, const Eigen::Vector3d& offset) {
     const double ahead = direction.dot(offset);
-    if (ahead <= 0.0) {
-      return 0.0;
-    }
-    const double squared_distance = offset.squaredNorm();
+    return ahead <= 0.0 ? 0.0 : share(brightness, ahead, offset.squaredNorm());
+  }
+  /// The same of a source before the sensor. @param ahead how far it is along the direction of the sensor [m], above 0
+  /// @param squared_distance from the sensor [m2]
+  static double share(double brightness, double ahead, double squared_distance) {
     const double cosine = ahead / std::sqrt(squared_distance);
     return brightness * cosine * kReferenceDistance * kReferenceDistance / squared_distance;
   }

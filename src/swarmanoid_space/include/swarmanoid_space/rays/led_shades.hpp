@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <bitset>
 #include <cstdint>
 #include <vector>
@@ -43,6 +44,22 @@ class LedShades {
   /// Which of the LEDs that are asked about are hidden from an eye. @param eye in the body frame [m]
   LedSet hidden(const Eigen::Vector3d& eye, const LedSet& asked);
 
+  /// Where somebody's eyes are: in an upright cylinder of the body frame.
+  struct Eyes {
+    Eigen::Vector2d axis = Eigen::Vector2d::Zero();  ///< of the cylinder, seen from above [m]
+    double radius = 0.0;                             ///< [m]
+    double lowest = 0.0;                             ///< along body z [m]
+    double highest = 0.0;                            ///< likewise
+  };
+  /// LEDs for which the answer is the same from all eyes.
+  struct SameForAll {
+    LedSet hidden;
+    LedSet free;
+  };
+  /// For somebody with many eyes, who need not ask about these LEDs for each of them. Some LEDs of which the same is
+  /// true may be left out.
+  SameForAll sameForAll(const Eyes& eyes);
+
  private:
   /// A shape without its skin, where its joint has turned it.
   struct Shade {
@@ -52,13 +69,43 @@ class LedShades {
     Eigen::Vector3d position;
     Eigen::Matrix3d to_shape;  // from the directions of the body
   };
+  /// The lines from eyes to all LEDs.
+  struct Lines {
+    double way_in = 0.0;   ///< to the body z axis at least, seen from above [m]
+    double length = 0.0;   ///< at most so long, seen from above [m]
+    double lowest = 0.0;   ///< where they begin, along body z [m]
+    double highest = 0.0;  ///< likewise
+  };
+  using Column = std::array<double, EntityModel::kMaxLeds>;
+  /// The ways from an eye to some LEDs in the frame of a shape, by coordinate, so that several are looked at at once.
+  struct Steps {
+    std::size_t count = 0;
+    std::array<std::uint8_t, EntityModel::kMaxLeds> led;
+    Column x;  // m
+    Column y;  // likewise
+    Column z;  // likewise
+  };
+  /// The LEDs of which it is sure at once that a shape hides them, and that it does not.
+  struct Sure {
+    std::uint64_t hidden = 0;
+    std::uint64_t free = 0;
+  };
 
+  Lines linesFrom(const Eyes& eyes) const;
+  bool isPassedBy(std::size_t shape, const Lines& lines) const;
   const Shade& shadeOf(std::size_t shape);
   void addHidden(const Shade& shade, const Eigen::Vector3d& eye, const LedSet& asked, LedSet& hidden) const;
+  Steps stepsTo(const LedSet& asked, const Shade& shade, const Eigen::Vector3d& eye) const;
+  static Sure behindCylinder(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps);
+  Sure behindCylinderForAll(const Shade& shade, const Eyes& eyes) const;
+  Sure besideSphere(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps) const;
 
   const EntityModel* model_ = nullptr;
   Span<const JointState> joints_;
   std::vector<Shade> shades_;
+  double lowest_led_ = 0.0;   // along body z [m]
+  double highest_led_ = 0.0;  // likewise
+  double led_radius_ = 0.0;   // how far from body z they are at most [m]
 };
 
 }  // namespace swarmanoid
