@@ -1,6 +1,7 @@
 #include "color_blob_finder.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -111,15 +112,43 @@ Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, d
   return {color, way, static_cast<float>(way.head<2>().norm()), radius, place};
 }
 
-ColorBlob blobOf(const Sighting& sighting, const Eye& eye, bool knows_distance) {
-  const Eigen::Vector3d& way = sighting.way;
-  ColorBlob blob;
-  blob.color = sighting.color;
-  blob.bearing = toBearing(std::atan2(way.y(), way.x()) - eye.heading);
-  blob.distance = knows_distance ? sighting.distance : std::numeric_limits<float>::quiet_NaN();
-  blob.elevation = arctangent(static_cast<float>(way.z()), sighting.distance);
-  blob.size = ColorBlob::sizeOf(static_cast<float>(sighting.radius), static_cast<float>(way.norm()));
-  return blob;
+void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_distance, Span<ColorBlob> blobs) {
+  constexpr std::size_t kSome = 32;
+  constexpr auto kBehind = static_cast<float>(M_PI);
+  // by column, in single precision: what is ahead, to the left and above, and how far away
+  std::array<float, kSome> ahead;
+  std::array<float, kSome> left;
+  std::array<float, kSome> up;
+  std::array<float, kSome> distance;
+  std::array<float, kSome> length;
+  std::array<float, kSome> radius;
+  for (std::size_t first = 0; first < sightings.size(); first += kSome) {
+    const std::size_t count = std::min(kSome, sightings.size() - first);
+    for (std::size_t i = 0; i < count; ++i) {
+      const Sighting& sighting = sightings[first + i];
+      const Eigen::Vector3d& way = sighting.way;
+      ahead[i] = static_cast<float>(eye.forward.x() * way.x() + eye.forward.y() * way.y());
+      left[i] = static_cast<float>(eye.forward.x() * way.y() - eye.forward.y() * way.x());
+      up[i] = static_cast<float>(way.z());
+      distance[i] = sighting.distance;
+      length[i] = static_cast<float>(way.norm());
+      radius[i] = static_cast<float>(sighting.radius);
+    }
+    // a loop of its own, without calls or branches, since compilers make it one over several blobs at once
+    std::array<float, kSome> bearing;
+    std::array<float, kSome> elevation;
+    std::array<float, kSome> size;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float angle = arctangent(left[i], ahead[i]);
+      bearing[i] = angle <= -kBehind ? kBehind : angle;
+      elevation[i] = arctangent(up[i], distance[i]);
+      size[i] = ColorBlob::sizeOf(radius[i], length[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      const float known = knows_distance ? distance[i] : std::numeric_limits<float>::quiet_NaN();
+      blobs[first + i] = {sightings[first + i].color, bearing[i], known, elevation[i], size[i]};
+    }
+  }
 }
 
 void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>& found) {

@@ -39,8 +39,9 @@ struct Sighting {
 /// @param point in W @param radius of what is there [m]
 Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, double radius, std::size_t place);
 
-/// What the camera reports of it. @param knows_distance or it is NaN
-ColorBlob blobOf(const Sighting& sighting, const Eye& eye, bool knows_distance);
+/// What the camera reports of all that is in sight. @param knows_distance or distances are NaN
+/// @param blobs as many as sightings, to be filled
+void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_distance, Span<ColorBlob> blobs);
 
 /// Writes all that is in sight, in the order defined by ColorBlobs. Thread-safe.
 void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>& found);

@@ -15,8 +15,8 @@ namespace swarmanoid::devices {
 
 /// Where a camera is at this tick, and where it looks.
 struct Eye {
-  Eigen::Vector3d position = Eigen::Vector3d::Zero();               ///< in W [m]
-  double heading = 0.0;                                             ///< of the robot's x axis in W [rad]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< in W [m]
+  Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  ///< the robot's x axis seen from above, in W, of length 1
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();  ///< in W, of its frame: it looks along x
   double height = 0.0;                                              ///< above the ground [m]
 };

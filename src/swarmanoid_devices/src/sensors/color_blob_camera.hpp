@@ -98,7 +98,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     for (const ColorBlob& blob : this->delivered(instance).blobs) {
       // a camera that does not know how far away it is knows where it is in the picture
       const double way = std::isfinite(blob.distance) ? blob.distance : range_ * std::cos(blob.elevation);
-      const double angle = eye.heading + blob.bearing;
+      const double angle = std::atan2(eye.forward.y(), eye.forward.x()) + blob.bearing;
       const Eigen::Vector3d end =
           eye.position + way * Eigen::Vector3d(std::cos(angle), std::sin(angle), std::tan(blob.elevation));
       drawing.line(eye.position, end, blob.color);
@@ -113,7 +113,9 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     view.self = instance.row;
     view.eye.position = pose.toWorld(instance.mount.position);
     const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
-    view.eye.heading = std::atan2(ahead.y(), ahead.x());
+    if (!ahead.head<2>().isZero(0.0)) {  // it does not look straight up or down
+      view.eye.forward = ahead.head<2>().normalized();
+    }
     view.eye.orientation = pose.orientation * orientationOf(space, instance);
     view.eye.height = view.eye.position.z() - space.lowestGround();
     view.range = range_;
@@ -131,9 +133,7 @@ class ColorBlobCameraSensor : public SensorOf<Camera, CameraInstance<Camera>> {
     filter(space, instance, view, found);
     instance.readings->overflowed =
         keepNearest(found, max_blobs_, [](const Sighting& sighting) { return sighting.distance; });
-    const bool knows_distance = field_.knowsDistance();
-    std::transform(found.begin(), found.end(), instance.buffer.begin(),
-                   [&](const Sighting& sighting) { return blobOf(sighting, view.eye, knows_distance); });
+    toBlobs(found, view.eye, field_.knowsDistance(), {instance.buffer.data(), found.size()});
     instance.readings->blobs = Span<const ColorBlob>(instance.buffer.data(), found.size());
     if (noise_distance_ > 0.0 || noise_bearing_ > 0.0) {
       disturb(instance);

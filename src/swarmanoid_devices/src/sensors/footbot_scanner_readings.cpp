@@ -75,8 +75,6 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
   }
 
  private:
-  static constexpr std::size_t kRays = Readings::kBeams * Readings::kSamples;
-
   static void senseOne(const Space& space, double dt, ScannerInstance& instance) {
     static const FootbotScanner kOff;
     const auto* actuation = space.actuation.find<FootbotScanner>(instance.row);
@@ -105,37 +103,53 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     }
   }
 
+  /// The short beams and the long ones apart: short ones mostly have nothing in reach, which is found at once.
   static void measure(const Space& space, ScannerInstance& instance, double turn) {
     const Pose& pose = space.entities.pose[instance.row];
+    const Eigen::Vector3d centre = pose.toWorld(instance.mount.position);
     const Eigen::Matrix3d head = (pose.orientation * instance.mount.orientation).toRotationMatrix();
-    RayBundle rays;
-    rays.centre = pose.toWorld(instance.mount.position);
-    rays.radius = Readings::kLongRange.maximum;
-    rays.ignored = instance.row;
+    std::array<Eigen::Vector3d, Readings::kSamples> ahead;  // where beam 0 looked
+    std::array<Eigen::Vector3d, Readings::kSamples> left;   // where beam 1 looked
+    for (std::size_t i = 0; i < Readings::kSamples; ++i) {
+      const double angle = Readings::angleOf(i, instance.before, turn);
+      const double cosine = std::cos(angle);
+      const double sine = std::sin(angle);
+      ahead[i] = head.col(0) * cosine + head.col(1) * sine;
+      left[i] = head.col(1) * cosine - head.col(0) * sine;
+    }
     const double slope = head.row(2).head<2>().norm();  // of the steepest way down in the plane of the beams
-    if (!mayMeasure(space, rays, rays.centre.z() - rays.radius * slope)) {
-      fill(*instance.readings, std::numeric_limits<float>::infinity());
+    measurePair(space, instance, 0, centre, ahead, slope);
+    measurePair(space, instance, 1, centre, left, slope);
+  }
+
+  /// A beam and the opposite one. @param directions of the first, sample by sample
+  static void measurePair(const Space& space, ScannerInstance& instance, std::size_t first_beam,
+                          const Eigen::Vector3d& centre,
+                          const std::array<Eigen::Vector3d, Readings::kSamples>& directions, double slope) {
+    constexpr std::size_t kRays = 2 * Readings::kSamples;
+    const Range range = Readings::rangeOf(first_beam);
+    Readings::Samples& one = instance.readings->distances(first_beam);
+    Readings::Samples& other = instance.readings->distances(first_beam + 2);
+    RayBundle rays;
+    rays.centre = centre;
+    rays.radius = range.maximum;
+    rays.ignored = instance.row;
+    if (!mayMeasure(space, rays, centre.z() - rays.radius * slope)) {
+      one.fill(std::numeric_limits<float>::infinity());
+      other.fill(std::numeric_limits<float>::infinity());
       return;
     }
     std::array<Segment, kRays> segments;
     std::array<RayHit, kRays> hits;
     for (std::size_t i = 0; i < Readings::kSamples; ++i) {
-      const double angle = Readings::angleOf(i, instance.before, turn);
-      const Eigen::Vector3d ahead = head.col(0) * std::cos(angle) + head.col(1) * std::sin(angle);
-      const Eigen::Vector3d left = head.col(1) * std::cos(angle) - head.col(0) * std::sin(angle);
-      const std::array<Eigen::Vector3d, Readings::kBeams> directions{ahead, left, -ahead, -left};
-      for (std::size_t beam = 0; beam < Readings::kBeams; ++beam) {
-        segments[i * Readings::kBeams + beam] = {rays.centre,
-                                                 rays.centre + Readings::rangeOf(beam).maximum * directions[beam]};
-      }
+      segments[i] = {centre, centre + range.maximum * directions[i]};
+      segments[Readings::kSamples + i] = {centre, centre + range.maximum * -directions[i]};
     }
     rays.segments = Span<const Segment>(segments.data(), kRays);
     castDistances(space, rays, Span<RayHit>(hits.data(), kRays));
     for (std::size_t k = 0; k < kRays; ++k) {
-      const std::size_t beam = k % Readings::kBeams;
-      const Range range = Readings::rangeOf(beam);
       const double distance = hits[k].isHit() ? hits[k].fraction * range.maximum : kInfinity;
-      instance.readings->distances(beam)[k / Readings::kBeams] = Distance::reading(distance, range);
+      (k < Readings::kSamples ? one : other)[k % Readings::kSamples] = Distance::reading(distance, range);
     }
   }
 };
