@@ -75,7 +75,29 @@ def against_library(table, build, engine, least):
 
 
 def dynamics2d(table, build):
-    against_library(table, build, "dynamics2d", {(10, 4): 0.5, (1000, 4): 0.8, (10000, 4): 0.8})
+    """Ticks of diffusion in turn with Box2D alone, in one run; and how long a run takes to start."""
+    binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics2d_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json"], capture_output=True, text=True, check=True)
+    least = {(10, 4): 450, (1000, 4): 450, (10000, 4): 300, (10000, 10): 119}
+    for entry in json.loads(done.stdout)["benchmarks"]:
+        name, *sizes = entry["name"].split("/")
+        robots, *subclock = (int(size.split(":")[1]) for size in sizes if ":" in size)
+        if name == "BM_Start":
+            seconds = entry["cpu_time"] / 1e3
+            table.add(f"dynamics2d, diffusion: start of {robots:,} footbots, first tick included",
+                      "at most 0.5 s" if robots == 20000 else "reported", f"{seconds:.2f} s",
+                      seconds <= 0.5 if robots == 20000 else None)
+            continue
+        speed, disc, both = (entry[key] / 1e3 for key in ("items_per_second", "disc", "disc_and_box"))
+        promised = least.get((robots, subclock[0]))
+        is_good = promised is None or speed >= promised
+        limit = f"at least {promised} thousand" if promised else "reported"
+        if (robots, subclock[0]) == (10000, 4):
+            limit += ", and as many as Box2D alone with a disc and a box"
+            is_good = is_good and speed >= both
+        table.add(f"dynamics2d, diffusion, {robots:,} footbots, {subclock[0]} steps a tick, first 100 ticks, robots x ticks/s", limit,
+                  f"{speed:,.0f} thousand; Box2D alone {both:,.0f} with a disc and a box a robot, {disc:,.0f} with a disc",
+                  is_good if promised else None)
 
 
 def dynamics3d(table, build):

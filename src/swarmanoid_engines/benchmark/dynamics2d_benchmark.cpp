@@ -1,173 +1,115 @@
-// Whole ticks of the diffusion experiment with dynamics2d (sense, control, move; one thread, no ROS), against Box2D
-// alone that steps the same bodies with the wheel forces recorded there. Items are robots: items per second are robots
-// x ticks per second. Both start from the same state, after a while of driving about, and run the same ticks, in as
-// many steps. Box2D alone has all bodies in all of them; dynamics2d moves those without it that nothing can reach.
+// Whole ticks of the diffusion experiment with dynamics2d (sense, control, move; one thread, no ROS), in turn with
+// Box2D alone (raw_box2d.hpp), whose robots begin where ours do and get the velocities that ours have. Items are
+// robots: items per second are robots x ticks per second; `disc` and `disc_and_box` are those of Box2D alone,
+// `against_library` is how many of ours come on one of `disc_and_box`. Each iteration is a run of 100 ticks from the
+// first one on, without what comes before it: that is what `BM_Start` measures. Times are of the processor.
 #include <benchmark/benchmark.h>
-#include <box2d/box2d.h>
 
-#include <algorithm>
-#include <chrono>
+#include <ctime>
+#include <memory>
+#include <string>
 #include <vector>
 
-#include "dynamics2d/dynamics2d.hpp"
+#include "raw_box2d.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 #include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
-namespace swarmanoid::dynamics2d {
+namespace swarmanoid::benchmarks {
 namespace {
 
 constexpr double kAreaPerRobot = 1.6;  // m2
-constexpr int kWarmUp = 50;            // ticks, before the bodies are copied
-constexpr int kSettle = 150;           // ticks, until Box2D's tree of moving boxes is what it is in the long run
-constexpr int kFollow = 20;            // ticks after which the copy is put where the original is
-constexpr double kTick = 0.1;          // s
+constexpr int kTicks = 100;
+constexpr double kTick = 0.1;  // s
 
-/// The experiment, with its engine at hand.
-struct Diffusion {
-  Diffusion(int robots, int subclock) {
-    loadBuiltInPlugins();
-    const std::string steps = std::to_string(subclock);
-    Experiment experiment =
-        parseExperiment(diffusionExperiment(robots, kAreaPerRobot,
-                                            "<dynamics2d id='ground'><subclock>" + steps + "</subclock></dynamics2d>"),
-                        "diffusion.xml");
-    engine = std::make_shared<Dynamics2d>();
-    engine->configure("ground", experiment.engines.front().parameters);
-    SuppliedParts supplied;
-    supplied.engines["ground"] = engine;
-    simulation = std::make_unique<Simulation>(std::move(experiment), RunContext{}, std::move(supplied));
-    simulation->start();
-    for (int i = 0; i < kWarmUp; ++i) {
-      simulation->tick();
+double processorSeconds() {
+  timespec now{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::unique_ptr<Simulation> startDiffusion(int robots, int subclock) {
+  const std::string engine =
+      "<dynamics2d id='ground'><subclock>" + std::to_string(subclock) + "</subclock></dynamics2d>";
+  auto simulation = std::make_unique<Simulation>(
+      parseExperiment(diffusionExperiment(robots, kAreaPerRobot, engine), "diffusion.xml"));
+  simulation->start();
+  return simulation;
+}
+
+std::vector<Row> robotsOf(const Space& space) {
+  std::vector<Row> robots;
+  for (const Row row : space.entities.order) {
+    if (space.entities.model[row]->is_robot) {
+      robots.push_back(row);
     }
   }
+  return robots;
+}
 
-  std::shared_ptr<Dynamics2d> engine;
-  std::unique_ptr<Simulation> simulation;
+/// Processor times of a run [s].
+struct Times {
+  double ours = 0.0;
+  double disc = 0.0;
+  double disc_and_box = 0.0;
 };
 
-/// A world of the same bodies, without anything of ours; and without times of impact, which would cost it more.
-class RawWorld {
- public:
-  explicit RawWorld(const b2World& source) {
-    world_.SetAllowSleeping(false);
-    world_.SetContinuousPhysics(false);
-    std::vector<const b2Body*> bodies;
-    for (const b2Body* body = source.GetBodyList(); body != nullptr; body = body->GetNext()) {
-      if (body->GetType() != b2_kinematicBody) {
-        bodies.push_back(body);
-      }
-    }
-    std::reverse(bodies.begin(), bodies.end());  // Box2D lists the newest first
-    for (const b2Body* body : bodies) {
-      copy(*body);
-    }
+void runInTurn(int count, int subclock, Times& times) {
+  const auto simulation = startDiffusion(count, subclock);
+  const Space& space = simulation->space();
+  const std::vector<Row> robots = robotsOf(space);
+  const double side = space.size.x();
+  RawBox2d disc(space, robots, side, RawRobot::kDisc);
+  RawBox2d disc_and_box(space, robots, side, RawRobot::kDiscAndBox);
+  for (int i = 0; i < kTicks; ++i) {
+    const double start = processorSeconds();
+    simulation->tick();
+    const double ours = processorSeconds();
+    disc.setVelocities(space, robots);
+    disc.step(kTick, subclock);
+    const double middle = processorSeconds();
+    disc_and_box.setVelocities(space, robots);
+    disc_and_box.step(kTick, subclock);
+    times.ours += ours - start;
+    times.disc += middle - ours;
+    times.disc_and_box += processorSeconds() - middle;
   }
-
-  /// One tick, with the pushes of its steps.
-  void tick(const Recording& recording) {
-    const auto step = static_cast<float>(kTick / recording.steps);
-    const Recording::Entry* push = recording.entries.data();
-    for (int i = 0; i < recording.steps; ++i) {
-      for (b2Body* body : driven_) {
-        body->ApplyForceToCenter(push->force, false);
-        body->ApplyTorque(push->torque, false);
-        ++push;
-      }
-      world_.Step(step, 8, 3);
-    }
-  }
-
-  /// Puts all bodies where the originals are: forces alone do not keep those together that touch others.
-  void follow() {
-    for (std::size_t i = 0; i < driven_.size(); ++i) {
-      driven_[i]->SetTransform(originals_[i]->GetPosition(), originals_[i]->GetAngle());
-      driven_[i]->SetLinearVelocity(originals_[i]->GetLinearVelocity());
-      driven_[i]->SetAngularVelocity(originals_[i]->GetAngularVelocity());
-    }
-  }
-
- private:
-  void copy(const b2Body& source) {
-    b2BodyDef definition;
-    definition.type = source.GetType();
-    definition.position = source.GetPosition();
-    definition.angle = source.GetAngle();
-    definition.linearVelocity = source.GetLinearVelocity();
-    definition.angularVelocity = source.GetAngularVelocity();
-    b2Body* body = world_.CreateBody(&definition);
-    std::vector<const b2Fixture*> fixtures;
-    for (const b2Fixture* fixture = source.GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
-      fixtures.push_back(fixture);
-    }
-    for (auto fixture = fixtures.rbegin(); fixture != fixtures.rend(); ++fixture) {
-      b2FixtureDef copied;
-      copied.shape = (*fixture)->GetShape();
-      copied.friction = (*fixture)->GetFriction();
-      copied.restitution = (*fixture)->GetRestitution();
-      body->CreateFixture(&copied);
-    }
-    if (source.GetType() == b2_dynamicBody) {
-      b2MassData mass;
-      source.GetMassData(&mass);
-      body->SetMassData(&mass);
-      driven_.push_back(body);
-      originals_.push_back(&source);
-    }
-  }
-
-  b2World world_{b2Vec2(0.0F, 0.0F)};
-  std::vector<b2Body*> driven_;
-  std::vector<const b2Body*> originals_;  // of driven_
-};
+}
 
 void BM_Dynamics2d(benchmark::State& state) {
-  using Clock = std::chrono::steady_clock;
   const auto robots = static_cast<int>(state.range(0));
-  const auto subclock = static_cast<int>(state.range(1));
-  Diffusion diffusion(robots, subclock);
-  RawWorld raw(diffusion.engine->world());
-  Recording recording;
-  diffusion.engine->record(&recording);
-  double whole_s = 0.0;
-  double alone_s = 0.0;
-  const auto tick = [&] {
-    const auto start = Clock::now();
-    diffusion.simulation->tick();
-    const auto middle = Clock::now();
-    raw.tick(recording);
-    alone_s += std::chrono::duration<double>(Clock::now() - middle).count();
-    const double seconds = std::chrono::duration<double>(middle - start).count();
-    whole_s += seconds;
-    return seconds;
-  };
-  for (int i = 0; i < kSettle; ++i) {
-    tick();
-  }
-  whole_s = 0.0;
-  alone_s = 0.0;
-  int ticks = 0;
+  loadBuiltInPlugins();
+  Times times;
   for (auto _ : state) {
-    if (++ticks % kFollow == 0) {
-      diffusion.engine->world();  // puts those in their places that Box2D does not have now
-      raw.follow();
-    }
-    state.SetIterationTime(tick());
+    const double before = times.ours;
+    runInTurn(robots, static_cast<int>(state.range(1)), times);
+    state.SetIterationTime(times.ours - before);
   }
-  state.SetItemsProcessed(state.iterations() * robots);
-  state.counters["against_library"] = alone_s / whole_s;
+  const double items = static_cast<double>(state.iterations()) * robots * kTicks;
+  state.SetItemsProcessed(state.iterations() * robots * kTicks);
+  state.counters["disc"] = items / times.disc;
+  state.counters["disc_and_box"] = items / times.disc_and_box;
+  state.counters["against_library"] = times.disc_and_box / times.ours;
+}
+
+/// From the experiment file to the state before the first tick, and that tick.
+void BM_Start(benchmark::State& state) {
+  loadBuiltInPlugins();
+  for (auto _ : state) {
+    startDiffusion(static_cast<int>(state.range(0)), 4)->tick();
+  }
 }
 
 void sizes(benchmark::internal::Benchmark* benchmark) {
-  for (const int subclock : {4, 1}) {
+  for (const int subclock : {4, 10, 1}) {
     benchmark->Args({10, subclock})->Args({1000, subclock})->Args({10000, subclock});
   }
-  benchmark->ArgNames({"robots", "subclock"})->UseManualTime()->Unit(benchmark::kMicrosecond);
+  benchmark->ArgNames({"robots", "subclock"})->UseManualTime()->Unit(benchmark::kMillisecond);
 }
 
 BENCHMARK(BM_Dynamics2d)->Apply(sizes);
+BENCHMARK(BM_Start)->ArgName("robots")->Arg(2500)->Arg(5000)->Arg(10000)->Arg(20000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace swarmanoid::dynamics2d
+}  // namespace swarmanoid::benchmarks
 
 BENCHMARK_MAIN();

@@ -1,5 +1,8 @@
 // Bodies that nothing can reach in a tick are moved without Box2D, whose work would all be for finding contacts that
 // cannot be there. In a swarm those are nearly all robots, so what is near can be moved in as fine steps as it needs.
+//
+// Box2D goes through all bodies of its world several times a step, whether they are enabled or not, and takes one out
+// in a time that grows with the number of those that came in since the last step. So it gets a body when it is needed.
 #include <algorithm>
 #include <cmath>
 
@@ -57,9 +60,11 @@ void Dynamics2d::sortOut() {
     if (may_leave) {
       leaveBox2d(index);
     } else {
-      enterBox2d(index);
       present_.push_back(index);
     }
+  }
+  for (const BodyIndex index : present_) {  // after all have left: taking one out is fast while none has come in
+    enterBox2d(index);
   }
   travelled_ += longest_slow_way_;
 }
@@ -103,54 +108,41 @@ void Dynamics2d::lookAround(BodyIndex index) {
 }
 
 void Dynamics2d::enterBox2d(BodyIndex index) {
-  RigidBody& rigid_body = rigid(index);
-  if (rigid_body.is_alone) {
-    rigid_body.is_alone = false;
-    rigid_body.writeTransform();
-    rigid_body.setVelocity(rigid_body.velocity, rigid_body.spin);
-    rigid_body.body->SetEnabled(true);
+  if (rigid(index).isAlone()) {
+    makeBody(index);
+    if (!bodies_[index].isDriven()) {
+      joinGround(index);
+    }
   }
 }
 
+/// @pre it touches and holds nothing
 void Dynamics2d::leaveBox2d(BodyIndex index) {
   RigidBody& rigid_body = rigid(index);
-  if (!rigid_body.is_alone) {
+  if (!rigid_body.isAlone()) {
     rigid_body.velocity = rigid_body.velocityNow();
     rigid_body.spin = rigid_body.spinNow();
-    rigid_body.is_alone = true;
     dropBelt(rigid_body);
-    rigid_body.body->SetEnabled(false);
+    world_->DestroyBody(rigid_body.body);  // and its joint with the ground
+    rigid_body.body = nullptr;
+    rigid_body.ground = nullptr;
   }
 }
 
 void Dynamics2d::moveAlone(double tick) {
   const double step = tick / subclock_;
   for (const BodyIndex index : movers_) {
-    RigidBody& rigid_body = rigid(index);
-    if (rigid_body.is_alone && rigid_body.drive != Drive::kNone) {
-      for (int i = 0; i < subclock_; ++i) {
-        driveAlone(rigid_body, step, i);
-      }
+    if (rigid(index).isAlone() && rigid(index).drive != Drive::kNone) {
+      driveAlone(index, step, subclock_);
     }
   }
   for (planar::Turret& turret : bodies_.turrets()) {
-    if (rigid(turret.body).is_alone) {
+    if (rigid(turret.body).isAlone()) {
       for (int i = 0; i < subclock_; ++i) {
         turnFreely(turret, step);
       }
     }
   }
-}
-
-const b2World& Dynamics2d::world() {
-  for (const BodyIndex index : movers_) {
-    RigidBody& rigid_body = rigid(index);
-    if (rigid_body.is_alone) {
-      rigid_body.writeTransform();
-      rigid_body.setVelocity(rigid_body.velocity, rigid_body.spin);
-    }
-  }
-  return *world_;
 }
 
 }  // namespace swarmanoid::dynamics2d

@@ -109,7 +109,7 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   }
 }
 
-void Dynamics2d::drive(BodyIndex index, double step, int step_number) {
+void Dynamics2d::drive(BodyIndex index, double step) {
   RigidBody& rigid_body = rigid(index);
   if (rigid_body.drive == Drive::kNone) {
     return;
@@ -125,30 +125,22 @@ void Dynamics2d::drive(BodyIndex index, double step, int step_number) {
   const Push push = pushOf(rigid_body, toMetres(b2MulT(turn, rigid_body.body->GetLinearVelocity())),
                            rigid_body.body->GetAngularVelocity(), step);
   const b2Vec2 force = b2Mul(turn, toUnits(push.force));
-  const auto torque = static_cast<float>(push.torque * kSquareUnits);
   rigid_body.last_push = toMetres(force);
   rigid_body.body->ApplyForceToCenter(force, false);
-  rigid_body.body->ApplyTorque(torque, false);
-  recordPush(rigid_body, step_number, force, torque);
+  rigid_body.body->ApplyTorque(static_cast<float>(push.torque * kSquareUnits), false);
 }
 
-void Dynamics2d::driveAlone(RigidBody& rigid_body, double step, int step_number) {
-  const planar::PlacedPose pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading);
-  const Push push = pushOf(rigid_body, pose.unrotated(rigid_body.velocity), rigid_body.spin, step);
-  rigid_body.last_push = pose.rotated(push.force);
-  rigid_body.velocity += step / rigid_body.mass * rigid_body.last_push;
-  rigid_body.spin += step / rigid_body.inertia * push.torque;
-  rigid_body.centre += step * rigid_body.velocity;
-  rigid_body.heading = wrapAngle(rigid_body.heading + step * rigid_body.spin);
-  for (int i = 0; recording_ != nullptr && i < pieces_; ++i) {
-    recordPush(rigid_body, step_number * pieces_ + i, toUnits(rigid_body.last_push),
-               static_cast<float>(push.torque * kSquareUnits));
-  }
-}
-
-void Dynamics2d::recordPush(const RigidBody& rigid_body, int step_number, const b2Vec2& force, float torque) {
-  if (recording_ != nullptr) {
-    recording_->of(step_number, rigid_body.ordinal) = {force, torque};
+void Dynamics2d::driveAlone(BodyIndex index, double step, int steps) {
+  RigidBody& rigid_body = rigid(index);
+  planar::PlacedPose pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading, bodies_[index].pose);
+  for (int i = 0; i < steps; ++i) {
+    const Push push = pushOf(rigid_body, pose.unrotated(rigid_body.velocity), rigid_body.spin, step);
+    rigid_body.last_push = pose.rotated(push.force);
+    rigid_body.velocity += step / rigid_body.mass * rigid_body.last_push;
+    rigid_body.spin += step / rigid_body.inertia * push.torque;
+    rigid_body.centre += step * rigid_body.velocity;
+    rigid_body.heading = wrapAngle(rigid_body.heading + step * rigid_body.spin);
+    pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading, pose);
   }
 }
 
@@ -174,24 +166,6 @@ void Dynamics2d::moveBelt(RigidBody& rigid_body, double step) {
   rigid_body.belt.body->SetLinearVelocity(
       b2Mul(rigid_body.body->GetTransform().q, toUnits(rigid_body.origin_advance / step)));
   rigid_body.belt.body->SetAngularVelocity(static_cast<float>(rigid_body.turn_rate));
-}
-
-void Dynamics2d::recordBelts(double step, int step_number) {
-  const auto frequency = static_cast<float>(1.0 / step);
-  for (const BodyIndex index : present_) {
-    const RigidBody& rigid_body = rigid(index);
-    if (rigid_body.belt.body == nullptr) {
-      continue;
-    }
-    b2Vec2 pushed(0.0F, 0.0F);
-    float turned = 0.0F;
-    for (b2FrictionJoint* treel : rigid_body.belt.treels) {
-      const b2Vec2 force = treel->GetReactionForce(frequency);
-      pushed += force;
-      turned += b2Cross(treel->GetAnchorB() - treel->GetBodyB()->GetWorldCenter(), force);
-    }
-    recordPush(rigid_body, step_number, pushed, turned);
-  }
 }
 
 void Dynamics2d::dropBelt(RigidBody& rigid_body) {

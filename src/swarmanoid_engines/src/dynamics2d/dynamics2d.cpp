@@ -94,6 +94,9 @@ void Dynamics2d::configure(const std::string& id, const Configuration& parameter
 void Dynamics2d::reconfigure(const Configuration& parameters) {
   material_ = readMaterial(parameters);
   for (const BodyIndex index : bodies_.order()) {
+    if (rigid(index).isAlone()) {
+      continue;
+    }
     for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       fixture->SetFriction(static_cast<float>(material_.contact_friction));
       fixture->SetRestitution(static_cast<float>(material_.restitution));
@@ -140,13 +143,14 @@ void Dynamics2d::add(Space& space, Row row, Role role) {
   const BodyIndex index = bodies_.add(space, row, role);
   rigid_bodies_.resize(std::max(rigid_bodies_.size(), static_cast<std::size_t>(index) + 1));
   rigid(index) = RigidBody{};
-  makeBody(index);
+  measureMass(index);
   putBody(space, index);
   travelled_ += kLookAhead;  // all bodies search their surroundings anew
   if (role == Role::kMove && bodies_[index].is_movable) {
     const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };
     movers_.insert(std::upper_bound(movers_.begin(), movers_.end(), index, older), index);
-    newcomers_.push_back(index);
+  } else {
+    makeBody(index);  // movers have none as long as they are alone
   }
   takeOverGrips(space, index);
 }
@@ -160,19 +164,37 @@ void Dynamics2d::makeBody(BodyIndex index) {
     definition.type = body.role == Role::kMove ? b2_dynamicBody : b2_kinematicBody;
     definition.bullet = body.role == Role::kMove;  // or Box2D would look for impacts with what stands only
   }
+  const planar::PlacedPose pose = rigid_body.pose();
+  definition.position = toUnits(pose.position);
+  definition.angle = static_cast<float>(pose.heading);
   rigid_body.body = world_->CreateBody(&definition);
   makeFixtures(index);
+  rigid_body.writeTransform();
+  rigid_body.setVelocity(rigid_body.velocity, rigid_body.spin);
 }
 
 void Dynamics2d::makeFixtures(BodyIndex index) {
+  const RigidBody& rigid_body = rigid(index);
+  b2Body& body = *rigid_body.body;
+  while (body.GetFixtureList() != nullptr) {
+    body.DestroyFixture(body.GetFixtureList());
+  }
+  addFixtures(body, *bodies_[index].model, static_cast<float>(material_.contact_friction),
+              static_cast<float>(material_.restitution));
+  if (body.GetType() == b2_dynamicBody) {
+    b2MassData mass;
+    mass.mass = static_cast<float>(rigid_body.mass);
+    mass.center = toUnits(rigid_body.arm);
+    mass.I = static_cast<float>((rigid_body.inertia + rigid_body.mass * rigid_body.arm.squaredNorm()) * kSquareUnits);
+    body.SetMassData(&mass);
+  }
+}
+
+/// Of what is moved here; what is not turns about its origin.
+void Dynamics2d::measureMass(BodyIndex index) {
   const Body& body = bodies_[index];
   RigidBody& rigid_body = rigid(index);
-  while (rigid_body.body->GetFixtureList() != nullptr) {
-    rigid_body.body->DestroyFixture(rigid_body.body->GetFixtureList());
-  }
-  addFixtures(*rigid_body.body, *body.model, static_cast<float>(material_.contact_friction),
-              static_cast<float>(material_.restitution));
-  if (rigid_body.body->GetType() != b2_dynamicBody) {
+  if (!body.is_movable || body.role != Role::kMove) {
     return;
   }
   const planar::Plane& plane = bodies_.plane();
@@ -180,11 +202,6 @@ void Dynamics2d::makeFixtures(BodyIndex index) {
   rigid_body.mass = body.entity->mass;
   rigid_body.inertia = plane.along(base * body.entity->inertia * base.transpose() * plane.normal());
   rigid_body.arm = plane.toLocal(base * body.entity->centre_of_mass);
-  b2MassData mass;
-  mass.mass = static_cast<float>(rigid_body.mass);
-  mass.center = toUnits(rigid_body.arm);
-  mass.I = static_cast<float>((rigid_body.inertia + rigid_body.mass * rigid_body.arm.squaredNorm()) * kSquareUnits);
-  rigid_body.body->SetMassData(&mass);
 }
 
 void Dynamics2d::putBody(const Space& space, BodyIndex index) {
@@ -203,9 +220,13 @@ void Dynamics2d::putBody(const Space& space, BodyIndex index) {
 
 void Dynamics2d::takePose(const Space& space, BodyIndex index) {
   const double along = bodies_[index].along;
+  const bool is_alone = rigid(index).isAlone();
   if (bodies_.place(space, index)) {
-    makeFixtures(index);
-  } else if (bodies_[index].along != along) {
+    measureMass(index);
+    if (!is_alone) {
+      makeFixtures(index);
+    }
+  } else if (!is_alone && bodies_[index].along != along) {
     for (b2Fixture* fixture = rigid(index).body->GetFixtureList(); fixture != nullptr; fixture = fixture->GetNext()) {
       fixture->Refilter();  // at another height it may pass over others, or no longer
     }
@@ -217,9 +238,11 @@ void Dynamics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   dropBelt(rigid(index));
-  world_->DestroyBody(rigid(index).body);
+  if (!rigid(index).isAlone()) {
+    world_->DestroyBody(rigid(index).body);
+  }
   rigid(index) = RigidBody{};
-  for (std::vector<BodyIndex>* list : {&movers_, &present_, &mirrors_, &newcomers_}) {
+  for (std::vector<BodyIndex>* list : {&movers_, &present_, &mirrors_}) {
     list->erase(std::remove(list->begin(), list->end(), index), list->end());
   }
   bodies_.remove(index);
@@ -238,7 +261,6 @@ void Dynamics2d::clear() {
   movers_.clear();
   present_.clear();
   mirrors_.clear();
-  newcomers_.clear();
   grippers_.clear();
   travelled_ = 0.0;
   makeWorld();

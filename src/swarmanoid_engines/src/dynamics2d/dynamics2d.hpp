@@ -42,24 +42,6 @@ struct Material {
   double grip_strength = 50.0;    ///< a grip tears beyond it [N]
 };
 
-/// What drove the robots in a tick, for comparisons with Box2D alone.
-struct Recording {
-  /// Force, and torque about the centre of mass, in Box2D's units.
-  struct Entry {
-    b2Vec2 force{0.0F, 0.0F};
-    float torque = 0.0F;
-  };
-
-  Entry& of(int step, int ordinal) {
-    return entries[static_cast<std::size_t>(step) * static_cast<std::size_t>(robots) +
-                   static_cast<std::size_t>(ordinal)];
-  }
-
-  int steps = 0;               ///< of equal length
-  int robots = 0;              ///< with a drive, by entity number
-  std::vector<Entry> entries;  ///< by step, then by robot
-};
-
 class Dynamics2d final : public planar::PlanarEngine {
  public:
   Dynamics2d();
@@ -79,10 +61,8 @@ class Dynamics2d final : public planar::PlanarEngine {
   void connect(Space& space) override;
   void draw(EngineDrawing& drawing) const override;
 
-  /// Notes what drives robots in each step of each tick from now on; null: no longer.
-  void record(Recording* recording) { recording_ = recording; }
-  /// Box2D's world, with every body in its place, those too that it does not have now: see moveAlone.
-  const b2World& world();
+  /// Box2D's world: what stands, mirrors, and the movers that something may reach in a tick.
+  const b2World& world() const { return *world_; }
 
  private:
   const RigidBody& rigid(BodyIndex index) const { return rigid_bodies_[static_cast<std::size_t>(index)]; }
@@ -92,6 +72,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void makeWorld();
   void makeBody(BodyIndex index);
   void makeFixtures(BodyIndex index);
+  void measureMass(BodyIndex index);
   void putBody(const Space& space, BodyIndex index);
   void takePose(const Space& space, BodyIndex index);
 
@@ -105,13 +86,11 @@ class Dynamics2d final : public planar::PlanarEngine {
 
   // drive.cpp
   void prepareDrive(BodyIndex index, double step);
-  void drive(BodyIndex index, double step, int step_number);
-  void driveAlone(RigidBody& rigid_body, double step, int step_number);
-  void recordPush(const RigidBody& rigid_body, int step_number, const b2Vec2& force, float torque);
+  void drive(BodyIndex index, double step);
+  void driveAlone(BodyIndex index, double step, int steps);
   void makeBelt(const Body& body, RigidBody& rigid_body);
   static void moveBelt(RigidBody& rigid_body, double step);
   void dropBelt(RigidBody& rigid_body);
-  void recordBelts(double step, int step_number);
 
   // alone.cpp
   /// What a body may reach in this tick by itself: its own as it is, or its command if that is more.
@@ -163,12 +142,10 @@ class Dynamics2d final : public planar::PlanarEngine {
   std::vector<BodyIndex> movers_;        // what Box2D moves, by entity number
   std::vector<BodyIndex> present_;       // those of them that Box2D has in this tick, by entity number
   std::vector<BodyIndex> mirrors_;       // that may move, by entity number
-  std::vector<BodyIndex> newcomers_;     // since the last tick
   std::vector<BodyIndex> grippers_;      // that hold something, by entity number
   Contacts contacts_{bodies_, rigid_bodies_};
   std::unique_ptr<b2World> world_;
   b2Body* ground_ = nullptr;
-  Recording* recording_ = nullptr;
 };
 
 }  // namespace swarmanoid::dynamics2d

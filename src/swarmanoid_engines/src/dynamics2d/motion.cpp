@@ -70,18 +70,15 @@ void Dynamics2d::moveInBox2d() {
   const int steps = subclock_ * pieces_;
   const double step = last_step_;
   for (const BodyIndex index : present_) {
-    drive(index, step, 0);
+    drive(index, step);
   }
   for (int i = 0; i < steps; ++i) {
     driveTurrets(step);
     world_->Step(static_cast<float>(step), material_.iterations, kPositionIterations);
-    if (recording_ != nullptr) {
-      recordBelts(step, i);
-    }
     for (const BodyIndex index : present_) {
       rigid(index).readStep(step);
       if (i + 1 < steps) {
-        drive(index, step, i + 1);
+        drive(index, step);
       }
     }
     readTurrets(step);
@@ -94,18 +91,12 @@ void Dynamics2d::moveInBox2d() {
 
 void Dynamics2d::startTick(const Space& space, double tick) {
   bodies_.readTurretCommands(space);
-  for (const BodyIndex index : newcomers_) {
-    joinGround(index);
-  }
-  newcomers_.clear();
   longest_way_ = 0.0;
   longest_slow_way_ = 0.0;
-  int robots = 0;
   for (const BodyIndex index : movers_) {
     Body& body = bodies_[index];
     if (body.isDriven()) {
       readCommands(space, body);
-      rigid(index).ordinal = robots++;
     }
     measureWay(index, tick, 0.0);
   }
@@ -123,29 +114,20 @@ void Dynamics2d::startTick(const Space& space, double tick) {
   choosePieces(nominal);
   for (const BodyIndex index : movers_) {
     if (bodies_[index].isDriven()) {
-      prepareDrive(index, rigid(index).is_alone ? nominal : last_step_);
+      prepareDrive(index, rigid(index).isAlone() ? nominal : last_step_);
     }
-  }
-  if (recording_ != nullptr) {
-    recording_->steps = subclock_ * pieces_;
-    recording_->robots = robots;
-    recording_->entries.assign(static_cast<std::size_t>(robots * recording_->steps), {});
   }
 }
 
 void Dynamics2d::joinGround(BodyIndex index) {
-  const Body& body = bodies_[index];
-  const RigidBody& rigid_body = rigid(index);
-  if (body.isDriven()) {
-    return;
-  }
+  RigidBody& rigid_body = rigid(index);
   b2FrictionJointDef definition;
   definition.bodyA = ground_;
   definition.bodyB = rigid_body.body;
   definition.localAnchorA = rigid_body.body->GetWorldCenter();
   definition.localAnchorB = rigid_body.body->GetLocalCenter();
   definition.collideConnected = true;
-  rigid(index).ground = static_cast<b2FrictionJoint*>(world_->CreateJoint(&definition));
+  rigid_body.ground = static_cast<b2FrictionJoint*>(world_->CreateJoint(&definition));
   setGroundFriction(index);
 }
 
@@ -164,8 +146,9 @@ void Dynamics2d::setGroundFriction(BodyIndex index) {
 void Dynamics2d::finishTick(Space& space, double tick) {
   const planar::Plane& plane = bodies_.plane();
   for (const BodyIndex index : movers_) {
-    RigidBody& rigid_body = rigid(index);
-    const planar::PlacedPose pose = rigid_body.pose();
+    const RigidBody& rigid_body = rigid(index);
+    const planar::PlacedPose before = bodies_[index].pose;
+    const planar::PlacedPose pose = rigid_body.pose(before);
     turnWheels(space, bodies_[index], tick);
     Twist& twist = space.entities.twist[bodies_[index].row];
     const Eigen::Vector2d arm = pose.rotated(rigid_body.arm);
@@ -173,7 +156,6 @@ void Dynamics2d::finishTick(Space& space, double tick) {
     const Eigen::Vector2d velocity = rigid_body.velocityNow() - turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
     twist.linear = plane.toGlobal(velocity, 0.0);
     twist.angular = plane.normal() * turn_rate;
-    const planar::PlacedPose before = bodies_[index].pose;
     if (pose.position != before.position || pose.heading != before.heading) {
       bodies_.setPose(index, pose);
       writePose(space, index, before.heading);

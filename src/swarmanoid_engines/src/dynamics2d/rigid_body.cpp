@@ -24,13 +24,18 @@ double change(float now, float before, double by_velocity) {
 void RigidBody::setVelocity(const Eigen::Vector2d& linear, double angular) {
   velocity = linear;
   spin = angular;
-  body->SetLinearVelocity(toUnits(linear));
-  body->SetAngularVelocity(static_cast<float>(angular));
+  if (!isAlone()) {
+    body->SetLinearVelocity(toUnits(linear));
+    body->SetAngularVelocity(static_cast<float>(angular));
+  }
 }
 
 void RigidBody::writeTransform() {
   if (!isConnected()) {
     heading = wrapAngle(heading);  // a rigid joint would take a whole turn for an error
+  }
+  if (isAlone()) {
+    return;
   }
   body->SetTransform(toUnits(pose().position), static_cast<float>(heading));
   last_centre = body->GetWorldCenter();
@@ -56,8 +61,8 @@ void RigidBody::readStep(double h) {
   }
 }
 
-planar::PlacedPose RigidBody::pose() const {
-  planar::PlacedPose pose = planar::PlacedPose::at(centre, wrapAngle(heading));
+planar::PlacedPose RigidBody::pose(const planar::PlacedPose& similar) const {
+  planar::PlacedPose pose = planar::PlacedPose::at(centre, wrapAngle(heading), similar);
   if (!arm.isZero(0.0)) {
     pose.position -= pose.rotated(arm);
   }

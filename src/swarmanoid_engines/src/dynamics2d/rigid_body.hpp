@@ -46,9 +46,7 @@ struct Push {
 
 /// What every step needs comes first: with many bodies, a step costs as much as the memory that it touches.
 struct RigidBody {
-  b2Body* body = nullptr;
-  bool is_alone = false;    ///< nothing can reach it in this tick: Box2D does not have it
-  int ordinal = 0;          ///< among those with a drive, by entity number
+  b2Body* body = nullptr;   ///< null: it is alone, nothing can reach it in this tick, and Box2D does not have it
   bool is_fast = false;     ///< so that it looks for others, instead of others for it
   bool is_reached = false;  ///< by one that is fast, in this tick
   double way = 0.0;         ///< that it may come in this tick [m]
@@ -85,22 +83,23 @@ struct RigidBody {
   Eigen::Vector2d last_push = Eigen::Vector2d::Zero();       ///< of plain forces in the last step, in the plane [N]
   b2FrictionJoint* ground = nullptr;                         ///< with the ground, of what slides
 
+  bool isAlone() const { return body == nullptr; }
   bool isConnected() const { return grip.joint != nullptr || held_by > 0; }
   bool isFree() const { return touching == 0 && !isConnected(); }
 
-  Eigen::Vector2d velocityNow() const { return is_alone ? velocity : toMetres(body->GetLinearVelocity()); }
-  double spinNow() const { return is_alone ? spin : static_cast<double>(body->GetAngularVelocity()); }
+  Eigen::Vector2d velocityNow() const { return isAlone() ? velocity : toMetres(body->GetLinearVelocity()); }
+  double spinNow() const { return isAlone() ? spin : static_cast<double>(body->GetAngularVelocity()); }
   /// Nothing moves it, and it moves nothing.
   bool isAtRest() const { return velocityNow().isZero(0.0) && spinNow() == 0.0; }
 
-  /// Sets both.
+  /// Sets both, in Box2D too if it has the body.
   void setVelocity(const Eigen::Vector2d& linear, double angular);
-  /// Puts Box2D's body where `centre` and `heading` say.
+  /// Puts Box2D's body where `centre` and `heading` say, if there is one.
   void writeTransform();
   /// Adds what Box2D moved the body by in a step of `h` seconds.
   void readStep(double h);
-  /// Where the body's origin is.
-  planar::PlacedPose pose() const;
+  /// Where the body's origin is. @param similar it may have the same heading
+  planar::PlacedPose pose(const planar::PlacedPose& similar = {}) const;
 };
 
 }  // namespace swarmanoid::dynamics2d

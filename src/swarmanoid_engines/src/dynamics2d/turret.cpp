@@ -80,7 +80,7 @@ class Separation final : public b2QueryCallback {
 
 void Dynamics2d::driveTurrets(double step) {
   for (Turret& turret : bodies_.turrets()) {
-    if (rigid(turret.body).is_alone) {
+    if (rigid(turret.body).isAlone()) {
       continue;
     }
     b2RevoluteJoint* motor = motorOf(rigid(turret.body));
@@ -101,7 +101,7 @@ void Dynamics2d::turnFreely(Turret& turret, double step) {
   if (angle == turret.state.angle) {
     return;
   }
-  if (!rigid(turret.body).is_alone) {
+  if (!rigid(turret.body).isAlone()) {
     const double reached = separation(turret, bodies_.modelAt(turret, angle));
     constexpr double kTouching = -2.0 * kWidening;
     if (reached < kTouching && reached < separation(turret, *bodies_[turret.body].model)) {
@@ -139,8 +139,10 @@ double Dynamics2d::separation(const Turret& turret, const PlanarModel& model) {
 void Dynamics2d::turnGripper(const Turret& turret) {
   RigidBody& rigid_body = rigid(turret.body);
   bodies_.turnShapes(turret, turret.state.angle);
-  turnFixtures(*rigid_body.body, *bodies_[turret.body].model, *bodies_[turret.body].entity, turret.joint);
-  rigid_body.writeTransform();  // Box2D looks anew where the fixtures are
+  if (!rigid_body.isAlone()) {
+    turnFixtures(*rigid_body.body, *bodies_[turret.body].model, *bodies_[turret.body].entity, turret.joint);
+    rigid_body.writeTransform();  // Box2D looks anew where the fixtures are
+  }
 }
 
 b2Joint* Dynamics2d::makeTurretJoint(Turret& turret, BodyIndex gripped) {

@@ -15,6 +15,11 @@ struct PlacedPose {
   static PlacedPose at(const Eigen::Vector2d& position, double heading) {
     return {position, heading, std::cos(heading), std::sin(heading)};
   }
+  /// The same, in a fraction of the time if the heading is that of a pose at hand: most things go straight on.
+  static PlacedPose at(const Eigen::Vector2d& position, double heading, const PlacedPose& similar) {
+    return heading == similar.heading ? PlacedPose{position, heading, similar.cosine, similar.sine}
+                                      : at(position, heading);
+  }
   Eigen::Vector2d rotated(const Eigen::Vector2d& p) const {
     return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};
   }
