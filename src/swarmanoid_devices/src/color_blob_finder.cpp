@@ -8,18 +8,10 @@
 #include "light_cone.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/arctangent.hpp"
+#include "transmitters.hpp"
 
 namespace swarmanoid::devices {
 namespace {
-
-/// How far from the body's origin a LED is at most [m].
-double reachOfLeds(const EntityModel& model) {
-  double squared = 0.0;
-  for (const Eigen::Vector3d& led : model.led_positions) {
-    squared = std::max(squared, led.squaredNorm());
-  }
-  return std::sqrt(squared);
-}
 
 class Finder {
  public:
@@ -33,18 +25,15 @@ class Finder {
       return;
     }
     const Pose& pose = space_.entities.pose[row];
-    LedPoints points;
-    LedSet lit;
-    const std::size_t count = std::min(model.led_positions.size(), lit.size());
+    const LedPoints points(model, pose);
     const Span<const Color> leds = space_.leds[row];
     const Color own = model.is_robot ? colors::kBlack : space_.ownColor(row);
     const auto color_of = [&](std::size_t led) { return model.is_robot ? leds[led] : own; };
-    for (std::size_t k = 0; k < count; ++k) {
-      if (color_of(k).isLit()) {
-        points[k] = pose.toWorld(model.led_positions[k]);
-        lit[k] = view_.inView(points[k]);
-      }
+    LedSet lit;
+    for (std::size_t k = 0; k < points.count; ++k) {
+      lit[k] = color_of(k).isLit();
     }
+    lit = view_.inView(points, lit);
     if (lit.none() || !lightConeOf(space_, row).holds(view_.eye.position - pose.position)) {
       return;
     }
@@ -81,18 +70,6 @@ class Finder {
 /// Half across; of a rectangle, along its longer side [m].
 double radiusOf(const FloorPatch& patch) { return patch.radius > 0.0 ? patch.radius : 0.5 * patch.size.maxCoeff(); }
 
-/// Leaves out what neither has a LED in range nor can stand before one: lines of sight go no farther.
-void leaveInRange(const Entities& entities, const BlobView& view, std::vector<Row>& rows) {
-  const auto is_far = [&](Row row) {
-    const EntityModel& model = *entities.model[row];
-    const double distance = (entities.pose[row].position - view.eye.position).head<2>().norm();
-    const double beyond = distance - view.range - kSightRounding;
-    // the corners of the box around its sphere, which prisms may reach
-    return beyond > M_SQRT2 * model.moving_reach && beyond > reachOfLeds(model);
-  };
-  rows.erase(std::remove_if(rows.begin(), rows.end(), is_far), rows.end());
-}
-
 }  // namespace
 
 float toBearing(double angle) {
@@ -105,6 +82,21 @@ bool BlobView::inView(const Eigen::Vector3d& point) const {
   const Eigen::Vector3d way = point - eye.position;
   const double horizontal = way.head<2>().norm();
   return horizontal <= range && field->contains(eye, way, horizontal);
+}
+
+LedSet BlobView::inView(const LedPoints& points, const LedSet& asked) const {
+  LedPoints::Column horizontal;
+  for (std::size_t k = 0; k < points.count; ++k) {  // without branches: compilers make it one over several LEDs
+    const double x = points.x[k] - eye.position.x();
+    const double y = points.y[k] - eye.position.y();
+    horizontal[k] = std::sqrt(x * x + y * y);
+  }
+  LedSet found;
+  visitLeds(asked, [&](std::size_t k) { found[k] = horizontal[k] <= range; });
+  if (!field->isAll()) {
+    visitLeds(found, [&](std::size_t k) { found[k] = field->contains(eye, points[k] - eye.position, horizontal[k]); });
+  }
+  return found;
 }
 
 Sighting sightingOf(const Eye& eye, const Eigen::Vector3d& point, Color color, double radius, std::size_t place) {
@@ -120,7 +112,6 @@ void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_
   std::array<float, kSome> left;
   std::array<float, kSome> up;
   std::array<float, kSome> distance;
-  std::array<float, kSome> length;
   std::array<float, kSome> radius;
   for (std::size_t first = 0; first < sightings.size(); first += kSome) {
     const std::size_t count = std::min(kSome, sightings.size() - first);
@@ -131,7 +122,6 @@ void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_
       left[i] = static_cast<float>(eye.forward.x() * way.y() - eye.forward.y() * way.x());
       up[i] = static_cast<float>(way.z());
       distance[i] = sighting.distance;
-      length[i] = static_cast<float>(way.norm());
       radius[i] = static_cast<float>(sighting.radius);
     }
     // a loop of its own, without calls or branches, since compilers make it one over several blobs at once
@@ -142,7 +132,7 @@ void toBlobs(const std::vector<Sighting>& sightings, const Eye& eye, bool knows_
       const float angle = arctangent(left[i], ahead[i]);
       bearing[i] = angle <= -kBehind ? kBehind : angle;
       elevation[i] = arctangent(up[i], distance[i]);
-      size[i] = ColorBlob::sizeOf(radius[i], length[i]);
+      size[i] = ColorBlob::sizeOf(radius[i], std::sqrt(distance[i] * distance[i] + up[i] * up[i]));
     }
     for (std::size_t i = 0; i < count; ++i) {
       const float known = knows_distance ? distance[i] : std::numeric_limits<float>::quiet_NaN();
@@ -158,19 +148,14 @@ void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>&
   thread_local LedShades shades;
   near.clear();
   found.clear();
-  // entities may be at any height within the arena, so the sphere must contain the whole cylinder of view, and a little
-  // more: spots on the ground may be under it by rounding
-  constexpr double kBelow = 1e-3;  // m
-  const double lowest = space.lowestGround();
-  const double half_height = 0.5 * (space.size.z() - lowest);
   const Eigen::Vector3d& eye = view.eye.position;
-  const Eigen::Vector3d centre(eye.x(), eye.y(), lowest + half_height);
-  const double radius = std::hypot(view.range, half_height + kBelow);
-  space.index.collect(centre, radius + space.index.prismMargin(), near);
+  // what has a LED in range, which may stand out of its solids a little, and what can stand before one
+  space.index.collectUpright(eye.head<2>(), view.range + std::max(kMostOutside, space.index.prismMargin()), near);
   const Entities& entities = space.entities;
-  leaveInRange(entities, view, near);
   std::sort(near.begin(), near.end(), [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
-  obstacles.begin(space, view.self, eye, near, lowest - kBelow, space.size.z());
+  // spots on the ground may be under it by rounding
+  constexpr double kBelow = 1e-3;  // m
+  obstacles.begin(space, view.self, eye, near, space.lowestGround() - kBelow, space.size.z());
   Finder finder(space, view, obstacles, shades, found);
   for (const Row row : near) {
     if (row != view.self) {

@@ -25,6 +25,8 @@ struct BlobView {
   bool sees_floor = false;
 
   bool inView(const Eigen::Vector3d& point) const;
+  /// Returns those of the LEDs asked about that are in view.
+  LedSet inView(const LedPoints& points, const LedSet& asked) const;
 };
 
 /// What gives a blob.

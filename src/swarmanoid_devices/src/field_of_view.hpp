@@ -27,6 +27,8 @@ class FieldOfView {
 
   /// @param way from the camera to a point, in W [m] @param horizontal the way's length seen from above [m]
   virtual bool contains(const Eye& eye, const Eigen::Vector3d& way, double horizontal) const = 0;
+  /// Whether it contains all.
+  virtual bool isAll() const { return false; }
   /// Whether the place of a blob in the picture says how far away a thing is.
   virtual bool knowsDistance() const { return true; }
   /// Draws a way at which nothing is, within view. @param range [m] @return from the camera, in W [m]
@@ -52,6 +54,7 @@ class RingView final : public FieldOfView {
   bool contains(const Eye& /*eye*/, const Eigen::Vector3d& /*way*/, double /*horizontal*/) const override {
     return true;
   }
+  bool isAll() const override { return true; }
   Eigen::Vector3d drawWay(const Eye& eye, double range, RandomStream& random) const override {
     return drawOnGround(eye, range, random);
   }

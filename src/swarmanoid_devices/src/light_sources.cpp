@@ -14,10 +14,8 @@ namespace swarmanoid::devices {
 /// The lit LEDs of one entity, or the light of one lamp.
 struct LightSearch::Lights {
   Row owner = kNoRow;
-  LedPoints points;                                // of those that are lit
-  LedColumns places;                               // likewise
+  LedPoints points;
   std::array<double, LedSet{}.size()> brightness;  // of those that are lit
-  std::size_t count = 0;                           // of all
   LedSet lit;
   Eigen::AlignedBox3d box;  // around those points, in W [m]
   LightCone cone;
@@ -32,21 +30,20 @@ struct LightSearch::Lights {
 };
 
 LightSearch::Lights::Lights(const Space& space, Row row, const LightReach& reach_of)
-    : owner(row), cone(lightConeOf(space, row)), reach(reachOfLight(*space.entities.model[row], reach_of)) {
+    : owner(row),
+      points(*space.entities.model[row], space.entities.pose[row]),
+      cone(lightConeOf(space, row)),
+      reach(reachOfLight(*space.entities.model[row], reach_of)) {
   const EntityModel& model = *space.entities.model[row];
-  const Pose& pose = space.entities.pose[row];
   const Span<const Color> leds = space.leds[row];
   const double intensity = model.is_robot ? 1.0 : space.property(row, kIntensity).value_or(1.0);
-  count = std::min(model.led_positions.size(), lit.size());
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < points.count; ++k) {
     const Color color = model.is_robot ? leds[k] : space.entities.color[row];
     if (color.isLit() && intensity > 0.0) {
       lit[k] = true;
-      points[k] = pose.toWorld(model.led_positions[k]);
       brightness[k] = intensity * Light::brightness(color);
       box.extend(points[k]);
     }
-    places.set(k, lit[k] ? points[k] : pose.position);
   }
 }
 
@@ -115,17 +112,17 @@ LedSet LightSearch::Lights::before(const IlluminatedSensor& sensor) const {
   const Eigen::Vector3d& from = sensor.position;
   const Eigen::Vector3d& looks = sensor.direction;
   const double squared_reach = reach * reach;
-  std::array<double, LedSet{}.size()> ahead;  // how far, or 0 if it is too far away
-  for (std::size_t k = 0; k < count; ++k) {   // without branches: compilers make it one over several lights
-    const double x = places.x[k] - from.x();
-    const double y = places.y[k] - from.y();
-    const double z = places.z[k] - from.z();
+  std::array<double, LedSet{}.size()> ahead;        // how far, or 0 if it is too far away
+  for (std::size_t k = 0; k < points.count; ++k) {  // without branches: compilers make it one over several lights
+    const double x = points.x[k] - from.x();
+    const double y = points.y[k] - from.y();
+    const double z = points.z[k] - from.z();
     // in the order in which Eigen adds up
     const double way_ahead = looks.x() * x + looks.y() * y + looks.z() * z;
     ahead[k] = x * x + y * y + z * z <= squared_reach ? way_ahead : 0.0;
   }
   std::uint64_t found = 0;
-  for (std::size_t k = 0; k < count; ++k) {
+  for (std::size_t k = 0; k < points.count; ++k) {
     found |= static_cast<std::uint64_t>(ahead[k] > 0.0) << k;
   }
   return lit & LedSet(found);

@@ -6,9 +6,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <array>
 #include <vector>
 
+#include "led_points.hpp"
 #include "swarmanoid_space/rays/led_shades.hpp"
 #include "swarmanoid_space/space.hpp"
 
@@ -19,22 +19,6 @@ constexpr double kOwnSurface = 1e-6;
 
 /// By how much more is looked at than is there, so that rounding leaves nothing out [m].
 constexpr double kSightRounding = 1e-9;
-
-/// Points of one thing, in W [m]; those of LEDs that nobody asks about are not set.
-using LedPoints = std::array<Eigen::Vector3d, LedSet{}.size()>;
-
-/// The same points by coordinate, so that several are looked at at once.
-struct LedColumns {
-  std::array<double, LedSet{}.size()> x;
-  std::array<double, LedSet{}.size()> y;
-  std::array<double, LedSet{}.size()> z;
-
-  void set(std::size_t led, const Eigen::Vector3d& point) {
-    x[led] = point.x();
-    y[led] = point.y();
-    z[led] = point.z();
-  }
-};
 
 class NearObstacles {
  public:

@@ -9,7 +9,8 @@
 namespace swarmanoid::devices {
 
 /// How far a transmitter may stand out of its robot's solids with all joints at zero [m]: receivers look for robots by
-/// their outlines in the positional index, in a sphere that is larger than their range by this. The outline of a robot
+/// their outlines in the positional index, in a sphere that is larger than their range by this; so do cameras for LEDs,
+/// and microphones. The outline of a robot
 /// with arms holds its solids whatever the joints do; a transmitter that an arm turns may leave it by more than this
 /// only if it stands out of its own link.
 constexpr double kMostOutside = 0.1;

@@ -121,6 +121,7 @@ TEST_F(LightTest, TheIntensityOfALampIsAFactor) {
 TEST_F(LightTest, WhateverHasAnIntensityShinesAlsoIfItHasABody) {
   auto lantern = std::make_shared<EntityModel>(*cylindricPreyModel(0.02, 0.02));
   lantern->led_positions[0] = {0.0, 0.0, kHeight};
+  lantern->measureShapes();
   lantern->properties.push_back({"intensity", "", "", {}, 2.0});
   world.pose(robot).orientation.setIdentity();
   world.add(lantern, {4.0 + kRadius + 0.4, 5.3, 0.0}, 0.0, colors::kBlue);  // 0.5 m away, cosine 0.8

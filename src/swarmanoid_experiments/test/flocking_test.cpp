@@ -121,15 +121,20 @@ double meanOrder(std::uint64_t seed, const std::string& override) {
 const std::string kNoise = "controllers.fc.sensors.footbot_camera.heading_noise.half_width=";
 
 TEST(FlockingExperimentTest, TheOrderFallsWithTheNoiseOfHeadings) {
-  for (std::uint64_t seed = 21; seed <= 23; ++seed) {
-    const double calm = meanOrder(seed, kNoise + "0.5");
-    const double noisy = meanOrder(seed, kNoise + "2.6");
-    const double random = meanOrder(seed, kNoise + "3.14");
-    EXPECT_GT(calm, 0.95) << "seed " << seed;
-    EXPECT_GT(calm, noisy) << "seed " << seed;
-    EXPECT_GT(noisy, random) << "seed " << seed;
-    EXPECT_LT(random, 0.5) << "seed " << seed;
+  // a single flock with much noise may have as little order as one without headings: so their means are compared
+  constexpr int kSeeds = 4;
+  double noisy = 0.0;
+  double random = 0.0;
+  for (std::uint64_t seed = 21; seed < 21 + kSeeds; ++seed) {
+    const double much = meanOrder(seed, kNoise + "2.6");
+    const double all = meanOrder(seed, kNoise + "3.14");
+    EXPECT_GT(meanOrder(seed, kNoise + "0.5"), 0.95) << "seed " << seed;
+    EXPECT_LT(much, 0.9) << "seed " << seed;
+    EXPECT_LT(all, 0.5) << "seed " << seed;
+    noisy += much / kSeeds;
+    random += all / kSeeds;
   }
+  EXPECT_GT(noisy, random + 0.05);
 }
 
 TEST(FlockingExperimentTest, WithoutAlignmentThereIsNoOrder) {

@@ -153,10 +153,11 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     placed.highest = -kInfinity;
     placed.reach = reach_;
     placed.sensors = {sensors.data(), ring.size()};
+    const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
-      sensors[i].position = pose.toWorld(ring.from.col(column));
-      sensors[i].direction = pose.orientation * ring.direction.col(column);
+      sensors[i].position = pose.position + turn * ring.from.col(column);
+      sensors[i].direction = turn * ring.direction.col(column);
       placed.lowest = std::min(placed.lowest, sensors[i].position.z());
       placed.highest = std::max(placed.highest, sensors[i].position.z());
     }

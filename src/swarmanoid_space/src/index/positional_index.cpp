@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/range.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -118,11 +120,11 @@ PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Ro
 }
 
 template <class Visit>
-void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, double radius, Visit visit) const {
+void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Vector3d& reach, Visit visit) const {
   constexpr double kRounding = 1e-9;  // m: the cells must hold all that Outline::meets accepts
-  const Eigen::Vector3d reach = Eigen::Vector3d::Constant(radius + largest_small_radius_ + kRounding);
-  const Cell low = cellOf(centre - reach);
-  const Cell high = cellOf(centre + reach);
+  const Eigen::Vector3d half = (reach.array() + (largest_small_radius_ + kRounding)).matrix();
+  const Cell low = cellOf(centre - half);
+  const Cell high = cellOf(centre + half);
   for (int z = low[2]; z <= high[2]; ++z) {
     for (int y = low[1]; y <= high[1]; ++y) {
       // cells of one line are neighbours in memory
@@ -142,7 +144,7 @@ void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Vi
       visit(large.row);
     }
   }
-  visitPlaces(centre, radius, [&](Place place) {
+  visitPlaces(centre, Eigen::Vector3d::Constant(radius), [&](Place place) {
     if (items_[place].meets(centre, radius)) {
       visit(items_[place].row);
     }
@@ -153,10 +155,26 @@ void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std:
   visitNear(centre, radius, [&](Row row) { found.push_back(row); });
 }
 
+void PositionalIndex::collectUpright(const Eigen::Vector2d& axis, double radius, std::vector<Row>& found) const {
+  for (const LargeOutline& large : large_items_) {
+    const Eigen::Vector2d nearest = axis.cwiseMax(large.bounds.min().head<2>()).cwiseMin(large.bounds.max().head<2>());
+    if ((nearest - axis).squaredNorm() <= radius * radius) {
+      found.push_back(large.row);
+    }
+  }
+  const Eigen::Vector3d middle(axis.x(), axis.y(), 0.5 * size_.z());
+  visitPlaces(middle, {radius, radius, kInfinity}, [&](Place place) {
+    const double reach = radius + items_[place].radius;
+    if ((items_[place].position - axis).squaredNorm() <= reach * reach) {
+      found.push_back(items_[place].row);
+    }
+  });
+}
+
 void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const {
   constexpr std::size_t kMore = 64;  // so that room is made few times
   std::size_t count = found.size();
-  visitPlaces(centre, radius, [&](Place place) {
+  visitPlaces(centre, Eigen::Vector3d::Constant(radius), [&](Place place) {
     // each has its place in the list, which the next one takes if it is not near: near the border of the sphere a
     // branch would be foretold badly
     if (count == found.size()) {

@@ -109,6 +109,22 @@ void EntityModel::measureShapes() {
     silhouettes.push_back(silhouette);
   }
   measureTurning();
+  measureLeds();
+}
+
+void EntityModel::measureLeds() {
+  led_bounds = {};
+  led_bounds.count = led_positions.size();
+  if (led_positions.empty()) {
+    return;
+  }
+  led_bounds.lowest = std::numeric_limits<double>::infinity();
+  led_bounds.highest = -led_bounds.lowest;
+  for (const Vector3d& led : led_positions) {
+    led_bounds.lowest = std::min(led_bounds.lowest, led.z());
+    led_bounds.highest = std::max(led_bounds.highest, led.z());
+    led_bounds.radius = std::max(led_bounds.radius, led.head<2>().norm());
+  }
 }
 
 void EntityModel::measureTurning() {
@@ -240,6 +256,7 @@ std::shared_ptr<const EntityModel> lightModel(double intensity) {
   model->type = "light";
   model->title = "Light";
   model->led_positions.push_back(Vector3d::Zero());
+  model->measureShapes();
   model->properties.push_back(
       {kIntensity, "", "Times the brightness of an LED of its colour; at 0 it is dark.", kIntensityRange, intensity});
   return model;

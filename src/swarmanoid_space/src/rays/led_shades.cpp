@@ -29,6 +29,7 @@ double most(double a, double b) { return a < b ? b : a; }
 
 void LedShades::begin(const EntityModel& model, Span<const JointState> joints) {
   SWARMANOID_EXPECTS(model.silhouettes.size() == model.shapes.size());
+  SWARMANOID_EXPECTS(model.led_bounds.count == model.led_positions.size());
   model_ = &model;
   joints_ = joints;
   if (shades_.size() < model.shapes.size()) {
@@ -37,20 +38,12 @@ void LedShades::begin(const EntityModel& model, Span<const JointState> joints) {
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     shades_[i].is_placed = false;
   }
-  lowest_led_ = model.led_positions.empty() ? 0.0 : model.led_positions.front().z();
-  highest_led_ = lowest_led_;
-  double squared_radius = 0.0;
-  for (const Eigen::Vector3d& led : model.led_positions) {
-    lowest_led_ = std::min(lowest_led_, led.z());
-    highest_led_ = std::max(highest_led_, led.z());
-    squared_radius = std::max(squared_radius, led.head<2>().squaredNorm());
-  }
-  led_radius_ = std::sqrt(squared_radius);
 }
 
 LedShades::Lines LedShades::linesFrom(const Eyes& eyes) const {
   const double way_in = eyes.axis.norm();
-  return {std::max(0.0, way_in - eyes.radius), way_in + eyes.radius + led_radius_, eyes.lowest, eyes.highest};
+  return {std::max(0.0, way_in - eyes.radius), way_in + eyes.radius + model_->led_bounds.radius, eyes.lowest,
+          eyes.highest};
 }
 
 /// Whether all lines pass over or under a shape, however its joint has turned it: most shapes of a robot hide no LED.
@@ -66,8 +59,10 @@ bool LedShades::isPassedBy(std::size_t number, const Lines& lines) const {
   const EntityModel::Silhouette& silhouette = model_->silhouettes[number];
   // before this fraction of its way no line is as near to body z as the shape
   const double fraction = std::max(0.0, (lines.way_in - silhouette.radius - kSlack) / (lines.length + kSlack));
-  const double lowest = std::min(lines.lowest + fraction * (lowest_led_ - lines.lowest), lowest_led_);
-  const double highest = std::max(lines.highest + fraction * (highest_led_ - lines.highest), highest_led_);
+  const double lowest =
+      std::min(lines.lowest + fraction * (model_->led_bounds.lowest - lines.lowest), model_->led_bounds.lowest);
+  const double highest =
+      std::max(lines.highest + fraction * (model_->led_bounds.highest - lines.highest), model_->led_bounds.highest);
   return silhouette.high < lowest - kSlack || silhouette.low > highest + kSlack;
 }
 
@@ -76,22 +71,27 @@ const LedShades::Shade& LedShades::shadeOf(std::size_t number) {
   if (!shade.is_placed) {
     const CollisionShape& at_rest = model_->shapes[number];
     const CollisionShape shape = at_rest.joint < 0 ? at_rest : placeOf(*model_, joints_, at_rest);
-    shade = {true, shape.kind, (shape.half_extent.array() - kLedHeight).max(0.5 * shape.half_extent.array()),
+    shade = {true,           false,
+             shape.kind,     (shape.half_extent.array() - kLedHeight).max(0.5 * shape.half_extent.array()),
              shape.position, shape.orientation.conjugate().toRotationMatrix()};
+    if (shape.kind == CollisionShape::Kind::kCylinder && shade.to_shape(2, 2) == 1.0) {
+      shade.to_shape.setIdentity();  // an upright cylinder is the same, however it is turned
+    }
+    shade.is_aligned = shade.to_shape.isIdentity(0.0);
   }
   return shade;
 }
 
 LedShades::Steps LedShades::stepsTo(const LedSet& asked, const Shade& shade, const Eigen::Vector3d& eye) const {
-  const Eigen::Matrix3d& turn = shade.to_shape;
   Steps steps;
   visitLeds(asked, [&](std::size_t k) {
     const Eigen::Vector3d way = model_->led_positions[k] - eye;
+    const Eigen::Vector3d step = shade.is_aligned ? way : Eigen::Vector3d(shade.to_shape * way);
     const std::size_t i = steps.count++;
     steps.led[i] = static_cast<std::uint8_t>(k);
-    steps.x[i] = turn(0, 0) * way.x() + turn(0, 1) * way.y() + turn(0, 2) * way.z();
-    steps.y[i] = turn(1, 0) * way.x() + turn(1, 1) * way.y() + turn(1, 2) * way.z();
-    steps.z[i] = turn(2, 0) * way.x() + turn(2, 1) * way.y() + turn(2, 2) * way.z();
+    steps.x[i] = step.x();
+    steps.y[i] = step.y();
+    steps.z[i] = step.z();
   });
   return steps;
 }
@@ -169,7 +169,8 @@ LedShades::Sure LedShades::behindCylinderForAll(const Shade& shade, const Eyes& 
 LedShades::Sure LedShades::besideSphere(const Shade& shade, const Eigen::Vector3d& start, const Steps& steps) const {
   const double radius = shade.kind == CollisionShape::Kind::kSphere ? shade.half_extent.x() : shade.half_extent.norm();
   // lines go on a little behind LEDs
-  const double farthest_led = led_radius_ + std::max(std::abs(lowest_led_), std::abs(highest_led_));
+  const double farthest_led =
+      model_->led_bounds.radius + std::max(std::abs(model_->led_bounds.lowest), std::abs(model_->led_bounds.highest));
   const double way = start.norm() + shade.position.norm() + farthest_led;
   const double reach = radius + 2.0 * kSameDepth * (way + radius);
   const double squared_reach = reach * reach;

@@ -32,6 +32,8 @@ class PositionalIndex {
   /// Entities whose bounds (an upright cylinder, or a box for large ones) meet the sphere around `centre`; appended to
   /// `found` in no stated order.
   void collect(const Eigen::Vector3d& centre, double radius, std::vector<Row>& found) const;
+  /// The same for an upright cylinder without ends: whatever is within a distance of its axis, at any height.
+  void collectUpright(const Eigen::Vector2d& axis, double radius, std::vector<Row>& found) const;
 
   /// An upright cylinder around an entity. What is tilted, or has arms, has one that holds its sphere.
   struct Outline {
@@ -88,8 +90,8 @@ class PositionalIndex {
   std::size_t flat(const Cell& cell) const;
   template <class Visit>  // visit(Row)
   void visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const;
-  template <class Visit>  // visit(Place), of all in cells that the sphere may meet
-  void visitPlaces(const Eigen::Vector3d& centre, double radius, Visit visit) const;
+  template <class Visit>  // visit(Place), of all in cells that a box may meet; @param reach of the box each way [m]
+  void visitPlaces(const Eigen::Vector3d& centre, const Eigen::Vector3d& reach, Visit visit) const;
 
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
   Optimization optimization_ = Optimization::k2D;

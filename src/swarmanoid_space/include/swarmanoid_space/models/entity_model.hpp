@@ -152,6 +152,14 @@ struct EntityModel {
   std::map<std::string, Mount, std::less<>> mounts;  ///< URDF frames by link name, relative to the body
   std::vector<Eigen::Vector3d>
       led_positions;  ///< LED 0 first; the points, at most kMaxLeds, at which cameras see colour [m]
+  /// What holds all LEDs.
+  struct LedBounds {
+    std::size_t count = 0;  ///< of LEDs
+    double lowest = 0.0;    ///< along body z [m]
+    double highest = 0.0;   ///< likewise
+    double radius = 0.0;    ///< of a circle around body z, seen from above [m]
+  };
+  LedBounds led_bounds;
 
   /// A number that the entity has beside its body: what it gives, what it is loaded with. Sensors read it, rules change
   /// it (SetProperty), the state hash has it.
@@ -175,7 +183,8 @@ struct EntityModel {
   std::vector<std::string> devices;  ///< device types that the description of a robot lists
   std::string urdf;                  ///< the whole URDF text; empty if there is none
 
-  /// Fills `lowest`, `highest`, the two radii and what follows them, with `silhouettes`, from `shapes` and `joints`.
+  /// Fills `lowest`, `highest`, the two radii and what follows them, with `silhouettes`, from `shapes` and `joints`,
+  /// and `led_bounds` from `led_positions`.
   void measureShapes();
 
   /// Joins a part to what the model weighs so far.
@@ -186,6 +195,7 @@ struct EntityModel {
 
  private:
   void measureTurning();
+  void measureLeds();
 };
 
 /// Reads a robot's URDF. The root link is `base_link`, the body frame. Links' collision elements (boxes, cylinders,

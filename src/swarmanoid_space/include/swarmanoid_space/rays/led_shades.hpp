@@ -63,7 +63,8 @@ class LedShades {
  private:
   /// A shape without its skin, where its joint has turned it.
   struct Shade {
-    bool is_placed = false;  // most shapes stand before no LED of their own, and need not be
+    bool is_placed = false;   // most shapes stand before no LED of their own, and need not be
+    bool is_aligned = false;  // its frame has the directions of the body
     CollisionShape::Kind kind = CollisionShape::Kind::kBox;
     Eigen::Vector3d half_extent;
     Eigen::Vector3d position;
@@ -103,9 +104,6 @@ class LedShades {
   const EntityModel* model_ = nullptr;
   Span<const JointState> joints_;
   std::vector<Shade> shades_;
-  double lowest_led_ = 0.0;   // along body z [m]
-  double highest_led_ = 0.0;  // likewise
-  double led_radius_ = 0.0;   // how far from body z they are at most [m]
 };
 
 }  // namespace swarmanoid

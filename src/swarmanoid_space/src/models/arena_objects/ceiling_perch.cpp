@@ -44,8 +44,8 @@ class CeilingPerchType final : public EntityType {
     plate.half_extent = {side / 2.0, side / 2.0, height / 2.0};
     plate.position = {0.0, 0.0, height / 2.0};
     model->shapes.push_back(plate);
-    model->measureShapes();
     model->led_positions.emplace_back(0.0, 0.0, 0.0);
+    model->measureShapes();
     model->properties.push_back({kCharge, "J", "What it holds for robots.", {0.0, capacity}, charge});
     model->properties.push_back({kSupply, "W", "At which it is charged itself.", kPowerRange, supply});
     return model;

@@ -46,8 +46,8 @@ class ChargingPerchType final : public EntityType {
     post.half_extent = {radius, radius, height / 2.0};
     post.position = middle;
     model->shapes.push_back(post);
-    model->measureShapes();
     model->led_positions.push_back(middle);
+    model->measureShapes();
     model->properties.push_back({kCharge, "J", "What it holds for robots.", charges, charge});
     model->properties.push_back({kSupply, "W", "At which it is charged itself.", kPowerRange, supply});
     return model;

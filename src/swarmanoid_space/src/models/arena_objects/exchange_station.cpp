@@ -46,8 +46,8 @@ class ExchangeStationType final : public EntityType {
     box.half_extent = {side / 2.0, side / 2.0, height / 2.0};
     box.position = {0.0, 0.0, height / 2.0};
     model->shapes.push_back(box);
-    model->measureShapes();
     model->led_positions.emplace_back(0.0, 0.0, height);
+    model->measureShapes();
     const Range charges{0.0, capacity};
     for (int i = 1; i <= static_cast<int>(count); ++i) {
       model->properties.push_back(
