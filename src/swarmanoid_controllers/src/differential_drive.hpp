@@ -39,7 +39,11 @@ struct ObstacleVector {
 
   /// @param half_field sensors farther to the side than this do not count [rad]
   explicit ObstacleVector(const FootbotProximity& proximity, double half_field = M_PI) {
-    for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+    bool is_anything_near = false;  // mostly not, and all sensors together are looked at faster than one by one
+    for (const float value : proximity.value) {
+      is_anything_near |= value > 0.0F;
+    }
+    for (std::size_t i = 0; is_anything_near && i < FootbotProximity::kCount; ++i) {
       add(proximity.value[i], FootbotProximity::angle(i), half_field);
     }
   }
@@ -48,7 +52,7 @@ struct ObstacleVector {
       add(reading.value, reading.angle, half_field);
     }
   }
-  double length() const { return std::hypot(x, y); }
+  double length() const { return x == 0.0 && y == 0.0 ? 0.0 : std::hypot(x, y); }
   double bearing() const { return std::atan2(y, x); }
 
  private:

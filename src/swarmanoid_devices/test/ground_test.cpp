@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -273,6 +274,39 @@ TEST_F(GroundTest, EachRobotHasItsOwnReadings) {
   world.sense(*sensor);
   EXPECT_NEAR(readings[1]->spots[5].value, kDisc, 1e-6);
   EXPECT_NEAR(readings[2]->spots[5].value, kBare, 1e-6);
+}
+
+/// What is not cut short where there is a hole anywhere, and comes to the same.
+TEST_F(GroundTest, OverLevelBareFloorUprightRobotsReadToTheBitWhatTheyWouldAnyhow) {
+  const auto sensor = makeDevice<Sensor>(PluginKind::kSensor, FootbotGround::kType, {});
+  std::vector<Row> rows{robot};
+  std::vector<const FootbotGround*> readings;
+  for (int k = 0; k < 150; ++k) {
+    rows.push_back(world.addFootbot(0.3 + 0.05 * k, 5.0 + std::sin(7.0 * k), 0.1 * k));
+    // some side by side at the same height, some pressed into the floor, some too high, a few tilted
+    world.pose(rows.back()).position.z() = 0.00031 * (7 * (k / 3) % 250) - 0.018;
+    if (k % 17 == 5) {
+      world.pose(rows.back()).orientation = pitchedDown(0.01 * k);
+    }
+  }
+  for (const Row row : rows) {
+    readings.push_back(static_cast<const FootbotGround*>(sensor->add(world.space, row)));
+  }
+  world.space.floor.patches = {disc(5.0, 5.0, 0.4)};
+  const auto sensed = [&] {
+    world.sense(*sensor);
+    std::vector<std::array<float, FootbotGround::kCount>> values;
+    for (const FootbotGround* reading : readings) {
+      values.push_back(reading->value);
+    }
+    return values;
+  };
+  const auto cut_short = sensed();
+  world.space.floor.holes = {hole(9.9, 0.1, 0.05)};
+  EXPECT_EQ(sensed(), cut_short);
+  for (const float value : {0.0F, kBare}) {
+    EXPECT_TRUE(std::any_of(cut_short.begin(), cut_short.end(), [&](const auto& of) { return of[3] == value; }));
+  }
 }
 
 TEST(GroundRefusalTest, RobotsWithoutSpotsAreRefused) {

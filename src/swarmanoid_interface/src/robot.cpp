@@ -10,7 +10,7 @@ constexpr int kLogsPerSecond = 10;
 }
 
 Robot::Robot(std::string name, std::string type, std::uint64_t seed)
-    : name_(std::move(name)), type_(std::move(type)), random_(seed, name_, "controller") {}
+    : random_(seed, name, "controller"), name_(std::move(name)), type_(std::move(type)) {}
 
 void* Robot::find(const Devices& devices, const char* type, const char* kind) const {
   std::vector<std::string> known;
@@ -69,10 +69,5 @@ void Robot::provideSensor(const std::string& type, const void* readings) {
 }
 
 void Robot::provideActuator(const std::string& type, void* command) { actuators_.emplace_back(type, command); }
-
-void Robot::startTick(std::uint64_t tick, Time time) {
-  time_ = time;
-  random_.startTick(tick);
-}
 
 }  // namespace swarmanoid

@@ -49,7 +49,7 @@ class SlippingDrive final : public Drive {
       WheelTurns& turns = space.wheel_turns[instance.row];
       const WheelTurns& before = instance.turns_before;
       const WheelGrip& grip = space.wheels[instance.row].grip;
-      const double most = instance.wheels.max_speed * toSeconds(space.clocktick);
+      const double most = instance.wheels->max_speed * toSeconds(space.clocktick);
       turns = {before.left + std::clamp((turns.left - before.left) / grip.left, -most, most),
                before.right + std::clamp((turns.right - before.right) / grip.right, -most, most)};
       instance.turns_before = turns;

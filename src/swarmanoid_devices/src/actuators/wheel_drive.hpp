@@ -17,7 +17,7 @@ struct WheelSpeeds {
 
 template <class Device>
 struct WheelDriveInstance : BasicActuatorInstance<Device> {
-  EntityModel::Wheels wheels;
+  const EntityModel::Wheels* wheels = nullptr;
   WheelTurns turns_before;  // for wheels that slip (slipping_wheels.hpp): before the engine has moved the robot, rad
 };
 
@@ -47,19 +47,19 @@ class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>>
     if (!model.wheels) {
       refuseWithout(Device::kType, model, "wheels");
     }
-    instance.wheels = *model.wheels;
+    instance.wheels = &*model.wheels;
   }
 
   void limit(const Space& /*space*/, Instance& instance) override {
-    WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, instance.wheels);
-    const double fastest = instance.wheels.max_speed;
+    WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, *instance.wheels);
+    const double fastest = instance.wheels->max_speed;
     speeds.left = std::clamp(speeds.left, -fastest, fastest);
     speeds.right = std::clamp(speeds.right, -fastest, fastest);
-    Drive::fromSpeeds(speeds, instance.wheels, *instance.actuation);
+    Drive::fromSpeeds(speeds, *instance.wheels, *instance.actuation);
   }
 
   void apply(Space& space, Instance& instance) override {
-    const WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, instance.wheels);
+    const WheelSpeeds speeds = Drive::toSpeeds(*instance.actuation, *instance.wheels);
     space.wheels[instance.row] = {true, speeds.left, speeds.right};
   }
 };

@@ -14,6 +14,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -47,8 +48,16 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
   void configure(const Configuration& parameters) override { range_ = parameters.number("range", Ground::kUsualRange); }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
+    const bool is_level = !space.terrain && space.floor.holes.empty();
+    LevelReadings level;
     for (std::size_t k = first; k < last; ++k) {
-      senseOne(space, this->instances_[k]);
+      Instance& instance = this->instances_[k];
+      const Pose& pose = space.entities.pose[instance.row];
+      if (is_level && isUpright(pose) && space.floor.isBareAround(pose.position, reachOf(*instance.ring, level))) {
+        readLevel(space, pose.position.z(), instance, level);
+      } else {
+        senseOne(space, instance);
+      }
     }
   }
 
@@ -114,12 +123,51 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     }
   }
 
+  /// The readings of a ring upright over a level, bare floor: they depend on nothing but its height, and robots that
+  /// come one after the other share them mostly.
+  struct LevelReadings {
+    const RingGeometry<count>* ring = nullptr;
+    double reach = 0.0;            // of the ring, see reachOf, m
+    double height = std::nan("");  // of the robot, m
+    std::array<float, RingGeometry<count>::kMost> values;
+  };
+
+  /// To the floor that its spots may see, from the robot's origin [m].
+  double reachOf(const RingGeometry<count>& ring, LevelReadings& level) const {
+    if (&ring != level.ring) {
+      level.ring = &ring;
+      level.reach = ring.centre.norm() + ring.radius + std::max(range_, kDeepestSpot) + kMargin;
+      level.height = std::nan("");
+    }
+    return level.reach;
+  }
+
+  static bool isUpright(const Pose& pose) { return pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0; }
+
+  /// As senseOne: turns about z leave the z of places and directions as they are, to the bit.
+  void readLevel(const Space& space, double height, Instance& instance, LevelReadings& level) const {
+    const RingGeometry<count>& ring = *instance.ring;
+    if (height != level.height) {
+      level.height = height;
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const auto column = static_cast<Eigen::Index>(i);
+        const Eigen::Vector3d spot(0.0, 0.0, ring.from(2, column) + height);
+        const Eigen::Vector3d direction(0.0, 0.0, ring.direction(2, column));
+        const double way = wayToGround(space, spot, direction, range_);
+        level.values[i] = way == kInfinity ? 0.0F : Ground::reflection(space.floor.bare);
+      }
+    }
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Spots::valueOf(instance, i) = level.values[i];
+    }
+  }
+
   void senseOne(const Space& space, Instance& instance) const {
     const RingGeometry<count>& ring = *instance.ring;
     const Pose& pose = space.entities.pose[instance.row];
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
-    const double reach = ring.centre.norm() + ring.radius + std::max(range_, kDeepestSpot) + kMargin;
-    const bool is_bare = space.floor.isBareAround(pose.position, reach);
+    LevelReadings unused;
+    const bool is_bare = space.floor.isBareAround(pose.position, reachOf(ring, unused));
     const float bare = Ground::reflection(space.floor.bare);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);

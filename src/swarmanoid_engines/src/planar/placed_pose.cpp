@@ -13,6 +13,9 @@ PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, d
     end.position += dt * start.rotated(velocity);
     return end;
   }
+  if (velocity.isZero(0.0)) {
+    return PlacedPose::at(start.position, wrapAngle(start.heading + turn));
+  }
   // the chord of an arc: as long as the arc times sin(a)/a, turned by a, with a half the turn
   const double half = 0.5 * turn;
   const double cosine = std::cos(half);

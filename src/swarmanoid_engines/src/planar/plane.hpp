@@ -25,18 +25,19 @@ class Plane {
  public:
   Plane() = default;
   /// @param axis 'x', 'y' or 'z'; @param distance from the origin [m]
-  Plane(char axis, double distance) : normal_(axis - 'x'), distance_(distance) {}
+  Plane(char axis, double distance)
+      : normal_(axis - 'x'), u_((normal_ + 1) % 3), v_((normal_ + 2) % 3), distance_(distance) {}
 
   double distance() const { return distance_; }
   std::string axisName() const { return std::string(1, static_cast<char>('x' + normal_)); }
   Eigen::Vector3d normal() const { return Eigen::Vector3d::Unit(normal_); }
 
-  Eigen::Vector2d toLocal(const Eigen::Vector3d& p) const { return {p[u()], p[v()]}; }
+  Eigen::Vector2d toLocal(const Eigen::Vector3d& p) const { return {p[u_], p[v_]}; }
   double along(const Eigen::Vector3d& p) const { return p[normal_]; }
   Eigen::Vector3d toGlobal(const Eigen::Vector2d& local, double along_normal) const {
     Eigen::Vector3d p;
-    p[u()] = local.x();
-    p[v()] = local.y();
+    p[u_] = local.x();
+    p[v_] = local.y();
     p[normal_] = along_normal;
     return p;
   }
@@ -50,10 +51,9 @@ class Plane {
   bool isUpright(const Eigen::Quaterniond& orientation) const;
 
  private:
-  int u() const { return (normal_ + 1) % 3; }
-  int v() const { return (normal_ + 2) % 3; }
-
   int normal_ = 2;
+  int u_ = 0;
+  int v_ = 1;
   double distance_ = 0.0;
 };
 

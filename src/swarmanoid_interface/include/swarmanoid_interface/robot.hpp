@@ -26,7 +26,7 @@ class DeviceError : public std::runtime_error {
 
 enum class LogLevel { kInfo, kWarning, kError };
 
-class Robot {
+class alignas(64) Robot {
  public:
   using LogSink = std::function<void(LogLevel, const std::string& robot, const std::string& text)>;
   using DebugValue = std::pair<std::string, std::string>;
@@ -79,20 +79,24 @@ class Robot {
   /// The steps from now on draw with another seed.
   void reseed(std::uint64_t seed) { random_.reseed(seed); }
   /// Is called before each step.
-  void startTick(std::uint64_t tick, Time time);
+  void startTick(std::uint64_t tick, Time time) {
+    time_ = time;
+    random_.startTick(tick);
+  }
 
  private:
   using Devices = std::vector<std::pair<std::string, void*>>;
   void* find(const Devices& devices, const char* type, const char* kind) const;
 
+  // What startTick writes stands side by side: there may be many robots.
+  RandomStream random_;
+  Time time_ = kEpoch;
   std::string name_;
   std::string type_;
   Devices sensors_;
   Devices actuators_;
-  RandomStream random_;
   LogSink log_sink_;
   std::vector<DebugValue> debug_values_;
-  Time time_ = kEpoch;
   Time log_window_start_ = kEpoch;
   int logged_in_window_ = 0;
 };

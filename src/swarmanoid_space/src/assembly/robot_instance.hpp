@@ -32,20 +32,21 @@ struct ControllerGroup {
 /// Its devices; none without a group.
 const std::vector<DeviceUse>& devicesOf(const ControllerGroup* group);
 
-/// One robot of the simulation, with its controller and its failure.
-struct RobotInstance {
+/// One robot of the simulation, with its controller and its failure. What `control` reads of each in each tick stands
+/// in the first two cache lines.
+struct alignas(64) RobotInstance {
   Row row = kNoRow;
-  Robot* robot = nullptr;
-  ControllerGroup* group = nullptr;
   CommandSource source = CommandSource::kController;
-  std::shared_ptr<Controller> controller;  ///< null unless the source is kController, and for groups stepped together
-  UserCode step;                           ///< of the controller
-  Duration command_timeout{};              ///< with kTopics, these three
-  Time last_command = kEpoch;
-  bool is_commanded = false;        ///< a command has come, and not too long ago
-  std::optional<Time> stops_since;  ///< no controller commands it any more, and its safe stop is not over
-  std::optional<CommandSource> source_when_charged;  ///< its battery is empty; then the source is kNone
   bool has_failed = false;
+  bool is_commanded = false;  ///< with kTopics: a command has come, and not too long ago
+  Robot* robot = nullptr;
+  std::shared_ptr<Controller> controller;  ///< null unless the source is kController, and for groups stepped together
+  std::optional<Time> stops_since;         ///< no controller commands it any more, and its safe stop is not over
+  UserCode step;                           ///< of the controller
+  ControllerGroup* group = nullptr;
+  std::optional<CommandSource> source_when_charged;  ///< its battery is empty; then the source is kNone
+  Duration command_timeout{};                        ///< with kTopics, these two
+  Time last_command = kEpoch;
   std::string failure;  ///< set by `control` or `actuate` in the tick in which it fails
 };
 
