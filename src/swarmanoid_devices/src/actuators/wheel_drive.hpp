@@ -32,6 +32,8 @@ class WheelDriveActuator : public ActuatorOf<Device, WheelDriveInstance<Device>>
   void configure(const Configuration& /*parameters*/) override {}
 
  protected:
+  WheelDriveActuator() { this->is_by_robot_ = true; }
+
   static PluginDescription describeDrive(const std::string& summary) {
     PluginDescription description;
     description.label = Device::kType;

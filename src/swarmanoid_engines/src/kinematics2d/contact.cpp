@@ -10,8 +10,7 @@
 namespace swarmanoid::kinematics2d {
 namespace {
 
-constexpr double kMostPush = 0.005;  // m, beyond the way of the step: a nose that turns at a wall needs less
-constexpr double kSkin = 1e-6;       // m, left between bodies where more than two contacts, or curved ones, meet
+constexpr double kSkin = 1e-6;  // m, left between bodies where more than two contacts, or curved ones, meet
 
 /// How far out of a contact, without going back into the one before it: along its surface, if the normals are against
 /// each other.
@@ -112,8 +111,7 @@ void Kinematics2d::addContacts(BodyIndex index, const PlacedPose& pose) {
 }
 
 /// Clearances assume that no body moves farther than a stride in a step: a body that was pushed out may have.
-void Kinematics2d::countDetour(double moved) {
-  const double detour = moved - stride_;
+void Kinematics2d::countDetour(double detour) {
   if (detour > detour_) {
     travelled_ += detour - detour_;
     detour_ = detour;

@@ -6,9 +6,10 @@
 namespace swarmanoid::kinematics2d {
 
 void Kinematics2d::connect(Space& space) {
-  for (const BodyIndex index : bodies_.order()) {
+  listBodies();
+  for (const BodyIndex index : grippers_) {
     const Body& body = bodies_[index];
-    if (body.gripper < 0 || body.role == Role::kMirror) {
+    if (body.gripper < 0) {
       continue;
     }
     if (!isGripperClosed(space, body)) {
@@ -64,6 +65,7 @@ void Kinematics2d::join(BodyIndex gripper_index, BodyIndex gripped_index) {
   record.next_gripper = *next;
   *next = gripper_index;
   record.gripped = gripped_index;
+  clearance(gripper_index).free_until = -1.0;
   const PlacedPose& gripper = bodies_[gripper_index].pose;
   const PlacedPose& gripped = bodies_[gripped_index].pose;
   record.place_of_gripped = {gripper.unrotated(gripped.position - gripper.position), gripped.heading - gripper.heading};

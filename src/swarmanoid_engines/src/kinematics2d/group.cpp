@@ -27,7 +27,7 @@ double Kinematics2d::fastestOfGroups() const {
   double speed = 0.0;
   double turn_rate = 0.0;
   double arm = 0.0;
-  for (const BodyIndex index : bodies_.order()) {
+  for (const BodyIndex index : grippers_) {
     if (isInGroup(index)) {
       const Body& body = bodies_[index];
       speed = std::max(speed, body.velocity.norm());
@@ -93,7 +93,7 @@ bool Kinematics2d::tryGroup(BodyIndex gripped, const PlacedPose& pose) {
   bodies_.setPose(gripped, pose);
   for (BodyIndex index = motion(gripped).gripped_by; index != kNoBody; index = motion(index).next_gripper) {
     bodies_.setPose(index, gripperPose(pose, motion(index).place_of_gripped));
-    motion(index).clearance.free_until = -1.0;  // as where one carries alone
+    clearance(index).free_until = -1.0;  // as where one carries alone
   }
   return true;
 }

@@ -20,15 +20,19 @@ PluginDescription Kinematics2d::describe() {
 void Kinematics2d::add(Space& space, Row row, Role role) {
   const BodyIndex index = bodies_.add(space, row, role);
   motions_.resize(std::max(motions_.size(), static_cast<std::size_t>(index) + 1));
+  clearances_.resize(motions_.size());
   motion(index) = Motion{};
+  clearance(index) = Clearance{};
   takeOverGrips(space, index);
   is_somebody_new_ = true;
+  are_lists_old_ = true;
 }
 
 void Kinematics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.remove(index);
+  are_lists_old_ = true;
 }
 
 void Kinematics2d::place(Space& space, Row row) {
@@ -36,6 +40,7 @@ void Kinematics2d::place(Space& space, Row row) {
   forgetGrips(index);
   bodies_.place(space, index);
   is_somebody_new_ = true;
+  are_lists_old_ = true;
 }
 
 bool Kinematics2d::mayHit(const RayBundle& rays) const { return !areAllOutOfReach(rays) && PlanarEngine::mayHit(rays); }
@@ -62,11 +67,11 @@ bool Kinematics2d::areAllOutOfReach(const RayBundle& rays) const {
   if (caster == kNoBody) {
     return false;
   }
-  const Body& body = bodies_[caster];
-  const Clearance& clearance = motion(caster).clearance;
-  const double room = body.model->radius + 2.0 * (clearance.free_until - travelled_) - rays.radius;
+  const planar::Bodies::Circle& body = bodies_.circle(caster);
+  const Clearance& around = clearance(caster);
+  const double room = body.radius + 2.0 * (around.free_until - travelled_) - rays.radius;
   const Eigen::Vector2d centre = bodies_.plane().toLocal(rays.centre);
-  return clearance.at_all_heights && room > 0.0 && (centre - body.pose.position).squaredNorm() < room * room;
+  return around.at_all_heights && room > 0.0 && (centre - body.centre).squaredNorm() < room * room;
 }
 
 }  // namespace swarmanoid::kinematics2d

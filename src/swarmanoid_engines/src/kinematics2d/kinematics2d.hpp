@@ -1,7 +1,8 @@
 /// The two-dimensional kinematic engine (thesis 3.5.1): bodies in a plane go where their velocities take them.
 ///
 /// There are no masses and no forces. Bodies move one after another, in the order of their entity numbers, so results
-/// do not depend on anything else. A body that would overlap another advances to contact and slides along it: its new
+/// do not depend on anything else; those that cannot meet anybody in a step do so first, at once on all threads, which
+/// comes to the same. A body that would overlap another advances to contact and slides along it: its new
 /// pose is pushed out of what it overlaps by the shortest way, so that a robot with its nose at a wall can turn, and
 /// slips back by as much as its nose needs. Where there is no room for that, it goes as much of its way, and then makes
 /// as much of its turn, as is free. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may
@@ -29,6 +30,7 @@
 #include "planar/body_overlap.hpp"
 #include "planar/placed_pose.hpp"
 #include "planar/planar_engine.hpp"
+#include "swarmanoid_space/parallel.hpp"
 
 namespace swarmanoid::kinematics2d {
 
@@ -36,6 +38,9 @@ using planar::Body;
 using planar::BodyIndex;
 using planar::kNoBody;
 using planar::PlacedPose;
+
+constexpr double kMostPush = 0.005;  ///< of a body out of what it overlaps, beyond the way of its step [m]: a nose that
+                                     ///< turns at a wall needs less
 
 /// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
 /// body can have moved since the engine began, as Kinematics2d counts them.
@@ -47,12 +52,12 @@ struct Clearance {
   bool at_all_heights = false;         ///< also nothing above or below
 };
 
-/// The state of a body in this engine, beside its pose.
+/// The state of a body in this engine, beside its pose and its clearance. Of those that move without looking around
+/// it is not read.
 struct Motion {
   planar::PlanarPose pose_at_start;  ///< of the tick
-  Clearance clearance;
 
-  // Gripping: a gripped body goes where its gripper goes.
+  // Gripping: a gripped body goes where its gripper goes. Who grips has no clearance.
   BodyIndex gripped = kNoBody;
   BodyIndex gripped_by = kNoBody;       ///< the first of its grippers, by entity number
   BodyIndex next_gripper = kNoBody;     ///< that grips the same, by entity number
@@ -70,8 +75,11 @@ class Kinematics2d final : public planar::PlanarEngine {
   void clear() override {
     bodies_.clear();
     motions_.clear();
+    clearances_.clear();
     is_somebody_new_ = true;
+    are_lists_old_ = true;
   }
+  void takeWorkers(const Parallel& workers) override { workers_ = &workers; }
   void readMirrors(const Space& space) override;
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
@@ -80,16 +88,43 @@ class Kinematics2d final : public planar::PlanarEngine {
   void draw(EngineDrawing& drawing) const override;
 
  private:
+  /// A stretch of movers_, which one thread looks at in a step.
+  struct Block {
+    std::size_t first = 0;         ///< in movers_
+    std::size_t last = 0;          ///< one more than the last
+    std::size_t other_count = 0;   ///< of others_, from `first` on: they move after those who have room
+    std::size_t stray_count = 0;   ///< of strays_, from `first` on: they have come into other cells
+    double fastest_squared = 0.0;  ///< [m2/s2]
+  };
+
+  // free_motion.cpp
+  void listBodies();
+  template <class Work>
+  void forBlocks(Work work);
+  double readAllCommands(const Space& space);
+  void moveFreely(Space& space, double step, double tick);
+  void moveFreely(Space& space, double step, double tick, Block& block);
+  void finishTick(Space& space, double tick);
+  void finishBody(Space& space, BodyIndex index, const planar::PlanarPose& before, double tick) const;
+  /// Calls visit(index) for those who did not move freely in this step, by entity number.
+  template <class Visit>
+  void visitOthers(Visit visit) const {
+    for (const Block& block : blocks_) {
+      for (std::size_t k = 0; k < block.other_count; ++k) {
+        visit(others_[block.first + k]);
+      }
+    }
+  }
+
   // motion.cpp
   void startTick(const Space& space, double step);
   void moveBody(BodyIndex index, double dt);
-  bool moveFreely(BodyIndex index, const PlacedPose& target);
+  bool moveUnseen(BodyIndex index, const PlacedPose& target);
   bool tryPose(BodyIndex index, const PlacedPose& pose);
   bool tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place);
   static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
-  bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& clearance);
+  bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& around);
   bool isHindering(BodyIndex index, const PlacedPose& pose, const Body& other);
-  void finishTick(Space& space, double dt);
 
   // group.cpp
   double fastestOfGroups() const;
@@ -103,7 +138,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool tryPushedOut(BodyIndex index, const PlacedPose& target);
   const std::vector<planar::Penetration>& findContacts(BodyIndex index, const PlacedPose& pose);
   void addContacts(BodyIndex index, const PlacedPose& pose);
-  void countDetour(double moved);
+  void countDetour(double detour);
 
   // turret.cpp
   double startTurrets(double step);
@@ -114,6 +149,8 @@ class Kinematics2d final : public planar::PlanarEngine {
   void finishTurrets(Space& space, double dt);
 
   bool areAllOutOfReach(const RayBundle& rays) const;
+  Clearance& clearance(BodyIndex index) { return clearances_[static_cast<std::size_t>(index)]; }
+  const Clearance& clearance(BodyIndex index) const { return clearances_[static_cast<std::size_t>(index)]; }
   Motion& motion(BodyIndex index) { return motions_[static_cast<std::size_t>(index)]; }
   const Motion& motion(BodyIndex index) const { return motions_[static_cast<std::size_t>(index)]; }
 
@@ -139,7 +176,22 @@ class Kinematics2d final : public planar::PlanarEngine {
     return gripped != kNoBody && motion(motion(gripped).gripped_by).next_gripper != kNoBody;
   }
 
-  std::vector<Motion> motions_;                       // by body
+  const Parallel* workers_ = nullptr;  // null: there is one thread
+  std::vector<Motion> motions_;        // by body
+  std::vector<Clearance> clearances_;  // by body, apart because all of them are read in every step
+
+  // Bodies by what is to be done with them in a tick, by entity number.
+  bool are_lists_old_ = true;
+  std::vector<BodyIndex> movers_;       // drive, or grip: these may take along others, or be taken
+  std::vector<BodyIndex> idle_;         // may be moved by others
+  std::vector<BodyIndex> mirrors_;      // that may move
+  std::vector<BodyIndex> grippers_;     // with grippers that are commanded, or that hold something
+  double smallest_inner_radius_ = 0.0;  // of those that are driven [m]
+
+  std::vector<Block> blocks_;      // of movers_
+  std::vector<BodyIndex> others_;  // see Block
+  std::vector<BodyIndex> strays_;  // see Block
+
   std::vector<planar::PlanarShape> relative_shapes_;  // scratch of modelsOverlap
   std::vector<planar::Penetration> contacts_;         // scratch of findContacts
 

@@ -9,54 +9,54 @@
 namespace swarmanoid::kinematics2d {
 
 void Kinematics2d::readMirrors(const Space& space) {
+  listBodies();
   mirrors_moved_ = 0.0;
-  for (const BodyIndex index : bodies_.order()) {
+  for (const BodyIndex index : mirrors_) {
     const Body& body = bodies_[index];
-    if (body.role == Role::kMirror && body.is_movable) {
-      const Eigen::Vector2d position = body.pose.position;
-      const double radius = body.model->radius;
-      bodies_.place(space, index);
-      const double growth = std::max(0.0, body.model->radius - radius);
-      mirrors_moved_ = std::max(mirrors_moved_, (body.pose.position - position).norm() + growth);
-    }
+    const Eigen::Vector2d position = body.pose.position;
+    const double radius = body.model->radius;
+    bodies_.place(space, index);
+    const double growth = std::max(0.0, body.model->radius - radius);
+    mirrors_moved_ = std::max(mirrors_moved_, (body.pose.position - position).norm() + growth);
   }
 }
 
 void Kinematics2d::move(Space& space, Duration dt) {
-  const double step = toSeconds(dt) / subclock_;
+  const double tick = toSeconds(dt);
+  const double step = tick / subclock_;
   startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
     travelled_ += stride_;
     detour_ = 0.0;
-    for (const BodyIndex index : bodies_.order()) {
+    moveFreely(space, step, tick);
+    visitOthers([&](BodyIndex index) {
       if (!isInGroup(index)) {
         moveBody(index, step);
       } else if (const BodyIndex gripped = motion(index).gripped; motion(gripped).gripped_by == index) {
         moveGroup(gripped, step);
       }
-    }
+    });
     for (planar::Turret& turret : bodies_.turrets()) {
       turn(turret, step);
     }
   }
-  finishTick(space, toSeconds(dt));
-  finishTurrets(space, toSeconds(dt));
+  finishTick(space, tick);
+  finishTurrets(space, tick);
 }
 
 void Kinematics2d::startTick(const Space& space, double step) {
+  listBodies();
   bodies_.readTurretCommands(space);
-  double fastest_squared = 0.0;
-  bool is_anything_gripped = false;
-  for (const BodyIndex index : bodies_.order()) {
+  for (const BodyIndex index : idle_) {
     Body& body = bodies_[index];
     motion(index).pose_at_start = {body.pose.position, body.pose.heading};
     body.has_moved = false;
-    if (body.role == Role::kMirror || !body.isDriven()) {
-      continue;
-    }
-    readCommands(space, body);
-    fastest_squared = std::max(fastest_squared, body.velocity.squaredNorm());
-    if (motion(index).gripped != kNoBody) {
+  }
+  double fastest_squared = readAllCommands(space);
+  bool is_anything_gripped = false;
+  for (const BodyIndex index : grippers_) {
+    const Body& body = bodies_[index];
+    if (motion(index).gripped != kNoBody && body.isDriven()) {
       // what is gripped swings around its gripper
       is_anything_gripped = true;
       const double arm = motion(index).place_of_gripped.position.norm();
@@ -70,9 +70,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
   travelled_ += mirrors_moved_;
   constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
   if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
-    for (const BodyIndex index : bodies_.order()) {
-      motion(index).clearance = Clearance{};
-    }
+    std::fill(clearances_.begin(), clearances_.end(), Clearance{});
     travelled_ = 0.0;
     is_somebody_new_ = false;
   }
@@ -83,7 +81,7 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
   if (body.turn_rate == 0.0 && body.velocity.isZero(0.0)) {
     return;
   }
-  if (moveFreely(index, planar::integrate(body.pose, body.velocity, body.turn_rate, dt))) {
+  if (moveUnseen(index, planar::integrate(body.pose, body.velocity, body.turn_rate, dt))) {
     return;
   }
   const Eigen::Vector2d start = body.pose.position;
@@ -92,13 +90,14 @@ void Kinematics2d::moveBody(BodyIndex index, double dt) {
   for (int i = 0; i < pieces; ++i) {
     movePiece(index, dt / pieces);
   }
-  countDetour((body.pose.position - start).norm());
+  // what it grips swings besides, which is in the stride as well
+  const double due = motion(index).gripped == kNoBody ? stride_ : body.velocity.norm() * dt;
+  countDetour((body.pose.position - start).norm() - due);
 }
 
 /// Where nothing can be near, a body need not look around. @return whether it has moved
-bool Kinematics2d::moveFreely(BodyIndex index, const PlacedPose& target) {
-  const Motion& record = motion(index);
-  if (record.gripped != kNoBody || travelled_ > record.clearance.free_until) {
+bool Kinematics2d::moveUnseen(BodyIndex index, const PlacedPose& target) {
+  if (travelled_ > clearance(index).free_until) {
     return false;
   }
   bodies_.setPose(index, target);
@@ -107,23 +106,23 @@ bool Kinematics2d::moveFreely(BodyIndex index, const PlacedPose& target) {
 
 /// Looks around. @return whether the body, with what it grips, is free there; then it has moved
 bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
-  Motion& record = motion(index);
+  const Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
   planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
   if (turret != nullptr && turret->command.mode == JointCommand::Mode::kPassive) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
   }
-  Clearance clearance = record.clearance;
-  if (!isFree(index, pose, clearance)) {
+  Clearance around = clearance(index);
+  if (!isFree(index, pose, around)) {
     return false;
   }
   if (gripped != kNoBody) {
     if (!tryCarry(index, pose, record.place_of_gripped)) {
       return false;
     }
-    clearance.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
+    around.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
   }
-  record.clearance = clearance;
+  clearance(index) = around;
   bodies_.setPose(index, pose);
   return true;
 }
@@ -145,12 +144,12 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
 }
 
 /// What it holds, or is held by, is never in its way.
-bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& clearance) {
+bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& around) {
   const Body& body = bodies_[index];
   const double radius = body.model->radius;
-  double nearest = clearance.look_ahead;
+  double nearest = around.look_ahead;
   bool free = true;
-  clearance.at_all_heights = true;
+  around.at_all_heights = true;
   bodies_.visitNear(pose.position, radius + nearest, [&](BodyIndex other_index) {
     if (other_index == index) {
       return true;
@@ -158,7 +157,7 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& cl
     const Body& other = bodies_[other_index];
     const bool keeps_height = other.role == Role::kMove || !other.is_movable;
     if (keeps_height && !body.model->band.overlaps(other.model->band, body.along, other.along)) {
-      clearance.at_all_heights = false;
+      around.at_all_heights = false;
       return true;
     }
     const double gap = bodies_.distanceTo(other_index, pose.position) - radius;
@@ -171,8 +170,8 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& cl
   // From now on both sides come nearer by what is travelled; some bodies have this step's stride and detour still
   // before them.
   constexpr double kMargin = 1e-6;  // m, for rounding
-  clearance.free_until = travelled_ + 0.5 * (nearest - stride_ - detour_ - kMargin);
-  clearance.look_ahead = std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
+  around.free_until = travelled_ + 0.5 * (nearest - stride_ - detour_ - kMargin);
+  around.look_ahead = std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
   return free;
 }
 
@@ -183,26 +182,6 @@ bool Kinematics2d::isHindering(BodyIndex index, const PlacedPose& pose, const Bo
       (pose.position - other.pose.position).squaredNorm() > (body.pose.position - other.pose.position).squaredNorm();
   return other.role != Role::kMirror || !other.is_movable || !goes_away ||
          !planar::modelsOverlap(*body.model, body.pose, body.along, other, relative_shapes_);
-}
-
-void Kinematics2d::finishTick(Space& space, double dt) {
-  const planar::Plane& plane = bodies_.plane();
-  for (const BodyIndex index : bodies_.order()) {
-    const Body& body = bodies_[index];
-    if (body.role == Role::kMirror || !body.is_movable) {
-      continue;
-    }
-    turnWheels(space, body, dt);
-    Twist& twist = space.entities.twist[body.row];
-    if (!body.has_moved) {
-      twist = Twist{};
-      continue;
-    }
-    const planar::PlanarPose& before = motion(index).pose_at_start;
-    writePose(space, index, before.heading);
-    twist.linear = plane.toGlobal((body.pose.position - before.position) / dt, 0.0);
-    twist.angular = plane.normal() * (wrapAngle(body.pose.heading - before.heading) / dt);
-  }
 }
 
 }  // namespace swarmanoid::kinematics2d

@@ -43,11 +43,11 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
   const BodyIndex index = turret.body;
   Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
-  Clearance clearance = record.clearance;
-  if (gripped != kNoBody || travelled_ > clearance.free_until) {
+  Clearance around = clearance(index);
+  if (gripped != kNoBody || travelled_ > around.free_until) {
     const planar::PlanarModel* now = bodies_[index].model;
     bodies_[index].model = &bodies_.modelAt(turret, angle);
-    const bool is_free = isFree(index, pose, clearance);
+    const bool is_free = isFree(index, pose, around);
     bodies_[index].model = now;
     if (!is_free) {
       return false;
@@ -59,9 +59,9 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
       return false;
     }
     record.place_of_gripped = place;
-    clearance.free_until = -1.0;  // as where a body moves
+    around.free_until = -1.0;  // as where a body moves
   }
-  record.clearance = clearance;
+  clearance(index) = around;
   bodies_.setPose(index, pose);
   bodies_.turnShapes(turret, angle);
   turret.state.angle = angle;

@@ -73,11 +73,11 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   order_.insert(std::upper_bound(order_.begin(), order_.end(), index,
                                  [&](BodyIndex a, BodyIndex b) { return (*this)[a].number < (*this)[b].number; }),
                 index);
+  circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
   if (body.is_large) {
     large_.push_back({index, {}});
   } else {
     largest_radius_ = std::max(largest_radius_, body.model->radius);
-    circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
     grid_.add(index, plane_.toLocal(space.entities.pose[row].position));
   }
   place(space, index);
@@ -111,10 +111,10 @@ void Bodies::setPose(BodyIndex index, const PlacedPose& pose) {
   Body& body = (*this)[index];
   body.pose = pose;
   body.has_moved = true;
+  circles_[static_cast<std::size_t>(index)].centre = pose.position;
   if (body.is_large) {
     refreshBounds(index);
   } else {
-    circles_[static_cast<std::size_t>(index)].centre = pose.position;
     grid_.move(index, pose.position);
   }
 }

@@ -19,9 +19,14 @@ namespace swarmanoid::planar {
 using BodyIndex = std::int32_t;
 constexpr BodyIndex kNoBody = -1;
 
-/// What is looked at in every step; kept small, since there may be many.
-struct Body {
+/// What is looked at in every step; kept small, since there may be many: two cache lines.
+struct alignas(64) Body {
   PlacedPose pose;
+
+  // What its drive is commanded in this tick: see readCommands.
+  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
+  double turn_rate = 0.0;                              ///< [rad/s]
+
   double along = 0.0;  ///< of the origin, along the plane's normal [m]
   const PlanarModel* model = nullptr;
   const EntityModel* entity = nullptr;
@@ -29,23 +34,20 @@ struct Body {
   Row row = kNoRow;
 
   // Which of its mechanisms are commanded.
+  int gripper = -1;  ///< index of the holder; -1: none
   bool is_wheeled = false;
   bool flies = false;
-  int gripper = -1;  ///< index of the holder; -1: none
 
   bool isDriven() const { return is_wheeled || flies; }
 
-  // What its drive is commanded in this tick: see readCommands.
-  Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< at heading 0 [m/s]
-  double turn_rate = 0.0;                              ///< [rad/s]
-
-  Role role = Role::kMove;
   bool is_movable = false;
   bool is_large = false;   ///< wider than what the grid is for, such as a wall
   bool has_moved = false;  ///< since the start of the tick
   /// A mirror: rays hit the entity in the engine that moves it, where it is up to date.
   bool is_seen_elsewhere = false;
+  Role role = Role::kMove;
 };
+static_assert(sizeof(Body) == 128);
 
 /// A body's own projection, once its base has changed or a joint has turned some of its shapes.
 struct OwnProjection {
@@ -82,6 +84,16 @@ class Bodies {
   /// Takes the pose that the entity has in the space, and its joints. @return whether its shapes are others now
   bool place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
+  /// The same but for the look-up of what is near, which `refreshCell` brings up to date before anybody looks. Threads:
+  /// may be called at once for different bodies. @pre it is not large @return whether it has to be
+  bool setPoseOnly(BodyIndex index, const PlacedPose& pose) {
+    Body& body = (*this)[index];
+    body.pose = pose;
+    body.has_moved = true;
+    circles_[static_cast<std::size_t>(index)].centre = pose.position;
+    return grid_.isElsewhere(index, pose.position);
+  }
+  void refreshCell(BodyIndex index) { grid_.move(index, (*this)[index].pose.position); }
 
   /// Before each tick.
   void readTurretCommands(const Space& space);
@@ -99,6 +111,13 @@ class Bodies {
   void turnShapes(const Turret& turret, double angle);
   /// To what angle they are turned.
   double shapesAngle(const Turret& turret) const;
+
+  /// Around a body: what neighbours are sorted out by, apart from the rest because it is read most.
+  struct Circle {
+    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+    double radius = 0.0;
+  };
+  const Circle& circle(BodyIndex index) const { return circles_[static_cast<std::size_t>(index)]; }
 
   BodyIndex find(Row row) const { return index_of_row_.has(row) ? index_of_row_[row] : kNoBody; }
   Body& operator[](BodyIndex index) { return bodies_[static_cast<std::size_t>(index)]; }
@@ -142,12 +161,6 @@ class Bodies {
     std::weak_ptr<const EntityModel> entity;
     Eigen::Quaterniond base;
     std::weak_ptr<const PlanarModel> model;
-  };
-
-  /// Around a body: what neighbours are sorted out by, apart from the rest because it is read most.
-  struct Circle {
-    Eigen::Vector2d centre = Eigen::Vector2d::Zero();
-    double radius = 0.0;
   };
 
   /// Kept out of the grid, looked at one by one.

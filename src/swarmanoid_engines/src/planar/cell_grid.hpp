@@ -20,6 +20,10 @@ class CellGrid {
 
   void add(std::int32_t body, const Eigen::Vector2d& position);
   void remove(std::int32_t body);
+  /// Whether `move` would put it into another cell.
+  bool isElsewhere(std::int32_t body, const Eigen::Vector2d& position) const {
+    return cellOf(position) != cell_[static_cast<std::size_t>(body)];
+  }
   void move(std::int32_t body, const Eigen::Vector2d& position) {
     const std::int32_t cell = cellOf(position);
     if (cell != cell_[static_cast<std::size_t>(body)]) {

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -28,6 +29,7 @@
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/error_models/device_errors.hpp"
 #include "swarmanoid_space/error_models/device_fault.hpp"
+#include "swarmanoid_space/parallel.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -59,6 +61,8 @@ class Actuator {
   /// Commands to actuation. Rows whose command holds a number that is not finite are added to `faulty`; their
   /// actuation stays what it was.
   virtual void actuate(Space& space, std::vector<Row>& faulty) = 0;
+  /// The same on many threads, by actuators for which that is the same (ActuatorOf::is_by_robot_).
+  virtual void actuate(Space& space, std::vector<Row>& faulty, const Parallel& /*workers*/) { actuate(space, faulty); }
   /// After the engines have moved: what depends on the new poses, such as where a laser beam ends.
   virtual void afterMove(Space&) {}
   /// The robot's command becomes that of its safe stop, and is carried out at once. Starts from the last command that
@@ -160,22 +164,23 @@ class ActuatorOf : public Actuator {
     }
   }
 
-  void actuate(Space& space, std::vector<Row>& faulty) override {
-    if (errors_.isEmpty() && fault_count_ == 0) {
-      actuateEach(space, faulty, [](std::size_t) {});
-    } else if (fault_count_ == 0) {
-      actuateEach(space, faulty,
-                  [&](std::size_t k) { errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick); });
-    } else {
-      actuateEach(space, faulty, [&](std::size_t k) {
-        if (!errors_.isEmpty()) {
-          errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick);
-        }
-        if (DeviceFault* fault = instances_[k].fault.get()) {
-          fault->apply(instances_[k].actuation, space.tick);
-        }
-      });
+  void actuate(Space& space, std::vector<Row>& faulty) override { actuateRange(space, faulty, 0, instances_.size()); }
+
+  void actuate(Space& space, std::vector<Row>& faulty, const Parallel& workers) override {
+    if (!is_by_robot_) {
+      actuate(space, faulty);
+      return;
     }
+    constexpr std::size_t kGrain = 512;
+    std::mutex mutex;  // of `faulty`, which few get into
+    workers.forRanges(instances_.size(), kGrain, [&](std::size_t first, std::size_t last) {
+      std::vector<Row> found;
+      actuateRange(space, found, first, last);
+      if (!found.empty()) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        faulty.insert(faulty.end(), found.begin(), found.end());
+      }
+    });
   }
 
   bool stop(Space& space, Row row, const SafeStopMoment& moment) override {
@@ -234,6 +239,9 @@ class ActuatorOf : public Actuator {
   virtual void drawOne(const Space&, const Instance&, DeviceDrawing&) const {}
 
   std::vector<Instance> instances_;
+  /// `limit` and `apply` write nothing but what belongs to the robot of their instance, and read nothing that those of
+  /// other robots write: then they are called at once on many threads.
+  bool is_by_robot_ = false;
 
  private:
   /// What the instance of the same index has besides, if there are errors.
@@ -242,10 +250,28 @@ class ActuatorOf : public Actuator {
     ErrorState errors;
   };
 
+  void actuateRange(Space& space, std::vector<Row>& faulty, std::size_t first, std::size_t last) {
+    if (errors_.isEmpty() && fault_count_ == 0) {
+      actuateEach(space, faulty, first, last, [](std::size_t) {});
+    } else if (fault_count_ == 0) {
+      actuateEach(space, faulty, first, last,
+                  [&](std::size_t k) { errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick); });
+    } else {
+      actuateEach(space, faulty, first, last, [&](std::size_t k) {
+        if (!errors_.isEmpty()) {
+          errors_.apply(instances_[k].actuation, error_states_[k].errors, space.tick);
+        }
+        if (DeviceFault* fault = instances_[k].fault.get()) {
+          fault->apply(instances_[k].actuation, space.tick);
+        }
+      });
+    }
+  }
+
   /// @param disturb called with the index of an instance whose actuation is the command
   template <class Disturb>
-  void actuateEach(Space& space, std::vector<Row>& faulty, Disturb disturb) {
-    for (std::size_t k = 0; k < instances_.size(); ++k) {
+  void actuateEach(Space& space, std::vector<Row>& faulty, std::size_t first, std::size_t last, Disturb disturb) {
+    for (std::size_t k = first; k < last; ++k) {
       Instance& instance = instances_[k];
       if (isFinite(*instance.command)) {
         *instance.actuation = *instance.command;

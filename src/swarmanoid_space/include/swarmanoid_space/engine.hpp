@@ -38,6 +38,7 @@
 
 namespace swarmanoid {
 
+class Parallel;
 class Space;
 
 /// What an engine reports about its own work. Not part of the state: nothing in the run may depend on it.
@@ -72,6 +73,10 @@ class Engine {
   /// The ground that is not level, or null. Given once, before entities are added, and stays over `clear`. Engines that
   /// move things in a plane make nothing of it.
   virtual void takeTerrain(const std::shared_ptr<const Terrain>& /*terrain*/) {}
+
+  /// The threads that `move` may work on. Given once, before entities are added; they stay
+  /// as long as there are any.
+  virtual void takeWorkers(const Parallel& /*workers*/) {}
 
   /// What this engine cannot do for such an entity: "" if it can simulate it with these devices, else a text that names
   /// the device or the property. @param devices of the controller

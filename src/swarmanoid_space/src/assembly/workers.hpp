@@ -11,9 +11,11 @@
 #include <cstddef>
 #include <memory>
 
+#include "swarmanoid_space/parallel.hpp"
+
 namespace swarmanoid {
 
-class Workers {
+class Workers final : public Parallel {
  public:
   explicit Workers(int threads) {
     if (threads > 1) {
@@ -24,20 +26,19 @@ class Workers {
     }
   }
 
-  /// Calls work(first, last) on disjoint ranges that cover 0 .. count - 1. The split must not change results.
-  template <class Work>
-  void forRanges(std::size_t count, std::size_t grain, Work work) const {
-    if (!arena_ || count <= grain) {
-      work(std::size_t{0}, count);
-      return;
-    }
+ private:
+  bool isSerial() const override { return arena_ == nullptr; }
+  void run(std::size_t count, std::size_t grain, const void* work, Call call) const override {
+    // isolated: a thread that waits for the end of an engine's own ranges does not begin with another engine meanwhile
     arena_->execute([&] {
-      tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count, grain),
-                        [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
+      tbb::this_task_arena::isolate([&] {
+        tbb::parallel_for(
+            tbb::blocked_range<std::size_t>(0, count, grain),
+            [&](const tbb::blocked_range<std::size_t>& range) { call(work, range.begin(), range.end()); });
+      });
     });
   }
 
- private:
   std::unique_ptr<tbb::global_control> limit_;
   std::unique_ptr<tbb::task_arena> arena_;
 };

@@ -4,11 +4,12 @@
 
 namespace swarmanoid::phases {
 
-void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty) {
+void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty,
+             const Workers& workers) {
   faulty.clear();
   for (const auto& group : groups) {
     for (const auto& actuator : group->actuators) {
-      callPlugin("actuate", actuator.part, space.tick, [&] { actuator->actuate(space, faulty); });
+      callPlugin("actuate", actuator.part, space.tick, [&] { actuator->actuate(space, faulty, workers); });
     }
   }
 }

@@ -1,17 +1,50 @@
 // Phase 6: the positional index gets the new poses; an event names entities that have left the arena.
+#include <atomic>
+
 #include "phases.hpp"
 
 namespace swarmanoid::phases {
+namespace {
 
-void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events) {
+/// Where an entity's origin is inside the arena.
+struct Inside {
+  Eigen::Array3d least;
+  Eigen::Array3d most;
+
+  bool holds(const Eigen::Vector3d& p) const { return (p.array() >= least).all() && (p.array() <= most).all(); }
+};
+
+/// @return whether anybody has come or gone since `outside` was written
+bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, const Inside& inside,
+                      const Workers& workers) {
+  constexpr std::size_t kGrain = 4096;
+  std::atomic<bool> has_crossed{false};
+  const auto count = static_cast<std::size_t>(poses.end() - poses.begin());
+  workers.forRanges(count, kGrain, [&](std::size_t first, std::size_t last) {
+    bool found = false;
+    for (std::size_t i = first; i < last; ++i) {
+      const bool is_outside = !inside.holds(poses[rowAt(i)].position);
+      found = found || is_outside != (outside[rowAt(i)] != 0);
+    }
+    if (found) {
+      has_crossed = true;
+    }
+  });
+  return has_crossed;
+}
+
+}  // namespace
+
+void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
+           const Workers& workers) {
   constexpr double kEdge = 1e-3;  // m: what rests on the ground may sink in by less
   index.rebuild(space.entities);
-  const Eigen::Vector3d& size = space.size;
-  const double lowest = space.lowestGround();
+  const Inside inside{{-kEdge, -kEdge, space.lowestGround() - kEdge}, space.size.array() + kEdge};
+  if (!hasAnyoneCrossed(space.entities.pose, outside, inside, workers)) {
+    return;
+  }
   for (const Row row : space.entities.order) {
-    const Eigen::Vector3d& p = space.entities.pose[row].position;
-    const Eigen::Vector3d least(-kEdge, -kEdge, lowest - kEdge);
-    const bool is_outside = !((p.array() >= least.array()).all() && (p.array() <= size.array() + kEdge).all());
+    const bool is_outside = !inside.holds(space.entities.pose[row].position);
     if (is_outside && outside[row] == 0 && space.entities.model[row]->is_movable) {
       events.push_back({Event::Kind::kLeftArena, space.entities.name[row], "", ""});
     }

@@ -1,4 +1,5 @@
 // Phase 4: every engine moves what it is in charge of, engines beside each other.
+#include <atomic>
 #include <stdexcept>
 
 #include "../assembly/stopwatch.hpp"
@@ -11,19 +12,28 @@ namespace {
 bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orientation.coeffs().allFinite(); }
 
 /// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity have the default.
-bool areAllFinite(const ByRow<Pose>& poses) {
-  Eigen::Array3d positions = Eigen::Array3d::Zero();
-  Eigen::Array4d orientations = Eigen::Array4d::Zero();
-  for (const Pose& pose : poses) {
-    positions += pose.position.array();
-    orientations += pose.orientation.coeffs().array();
-  }
-  return positions.allFinite() && orientations.allFinite();
+bool areAllFinite(const ByRow<Pose>& poses, const Workers& workers) {
+  constexpr std::size_t kGrain = 4096;
+  std::atomic<bool> are_finite{true};
+  const auto count = static_cast<std::size_t>(poses.end() - poses.begin());
+  workers.forRanges(count, kGrain, [&](std::size_t first, std::size_t last) {
+    Eigen::Array3d positions = Eigen::Array3d::Zero();
+    Eigen::Array4d orientations = Eigen::Array4d::Zero();
+    for (std::size_t i = first; i < last; ++i) {
+      const Pose& pose = poses[rowAt(i)];
+      positions += pose.position.array();
+      orientations += pose.orientation.coeffs().array();
+    }
+    if (!positions.allFinite() || !orientations.allFinite()) {
+      are_finite = false;
+    }
+  });
+  return are_finite;
 }
 
 /// An engine whose computation has broken down must not hand it on: to grips, the index, sensors, recordings.
-void refuseWhatIsNotFinite(const Space& space) {
-  if (areAllFinite(space.entities.pose)) {
+void refuseWhatIsNotFinite(const Space& space, const Workers& workers) {
+  if (areAllFinite(space.entities.pose, workers)) {
     return;
   }
   for (const Row row : space.entities.order) {
@@ -52,7 +62,7 @@ void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers
       stopwatch.lap(seconds[i]);
     }
   });
-  refuseWhatIsNotFinite(space);
+  refuseWhatIsNotFinite(space, workers);
 }
 
 }  // namespace swarmanoid::phases

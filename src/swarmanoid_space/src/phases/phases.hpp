@@ -26,19 +26,26 @@ void report(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& g
 void applyTopics(const Space& space, Banks& commands, std::vector<Event>& events, std::vector<RobotInstance>& instances,
                  CommandMailbox& mailbox, const Robot::LogSink& log);
 
+/// What `control` has come by on its way over all robots, so that few ticks have to go over them again.
+struct Found {
+  bool is_failure = false;  ///< a robot that has failed, in this tick or before
+  bool is_stop = false;     ///< a robot that is being stopped
+};
+
 /// Every controller of this process turns readings into commands; those of participants have done so before, see
 /// Lockstep::exchange. A robot whose controller throws is marked as failed, and so are all of a group that is stepped
-/// together (GroupController).
-void control(const Space& space, Banks& commands, ByRow<ControllerState>& states,
-             const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<RobotInstance>& instances,
-             const Workers& workers);
+/// together (GroupController). @return what there is to look for among the robots
+Found control(const Space& space, Banks& commands, ByRow<ControllerState>& states,
+              const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<RobotInstance>& instances,
+              const Workers& workers);
 
 /// Robots that are being stopped get the commands of a safe stop (swarmanoid_interface/safe_stop.hpp).
 void stopSafely(Space& space, std::vector<RobotInstance>& instances);
 
 /// Commands are checked, given their errors, limited. `faulty` gets the rows whose commands held a number that is not
 /// finite.
-void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty);
+void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& groups, std::vector<Row>& faulty,
+             const Workers& workers);
 
 /// Whatever is commanded: wheels of robots that only their super-capacitor keeps alive are off, and so are the LEDs of
 /// those whose battery is empty; such as still fly after their safe stop go on coming down.
@@ -60,7 +67,8 @@ void handOver(Space& space, const std::vector<RobotInstance>& instances, std::ve
 void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& events);
 
 /// The positional index gets the new poses; an event names entities that have left the arena.
-void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events);
+void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
+           const Workers& workers);
 
 /// Batteries give what their robots have drawn, and take what they are charged with.
 void power(Space& space);

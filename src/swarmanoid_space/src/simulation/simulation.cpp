@@ -35,13 +35,18 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     phases::applyTopics(world.space, world.space.commands, world.space.events, world.assembly.robots,
                         *world.supplied.commands, world.log_sink);
   }
-  phases::control(world.space, world.space.commands, world.space.controllers, world.assembly.groups,
-                  world.assembly.robots, world.assembly.workers);
+  const phases::Found found = phases::control(world.space, world.space.commands, world.space.controllers,
+                                              world.assembly.groups, world.assembly.robots, world.assembly.workers);
   restoreLocale();
   stopwatch.lap(phase_times_.control);
-  phases::actuate(world.space, world.assembly.groups, faulty_);
-  noteFailures();
-  phases::stopSafely(world.space, world.assembly.robots);
+  phases::actuate(world.space, world.assembly.groups, faulty_, world.assembly.workers);
+  const bool is_failure = found.is_failure || !faulty_.empty();
+  if (is_failure) {
+    noteFailures();
+  }
+  if (is_failure || found.is_stop) {
+    phases::stopSafely(world.space, world.assembly.robots);
+  }
   phases::cutPower(world.space, world.assembly.robots);
   stopwatch.lap(phase_times_.actuate);
   phases::move(world.space, world.assembly.engines, world.assembly.workers, phase_times_.engines);
@@ -50,7 +55,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phases::handOver(world.space, world.assembly.robots, world.assembly.triggers, world.assembly.memberships);
   takeOutFallen();
   stopwatch.lap(phase_times_.connect);
-  phases::index(world.space, world.space.index, world.space.outside, world.space.events);
+  phases::index(world.space, world.space.index, world.space.outside, world.space.events, world.assembly.workers);
   phases::power(world.space);
   stopwatch.lap(phase_times_.index);
   logNewOverflows();

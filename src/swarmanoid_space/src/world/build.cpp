@@ -176,6 +176,7 @@ void buildEngines(World& world) {
     if (!problem.empty()) {
       throw ConfigError(description.location, description.label + " '" + description.id + "': " + problem);
     }
+    world.assembly.engines.back()->takeWorkers(world.assembly.workers);
     world.assembly.engines.back()->takeTerrain(world.experiment.arena.terrain);
     world.space.engines.push_back(world.assembly.engines.back().get());
     world.engine_parameters.push_back(description.parameters);

@@ -1,0 +1,137 @@
+// Bodies that move first, without looking around, come where they would have come one after another.
+//
+// The other way is had from the same engine: something that is put down anew before each tick, far away, makes
+// everybody look around in that tick, and so nobody moves first.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "world.hpp"
+
+namespace swarmanoid::kinematics2d {
+namespace {
+
+struct Scene {
+  double side;  // of the square in which all are, m
+  int subclock;
+};
+
+/// Footbots, some with turrets, among preys, handbots, a wall and mirrors that wander; all do things at random.
+class Hustle {
+ public:
+  explicit Hustle(const Scene& scene) : world({20.0, 20.0, 1.0}, scene.subclock) {
+    far_block = world.addBlock({0.2, 0.2, 0.5}, {19.0, 19.0, 0.25});
+    world.addBlock({0.1, scene.side, 0.5}, {2.0 + scene.side, 2.0 + 0.5 * scene.side, 0.25});
+    for (int line = 0; line < kPerSide; ++line) {
+      for (int column = 0; column < kPerSide; ++column) {
+        const double distance = scene.side / kPerSide;
+        addOne(line * kPerSide + column, 2.0 + distance * column, 2.0 + distance * line);
+      }
+    }
+  }
+
+  void step(bool is_anything_new) {
+    for (const Row row : robots) {
+      if (random() % 8 == 0) {
+        world.drive(row, uniform(-0.05, 0.3), random() % 4 == 0 ? 0.0 : uniform(-2.0, 2.0));
+      }
+      if (random() % 16 == 0) {
+        world.setGripper(row, random() % 4 != 0);
+      }
+    }
+    for (const Row row : turrets) {
+      if (random() % 16 == 0) {
+        world.turret(row).letTurn();
+      } else if (random() % 8 == 0) {
+        world.turret(row).turnAt(uniform(-2.0, 2.0));
+      }
+    }
+    for (const Row row : mirrors) {
+      world.pose(row).position.head<2>() += Eigen::Vector2d(uniform(-0.01, 0.01), uniform(-0.01, 0.01));
+    }
+    if (is_anything_new) {
+      world.engine.place(world.space, far_block);
+    }
+    world.step();
+    grips += static_cast<int>(world.space.events.size());
+  }
+
+  World world;
+  std::vector<Row> robots, turrets, mirrors;
+  int grips = 0;
+
+ private:
+  static constexpr int kPerSide = 9;
+
+  void addOne(int number, double x, double y) {
+    if (number % 7 == 3) {
+      world.addPrey(0.05, 0.1, x, y);
+    } else if (number % 13 == 6) {
+      world.add(robotModel("handbot"), flatPose(x, y));  // which several may hold
+    } else if (number % 11 == 5) {
+      mirrors.push_back(world.add(cylindricPreyModel(0.05, 0.1), flatPose(x, y), Role::kMirror));
+    } else if (number % 5 == 1) {
+      turrets.push_back(world.addTurret(flatPose(x, y, uniform(-3.0, 3.0))));
+      robots.push_back(turrets.back());
+    } else {
+      robots.push_back(world.addFootbot(flatPose(x, y, uniform(-3.0, 3.0))));
+    }
+  }
+
+  double uniform(double low, double high) { return low + (high - low) * static_cast<double>(random()) / 4294967296.0; }
+
+  std::mt19937 random{5};
+  Row far_block = kNoRow;
+};
+
+class FreeMotionScenesTest : public testing::TestWithParam<Scene> {};
+
+TEST_P(FreeMotionScenesTest, WhoMovesFirstComesWhereItWouldHaveComeInTurn) {
+  Hustle first(GetParam());
+  Hustle in_turn(GetParam());
+  for (int tick = 0; tick < 400; ++tick) {
+    first.step(false);
+    in_turn.step(true);
+    for (const Row row : first.world.space.entities.order) {
+      const Space& a = first.world.space;
+      const Space& b = in_turn.world.space;
+      ASSERT_EQ(a.entities.pose[row].position, b.entities.pose[row].position) << "tick " << tick;
+      ASSERT_EQ(a.entities.pose[row].orientation.coeffs(), b.entities.pose[row].orientation.coeffs()) << tick;
+      ASSERT_EQ(a.entities.twist[row].linear, b.entities.twist[row].linear) << "tick " << tick;
+      ASSERT_EQ(a.entities.twist[row].angular, b.entities.twist[row].angular) << "tick " << tick;
+      ASSERT_EQ(a.wheel_turns[row].left, b.wheel_turns[row].left) << "tick " << tick;
+      ASSERT_EQ(a.structure.grippedBy(row), b.structure.grippedBy(row)) << "tick " << tick;
+    }
+  }
+  EXPECT_GT(first.grips, 20) << "grips and releases: they have met";
+}
+
+/// What takes part in a group goes with it, also where the first of its grippers has no drive.
+TEST(FreeMotionTest, AGroupWhoseFirstGripperHasNoDriveGoesTheMeanOfAllWays) {
+  World world;
+  auto without_wheels = std::make_shared<EntityModel>(*footbotModel());
+  without_wheels->type = "holder";
+  without_wheels->wheels.reset();
+  constexpr double kApart = 0.265;  // m: the radius of a handbot's strip, a footbot's tip, 1 cm
+  const Row holder = world.addRobot(without_wheels, flatPose(2.0 - kApart, 2.0));
+  const Row footbot = world.addFootbot(flatPose(2.0 + kApart, 2.0, M_PI));
+  const Row handbot = world.add(robotModel("handbot"), flatPose(2.0, 2.0));
+  world.setGripper(holder, true);
+  world.setGripper(footbot, true);
+  world.step();
+  ASSERT_EQ(world.space.structure.grippersOf(handbot).size(), 2U);
+  world.drive(footbot, -0.1);
+  world.step(10);
+  EXPECT_NEAR(world.pose(handbot).position.x(), 2.05, 1e-9);
+  EXPECT_NEAR(world.pose(holder).position.x(), 2.05 - kApart, 1e-9);
+  EXPECT_NEAR(world.pose(footbot).position.x(), 2.05 + kApart, 1e-9);
+}
+
+INSTANTIATE_TEST_SUITE_P(, FreeMotionScenesTest,
+                         testing::Values(Scene{2.7, 1}, Scene{2.7, 3}, Scene{4.5, 1}, Scene{9.0, 2}));
+
+}  // namespace
+}  // namespace swarmanoid::kinematics2d
