@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <random>
 #include <string>
+#include <thread>
+#include <vector>
 
 namespace swarmanoid {
 namespace {
@@ -233,6 +235,61 @@ TEST_P(PositionalIndexTest, FollowsWhatMovesComesAndGoes) {
       const Vector3d centre = anywhere();
       ASSERT_EQ(index.within(entities, centre, 2.0), byLookingAtEach(centre, 2.0));
     }
+  }
+}
+
+/// Whoever has not asked for long, or never, finds what an index finds that is rebuilt each time.
+TEST_P(PositionalIndexTest, IsUpToDateWhoeverAsksAndWhenever) {
+  fill(40);
+  PositionalIndex fresh;
+  fresh.configure({10.0, 6.0, 3.0}, GetParam(), 200);
+  for (int tick = 0; tick < 200; ++tick) {
+    index.close();
+    for (const Row row : entities.order) {
+      entities.pose[row].position += Vector3d(0.2, -0.1, 0.05) * std::uniform_real_distribution<double>(-1, 1)(random);
+    }
+    index.update(entities);
+    if (tick % 3 == 0) {  // between ticks
+      entities.remove(entities.order[static_cast<std::size_t>(tick) % entities.order.size()]);
+      index.forget(entities);
+      add(cylindricPreyModel(0.05, 0.1), anywhere());
+      index.forget(entities);
+      entities.pose[entities.order.front()].position = anywhere();
+      index.forget(entities);
+    }
+    if (tick % 7 < 4) {  // some ticks in a row, and not in others
+      fresh.rebuild(entities);
+      const Vector3d centre = anywhere();
+      std::vector<Row> expected;
+      fresh.collect(centre, 1.0, expected);
+      std::vector<Row> found;
+      index.collect(centre, 1.0, found);
+      ASSERT_EQ(found, expected) << "tick " << tick;
+      ASSERT_EQ(index.within(entities, centre, 2.0), byLookingAtEach(centre, 2.0)) << "tick " << tick;
+      ASSERT_EQ(index.placeCount(), fresh.placeCount());
+      ASSERT_EQ(index.large().size(), fresh.large().size());
+    }
+  }
+}
+
+/// The first who ask rebuild it, and may be many at once.
+TEST_P(PositionalIndexTest, ManyThreadsMayAskFirst) {
+  fill(2000);
+  for (int round = 0; round < 30; ++round) {
+    for (const Row row : entities.order) {
+      entities.pose[row].position = anywhere();
+    }
+    index.forget(entities);
+    const Vector3d centre(5.0, 3.0, 1.0);
+    std::vector<std::vector<Row>> found(8);
+    std::vector<std::thread> threads;
+    for (auto& of_thread : found) {
+      threads.emplace_back([&] { of_thread = index.within(entities, centre, 3.0); });
+    }
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    EXPECT_EQ(found, std::vector<std::vector<Row>>(8, byLookingAtEach(centre, 3.0))) << "round " << round;
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/range.hpp"
 
 namespace swarmanoid {
@@ -64,6 +65,7 @@ void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimi
   }
   inverse_cell_size_ = 1.0 / cell_size_;
   first_item_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+  state_ = State::kRebuilt;
 }
 
 PositionalIndex::Cell PositionalIndex::cellOf(const Eigen::Vector3d& position) const {
@@ -77,6 +79,38 @@ std::size_t PositionalIndex::flat(const Cell& cell) const {
 }
 
 void PositionalIndex::rebuild(const Entities& entities) {
+  sortIn(entities);
+  state_ = State::kRebuilt;
+}
+
+void PositionalIndex::close() {
+  was_asked_ = state_ == State::kAsked;
+  state_ = State::kClosed;
+}
+
+void PositionalIndex::update(const Entities& entities) {
+  if (state_ == State::kAsked || (state_ == State::kClosed && was_asked_)) {
+    rebuild(entities);
+  } else {
+    forget(entities);
+  }
+}
+
+void PositionalIndex::forget(const Entities& entities) {
+  entities_ = &entities;
+  state_ = State::kOld;
+}
+
+void PositionalIndex::refreshOnce() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  SWARMANOID_EXPECTS(state_ != State::kClosed);
+  if (state_ == State::kOld) {
+    sortIn(*entities_);
+  }
+  state_ = State::kAsked;
+}
+
+void PositionalIndex::sortIn(const Entities& entities) const {
   // counting sort by cell: count, prefix sums, place
   constexpr std::uint32_t kLarge = ~0U;
   large_items_.clear();
@@ -121,6 +155,7 @@ PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Ro
 
 template <class Visit>
 void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Vector3d& reach, Visit visit) const {
+  refresh();
   constexpr double kRounding = 1e-9;  // m: the cells must hold all that Outline::meets accepts
   const Eigen::Vector3d half = (reach.array() + (largest_small_radius_ + kRounding)).matrix();
   const Cell low = cellOf(centre - half);
@@ -139,6 +174,7 @@ void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Ve
 
 template <class Visit>
 void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
+  refresh();
   for (const LargeOutline& large : large_items_) {
     if (large.meets(centre, radius)) {
       visit(large.row);
@@ -156,6 +192,7 @@ void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std:
 }
 
 void PositionalIndex::collectUpright(const Eigen::Vector2d& axis, double radius, std::vector<Row>& found) const {
+  refresh();
   for (const LargeOutline& large : large_items_) {
     const Eigen::Vector2d nearest = axis.cwiseMax(large.bounds.min().head<2>()).cwiseMin(large.bounds.max().head<2>());
     if ((nearest - axis).squaredNorm() <= radius * radius) {
@@ -188,6 +225,7 @@ void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius
 
 std::vector<Row> PositionalIndex::within(const Entities& entities, const Eigen::Vector3d& centre, double radius) const {
   // an origin may lie outside its entity's own bounds, by no more than the largest of them
+  refresh();
   std::vector<Row> found;
   for (const LargeOutline& large : large_items_) {
     found.push_back(large.row);

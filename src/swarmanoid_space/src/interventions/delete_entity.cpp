@@ -14,7 +14,7 @@ bool carryOut(World& world, const DeleteEntity& intervention) {
   }
   removeEntity(world, row);
   offerRobots(world);
-  world.space.index.rebuild(world.space.entities);
+  world.space.index.forget(world.space.entities);
   world.pending_events.push_back({Event::Kind::kDeleted, name, "", ""});
   return true;
 }

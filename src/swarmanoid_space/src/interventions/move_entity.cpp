@@ -33,7 +33,7 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   for (const Membership& membership : world.assembly.memberships[row]) {
     membership.engine->place(world.space, row);
   }
-  world.space.index.rebuild(world.space.entities);
+  world.space.index.forget(world.space.entities);
   world.pending_events.push_back({Event::Kind::kMoved, name, "", ""});
   return true;
 }

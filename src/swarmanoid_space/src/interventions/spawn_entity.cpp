@@ -23,7 +23,7 @@ bool carryOut(World& world, const SpawnEntity& intervention) {
   }
   addEntity(world, entity, memberships);
   offerRobots(world);
-  world.space.index.rebuild(world.space.entities);
+  world.space.index.forget(world.space.entities);
   world.pending_events.push_back({Event::Kind::kSpawned, entity.id, "", entity.type});
   return true;
 }

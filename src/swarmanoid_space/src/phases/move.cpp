@@ -49,6 +49,7 @@ void refuseWhatIsNotFinite(const Space& space, const Workers& workers) {
 
 void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
           std::vector<double>& seconds) {
+  space.index.close();
   seconds.resize(engines.size());
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {

@@ -1,17 +1,22 @@
 /// Finds entities by place (thesis 3.4, "positional information").
 ///
 /// A grid of cells over the arena instead of the thesis's oct-tree: a query costs what is near, whatever the number of
-/// entities, and the whole index is rebuilt each tick in time linear in that number. optimization="2D" keeps columns
-/// (one cell in z), "3D" keeps cubes. What has left the arena is kept in the border cells, so nothing is ever lost.
+/// entities, and the whole index is rebuilt in time linear in that number: each tick where somebody asks, else not at
+/// all. optimization="2D" keeps columns (one cell in z), "3D" keeps cubes. What has left the arena is kept in the
+/// border cells, so nothing is ever lost.
 ///
-/// Phase   rebuilt in `index`; queries are const and safe from many threads.
+/// Phase   updated in `index`, and between ticks when entities come, go or are moved. Not to be asked from `move` to
+///         `connect`, while poses are under way.
+/// Threads queries are const, and safe from many threads.
 #pragma once
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <cstdint>
+#include <mutex>
 #include <vector>
 
 #include "swarmanoid_space/state/entities.hpp"
@@ -28,6 +33,14 @@ class PositionalIndex {
 
   /// Reads every living entity's pose and bounds. No allocation once the number of entities is steady.
   void rebuild(const Entities& entities);
+  /// Poses are under way from now on: nobody may ask until they are there.
+  void close();
+  /// Entities have moved: rebuilds the index if anybody has asked since it was rebuilt last. Else it is left to the
+  /// first who asks, as `forget` does.
+  void update(const Entities& entities);
+  /// What the index holds counts no more: whoever asks next rebuilds it. @param entities stay, and stay as they are
+  /// until then
+  void forget(const Entities& entities);
 
   /// Entities whose bounds (an upright cylinder, or a box for large ones) meet the sphere around `centre`; appended to
   /// `found` in no stated order.
@@ -68,12 +81,22 @@ class PositionalIndex {
   using Place = std::uint32_t;
 
   /// Large ones have no place.
-  std::size_t placeCount() const { return items_.size(); }
+  std::size_t placeCount() const {
+    refresh();
+    return items_.size();
+  }
+  /// @pre whoever asks has got the place since the last rebuild
   const Outline& at(Place place) const { return items_[place]; }
-  const std::vector<LargeOutline>& large() const { return large_items_; }
+  const std::vector<LargeOutline>& large() const {
+    refresh();
+    return large_items_;
+  }
   /// Engines whose plane stands upright cast rays against prisms, whose corners are outside of outlines, though by no
   /// more than this [m]. Who collects what could stand in the way of a ray collects from a sphere larger by it.
-  double prismMargin() const { return (M_SQRT2 - 1.0) * largest_small_radius_; }
+  double prismMargin() const {
+    refresh();
+    return (M_SQRT2 - 1.0) * largest_small_radius_;
+  }
   /// The places of those, not large, whose outlines meet the sphere; appended to `found` in no stated order.
   void collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const;
 
@@ -85,6 +108,21 @@ class PositionalIndex {
  private:
   using Cell = std::array<int, 3>;
 
+  enum class State {
+    kAsked,    ///< holds where entities are, and somebody has asked
+    kRebuilt,  ///< holds where entities are
+    kOld,      ///< does not
+    kClosed    ///< does not, and entities are on their way
+  };
+
+  /// Before each answer.
+  void refresh() const {
+    if (state_.load(std::memory_order_acquire) != State::kAsked) {
+      refreshOnce();
+    }
+  }
+  void refreshOnce() const;
+  void sortIn(const Entities& entities) const;
   static Outline outlineOf(const Entities& entities, Row row);
   Cell cellOf(const Eigen::Vector3d& position) const;
   std::size_t flat(const Cell& cell) const;
@@ -98,11 +136,17 @@ class PositionalIndex {
   double cell_size_ = 1.0;
   double inverse_cell_size_ = 1.0;
   Cell cells_{1, 1, 1};
-  double largest_small_radius_ = 0.0;      // among the items of the cells
-  std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells
-  std::vector<Outline> items_;             // sorted by cell
-  std::vector<std::uint32_t> cell_of_entity_;
-  std::vector<LargeOutline> large_items_;  // kept apart, looked at one by one
+
+  // What follows from the entities, made when somebody asks: so a query, which is const, may write it.
+  mutable std::atomic<State> state_{State::kRebuilt};
+  mutable std::mutex mutex_;  // of those who ask first
+  const Entities* entities_ = nullptr;
+  bool was_asked_ = false;                         // when it was closed
+  mutable double largest_small_radius_ = 0.0;      // among the items of the cells
+  mutable std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells
+  mutable std::vector<Outline> items_;             // sorted by cell
+  mutable std::vector<std::uint32_t> cell_of_entity_;
+  mutable std::vector<LargeOutline> large_items_;  // kept apart, looked at one by one
 };
 
 }  // namespace swarmanoid
