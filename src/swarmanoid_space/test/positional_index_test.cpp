@@ -151,6 +151,38 @@ TEST_P(PositionalIndexTest, CollectsAllBoundsThatMeetTheSphereOnceAndNoneFarOff)
   }
 }
 
+TEST_P(PositionalIndexTest, AnUprightCylinderMeetsWhateverIsBesideItsAxisAtAnyHeight) {
+  fill(500);
+  std::uniform_real_distribution<double> reach(0.0, 4.0);
+  std::size_t met = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Eigen::Vector2d axis = anywhere().head<2>();
+    const double radius = reach(random);
+    std::vector<Row> found;
+    index.collectUpright(axis, radius, found);
+    std::sort(found.begin(), found.end());
+    std::vector<Row> expected;
+    for (const Row row : entities.order) {
+      const EntityModel& model = *entities.model[row];
+      const double way = (axis - entities.pose[row].position.head<2>()).norm();
+      if (model.type != "block" && way <= radius + model.horizontal_radius) {
+        expected.push_back(row);
+      }
+    }
+    for (const PositionalIndex::LargeOutline& large : index.large()) {
+      // with a height inside of its own the question is the one of the sphere
+      const Vector3d beside(axis.x(), axis.y(), large.bounds.center().z());
+      if (large.meets(beside, radius)) {
+        expected.push_back(large.row);
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    ASSERT_EQ(found, expected) << axis.transpose() << " radius " << radius;
+    met += found.size();
+  }
+  EXPECT_GT(met, 10000U);
+}
+
 /// An upright prey's outline is its body, and a lamp's a point.
 TEST_P(PositionalIndexTest, PlacesAreThoseWhoseOutlinesMeetTheSphere) {
   fill(500);
