@@ -9,6 +9,8 @@
 #include <string>
 #include <variant>
 
+#include "python_text.hpp"
+#include "record_of_run.hpp"
 #include "run.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
@@ -91,7 +93,10 @@ std::unique_ptr<Run> makeRun(const Options& options) {
 py::dict metricsOf(const Metrics& metrics) {
   py::dict values;
   for (const auto& [name, value] : metrics) {
-    values[py::str(name)] = std::visit([](const auto& held) { return py::object(py::cast(held)); }, value);
+    const auto* const text = std::get_if<std::string>(&value);
+    values[py::str(name)] = text != nullptr
+                                ? py::object(pythonText(*text))
+                                : std::visit([](const auto& held) { return py::object(py::cast(held)); }, value);
   }
   return values;
 }
@@ -99,8 +104,8 @@ py::dict metricsOf(const Metrics& metrics) {
 py::list failuresOf(const Run& run) {
   py::list failures;
   for (const ControllerFailure& failure : run.simulation().failures()) {
-    failures.append(
-        py::dict(py::arg("robot") = failure.robot, py::arg("tick") = failure.tick, py::arg("reason") = failure.reason));
+    failures.append(py::dict(py::arg("robot") = failure.robot, py::arg("tick") = failure.tick,
+                             py::arg("reason") = pythonText(failure.reason)));
   }
   return failures;
 }
@@ -109,7 +114,7 @@ py::list eventsOf(const Run& run) {
   py::list events;
   for (const Event& event : run.simulation().space().events) {
     events.append(py::dict(py::arg("kind") = toString(event.kind), py::arg("entity") = event.entity,
-                           py::arg("other") = event.other, py::arg("text") = event.text));
+                           py::arg("other") = event.other, py::arg("text") = pythonText(event.text)));
   }
   return events;
 }
@@ -150,7 +155,8 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly(
           "state_hash", [](const Run& run) { return hashText(run.simulation().stateHash()); },
           "Of all state, as `swarmanoid run` prints it: equal runs have equal ones.")
-      .def_property_readonly("result", &resultOfRun, "What a run has come to, as a dictionary.");
+      .def_property_readonly("result", &resultOfRun, "What a run has come to, as a dictionary.")
+      .def_property_readonly("record", &recordOfRun, "What a run is made of, as a dictionary.");
 }
 
 }  // namespace

@@ -141,6 +141,20 @@ class SimulationTest(unittest.TestCase):
         with concurrent.futures.ThreadPoolExecutor(4) as pool:
             self.assertEqual(list(pool.map(state_hash, runs)), alone)
 
+    def test_its_record_is_what_it_is_made_of(self):
+        simulation = swarmanoid.Simulation("phototaxis", overrides={"controllers.pc.parameters.speed": 0.12})
+        record = simulation.record
+        self.assertIn("<speed>0.12</speed>", record["text"])
+        self.assertEqual(list(record["libraries"]), ["libphototaxis.so"])
+        again = swarmanoid.Simulation(text=record["text"])
+        again.tick(20)
+        simulation.tick(20)
+        self.assertEqual(again.state_hash, simulation.state_hash)
+        terrain = swarmanoid.Simulation("rough_terrain").record
+        (name, content), = terrain["files"].items()
+        self.assertIn(f"<file>{name}</file>", terrain["text"])
+        self.assertEqual(content[:4], b"\x89PNG")
+
     def test_gives_its_memory_back(self):
         def make(count):
             for _ in range(count):
