@@ -9,6 +9,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "become_program.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 
 namespace swarmanoid::program {
@@ -20,21 +21,11 @@ std::string pathOf(const std::string& name) {
   return (own.parent_path().parent_path() / "lib/swarmanoid_hosts" / name).string();
 }
 
-/// Returns only if it cannot be started.
-void become(const std::string& program, const std::vector<std::string>& arguments) {
-  std::vector<char*> words{const_cast<char*>(program.c_str())};
-  for (const std::string& argument : arguments) {
-    words.push_back(const_cast<char*>(argument.c_str()));  // execv changes nothing, but its type lacks the const
-  }
-  words.push_back(nullptr);
-  execv(words[0], words.data());
-}
-
 }  // namespace
 
 void becomeHostsProgram(const std::string& name, const std::vector<std::string>& arguments) {
   const std::string program = pathOf(name);
-  become(program, arguments);
+  becomeProgram(program, arguments);
   throw ConfigError({program, 0}, std::string("cannot be started: ") + std::strerror(errno));
 }
 
@@ -45,7 +36,7 @@ void callHostsProgram(const std::string& name, const std::vector<std::string>& a
     throw ConfigError({program, 0}, std::string("cannot be started: ") + std::strerror(errno));
   }
   if (child == 0) {
-    become(program, arguments);
+    becomeProgram(program, arguments);
     std::cerr << "swarmanoid: " << program << ": cannot be started: " << std::strerror(errno) << std::endl;
     _exit(toNumber(ExitCode::kBadInput));
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "external_command.hpp"
 #include "hosts_program.hpp"
 #include "standard_output.hpp"
 #include "swarmanoid_interface/configuration.hpp"
@@ -18,6 +19,26 @@
 namespace swarmanoid::program {
 namespace {
 
+bool hasCommand(CLI::App& app, const std::string& name) {
+  return !app.get_subcommands([&](CLI::App* command) { return command->get_name() == name; }).empty();
+}
+
+/// Becomes the command of another package if the first argument names one; else adds all of them, for --help.
+void addExternalCommands(CLI::App& app, int argc, char** argv) {
+  const std::string name = argc > 1 ? argv[1] : "";
+  if (hasCommand(app, name)) {
+    return;
+  }
+  for (const ExternalCommand& command : externalCommands()) {
+    if (command.name == name) {
+      becomeExternalCommand(command, {argv + 2, argv + argc});
+    }
+    if (!hasCommand(app, command.name)) {
+      app.add_subcommand(command.name, command.summary.empty() ? command.program : command.summary);
+    }
+  }
+}
+
 ExitCode call(int argc, char** argv) {
   CLI::App app{"Runs experiments of the swarmanoid simulator.", "swarmanoid"};
   app.require_subcommand(1);
@@ -28,6 +49,7 @@ ExitCode call(int argc, char** argv) {
     Command command = add(app);
     commands.emplace_back(app.get_subcommands({}).back(), std::move(command));
   }
+  addExternalCommands(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

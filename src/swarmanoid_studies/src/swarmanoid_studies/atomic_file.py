@@ -1,0 +1,22 @@
+"""Files that are there as a whole, or as they were."""
+
+import os
+import tempfile
+
+
+def write_atomically(path: str, content: bytes) -> None:
+    """Replaces a file, also when the program or the computer dies meanwhile. @raise OSError"""
+    folder = os.path.dirname(os.path.abspath(path))
+    number, name = tempfile.mkstemp(prefix=f".{os.path.basename(path)}.", dir=folder)
+    try:
+        with os.fdopen(number, "wb") as file:
+            file.write(content)
+            file.flush()
+            os.fsync(file.fileno())
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(name, 0o666 & ~mask)
+        os.replace(name, path)
+    except BaseException:
+        os.unlink(name)
+        raise

@@ -1,0 +1,153 @@
+"""`swarmanoid batch`: an experiment with many seeds and values, one row a run."""
+
+import json
+import os
+import sys
+import time
+from typing import Dict, List, NamedTuple, Optional, Set, Tuple
+
+from .grid import Grid, parse_grid
+from .identity import checked, identity_of
+from .mistakes import CONTROLLER_FAILED, FINISHED, INTERRUPTED, STOPPED, Arguments, BadInput, call
+from .progress import Progress
+from .results_file import Columns, ResultsFile
+from .runs import RunRequest
+
+DESCRIPTION = "Runs an experiment with each seed and each combination of values. Writes one row a run into a CSV file, and a report."
+TICKS_PATH = "framework.maxclock"
+
+
+class Counts(NamedTuple):
+    made: int = 0
+    incomplete: int = 0           # runs without a result
+    controllers_failed: int = 0   # runs that went on without some robots
+
+
+def _arguments() -> Arguments:
+    parser = Arguments("batch", DESCRIPTION)
+    parser.add_argument("experiment", help="an experiment file, or the name of an installed experiment")
+    parser.add_argument("--seeds", required=True, metavar="SEEDS", help="such as 1..1000 or 1,2,10..20")
+    parser.add_argument("--set", dest="settings", action="append", default=[], metavar="PATH=A,B,C",
+                        help=r"values that replace what the file says, each in turn (can be given again; a comma in a value: \,)")
+    parser.add_argument("--ticks", type=int, help="at the most, instead of maxclock")
+    add_worker_options(parser)
+    parser.add_argument("--out", metavar="FILE", help="the CSV file; without it EXPERIMENT.csv")
+    parser.add_argument("--resume", action="store_true", help="makes the runs that the file lacks")
+    parser.add_argument("--force", action="store_true", help="replaces the file")
+    parser.add_argument("--report", metavar="FILE", help=".html or .png; without it an .html beside the CSV file")
+    parser.add_argument("--no-report", action="store_true")
+    parser.add_argument("--quiet", action="store_true", help="no progress bar")
+    return parser
+
+
+def add_worker_options(parser: Arguments) -> None:
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes that make runs; without it one a processor")
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a dask-scheduler, tcp://host:port, whose workers make the runs")
+
+
+def check_worker_options(jobs: Optional[int], scheduler: Optional[str]) -> int:
+    """@return how many processes to start @raise BadInput"""
+    from .workers import MOST_JOBS, default_jobs
+    if jobs is not None and scheduler is not None:
+        raise BadInput("found --jobs and --scheduler, allowed: one of them")
+    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
+        raise BadInput(f"--jobs: found {jobs}, allowed: 1 to {MOST_JOBS}")
+    return default_jobs() if jobs is None else jobs
+
+
+def portable(experiment: str) -> str:
+    """What workers are given: the full name of a file, or a name that they look up where they are."""
+    return os.path.abspath(experiment) if os.path.exists(experiment) else experiment
+
+
+def metric_names(experiment: str, grid: Grid, shared: Dict[str, str]) -> Tuple[str, ...]:
+    """Builds the experiment with each value once, the others being the first ones. @raise BadInput"""
+    first = {axis.path: axis.values[0] for axis in grid.axes}
+    names: Dict[str, None] = {}
+    for axis in grid.axes or [None]:
+        for value in axis.values if axis else [""]:
+            overrides = {**shared, **first, **({axis.path: value} if axis else {})}
+            names.update(dict.fromkeys(checked(experiment, overrides).metrics))
+    return tuple(names)
+
+
+def shared_overrides(grid: Grid, ticks: Optional[int]) -> Dict[str, str]:
+    """@raise BadInput"""
+    if ticks is None:
+        return {}
+    if any(axis.path == TICKS_PATH for axis in grid.axes):
+        raise BadInput(f"found --ticks and --set {TICKS_PATH}, allowed: one of them")
+    return {TICKS_PATH: str(ticks)}
+
+
+def make_rows(results: ResultsFile, requests: List[RunRequest], client, progress: Progress) -> Tuple[Counts, bool]:
+    """@return what was made, and whether somebody has interrupted it"""
+    from .dispatch import outcomes
+    counts = Counts()
+    try:
+        for number, outcome in outcomes(client, requests):
+            results.append(requests[number], outcome)
+            failed = bool(outcome.failure)
+            counts = Counts(counts.made + 1, counts.incomplete + (not outcome.is_complete),
+                            counts.controllers_failed + (failed and outcome.is_complete))
+            progress.note(failed)
+        return counts, False
+    except KeyboardInterrupt:
+        return counts, True
+    finally:
+        progress.finish()
+
+
+def main() -> int:
+    return call(_main)
+
+
+def _main() -> int:
+    from .workers import connected, refuse_others
+    arguments = _arguments().parse_args()
+    grid = parse_grid(arguments.seeds, arguments.settings)
+    jobs = check_worker_options(arguments.jobs, arguments.scheduler)
+    if arguments.resume and arguments.force:
+        raise BadInput("found --resume and --force, allowed: one of them")
+    shared = shared_overrides(grid, arguments.ticks)
+    simulation = checked(arguments.experiment, shared)
+    identity = identity_of(simulation)
+    columns = Columns(tuple(axis.path for axis in grid.axes), metric_names(arguments.experiment, grid, shared))
+    path = arguments.out or f"{identity.experiment}.csv"
+    report = None if arguments.no_report else arguments.report or os.path.splitext(path)[0] + ".html"
+    if report is not None:
+        from .report_command import check_report_name
+        check_report_name(report, path)
+
+    results = ResultsFile(path, identity, columns)
+    experiment = portable(arguments.experiment)
+    requests = grid.requests(experiment, shared)
+    done: Set[Tuple[str, ...]] = set()
+    if arguments.resume:
+        done = results.resume({results.key_of(request) for request in requests})
+    else:
+        results.create(arguments.force)
+    missing = [request for request in requests if results.key_of(request) not in done]
+
+    start = time.monotonic()
+    counts, is_interrupted = Counts(), False
+    if missing:
+        with connected(jobs, arguments.scheduler) as client:
+            if arguments.scheduler is not None:
+                refuse_others(client, experiment, shared, identity)
+            start = time.monotonic()
+            counts, is_interrupted = make_rows(results, missing, client,
+                                               Progress(identity.experiment, len(requests), len(done), arguments.quiet))
+    results.close()
+    wall_s = time.monotonic() - start
+    if report is not None and len(done) + counts.made:
+        from .report import write_report
+        write_report(path, report)
+    print(json.dumps({"version": identity.version, "experiment": identity.experiment, "runs": len(requests),
+                      "made": counts.made, "missing": len(missing) - counts.made, "incomplete": counts.incomplete,
+                      "controllers_failed": counts.controllers_failed, "csv": path, "report": report,
+                      "wall_s": round(wall_s, 3), "runs_per_s": round(counts.made / wall_s, 2) if wall_s else 0.0}))
+    if is_interrupted:
+        print("swarmanoid: interrupted; --resume goes on", file=sys.stderr)
+        return INTERRUPTED
+    return STOPPED if counts.incomplete else CONTROLLER_FAILED if counts.controllers_failed else FINISHED

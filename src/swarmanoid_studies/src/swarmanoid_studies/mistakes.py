@@ -1,0 +1,53 @@
+"""Bad input, and how programs end: as docs/reference/program.md states for `swarmanoid`."""
+
+import argparse
+import os
+import signal
+import sys
+from typing import Callable, NoReturn
+
+FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
+
+
+class BadInput(Exception):
+    """A mistake of the user: where, what was found, what is allowed."""
+
+
+class RunsStopped(Exception):
+    """What was asked for cannot be completed: a run has no result, or something could not be written."""
+
+
+class Arguments(argparse.ArgumentParser):
+    """Says what is wrong in one line, as the program `swarmanoid` does."""
+
+    def __init__(self, command: str, description: str) -> None:
+        super().__init__(prog=f"swarmanoid {command}", description=description, allow_abbrev=False)
+
+    def error(self, message: str) -> NoReturn:
+        raise BadInput(f"{message}; `{self.prog} --help` has all options")
+
+
+def _interrupt(_signal: int, _frame: object) -> None:
+    raise KeyboardInterrupt
+
+
+def call(main: Callable[[], int]) -> int:
+    """Calls the body of a program. @return its exit code"""
+    for number in (signal.SIGTERM, signal.SIGHUP):
+        if signal.getsignal(number) != signal.SIG_IGN:  # as nohup sets it
+            signal.signal(number, _interrupt)
+    try:
+        code = main()
+        sys.stdout.flush()
+        return code
+    except BadInput as mistake:
+        print(f"swarmanoid: {mistake}", file=sys.stderr)
+        return BAD_INPUT
+    except (OSError, RunsStopped) as problem:
+        print(f"swarmanoid: {problem}", file=sys.stderr)
+        if isinstance(problem, BrokenPipeError):
+            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter flushes once more as it ends
+        return STOPPED
+    except KeyboardInterrupt:
+        print("swarmanoid: interrupted", file=sys.stderr)
+        return INTERRUPTED

@@ -1,0 +1,30 @@
+"""`swarmanoid report`: the report of a CSV file that a batch has written."""
+
+import os
+
+from .mistakes import FINISHED, Arguments, BadInput, call
+
+
+def check_report_name(report: str, results: str) -> None:
+    """@raise BadInput"""
+    if not report.endswith((".html", ".png")):
+        raise BadInput(f"{report}: found another ending, allowed: .html or .png")
+    if os.path.abspath(report) == os.path.abspath(results):
+        raise BadInput(f"{report}: found the CSV file, allowed: another name")
+
+
+def main() -> int:
+    return call(_main)
+
+
+def _main() -> int:
+    parser = Arguments("report", "Writes a report of a CSV file: metrics by value, pairs of the same seed, runs that failed.")
+    parser.add_argument("csv", help="as `swarmanoid batch` writes it")
+    parser.add_argument("--out", metavar="FILE", help=".html or .png; without it an .html beside the CSV file")
+    arguments = parser.parse_args()
+    report = arguments.out or os.path.splitext(arguments.csv)[0] + ".html"
+    check_report_name(report, arguments.csv)
+    from .report import write_report
+    write_report(arguments.csv, report)
+    print(report)
+    return FINISHED

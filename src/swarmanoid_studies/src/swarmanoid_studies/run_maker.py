@@ -1,0 +1,53 @@
+"""Makes runs, in a process of a worker.
+
+The simulation of the last request is kept: the next one of the same experiment and overrides begins it anew with another
+seed, which reads no file. Runs have one thread each, as many are made at the same time."""
+
+import time
+import warnings
+from typing import List, Optional, Sequence, Tuple
+
+import swarmanoid
+
+from .runs import RunOutcome, RunRequest, lost, one_line
+
+_kept: Optional[Tuple[Tuple[object, ...], swarmanoid.Simulation]] = None
+
+
+def begin(request: RunRequest) -> swarmanoid.Simulation:
+    """A simulation of the request before its first tick. @raise swarmanoid.ExperimentError"""
+    global _kept
+    wanted = (request.experiment, request.overrides)
+    if _kept is not None and _kept[0] == wanted:
+        simulation = _kept[1]
+        _kept = None  # a run that fails leaves nothing to go on with
+        simulation.reset(seed=request.seed)
+    else:
+        _kept = None  # first, for its memory
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # they were shown where the experiment was checked
+            simulation = swarmanoid.Simulation(request.experiment, seed=request.seed, threads=1,
+                                               overrides=dict(request.overrides))
+    _kept = (wanted, simulation)
+    return simulation
+
+
+def make_run(request: RunRequest) -> RunOutcome:
+    global _kept
+    start = time.perf_counter()
+    try:
+        result = begin(request).run()
+    except Exception as error:  # whatever it is, it belongs into the row of this run
+        _kept = None
+        return lost(f"{type(error).__name__}: {error}")._replace(wall_s=time.perf_counter() - start)
+    failures = result["failed_controllers"]
+    text = ""
+    if failures:
+        first = failures[0]
+        text = f"{len(failures)} controllers failed, first {first['robot']} in tick {first['tick']}: {first['reason']}"
+    return RunOutcome(result["metrics"], result["success"], result["ticks"], time.perf_counter() - start,
+                      result["state_hash"], one_line(text), True)
+
+
+def make_runs(requests: Sequence[RunRequest]) -> List[RunOutcome]:
+    return [make_run(request) for request in requests]

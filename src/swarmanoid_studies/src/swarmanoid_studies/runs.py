@@ -1,0 +1,30 @@
+"""One run: what is asked for, and what comes of it. Plain values, which any process can be sent."""
+
+from typing import Dict, NamedTuple, Optional, Tuple, Union
+
+Metric = Union[float, str, bool]
+
+
+class RunRequest(NamedTuple):
+    experiment: str                          # a file, or the name of an installed experiment
+    overrides: Tuple[Tuple[str, str], ...]   # path and value, as of --set
+    seed: int
+
+
+class RunOutcome(NamedTuple):
+    metrics: Dict[str, Metric]
+    success: Optional[bool]    # None: nothing in the experiment judges it
+    ticks: int
+    wall_s: float              # from the request to the result, in the worker [s]
+    state_hash: str            # of the last state
+    failure: str               # what went wrong, in one line; "": nothing
+    is_complete: bool          # the run went to its end, though controllers may have failed
+
+
+def lost(reason: str) -> RunOutcome:
+    """Of a run that has no result."""
+    return RunOutcome({}, None, 0, 0.0, "", one_line(reason), False)
+
+
+def one_line(text: str) -> str:
+    return " ".join(text.split())

@@ -1,0 +1,23 @@
+"""`swarmanoid worker`: processes that make runs for the scheduler of a cluster; a Dask worker as the programs want it."""
+
+import os
+import sys
+
+from .mistakes import Arguments, call
+
+
+def main() -> int:
+    return call(_main)
+
+
+def _main() -> int:
+    from .batch_command import check_worker_options
+    from .workers import SETUP
+    parser = Arguments("worker", "Makes runs for a dask-scheduler, until that ends. What follows goes on to `dask worker`.")
+    parser.add_argument("scheduler", help="its address, tcp://host:port")
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes that make runs; without it one a processor")
+    arguments, others = parser.parse_known_args()
+    jobs = check_worker_options(arguments.jobs, None)
+    command = [sys.executable, "-m", "distributed.cli.dask_worker", arguments.scheduler, "--nworkers", str(jobs),
+               "--nthreads", "1", "--memory-limit", "0", "--no-dashboard", "--preload", SETUP, *others]
+    os.execv(sys.executable, command)

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+"""`swarmanoid batch` from outside: the same rows whoever makes them, and whoever is killed meanwhile."""
+
+import json
+import os
+import random
+import signal
+import subprocess
+import time
+import unittest
+
+from commands import CONTROLLER_FAILED, INTERRUPTED, CommandsTest, workers_of
+
+EXPERIMENT = "phototaxis"
+SPEED = "controllers.pc.parameters.speed"
+TICKS = "801"
+GRID = (EXPERIMENT, "--seeds", "1..40", "--set", f"{SPEED}=0.05,0.1,0.2", "--ticks", TICKS, "--no-report")
+RUNS = 120
+FAILS = """<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>20</maxclock></framework>
+  <controllers>
+    <phototaxis id="pc" library="phototaxis">
+      <actuators><footbot_wheels/></actuators><sensors><footbot_proximity/><light/></sensors>
+      <parameters><speed>0.1</speed></parameters>
+    </phototaxis>
+  </controllers>
+  <arena size="3,3,2" optimization="2D" bounded="true">
+    <footbot id="fb"><position>1, 1, 0</position><orientation>0, 0, 0</orientation><controller>pc</controller></footbot>
+  </arena>
+  <engines><kinematics2d id="ground"/></engines>
+  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
+</ahss-config>
+"""
+
+
+class BatchTest(CommandsTest):
+    whole = []  # rows of the grid, made once
+
+    def uninterrupted(self):
+        if not self.whole:
+            self.call("batch", *GRID, "--jobs", 2, "--out", "whole.csv", "--quiet")
+            self.whole.extend(self.rows("whole.csv"))
+        return self.whole
+
+    def test_rows_are_those_of_the_program_and_of_any_number_of_jobs(self):
+        expected = self.uninterrupted()
+        self.assertEqual(len(set(expected)), RUNS)
+        summary = self.call("batch", *GRID, "--jobs", 1, "--out", "one.csv", "--quiet")
+        self.assertEqual(self.rows("one.csv"), expected)
+        self.assertEqual((summary["runs"], summary["made"], summary["missing"]), (RUNS, RUNS, 0))
+        done = subprocess.run(["swarmanoid", "run", EXPERIMENT, "--seed", "17", "--set", f"{SPEED}=0.2", "--set",
+                               f"framework.maxclock={TICKS}", "--quiet"],
+                              cwd=self.folder, stdout=subprocess.PIPE, check=True, text=True)
+        single = json.loads(done.stdout)
+        row, = (row for row in expected if row[4:6] == ("0.2", "17"))
+        self.assertEqual(row[:3], (EXPERIMENT, single["version"], single["math_library"]))
+        self.assertIn(single["state_hash"], row)
+        self.assertIn(repr(single["metrics"]["lamps.distance"]), row)
+
+    def test_whoever_is_killed_each_run_has_one_row_and_the_same(self):
+        chance = random.Random(int(time.time()))
+        expected = self.uninterrupted()
+        options = ("--jobs", "2", "--out", "killed.csv", "--quiet")
+        # a worker: others do what it had
+        program = self.start("batch", *GRID, *options)
+        self.wait_for_lines("killed.csv", chance.randint(5, 60), program)
+        chance.choice(workers_of(program)).kill()
+        # the program itself, then once more: its rows so far are kept
+        self.wait_for_lines("killed.csv", chance.randint(62, 75), program)
+        self.kill(program)
+        for least in (chance.randint(80, 90), chance.randint(95, 105)):
+            program = self.start("batch", *GRID, *options, "--resume")
+            self.wait_for_lines("killed.csv", least, program)
+            self.kill(program)
+        summary = self.call("batch", *GRID, *options, "--resume")
+        self.assertLess(summary["made"], RUNS - 90)
+        self.assertEqual(self.rows("killed.csv"), expected)
+
+    def test_an_interrupt_keeps_what_is_done(self):
+        program = self.start("batch", *GRID, "--jobs", "2", "--out", "runs.csv", "--quiet", start_new_session=True)
+        self.wait_for_lines("runs.csv", 10, program)
+        os.killpg(program.pid, signal.SIGINT)  # as Ctrl-C in a terminal
+        output, errors = program.communicate(timeout=60)
+        self.assertEqual((program.returncode, errors), (INTERRUPTED, "swarmanoid: interrupted; --resume goes on\n"))
+        summary = json.loads(output)
+        self.assertEqual(summary["made"], len(self.rows("runs.csv")))
+        self.assertEqual(summary["made"] + summary["missing"], RUNS)
+
+    def test_a_report_has_distributions_and_pairs_by_seed(self):
+        self.call("batch", EXPERIMENT, "--seeds", "1..6", "--set", f"{SPEED}=0.1,0.2", "--ticks", 900, "--quiet")
+        text = (self.folder / "phototaxis.html").read_text()
+        for part in ("<h1>phototaxis: 12 runs, 6 seeds</h1>", f"<h2>lamps.distance by {SPEED}</h2>", "data:image/png;base64,",
+                     "effect size d_z", "Wilcoxon p"):
+            self.assertIn(part, text)
+        self.assertEqual(self.call("report", "phototaxis.csv", "--out", "runs.png"), "runs.png\n")
+        self.assertEqual((self.folder / "runs.png").read_bytes()[:4], b"\x89PNG")
+
+    def test_runs_that_fail_are_rows_and_the_exit_code_says_it(self):
+        library = "failing_controller"
+        text = FAILS.replace("phototaxis", library).replace("<sensors><footbot_proximity/><light/></sensors>", "")
+        text = text.replace("<speed>0.1</speed>", "<fail_at>-1</fail_at>")
+        (self.folder / "fails.xml").write_text(text)
+        summary = self.call("batch", "fails.xml", "--seeds", "1,2", "--set", "controllers.pc.parameters.fail_at=-1,3",
+                            "--jobs", 1, "--quiet", code=CONTROLLER_FAILED)
+        self.assertEqual((summary["controllers_failed"], summary["incomplete"]), (2, 0))
+        failed = [row for row in self.rows("fails.csv") if any("controllers failed" in value for value in row)]
+        self.assertEqual([row[4:6] for row in failed], [("3", "1"), ("3", "2")])
+        self.assertIn("Runs that failed: 2", (self.folder / "fails.html").read_text())
+
+    def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(self):
+        for message, *arguments in (
+                ("the following arguments are required: --seeds; `swarmanoid batch --help` has all options", EXPERIMENT),
+                ("--seeds: found '9..1', allowed: seeds and ranges of seeds, such as 1..1000 or 1,2,10..20", EXPERIMENT,
+                 "--seeds", "9..1"),
+                ("--jobs: found 0, allowed: 1 to 1024", EXPERIMENT, "--seeds", "1", "--jobs", "0"),
+                ("found --jobs and --scheduler, allowed: one of them", EXPERIMENT, "--seeds", "1", "--jobs", "1", "--scheduler",
+                 "tcp://localhost:1"),
+                ("no.pdf: found another ending, allowed: .html or .png", EXPERIMENT, "--seeds", "1", "--report", "no.pdf"),
+                ("nowhere/runs.csv: cannot be written: No such file or directory", EXPERIMENT, "--seeds", "1", "--out",
+                 "nowhere/runs.csv"),
+                ("runs.csv: cannot be continued: No such file or directory", EXPERIMENT, "--seeds", "1", "--out", "runs.csv",
+                 "--resume")):
+            with self.subTest(message):
+                self.assert_refused(message, "batch", *arguments)
+        self.assert_refused("nothing.csv: cannot be read: No such file or directory", "report", "nothing.csv")
+
+    def test_values_are_tried_before_anything_runs(self):
+        program = self.start("batch", EXPERIMENT, "--seeds", "1", "--set", f"{SPEED}=0.1,7")
+        _, errors = program.communicate(timeout=60)
+        self.assertEqual(program.returncode, 2)
+        self.assertRegex(errors, f"^swarmanoid: --set {SPEED}: .*found '?7'?, allowed: .*\n$")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+
+class ProgramTest(CommandsTest):
+    def test_help_lists_commands_of_other_packages(self):
+        text = self.call("--help")
+        self.assertRegex(text, "batch +runs an experiment with many seeds and values")
+        self.assertIn("usage: swarmanoid report", self.call("report", "--help"))
+
+    def test_any_program_on_the_path_is_a_command(self):
+        own = self.folder / "swarmanoid-greet"
+        own.write_text('#!/bin/sh\n# summary: greets\necho "hello $*"; exit 3\n')
+        own.chmod(0o755)
+        environment = dict(os.environ, PATH=f"{self.folder}:{os.environ['PATH']}")
+        program = self.start("greet", "--a", "b c", env=environment)
+        self.assertEqual((*program.communicate(timeout=20), program.returncode), ("hello --a b c\n", "", 3))
+        program = self.start("--help", env=environment)
+        self.assertRegex(program.communicate(timeout=20)[0], "greet +greets")
+
+
+if __name__ == "__main__":
+    unittest.main()

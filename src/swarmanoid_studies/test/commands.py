@@ -1,0 +1,72 @@
+"""What the tests of the programs share: a folder each, calls as a user makes them, and processes that are killed."""
+
+import csv
+import json
+import pathlib
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import psutil
+
+FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
+PATIENCE_S = 120
+
+
+class CommandsTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def start(self, *arguments, **options):
+        return subprocess.Popen(["swarmanoid", *map(str, arguments)], cwd=self.folder, stdout=subprocess.PIPE,
+                                stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, **options)
+
+    def call(self, *arguments, code=FINISHED):
+        """Runs the program to its end. @return its summary, or what it printed if that is none"""
+        program = self.start(*arguments)
+        output, errors = program.communicate(timeout=PATIENCE_S)
+        self.assertEqual(program.returncode, code, errors)
+        return json.loads(output) if output.startswith("{") else output
+
+    def assert_refused(self, message, *arguments):
+        """The program says this, in one line, and leaves nothing behind."""
+        before = sorted(self.folder.rglob("*"))
+        program = self.start(*arguments)
+        output, errors = program.communicate(timeout=PATIENCE_S)
+        self.assertEqual((program.returncode, output, errors), (BAD_INPUT, "", f"swarmanoid: {message}\n"))
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+    def rows(self, name):
+        """Of a CSV file, without wall time, by what tells one run from another."""
+        with open(self.folder / name, newline="") as file:
+            rows = list(csv.reader(file))
+        head = rows[0]
+        wall = head.index("wall_s")
+        return sorted(tuple(value for i, value in enumerate(row) if i != wall) for row in rows[1:])
+
+    def wait_for_lines(self, name, lines, program):
+        """Until a file has so many."""
+        end = time.monotonic() + PATIENCE_S
+        path = self.folder / name
+        while not path.exists() or path.read_bytes().count(b"\n") < lines:
+            self.assertIsNone(program.poll(), "the program has ended")
+            self.assertLess(time.monotonic(), end, "no rows come")
+            time.sleep(0.01)
+
+    def kill(self, program):
+        """-9, and waits until the processes that it had started are gone."""
+        workers = workers_of(program)
+        program.send_signal(signal.SIGKILL)
+        program.communicate(timeout=PATIENCE_S)
+        _, alive = psutil.wait_procs(workers, timeout=20)
+        self.assertEqual(alive, [], "workers outlive the program")
+
+
+def workers_of(program):
+    """Processes that make runs for a program."""
+    return [child for child in psutil.Process(program.pid).children(recursive=True)
+            if any("spawn_main" in word for word in child.cmdline())]
