@@ -16,6 +16,7 @@ import long_tests
 import robots
 import robustness
 import simulation
+import studies
 import under_ros
 from table import ROOT, Table, machine
 
@@ -42,6 +43,8 @@ FIGURES = {
     "climbing": engines.climbing,
     "start_up": lambda table, build: simulation.start_up(table),
     "devices": devices.devices,
+    "evolution": lambda table, build: studies.evolution(table),
+    "batch": lambda table, build: studies.batch(table),
     "fuzzers": robustness.fuzzers,
     "sanitizers": lambda table, build: robustness.sanitizers(table),
     "coverage": lambda table, build: robustness.coverage(table),

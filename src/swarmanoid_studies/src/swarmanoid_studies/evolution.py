@@ -1,0 +1,93 @@
+"""An evolution: generations of genotypes, each judged by the mean of its metrics over the seeds of the study."""
+
+import math
+from typing import Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
+
+from distributed import Client
+
+from .checkpoint import Generation, finite
+from .dispatch import outcomes
+from .mistakes import BadInput, RunsStopped
+from .optimisers import Losses, front, make_optimiser
+from .runs import RunOutcome, RunRequest
+from .study_file import Study
+
+
+class Found(NamedTuple):
+    """A genotype that was judged."""
+    generation: int    # from 1
+    index: int         # in its generation, from 0
+    genotype: Tuple[float, ...]
+    values: Tuple[Optional[float], ...]
+
+
+class Evolution:
+    def __init__(self, study: Study, experiment: str) -> None:
+        """@param experiment what workers are given for it"""
+        self._study = study
+        self._experiment = experiment
+        self._optimiser = make_optimiser(study.optimiser, len(study.genes), len(study.objectives))
+        self._asked = self._optimiser.ask()
+        self.generations: List[Generation] = []
+        self.best: List[Found] = []    # one, or the front of several objectives
+
+    def population(self) -> int:
+        return len(self._asked)
+
+    def replay(self, generations: Sequence[Generation]) -> None:
+        """@raise BadInput if the optimiser asks for others now, as another version of it may"""
+        for generation in generations:
+            if generation.genotypes != self._asked:
+                raise BadInput(f"generation {len(self.generations) + 1} of the checkpoint: found other genotypes than the "
+                               "optimiser asks for here, allowed: a checkpoint of the same versions of NumPy and DEAP")
+            self._take(generation)
+
+    def step(self, client: Client, note: Callable[[RunOutcome], None]) -> None:
+        """Makes the next generation. @param note called for each run that is done @raise RunsStopped"""
+        requests = [request for genotype in self._asked for request in self._requests(genotype)]
+        made: List[Optional[RunOutcome]] = [None] * len(requests)
+        for number, outcome in outcomes(client, requests):
+            if not outcome.is_complete:
+                raise RunsStopped(f"generation {len(self.generations) + 1}: a run has no result: {outcome.failure} "
+                                  f"({_text(requests[number])})")
+            made[number] = outcome
+            note(outcome)
+        runs = len(self._study.seeds)
+        values = [self._values([outcome for outcome in made[first:first + runs] if outcome is not None])
+                  for first in range(0, len(made), runs)]
+        failures = sum(bool(outcome.failure) for outcome in made if outcome is not None)
+        self._take(Generation(self._asked, values, failures))
+
+    def overrides(self, genotype: Sequence[float]) -> Dict[str, str]:
+        """Of the experiment, with all digits."""
+        genes = {gene.path: repr(gene.value(part)) for gene, part in zip(self._study.genes, genotype)}
+        return {**self._study.overrides, **genes}
+
+    def _requests(self, genotype: Sequence[float]) -> List[RunRequest]:
+        overrides = tuple(self.overrides(genotype).items())
+        return [RunRequest(self._experiment, overrides, seed) for seed in self._study.seeds]
+
+    def _values(self, runs: Sequence[RunOutcome]) -> List[Optional[float]]:
+        """Means over the runs, in the order of the seeds, so to the same bits whoever was first."""
+        return [finite(math.fsum(float(run.metrics[objective.metric]) for run in runs) / len(runs))
+                for objective in self._study.objectives]
+
+    def _losses(self, values: Sequence[Optional[float]]) -> Losses:
+        return tuple(math.inf if value is None else value if objective.is_minimised else -value
+                     for value, objective in zip(values, self._study.objectives))
+
+    def _take(self, generation: Generation) -> None:
+        losses = [self._losses(values) for values in generation.values]
+        self.generations.append(generation)
+        number = len(self.generations)
+        judged = [*self.best, *(Found(number, index, tuple(genotype), tuple(values)) for index, (genotype, values)
+                                in enumerate(zip(generation.genotypes, generation.values)))]
+        different = list({found.genotype: found for found in reversed(judged)}.values())[::-1]  # the older of equal ones
+        order = front([self._losses(found.values) for found in different])
+        self.best = [different[index] for index in order[:1 if len(self._study.objectives) == 1 else None]]
+        self._optimiser.tell(losses)
+        self._asked = self._optimiser.ask()
+
+
+def _text(request: RunRequest) -> str:
+    return ", ".join(f"{path}={value}" for path, value in request.overrides) + f", seed {request.seed}"

@@ -1,0 +1,112 @@
+"""What an evolution leaves in its folder: a table, a picture, and the best genotypes as experiment files."""
+
+import csv
+import io
+import os
+from typing import List, Optional, Sequence
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+from matplotlib import pyplot  # noqa: E402
+
+from .atomic_file import write_atomically  # noqa: E402
+from .evolution import Evolution, Found  # noqa: E402
+from .identity import checked  # noqa: E402
+from .results_file import text_of  # noqa: E402
+from .study_file import Study  # noqa: E402
+
+
+def write_files(folder: str, study: Study, evolution: Evolution) -> List[str]:
+    """@return the experiment files @raise OSError"""
+    write_atomically(os.path.join(folder, "generations.csv"), _table(study, evolution).encode())
+    draw = _history if len(study.objectives) == 1 else _front
+    write_atomically(os.path.join(folder, "fitness.png"), draw(study, evolution))
+    return _experiments(folder, study, evolution)
+
+
+def _table(study: Study, evolution: Evolution) -> str:
+    text = io.StringIO()
+    rows = csv.writer(text, lineterminator="\n")
+    rows.writerow(["generation", "genotype", *(gene.path for gene in study.genes), *(each.metric for each in study.objectives)])
+    for number, generation in enumerate(evolution.generations, 1):
+        for index, (genotype, values) in enumerate(zip(generation.genotypes, generation.values)):
+            genes = (gene.value(part) for gene, part in zip(study.genes, genotype))
+            rows.writerow([number, index, *map(text_of, genes), *map(text_of, values)])
+    return text.getvalue()
+
+
+def _experiments(folder: str, study: Study, evolution: Evolution) -> List[str]:
+    """Of one objective best.xml, of several front_1.xml and so on, by the first objective."""
+    names = ["best.xml"] if len(study.objectives) == 1 else [f"front_{i}.xml" for i in range(1, len(evolution.best) + 1)]
+    for name in os.listdir(folder):
+        if name.startswith("front_") and name.endswith(".xml") and name not in names:
+            os.unlink(os.path.join(folder, name))  # of a longer front
+    paths = [os.path.join(folder, name) for name in names]
+    for path, found in zip(paths, evolution.best):
+        record = checked(study.experiment, evolution.overrides(found.genotype)).record
+        for name, content in record["files"].items():  # images that the experiment names
+            os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
+            write_atomically(os.path.join(folder, name), content)
+        head, line, rest = record["text"].partition("\n")
+        write_atomically(path, f"{head}{line}<!-- {_comment(study, found)} -->\n{rest}".encode())
+    return paths
+
+
+def _comment(study: Study, found: Found) -> str:
+    values = ", ".join(f"{objective.metric} {text_of(value)}" for objective, value in zip(study.objectives, found.values))
+    text = f"Evolved by the study {study.name}, generation {found.generation}: {values} over {len(study.seeds)} seeds."
+    return text.replace("--", "- -")  # as comments of XML want it
+
+
+def _finite(values: Sequence[Optional[float]]) -> List[float]:
+    return [value for value in values if value is not None]
+
+
+def _history(study: Study, evolution: Evolution) -> bytes:
+    """One objective by generation: the best, the mean, all."""
+    objective, = study.objectives
+    choose = min if objective.is_minimised else max
+    figure, axes = pyplot.subplots(figsize=(7, 4.5))
+    numbers, best, means = [], [], []
+    for number, generation in enumerate(evolution.generations, 1):
+        values = _finite([row[0] for row in generation.values])
+        axes.plot([number] * len(values), values, ".", color="tab:blue", alpha=0.4)
+        if values:
+            numbers.append(number)
+            means.append(sum(values) / len(values))
+            best.append(choose([*best[-1:], choose(values)]))
+    axes.plot(numbers, means, color="tab:blue", label="mean of the generation")
+    axes.plot(numbers, best, color="black", label="best so far")
+    axes.set_xlabel("generation")
+    axes.set_ylabel(f"{objective.metric}, mean over {len(study.seeds)} seeds")
+    axes.legend()
+    return _png(figure, study)
+
+
+def _front(study: Study, evolution: Evolution) -> bytes:
+    """The first two objectives against each other, by generation, and the front."""
+    figure, axes = pyplot.subplots(figsize=(7, 4.5))
+    points = [(number, *row[:2]) for number, generation in enumerate(evolution.generations, 1) for row in generation.values
+              if row[0] is not None and row[1] is not None]
+    if points:
+        numbers, first, second = zip(*points)
+        figure.colorbar(axes.scatter(first, second, c=numbers, s=8), label="generation")
+    line = [found.values[:2] for found in evolution.best if None not in found.values[:2]]
+    if line:
+        axes.plot(*zip(*line), ".-", color="black", label="front")
+        axes.legend()
+    axes.set_xlabel(study.objectives[0].metric)
+    axes.set_ylabel(study.objectives[1].metric)
+    return _png(figure, study)
+
+
+def _png(figure: pyplot.Figure, study: Study) -> bytes:
+    figure.axes[0].set_title(study.name)
+    figure.axes[0].grid(alpha=0.3)
+    figure.tight_layout()
+    data = io.BytesIO()
+    figure.savefig(data, format="png", dpi=110, metadata={"Software": None})
+    pyplot.close(figure)
+    return data.getvalue()

@@ -1,0 +1,131 @@
+#!/usr/bin/python3
+"""`swarmanoid evolve` from outside: the same genotypes, to the last bit, whoever makes the runs and whoever is killed."""
+
+import json
+import random
+import subprocess
+import time
+import unittest
+
+from commands import INTERRUPTED, CommandsTest, workers_of
+
+SPEED, THRESHOLD = "controllers.pc.parameters.speed", "controllers.pc.parameters.threshold"
+STUDY = f"""<study>
+  <experiment>phototaxis</experiment>
+  <overrides><set path="framework.maxclock">401</set></overrides>
+  <genotype>
+    <gene path="{SPEED}" minimum="0" maximum="0.3"/>
+    <gene path="{THRESHOLD}" minimum="0" maximum="2"/>
+  </genotype>
+  <fitness seeds="1..3"><minimise metric="lamps.distance"/></fitness>
+  <optimiser><cma_es><generations>6</generations></cma_es></optimiser>
+</study>
+"""
+GENERATIONS = 6
+
+
+class EvolveTest(CommandsTest):
+    def setUp(self):
+        super().setUp()
+        self.study = self.folder / "study.xml"
+        self.study.write_text(STUDY)
+
+    def evolve(self, folder, *options, **expected):
+        return self.call("evolve", "study.xml", "--out", folder, "--quiet", *options, **expected)
+
+    whole = {}  # what comes of the study, made once
+
+    def uninterrupted(self):
+        if not self.whole:
+            self.evolve("whole", "--jobs", 2)
+            self.whole.update(self.made("whole"))
+        return self.whole
+
+    def made(self, folder):
+        """All that follows from the study alone."""
+        return {name: (self.folder / folder / name).read_bytes() for name in ("checkpoint.json", "generations.csv", "best.xml")}
+
+    def test_genotypes_are_the_same_whoever_makes_the_runs(self):
+        summary = self.evolve("two", "--jobs", 2)
+        expected = self.made("two")
+        for jobs in (1, 4):
+            self.evolve(f"of_{jobs}", "--jobs", jobs)
+            self.assertEqual(self.made(f"of_{jobs}"), expected)
+        self.assertEqual((self.folder / "two/fitness.png").read_bytes()[:4], b"\x89PNG")
+        best, = summary["best"]
+        values = [generation["values"] for generation in json.loads(expected["checkpoint.json"])["generations"]]
+        self.assertEqual(len(values), GENERATIONS)
+        self.assertEqual(best["values"]["lamps.distance"], min(value[0] for generation in values for value in generation))
+        self.assert_the_best_is_an_experiment("two/best.xml", best["values"]["lamps.distance"])
+
+    def assert_the_best_is_an_experiment(self, file, expected):
+        metrics = []
+        for seed in (1, 2, 3):
+            done = subprocess.run(["swarmanoid", "run", file, "--seed", str(seed), "--quiet"], cwd=self.folder, check=True,
+                                  stdout=subprocess.PIPE, text=True)
+            metrics.append(json.loads(done.stdout)["metrics"]["lamps.distance"])
+        self.assertAlmostEqual(sum(metrics) / 3, expected, delta=1e-12)
+
+    def test_whoever_is_killed_the_genotypes_are_the_same(self):
+        chance = random.Random(int(time.time()))
+        expected = self.uninterrupted()
+        options = ("study.xml", "--out", "killed", "--quiet", "--jobs", 2)
+        program = self.start("evolve", *options)
+        self.wait_for_lines("killed/checkpoint.json", 1, program)
+        chance.choice(workers_of(program)).kill()
+        generation = (self.folder / "killed/checkpoint.json").read_bytes().count(b"genotypes")
+        end = time.monotonic() + 60
+        while (self.folder / "killed/checkpoint.json").read_bytes().count(b"genotypes") == generation:
+            self.assertLess(time.monotonic(), end, "no generation comes after a worker was killed")
+            time.sleep(0.01)
+        self.kill(program)
+        self.evolve("killed", "--jobs", 1, "--resume")
+        self.assertEqual(self.made("killed"), expected)
+
+    def test_goes_on_to_more_generations(self):
+        self.evolve("parts", "--jobs", 2, "--generations", 2)
+        self.evolve("parts", "--jobs", 2, "--resume")
+        self.assertEqual(self.made("parts"), self.uninterrupted())
+
+    def test_several_objectives_have_a_front(self):
+        text = STUDY.replace('<minimise metric="lamps.distance"/>',
+                             '<minimise metric="lamps.distance"/><maximise metric="lamps.distance_before_switch"/>')
+        text = text.replace("<cma_es><generations>6</generations></cma_es>",
+                            "<nsga2><generations>3</generations><population>8</population></nsga2>")
+        self.study.write_text(text)
+        summary = self.evolve("front", "--jobs", 2)
+        self.assertEqual([best["file"] for best in summary["best"]],
+                         [f"front/front_{i}.xml" for i in range(1, len(summary["best"]) + 1)])
+        distances = [best["values"]["lamps.distance"] for best in summary["best"]]
+        self.assertEqual(distances, sorted(distances))
+
+    def test_an_interrupt_keeps_whole_generations(self):
+        program = self.start("evolve", "study.xml", "--out", "run", "--quiet", "--jobs", 2)
+        self.wait_for_lines("run/checkpoint.json", 1, program)
+        program.terminate()
+        output, errors = program.communicate(timeout=60)
+        self.assertEqual((program.returncode, errors), (INTERRUPTED, "swarmanoid: interrupted; --resume goes on\n"))
+        self.assertTrue((self.folder / "run/best.xml").exists())
+
+    def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(self):
+        self.assert_refused("found the study 'studi.xml', allowed: phototaxis", "evolve", "studi.xml")
+        self.assert_refused("--generations: found 0, allowed: 1 to 1000000", "evolve", "study.xml", "--generations", "0")
+        self.study.write_text(STUDY.replace("lamps.distance", "lamp.distance"))
+        self.assert_refused("study.xml:8: found the metric 'lamp.distance', allowed: lamps.distance, "
+                            "lamps.distance_before_switch, lamps.switches", "evolve", "study.xml")
+        self.study.write_text(STUDY.replace('maximum="2"', 'maximum="20"'))
+        program = self.start("evolve", "study.xml")
+        _, errors = program.communicate(timeout=60)
+        self.assertRegex(errors, f"^swarmanoid: study.xml:6: --set {THRESHOLD}: .*found '?20.0'?, allowed: .*\n$")
+
+    def test_another_study_is_not_continued(self):
+        self.evolve("run", "--jobs", 2, "--generations", 1)
+        self.study.write_text(STUDY.replace("1..3", "1..2"))
+        self.assert_refused("run/checkpoint.json: seeds: found [1, 2, 3], allowed: [1, 2], as now", "evolve", "study.xml",
+                            "--out", "run", "--resume")
+        self.assert_refused("run/checkpoint.json: found a file, allowed: another --out, --resume to continue it, or --force to "
+                            "replace it", "evolve", "study.xml", "--out", "run")
+
+
+if __name__ == "__main__":
+    unittest.main()
