@@ -39,10 +39,11 @@ def acting_world(table, build):
 
 
 def sensing(table, build):
+    """Long repetitions: with all devices on a tick takes 0.1 s, and the first ticks would count."""
     binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_sensing_benchmark"
     done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=3",
-                           "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=3", "--benchmark_report_aggregates_only=true"],
-                          capture_output=True, text=True, check=True)
+                           "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=3",
+                           "--benchmark_report_aggregates_only=true"], capture_output=True, text=True, check=True)
     speed = {entry["run_name"].replace("BM_", ""): entry["items_per_second"]
              for entry in json.loads(done.stdout)["benchmarks"] if entry["aggregate_name"] == "median"}
     everybody = "10,000 footbots that turn on the spot, one per 1.6 m2, one thread"

@@ -1,6 +1,6 @@
-"""Many runs of an experiment: batches over seeds and values, on Dask.
+"""Many runs of an experiment, on Dask: batches over seeds and values, evolutions.
 
-Programs `swarmanoid batch`, `report` and `worker`; see docs/how-to/run_a_batch.md. From the
+Programs `swarmanoid batch`, `report`, `worker` and `evolve`; see docs/how-to/run_a_batch.md and evolve_a_controller.md. From the
 bottom up:
 
     mistakes            bad input, and how programs end
@@ -9,6 +9,10 @@ bottom up:
     identity            what makes two runs of different days or computers comparable
     workers             processes that make runs: on this computer, or those of a scheduler
     dispatch            sends runs to workers, and takes what comes back
+    atomic_file         files that are there as a whole, and that one program writes at a time
+    command_options     options that several commands have
     grid, results_file, batch_command           a batch
     statistics, plots, report, report_command   its report
+    study_file, optimisers, checkpoint, evolution, evolution_files, evolve_command   an evolution
+    pictures            as PNG, for both
 """

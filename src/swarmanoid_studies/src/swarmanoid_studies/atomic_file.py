@@ -1,7 +1,10 @@
-"""Files that are there as a whole, or as they were."""
+"""Files that are there as a whole, or as they were, and that one program writes at a time."""
 
+import fcntl
 import os
 import tempfile
+
+from .mistakes import BadInput
 
 
 def write_atomically(path: str, content: bytes) -> None:
@@ -20,3 +23,11 @@ def write_atomically(path: str, content: bytes) -> None:
     except BaseException:
         os.unlink(name)
         raise
+
+
+def lock(number: int, path: str) -> None:
+    """Keeps other programs out until the descriptor of the file or folder is closed. @raise BadInput if one has locked it"""
+    try:
+        fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        raise BadInput(f"{path}: another program is writing it") from None

@@ -2,13 +2,13 @@
 
 import json
 import os
-import sys
 import time
 from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
+from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
 from .grid import Grid, parse_grid
 from .identity import checked, identity_of
-from .mistakes import CONTROLLER_FAILED, FINISHED, INTERRUPTED, STOPPED, Arguments, BadInput, call
+from .mistakes import CONTROLLER_FAILED, FINISHED, STOPPED, Arguments, BadInput, call, interrupted
 from .progress import Progress
 from .results_file import Columns, ResultsFile
 from .runs import RunRequest
@@ -38,26 +38,6 @@ def _arguments() -> Arguments:
     parser.add_argument("--no-report", action="store_true")
     parser.add_argument("--quiet", action="store_true", help="no progress bar")
     return parser
-
-
-def add_worker_options(parser: Arguments) -> None:
-    parser.add_argument("--jobs", type=int, metavar="N", help="processes that make runs; without it one a processor")
-    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a dask-scheduler, tcp://host:port, whose workers make the runs")
-
-
-def check_worker_options(jobs: Optional[int], scheduler: Optional[str]) -> int:
-    """@return how many processes to start @raise BadInput"""
-    from .workers import MOST_JOBS, default_jobs
-    if jobs is not None and scheduler is not None:
-        raise BadInput("found --jobs and --scheduler, allowed: one of them")
-    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
-        raise BadInput(f"--jobs: found {jobs}, allowed: 1 to {MOST_JOBS}")
-    return default_jobs() if jobs is None else jobs
-
-
-def portable(experiment: str) -> str:
-    """What workers are given: the full name of a file, or a name that they look up where they are."""
-    return os.path.abspath(experiment) if os.path.exists(experiment) else experiment
 
 
 def metric_names(experiment: str, grid: Grid, shared: Dict[str, str]) -> Tuple[str, ...]:
@@ -107,8 +87,7 @@ def _main() -> int:
     arguments = _arguments().parse_args()
     grid = parse_grid(arguments.seeds, arguments.settings)
     jobs = check_worker_options(arguments.jobs, arguments.scheduler)
-    if arguments.resume and arguments.force:
-        raise BadInput("found --resume and --force, allowed: one of them")
+    refuse_resume_with_force(arguments.resume, arguments.force)
     shared = shared_overrides(grid, arguments.ticks)
     simulation = checked(arguments.experiment, shared)
     identity = identity_of(simulation)
@@ -148,6 +127,5 @@ def _main() -> int:
                       "controllers_failed": counts.controllers_failed, "csv": path, "report": report,
                       "wall_s": round(wall_s, 3), "runs_per_s": round(counts.made / wall_s, 2) if wall_s else 0.0}))
     if is_interrupted:
-        print("swarmanoid: interrupted; --resume goes on", file=sys.stderr)
-        return INTERRUPTED
+        return interrupted()
     return STOPPED if counts.incomplete else CONTROLLER_FAILED if counts.controllers_failed else FINISHED

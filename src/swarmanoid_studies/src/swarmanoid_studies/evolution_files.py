@@ -1,40 +1,31 @@
 """What an evolution leaves in its folder: a table, a picture, and the best genotypes as experiment files."""
 
-import csv
-import io
 import os
 from typing import List, Optional, Sequence
 
-import matplotlib
-
-matplotlib.use("Agg")
-
-from matplotlib import pyplot  # noqa: E402
-
-from .atomic_file import write_atomically  # noqa: E402
-from .evolution import Evolution, Found  # noqa: E402
-from .identity import checked  # noqa: E402
-from .results_file import text_of  # noqa: E402
-from .study_file import Study  # noqa: E402
+from .atomic_file import write_atomically
+from .evolution import Evolution, Found
+from .identity import checked
+from .pictures import png, pyplot
+from .results_file import line_of, text_of
+from .study_file import Study
 
 
 def write_files(folder: str, study: Study, evolution: Evolution) -> List[str]:
     """@return the experiment files @raise OSError"""
-    write_atomically(os.path.join(folder, "generations.csv"), _table(study, evolution).encode())
+    write_atomically(os.path.join(folder, "generations.csv"), _table(study, evolution))
     draw = _history if len(study.objectives) == 1 else _front
     write_atomically(os.path.join(folder, "fitness.png"), draw(study, evolution))
     return _experiments(folder, study, evolution)
 
 
-def _table(study: Study, evolution: Evolution) -> str:
-    text = io.StringIO()
-    rows = csv.writer(text, lineterminator="\n")
-    rows.writerow(["generation", "genotype", *(gene.path for gene in study.genes), *(each.metric for each in study.objectives)])
+def _table(study: Study, evolution: Evolution) -> bytes:
+    lines = [line_of(["generation", "genotype", *(gene.path for gene in study.genes), *(each.metric for each in study.objectives)])]
     for number, generation in enumerate(evolution.generations, 1):
         for index, (genotype, values) in enumerate(zip(generation.genotypes, generation.values)):
             genes = (gene.value(part) for gene, part in zip(study.genes, genotype))
-            rows.writerow([number, index, *map(text_of, genes), *map(text_of, values)])
-    return text.getvalue()
+            lines.append(line_of([number, index, *genes, *values]))
+    return b"".join(lines)
 
 
 def _experiments(folder: str, study: Study, evolution: Evolution) -> List[str]:
@@ -82,7 +73,7 @@ def _history(study: Study, evolution: Evolution) -> bytes:
     axes.set_xlabel("generation")
     axes.set_ylabel(f"{objective.metric}, mean over {len(study.seeds)} seeds")
     axes.legend()
-    return _png(figure, study)
+    return _finished(figure, study)
 
 
 def _front(study: Study, evolution: Evolution) -> bytes:
@@ -99,14 +90,11 @@ def _front(study: Study, evolution: Evolution) -> bytes:
         axes.legend()
     axes.set_xlabel(study.objectives[0].metric)
     axes.set_ylabel(study.objectives[1].metric)
-    return _png(figure, study)
+    return _finished(figure, study)
 
 
-def _png(figure: pyplot.Figure, study: Study) -> bytes:
+def _finished(figure: pyplot.Figure, study: Study) -> bytes:
+    """PNG."""
     figure.axes[0].set_title(study.name)
     figure.axes[0].grid(alpha=0.3)
-    figure.tight_layout()
-    data = io.BytesIO()
-    figure.savefig(data, format="png", dpi=110, metadata={"Software": None})
-    pyplot.close(figure)
-    return data.getvalue()
+    return png(figure)

@@ -1,16 +1,16 @@
 """`swarmanoid evolve`: evolves parameters of an experiment, as a study file says."""
 
-import fcntl
+import argparse
 import json
 import os
-import sys
 import time
 from typing import TYPE_CHECKING, Callable, Dict, List
 
-from .batch_command import add_worker_options, check_worker_options, portable
+from .atomic_file import lock
+from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
 from .identity import checked, identity_of
 from .identity_fields import Identity
-from .mistakes import FINISHED, INTERRUPTED, Arguments, BadInput, call
+from .mistakes import FINISHED, Arguments, BadInput, call, interrupted
 from .progress import Progress
 from .study_file import MOST, Study, find_study, read_study
 from .workers import connected, refuse_others
@@ -56,19 +56,16 @@ def made_of(study: Study, identity: Identity) -> Dict[str, object]:
             "optimiser": study.optimiser.kind, "parameters": parameters}
 
 
-def _open_folder(folder: str, checkpoint: str, arguments) -> None:
-    """@raise BadInput if something is in the way"""
-    if arguments.resume and arguments.force:
-        raise BadInput("found --resume and --force, allowed: one of them")
+def _open_folder(folder: str, checkpoint: str, arguments: argparse.Namespace) -> None:
+    """Before the checkpoint is read, so that nobody adds to it meanwhile. @raise BadInput if something is in the way"""
     if not arguments.resume and not arguments.force and os.path.lexists(checkpoint):
         raise BadInput(f"{checkpoint}: found a file, allowed: another --out, --resume to continue it, or --force to replace it")
     try:
-        os.makedirs(folder, exist_ok=True)
-        fcntl.flock(os.open(folder, os.O_RDONLY), fcntl.LOCK_EX | fcntl.LOCK_NB)  # until the program ends
-    except BlockingIOError:
-        raise BadInput(f"{folder}: another program is writing it") from None
+        if not arguments.resume:
+            os.makedirs(folder, exist_ok=True)
+        lock(os.open(folder, os.O_RDONLY), folder)  # until the program ends
     except OSError as error:
-        raise BadInput(f"{folder}: cannot be written: {error.strerror}") from None
+        raise BadInput(f"{folder}: cannot be {'continued' if arguments.resume else 'written'}: {error.strerror}") from None
 
 
 def main() -> int:
@@ -78,6 +75,7 @@ def main() -> int:
 def _main() -> int:
     arguments = _arguments().parse_args()
     jobs = check_worker_options(arguments.jobs, arguments.scheduler)
+    refuse_resume_with_force(arguments.resume, arguments.force)
     study = read_study(find_study(arguments.study))
     generations = int(study.optimiser.parameters["generations"]) if arguments.generations is None else arguments.generations
     if not 1 <= generations <= MOST:
@@ -90,8 +88,8 @@ def _main() -> int:
     evolution = Evolution(study, portable(study.experiment))
     folder = arguments.out or f"{study.name}_evolution"
     checkpoint = os.path.join(folder, "checkpoint.json")
-    evolution.replay(read_checkpoint(checkpoint, own) if arguments.resume else [])
     _open_folder(folder, checkpoint, arguments)
+    evolution.replay(read_checkpoint(checkpoint, own) if arguments.resume else [])
     start = time.monotonic()
     is_interrupted = False
     if len(evolution.generations) < generations:
@@ -143,6 +141,5 @@ def _conclude(study: Study, evolution: "Evolution", folder: str, wall_s: float, 
     print(json.dumps({"study": study.name, "generations": len(evolution.generations), "population": evolution.population(),
                       "runs_with_failed_controllers": failures, "folder": folder, "wall_s": round(wall_s, 3), "best": best}))
     if is_interrupted:
-        print("swarmanoid: interrupted; --resume goes on", file=sys.stderr)
-        return INTERRUPTED
+        return interrupted()
     return FINISHED

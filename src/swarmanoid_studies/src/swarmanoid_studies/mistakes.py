@@ -31,6 +31,12 @@ def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
 
 
+def interrupted() -> int:
+    """Says how what was made so far is continued. @return the exit code"""
+    print("swarmanoid: interrupted; --resume goes on", file=sys.stderr)
+    return INTERRUPTED
+
+
 def call(main: Callable[[], int]) -> int:
     """Calls the body of a program. @return its exit code"""
     for number in (signal.SIGTERM, signal.SIGHUP):

@@ -7,9 +7,10 @@ DEAP draws from the generators that a process shares. Dask, in threads of the sa
 are given a generator of their own for as long as they are called."""
 
 import contextlib
+import functools
 import math
 import random
-from typing import Dict, Iterator, List, Protocol, Sequence, Tuple
+from typing import Dict, Iterator, List, Protocol, Sequence, Tuple, Type
 
 import numpy
 from deap import base, cma, tools
@@ -29,12 +30,17 @@ class Optimiser(Protocol):
     def tell(self, losses: Sequence[Losses]) -> None: ...
 
 
+@functools.lru_cache(maxsize=None)
+def _fitness_type(objectives: int) -> Type[base.Fitness]:
+    return type("Fitness", (base.Fitness,), {"weights": (-1.0,) * objectives})
+
+
 class _Individual(list):
     """A genotype with its fitness, as DEAP wants it."""
 
     def __init__(self, values: Sequence[float], objectives: int) -> None:
         super().__init__(float(value) for value in values)
-        self.fitness = type("Fitness", (base.Fitness,), {"weights": (-1.0,) * objectives})()
+        self.fitness = _fitness_type(objectives)()
 
 
 def _judge(population: Sequence[_Individual], losses: Sequence[Losses]) -> None:

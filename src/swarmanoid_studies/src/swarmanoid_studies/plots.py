@@ -1,17 +1,12 @@
 """Pictures of a batch: each metric by value, its runs as points, its mean with the interval."""
 
-import io
 from typing import List, Tuple
 
-import matplotlib
+import numpy
+from matplotlib.axes import Axes
 
-matplotlib.use("Agg")
-
-import numpy  # noqa: E402
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.axes import Axes  # noqa: E402
-
-from .statistics import Results, groups, interval  # noqa: E402
+from .pictures import png, pyplot
+from .statistics import Results, groups, interval
 
 MOST_POINTS = 500   # shown of one value; the violin is of all
 PANEL = (5.6, 3.6)  # inches
@@ -46,7 +41,7 @@ def picture(results: Results, metric: str, path: str) -> bytes:
     """PNG of one metric by the values of one path."""
     figure, axes = pyplot.subplots(figsize=PANEL)
     draw(axes, results, metric, path)
-    return _png(figure)
+    return png(figure)
 
 
 def all_pictures(results: Results, title: str) -> bytes:
@@ -60,12 +55,4 @@ def all_pictures(results: Results, title: str) -> bytes:
     for place, (metric, path) in zip(axes.flat, wanted):
         draw(place, results, metric, path)
     figure.suptitle(title)
-    return _png(figure)
-
-
-def _png(figure: pyplot.Figure) -> bytes:
-    figure.tight_layout()
-    data = io.BytesIO()
-    figure.savefig(data, format="png", dpi=110, metadata={"Software": None})
-    pyplot.close(figure)
-    return data.getvalue()
+    return png(figure)

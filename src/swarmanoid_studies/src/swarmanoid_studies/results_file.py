@@ -5,15 +5,16 @@ when it is continued. Columns: the identity of the runs (identity.py), the paths
 metrics."""
 
 import csv
-import fcntl
 import io
 import os
 from typing import Dict, Sequence, Set, Tuple
 
+from .atomic_file import lock
 from .identity_fields import Identity
 from .mistakes import BadInput
 from .results_columns import Columns, columns_of
 from .runs import Metric, RunOutcome, RunRequest
+
 
 def text_of(value: object) -> str:
     """Numbers keep all their digits."""
@@ -24,7 +25,8 @@ def text_of(value: object) -> str:
     return repr(value) if isinstance(value, float) else str(value)
 
 
-def _line(values: Sequence[object]) -> bytes:
+def line_of(values: Sequence[object]) -> bytes:
+    """Of a CSV file."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerow([text_of(value) for value in values])
     return text.getvalue().encode()
@@ -50,7 +52,7 @@ class ResultsFile:
             raise BadInput(f"{self._path}: cannot be written: {error.strerror}") from None
         self._lock()
         os.ftruncate(self._file, 0)
-        self._write(_line(self._columns.names()))
+        self._write(line_of(self._columns.names()))
 
     def resume(self, wanted: Set[Tuple[str, ...]]) -> Set[Tuple[str, ...]]:
         """Continues a file. @param wanted keys of the runs of the batch, @see key_of
@@ -66,7 +68,7 @@ class ResultsFile:
             self.close()
             raise
         if not os.fstat(self._file).st_size:
-            self._write(_line(self._columns.names()))
+            self._write(line_of(self._columns.names()))
         return done
 
     def append(self, request: RunRequest, outcome: RunOutcome) -> None:
@@ -77,7 +79,7 @@ class ResultsFile:
             outcome = outcome._replace(failure=f"{outcome.failure} metrics without a column: {', '.join(unknown)}".strip())
         row = [*self._identity, *self.key_of(request), outcome.success, outcome.ticks, outcome.wall_s, outcome.state_hash,
                outcome.failure, *(values.get(name) for name in self._columns.metrics)]
-        self._write(_line(row))
+        self._write(line_of(row))
 
     def key_of(self, request: RunRequest) -> Tuple[str, ...]:
         """What tells the run from others of the file."""
@@ -91,10 +93,10 @@ class ResultsFile:
 
     def _lock(self) -> None:
         try:
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
+            lock(self._file, self._path)
+        except BaseException:
             self.close()
-            raise BadInput(f"{self._path}: another program is writing it") from None
+            raise
 
     def _write(self, line: bytes) -> None:
         written = os.write(self._file, line)

@@ -11,7 +11,7 @@ def main() -> int:
 
 
 def _main() -> int:
-    from .batch_command import check_worker_options
+    from .command_options import check_worker_options
     from .workers import SETUP
     parser = Arguments("worker", "Makes runs for a dask-scheduler, until that ends. What follows goes on to `dask worker`.")
     parser.add_argument("scheduler", help="its address, tcp://host:port")

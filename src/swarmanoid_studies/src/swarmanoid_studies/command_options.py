@@ -1,0 +1,32 @@
+"""Options that several commands have, and what they share of their rules."""
+
+import os
+from typing import Optional
+
+from .mistakes import Arguments, BadInput
+
+
+def add_worker_options(parser: Arguments) -> None:
+    parser.add_argument("--jobs", type=int, metavar="N", help="processes that make runs; without it one a processor")
+    parser.add_argument("--scheduler", metavar="ADDRESS", help="of a dask-scheduler, tcp://host:port, whose workers make the runs")
+
+
+def check_worker_options(jobs: Optional[int], scheduler: Optional[str]) -> int:
+    """@return how many processes to start @raise BadInput"""
+    from .workers import MOST_JOBS, default_jobs
+    if jobs is not None and scheduler is not None:
+        raise BadInput("found --jobs and --scheduler, allowed: one of them")
+    if jobs is not None and not 1 <= jobs <= MOST_JOBS:
+        raise BadInput(f"--jobs: found {jobs}, allowed: 1 to {MOST_JOBS}")
+    return default_jobs() if jobs is None else jobs
+
+
+def refuse_resume_with_force(is_resumed: bool, is_forced: bool) -> None:
+    """@raise BadInput"""
+    if is_resumed and is_forced:
+        raise BadInput("found --resume and --force, allowed: one of them")
+
+
+def portable(experiment: str) -> str:
+    """What workers are given: the full name of a file, or a name that they look up where they are."""
+    return os.path.abspath(experiment) if os.path.exists(experiment) else experiment
