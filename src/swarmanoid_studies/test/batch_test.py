@@ -1,15 +1,17 @@
 #!/usr/bin/python3
 """`swarmanoid batch` from outside: the same rows whoever makes them, and whoever is killed meanwhile."""
 
+import contextlib
 import json
 import os
 import random
 import signal
+import socket
 import subprocess
 import time
 import unittest
 
-from commands import CONTROLLER_FAILED, INTERRUPTED, CommandsTest, workers_of
+from commands import CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, CommandsTest, workers_of
 
 EXPERIMENT = "phototaxis"
 SPEED = "controllers.pc.parameters.speed"
@@ -85,6 +87,15 @@ class BatchTest(CommandsTest):
         summary = json.loads(output)
         self.assertEqual(summary["made"], len(self.rows("runs.csv")))
         self.assertEqual(summary["made"] + summary["missing"], RUNS)
+
+    def test_the_port_of_a_dashboard_may_be_taken(self):
+        with socket.socket() as other:
+            with contextlib.suppress(OSError):  # somebody else has it
+                other.bind(("127.0.0.1", 8787))
+                other.listen()
+            program = self.start("batch", EXPERIMENT, "--seeds", "1", "--ticks", 5, "--jobs", "1", "--quiet")
+            _, errors = program.communicate(timeout=PATIENCE_S)
+        self.assertEqual((program.returncode, errors), (FINISHED, ""))
 
     def test_a_report_has_distributions_and_pairs_by_seed(self):
         self.call("batch", EXPERIMENT, "--seeds", "1..6", "--set", f"{SPEED}=0.1,0.2", "--ticks", 900, "--quiet")

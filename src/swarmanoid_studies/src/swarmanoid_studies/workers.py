@@ -9,8 +9,10 @@ from typing import Dict, Iterator, Mapping, Optional
 
 import dask
 
-# read when distributed is imported: nobody looks at a profile of the workers, nor at what they log as they begin
+# read when distributed is imported: nobody looks at pages about the cluster, at a profile of the workers, nor at what they log as
+# they begin
 dask.config.set({"distributed.worker.profile.enabled": False, "distributed.admin.tick.limit": "1h",
+                 "distributed.scheduler.http.routes": [], "distributed.worker.http.routes": [],
                  "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})
 
 from distributed import Client, LocalCluster  # noqa: E402
@@ -44,9 +46,11 @@ def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
         with client:
             yield client
         return
-    # certificates of this cluster alone: other users of the computer can reach its ports, but not talk to it
+    # certificates of this cluster alone: other users of the computer can reach its ports, but not talk to it. Port 0: any, and not
+    # 8787, which Dask would take though it has no dashboard, and which others may have
     with LocalCluster(n_workers=jobs, threads_per_worker=1, processes=True, host="127.0.0.1", memory_limit=0, security=True,
-                      dashboard_address=None, silence_logs=logging.CRITICAL, preload=[SETUP]) as cluster:
+                      dashboard_address=None, scheduler_kwargs={"dashboard_address": "127.0.0.1:0"},
+                      silence_logs=logging.CRITICAL, preload=[SETUP]) as cluster:
         with Client(cluster) as client:
             yield client
 
