@@ -17,6 +17,7 @@ import robots
 import robustness
 import simulation
 import studies
+import study_processes
 import under_ros
 from table import ROOT, Table, machine
 
@@ -45,6 +46,10 @@ FIGURES = {
     "devices": devices.devices,
     "evolution": lambda table, build: studies.evolution(table),
     "batch": lambda table, build: studies.batch(table),
+    "batch_cost": lambda table, build: studies.fixed_cost(table),
+    "study_kills": lambda table, build: study_processes.kills(table),
+    "study_workers": lambda table, build: study_processes.workers(table),
+    "cluster": lambda table, build: study_processes.cluster(table),
     "fuzzers": robustness.fuzzers,
     "sanitizers": lambda table, build: robustness.sanitizers(table),
     "coverage": lambda table, build: robustness.coverage(table),

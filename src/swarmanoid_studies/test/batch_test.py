@@ -78,6 +78,22 @@ class BatchTest(CommandsTest):
         self.assertLess(summary["made"], RUNS - 90)
         self.assertEqual(self.rows("killed.csv"), expected)
 
+    def test_a_worker_that_is_killed_as_it_starts_is_replaced(self):
+        chance = random.Random(int(time.time()))
+        program = self.start("batch", *GRID, "--jobs", "2", "--out", "killed.csv", "--quiet")
+        end = time.monotonic() + PATIENCE_S
+        while not workers_of(program):
+            self.assertLess(time.monotonic(), end, "no process makes runs")
+            time.sleep(0.01)
+        for _ in range(2):
+            time.sleep(chance.uniform(0.0, 1.0))
+            for worker in workers_of(program)[:1]:
+                worker.kill()
+        output, errors = program.communicate(timeout=PATIENCE_S)
+        self.assertEqual((program.returncode, errors), (FINISHED, ""))
+        self.assertEqual(json.loads(output)["made"], RUNS)
+        self.assertEqual(self.rows("killed.csv"), self.uninterrupted())
+
     def test_an_interrupt_keeps_what_is_done(self):
         program = self.start("batch", *GRID, "--jobs", "2", "--out", "runs.csv", "--quiet", start_new_session=True)
         self.wait_for_lines("runs.csv", 10, program)

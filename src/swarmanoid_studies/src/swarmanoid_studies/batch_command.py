@@ -108,8 +108,7 @@ def _main() -> int:
         results.create(arguments.force)
     missing = [request for request in requests if results.key_of(request) not in done]
 
-    start = time.monotonic()
-    counts, is_interrupted = Counts(), False
+    counts, is_interrupted, wall_s = Counts(), False, 0.0
     if missing:
         with connected(jobs, arguments.scheduler) as client:
             if arguments.scheduler is not None:
@@ -117,8 +116,8 @@ def _main() -> int:
             start = time.monotonic()
             counts, is_interrupted = make_rows(results, missing, client,
                                                Progress(identity.experiment, len(requests), len(done), arguments.quiet))
+            wall_s = time.monotonic() - start  # without what processes take to begin and to end
     results.close()
-    wall_s = time.monotonic() - start
     if report is not None and len(done) + counts.made:
         from .report import write_report
         write_report(path, report)

@@ -1,6 +1,6 @@
 """Sends runs to workers, and takes what comes back, whoever dies meanwhile.
 
-Short runs go in bundles, so that sending costs little beside them; a bundle takes some tenth of a second. Dask gives what a dead
+Short runs go in bundles, so that sending costs little beside them; a bundle takes some half a second. Dask gives what a dead
 worker had to others. A bundle that several workers died of is taken apart: each of its runs is made alone, and the one that
 ends its process is told by name."""
 
@@ -15,7 +15,7 @@ from .mistakes import RunsStopped
 from .run_maker import make_runs
 from .runs import RunOutcome, RunRequest, lost
 
-BUNDLE_S = 0.2
+BUNDLE_S = 0.5
 MOST_IN_BUNDLE = 50
 AHEAD = 2  # bundles a process, so that none waits for the next one
 Numbered = Tuple[int, RunRequest]

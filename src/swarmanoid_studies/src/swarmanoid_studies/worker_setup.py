@@ -1,10 +1,14 @@
-"""What a Dask worker does when it starts (its option `preload`)."""
+"""What a process that makes runs does when it starts."""
 
 import signal
 
-import swarmanoid  # noqa: F401  the first run need not wait for it
+
+def set_up() -> None:
+    import swarmanoid  # noqa: F401  the first run need not wait for it
+    # Ctrl-C goes to all processes of a terminal: whoever has started the worker ends it
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def dask_setup(_worker: object) -> None:
-    # Ctrl-C goes to all processes of a terminal: whoever has started the worker ends it
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    """Called by `dask worker --preload` of this module."""
+    set_up()

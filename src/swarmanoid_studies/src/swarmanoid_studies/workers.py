@@ -3,23 +3,16 @@
 One thread a process: engines have state that belongs to the process."""
 
 import contextlib
-import logging
 import os
 from typing import Dict, Iterator, Mapping, Optional
 
-import dask
+from . import dask_settings  # noqa: F401
+from distributed import Client, LocalCluster
 
-# read when distributed is imported: nobody looks at pages about the cluster, at a profile of the workers, nor at what they log as
-# they begin
-dask.config.set({"distributed.worker.profile.enabled": False, "distributed.admin.tick.limit": "1h",
-                 "distributed.scheduler.http.routes": [], "distributed.worker.http.routes": [],
-                 "distributed.nanny.pre-spawn-environ.DASK_LOGGING__DISTRIBUTED": "critical"})
-
-from distributed import Client, LocalCluster  # noqa: E402
-
-from .identity import identify  # noqa: E402
-from .identity_fields import Identity  # noqa: E402
-from .mistakes import BadInput  # noqa: E402
+from .identity import identify
+from .identity_fields import Identity
+from .mistakes import BadInput
+from .worker_processes import WorkerProcesses
 
 MOST_JOBS = 1024
 SETUP = "swarmanoid_studies.worker_setup"
@@ -34,9 +27,6 @@ def default_jobs() -> int:
 def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
     """@param jobs processes of this computer, if there is no scheduler @param scheduler its address, tcp://host:port
     @raise BadInput if the scheduler does not answer"""
-    # what happens to workers is told by rows and by the program's last line
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
-    logging.getLogger("asyncio").setLevel(logging.CRITICAL)
     if scheduler is not None:
         try:
             client = Client(scheduler, timeout=SCHEDULER_S)
@@ -48,10 +38,13 @@ def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
         return
     # certificates of this cluster alone: other users of the computer can reach its ports, but not talk to it. Port 0: any, and not
     # 8787, which Dask would take though it has no dashboard, and which others may have
-    with LocalCluster(n_workers=jobs, threads_per_worker=1, processes=True, host="127.0.0.1", memory_limit=0, security=True,
-                      dashboard_address=None, scheduler_kwargs={"dashboard_address": "127.0.0.1:0"},
-                      silence_logs=logging.CRITICAL, preload=[SETUP]) as cluster:
-        with Client(cluster) as client:
+    with LocalCluster(n_workers=0, host="127.0.0.1", security=True, dashboard_address=None,
+                      scheduler_kwargs={"dashboard_address": "127.0.0.1:0"}, silence_logs=None) as cluster:
+        def give_up() -> None:
+            cluster.loop.add_callback(cluster.scheduler.close)  # whoever waits for a result is told that there will be none
+
+        with WorkerProcesses(jobs, cluster.scheduler_address, cluster.security, give_up) as processes, Client(cluster) as client:
+            processes.wait_until_up()
             yield client
 
 

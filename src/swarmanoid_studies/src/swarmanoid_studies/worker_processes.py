@@ -1,0 +1,118 @@
+"""The processes of this computer that make runs.
+
+Each is a Dask worker, and one that dies is started again. Dask has a keeper of processes itself (its nanny), but that waits
+for ever if a process dies before it has told where it listens."""
+
+import asyncio
+import multiprocessing
+import os
+import signal
+import threading
+from multiprocessing.connection import Connection, wait
+from typing import Callable, Dict
+
+from . import dask_settings  # noqa: F401
+from distributed import Worker
+from distributed.security import Security
+
+from .mistakes import RunsStopped
+
+METHOD = multiprocessing.get_context("spawn")  # it takes nothing along from this process, which has threads
+MOST_FAILED_STARTS = 10  # one after another, of all processes together
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    assert parent is not None
+    wait([parent.sentinel])
+    os._exit(1)
+
+
+async def _work(scheduler: str, security: Security, listens: Connection) -> None:
+    async with Worker(scheduler, nthreads=1, security=security, host="127.0.0.1", memory_limit=0) as worker:
+        listens.send(True)
+        await worker.finished()
+
+
+def _main(scheduler: str, security: Security, listens: Connection) -> None:
+    # if the program is killed with -9, no worker stays, not even in the middle of a run
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    from .worker_setup import set_up
+    set_up()
+    asyncio.run(_work(scheduler, security, listens))
+
+
+class _Process:
+    def __init__(self, scheduler: str, security: Security) -> None:
+        self.listens, listens = METHOD.Pipe(duplex=False)
+        self._process = METHOD.Process(target=_main, args=(scheduler, security, listens), daemon=True)
+        self._process.start()
+        listens.close()
+        self.is_up = False
+
+    def is_alive(self) -> bool:
+        """Called when the process has said something or has died."""
+        try:
+            self.is_up = self.listens.recv() or self.is_up
+            return True
+        except (EOFError, OSError):
+            return False
+
+    def end(self) -> None:
+        self._process.kill()
+        self._process.join()
+        self.listens.close()
+
+
+class WorkerProcesses:
+    """They are there while this context lasts."""
+
+    def __init__(self, count: int, scheduler: str, security: Security, give_up: Callable[[], object]) -> None:
+        """@param give_up is called in another thread if processes cannot be started any more"""
+        self._begin = lambda: _Process(scheduler, security)
+        self._give_up = give_up
+        self._failed_starts = 0
+        self._are_settled = threading.Event()
+        self._end, self._ends = METHOD.Pipe(duplex=False)
+        self._keeper = threading.Thread(target=self._keep, args=(count,), daemon=True)
+
+    def _keep(self, count: int) -> None:
+        # processes inherit it: they are ended here, not by the Ctrl-C that goes to all processes of a terminal
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP})
+        begun = [self._begin() for _ in range(count)]
+        processes: Dict[object, _Process] = {process.listens: process for process in begun}
+        while self._failed_starts < MOST_FAILED_STARTS:
+            ready = wait([self._end, *processes])
+            if self._end in ready:
+                break
+            for connection in ready:
+                if not processes[connection].is_alive():
+                    self._begin_anew(processes, connection)
+            if all(process.is_up for process in processes.values()):
+                self._are_settled.set()
+        else:
+            self._are_settled.set()
+            self._give_up()
+        for process in processes.values():
+            process.end()
+
+    def _begin_anew(self, processes: Dict[object, _Process], connection: object) -> None:
+        dead = processes.pop(connection)
+        self._failed_starts = 0 if dead.is_up else self._failed_starts + 1
+        dead.end()
+        process = self._begin()
+        processes[process.listens] = process
+
+    def wait_until_up(self) -> None:
+        """@raise RunsStopped if they cannot be started"""
+        self._are_settled.wait()
+        if self._failed_starts >= MOST_FAILED_STARTS:
+            raise RunsStopped(f"processes that make runs cannot be started: {MOST_FAILED_STARTS} ended as they began")
+
+    def __enter__(self) -> "WorkerProcesses":
+        self._keeper.start()
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._ends.close()
+        self._keeper.join()
