@@ -121,14 +121,14 @@ def retrieval(table):
         for seed in SEEDS:
             run("object_retrieval", "--seed", seed, "--force", "--hashes", file)
             expected[seed] = file.read_text()
-    for what, least, robots in (("all four robots commanded by processes of their own", 800, list(CONTROLLERS)),
+    for what, least, robots in (("all four robots commanded by processes of their own", 2500, list(CONTROLLERS)),
                                 ("two robots of four commanded by processes of their own", None, ["fb_2", "eb"])):
         add_rows(table, f"object retrieval in lockstep, {what}", least, [],
                  [([robot], CONTROLLERS[robot]) for robot in robots], SEEDS, expected)
 
 
 def crowd(table):
-    add_rows(table, f"diffusion in lockstep, {len(CROWD)} footbots commanded by one other process", 1000,
+    add_rows(table, f"diffusion in lockstep, {len(CROWD)} footbots commanded by one other process", 5000,
              ["experiment:=diffusion", f"set:=arena.distribute.quantity={len(CROWD)}"], [(CROWD, "diffusion")],
              range(1, 6), {})
 

@@ -71,7 +71,9 @@ class LockstepTest(unittest.TestCase):
                 ({"participant": "/x", "robots": ["fb_1"]},
                  "participant: found '/x', allowed: a name without a leading slash"),
                 ({"participant": "x", "robots": ["fb_1"], "policy": "hope"},
-                 "policy: found 'hope', allowed: wait, skip, stop")):
+                 "policy: found 'hope', allowed: wait, skip, stop"),
+                ({"participant": "x", "robots": ["fb_1"], "connection": 77},
+                 "connection: found 77, allowed: 0, or the number of a connection to ~lockstep_socket that is open")):
             answer = register(RegisterRequest(**request))
             self.assertFalse(answer.success)
             self.assertEqual(reason, answer.message)
@@ -83,7 +85,7 @@ class LockstepTest(unittest.TestCase):
 
     def test_commands_from_elsewhere_move_nobody(self):
         self.assertTrue(set_source(["eb"], "remote").success)
-        self.participants = [Participant("eb")]
+        self.participants = [Participant("eb", use_topics=True)]
         self.assertTrue(self.space.step(5).success)
         intruder = rospy.Publisher("/space/participants/eb_controller/commands", CommandFrame, queue_size=10)
         while intruder.get_num_connections() == 0:

@@ -1,5 +1,6 @@
 #include "swarmanoid_hosts/ros/participant.hpp"
 
+#include <poll.h>
 #include <ros/ros.h>
 
 #include <sstream>
@@ -12,6 +13,15 @@
 #include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
+namespace {
+
+/// @return whether there is something to receive before that time is over [ms]
+bool waitFor(const PacketSocket& socket, int time) {
+  pollfd waited{socket.descriptor(), POLLIN, 0};
+  return ::poll(&waited, 1, time) > 0;
+}
+
+}  // namespace
 
 Participant::Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone)
     : own_(own), name_(std::move(name)), label_(std::move(label)), is_standalone_(is_standalone) {
@@ -35,21 +45,14 @@ void Participant::run() {
     const Registry::Entry& entry = findController(own_, label_);
     host_ = std::make_unique<ControllerHost>(
         registration, [&entry] { return makePlugin<Controller>(entry); }, logRobot);
-    const std::string topics = space_ + "/participants/" + name_;
-    constexpr bool kLatched = true;  // a latched message arrives whichever side connects first
-    commands_ = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
-    sensors_ = own_.subscribe(topics + "/sensors", 1, &Participant::answer, this, ros::TransportHints().tcpNoDelay());
     ROS_INFO("commanding %zu robot(s) of %s with %s", registration.robots.size(), space_.c_str(), label_.c_str());
-    bool was_there = false;
-    while (!isOver()) {
-      constexpr double kInterval = 0.1;  // [s]
-      queue_.callAvailable(ros::WallDuration(kInterval));
-      const bool is_there = sensors_.getNumPublishers() > 0;
-      if (was_there && !is_there) {
-        ROS_INFO("%s is gone", space_.c_str());
-        break;
-      }
-      was_there = is_there;
+    if (socket_.isOpen()) {
+      answerPackets();
+    } else {
+      answerMessages();
+    }
+    if (!isOver()) {
+      ROS_INFO("%s is gone", space_.c_str());
     }
   } catch (...) {
     if (!isOver()) {
@@ -59,7 +62,6 @@ void Participant::run() {
       }
     }
   }
-  sensors_.shutdown();
   host_.reset();
   if (!is_over_) {
     ros::requestShutdown();
@@ -81,7 +83,11 @@ bool Participant::registerWithSpace(swarmanoid_msgs::Register::Response& respons
   const std::string service = space_ + "/register";
   bool is_reported = false;
   while (!isOver()) {
-    if (ros::service::exists(service, false) && ros::service::call(service, request, response)) {
+    const bool is_there = ros::service::exists(service, false);
+    if (is_there) {
+      request.connection = connect();
+    }
+    if (is_there && ros::service::call(service, request, response)) {
       if (response.success == 0) {
         throw std::runtime_error(response.message);
       }
@@ -114,12 +120,73 @@ Registration Participant::adapt(Registration registration) {
   return registration;
 }
 
-void Participant::answer(const swarmanoid_msgs::SensorFrameConstPtr& message) {
-  if (message->session != session_) {
-    return;  // a frame for an earlier registration, still latched
+std::uint64_t Participant::connect() {
+  socket_ = PacketSocket();
+  std::string name;
+  if (own_.param("use_topics", false) || !ros::param::get(space_ + "/lockstep_socket", name)) {
+    return 0;
   }
-  toMessage(host_->answer(fromMessage(*message)), commands_message_);
-  commands_.publish(commands_message_);
+  socket_ = PacketSocket::connect(name);
+  constexpr int kPatience = 1000;  // [ms]
+  if (!socket_.isOpen() || !waitFor(socket_, kPatience) || socket_.receive() != PacketSocket::Received::kPacket) {
+    socket_ = PacketSocket();  // the space is on another computer, or has ended since it named its socket
+    return 0;
+  }
+  return ByteReader(socket_.packet()).number<std::uint64_t>();
+}
+
+void Participant::answerMessages() {
+  const std::string topics = space_ + "/participants/" + name_;
+  constexpr bool kLatched = true;  // a latched message arrives whichever side connects first
+  ros::Publisher commands = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
+  const ros::Subscriber sensors = own_.subscribe<swarmanoid_msgs::SensorFrame>(
+      topics + "/sensors", 1,
+      [&](const swarmanoid_msgs::SensorFrameConstPtr& message) {
+        if (answer(*message)) {
+          commands.publish(commands_message_);
+        }
+      },
+      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  for (bool was_there = false; !isOver();) {
+    constexpr double kInterval = 0.1;  // [s]
+    queue_.callAvailable(ros::WallDuration(kInterval));
+    const bool is_there = sensors.getNumPublishers() > 0;
+    if (was_there && !is_there) {
+      return;
+    }
+    was_there = is_there;
+  }
+}
+
+void Participant::answerPackets() {
+  swarmanoid_msgs::SensorFrame message;
+  Bytes packet;
+  while (!isOver()) {
+    constexpr int kInterval = 100;  // [ms]
+    if (!waitFor(socket_, kInterval)) {
+      continue;
+    }
+    const PacketSocket::Received received = socket_.receive();
+    if (received == PacketSocket::Received::kEnd) {
+      return;
+    }
+    if (received == PacketSocket::Received::kNothing) {
+      continue;
+    }
+    fromBytes(socket_.packet(), message);
+    if (answer(message)) {
+      toBytes(commands_message_, packet);
+      socket_.send(packet);
+    }
+  }
+}
+
+bool Participant::answer(const swarmanoid_msgs::SensorFrame& message) {
+  if (message.session != session_) {
+    return false;  // a frame for an earlier registration, still latched
+  }
+  toMessage(host_->answer(fromMessage(message)), commands_message_);
+  return true;
 }
 
 }  // namespace swarmanoid

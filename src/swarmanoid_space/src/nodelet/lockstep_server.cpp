@@ -59,6 +59,11 @@ LockstepServer::LockstepServer(const ros::NodeHandle& own, const std::string& ex
   constexpr double kInterval = 1.0;  // [s]
   timer_ = own_.createWallTimer(ros::WallDuration(kInterval),
                                 [this](const ros::WallTimerEvent&) { updater_.force_update(); });
+  local_ = std::make_unique<LocalParticipants>([this](const Bytes& packet) {
+    fromBytes(packet, local_message_);
+    answer(local_message_);
+  });
+  own_.setParam("lockstep_socket", local_->name());
   server_ = own_.advertiseService("register", &LockstepServer::join, this);
   spinner_.start();
 }
@@ -67,6 +72,8 @@ LockstepServer::~LockstepServer() {
   server_.shutdown();
   timer_.stop();
   spinner_.stop();
+  own_.deleteParam("lockstep_socket");
+  local_.reset();
   for (const auto& [name, channel] : channels_) {
     channel->sensors.shutdown();
     channel->commands.shutdown();
@@ -84,27 +91,44 @@ std::shared_ptr<LockstepServer::Channel> LockstepServer::open(const std::string&
   constexpr std::uint32_t kQueue = 10;
   channel->sensors = own_.advertise<swarmanoid_msgs::SensorFrame>(topics + "/sensors", 1, kLatched);
   channel->commands = own_.subscribe<swarmanoid_msgs::CommandFrame>(
-      topics + "/commands", kQueue,
-      [this, participant](const swarmanoid_msgs::CommandFrameConstPtr& message) {
-        const std::string problem = lockstep_.answer(swarmanoid::fromMessage(*message));
-        if (!problem.empty()) {
-          ROS_DEBUG("participant '%s': refused: %s", participant.c_str(), problem.c_str());
-        }
-      },
+      topics + "/commands", kQueue, [this](const swarmanoid_msgs::CommandFrameConstPtr& message) { answer(*message); },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   return channel;
+}
+
+Lockstep::Send LockstepServer::sendTo(std::uint64_t connection) const {
+  struct Room {
+    swarmanoid_msgs::SensorFrame message;
+    Bytes packet;
+  };
+  return [socket = local_->find(connection), room = std::make_shared<Room>()](const SensorFrame& frame) {
+    toMessage(frame, room->message);
+    toBytes(room->message, room->packet);
+    socket->send(room->packet);  // a participant that has died is noticed by its silence
+  };
+}
+
+void LockstepServer::answer(const swarmanoid_msgs::CommandFrame& message) {
+  const std::string problem = lockstep_.answer(swarmanoid::fromMessage(message));
+  if (!problem.empty()) {
+    ROS_DEBUG("session %llu: refused: %s", static_cast<unsigned long long>(message.session), problem.c_str());
+  }
 }
 
 bool LockstepServer::join(swarmanoid_msgs::Register::Request& request, swarmanoid_msgs::Register::Response& response) {
   try {
     const Lockstep::Request wish = fromMessage(request);
-    const auto channel = open(wish.participant);
-    const Registration registration = lockstep_.join(wish, [channel](const SensorFrame& frame) {
-      toMessage(frame, channel->message);
-      channel->sensors.publish(channel->message);
-    });
-    channels_[wish.participant] = channel;
-    toMessage(registration, response);
+    if (request.connection != 0) {
+      toMessage(lockstep_.join(wish, sendTo(request.connection)), response);
+    } else {
+      const auto channel = open(wish.participant);
+      const Registration registration = lockstep_.join(wish, [channel](const SensorFrame& frame) {
+        toMessage(frame, channel->message);
+        channel->sensors.publish(channel->message);
+      });
+      channels_[wish.participant] = channel;
+      toMessage(registration, response);
+    }
     response.success = 1;
   } catch (const std::exception& error) {
     response.message = error.what();

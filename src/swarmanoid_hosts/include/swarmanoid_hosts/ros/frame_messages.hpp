@@ -1,6 +1,7 @@
 /// Converts between frames and messages: those that space and participants exchange, and those that are recorded.
 #pragma once
 
+#include <ros/serialization.h>
 #include <swarmanoid_msgs/CommandFrame.h>
 #include <swarmanoid_msgs/ControllerStart.h>
 #include <swarmanoid_msgs/Register.h>
@@ -21,6 +22,19 @@ SensorFrame fromMessage(const swarmanoid_msgs::SensorFrame& message);
 
 void toMessage(const CommandFrame& frame, swarmanoid_msgs::CommandFrame& message);
 CommandFrame fromMessage(const swarmanoid_msgs::CommandFrame& message);
+
+/// As topics send them. @throws ros::serialization::StreamOverrunException if the bytes are none of these messages
+template <class Message>
+void toBytes(const Message& message, Bytes& bytes) {
+  bytes.resize(ros::serialization::serializationLength(message));
+  ros::serialization::OStream out(bytes.data(), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::serialize(out, message);
+}
+template <class Message>
+void fromBytes(const Bytes& bytes, Message& message) {
+  ros::serialization::IStream in(const_cast<std::uint8_t*>(bytes.data()), static_cast<std::uint32_t>(bytes.size()));
+  ros::serialization::deserialize(in, message);
+}
 
 /// Converts all fields but `success` and `message`.
 void toMessage(const Registration& registration, swarmanoid_msgs::Register::Response& message);

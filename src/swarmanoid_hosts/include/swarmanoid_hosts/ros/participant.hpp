@@ -3,7 +3,9 @@
 ///
 /// Private parameters: `robots`, names separated by spaces; `space`, the space's node (/space); `timeout` [s] and
 /// `policy`, see swarmanoid_msgs/Register (the space's); `parameters`, which the controller reads instead of the
-/// `<parameters>` of the experiment file; `library` of a controller that is not loaded in this process yet.
+/// `<parameters>` of the experiment file; `library` of a controller that is not loaded in this process yet;
+/// `use_topics` (false): frames travel on the topics of the participant even if the space is on this computer, where
+/// they go by a socket otherwise.
 ///
 /// If it is the only nodelet in its process, the exit code is 0 when the space has ended, 4 when the space refuses it.
 ///
@@ -20,6 +22,7 @@
 #include <thread>
 
 #include "swarmanoid_hosts/controller_host.hpp"
+#include "swarmanoid_hosts/packet_socket.hpp"
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
 
 namespace swarmanoid {
@@ -38,7 +41,13 @@ class Participant {
   /// @return false if the process ends meanwhile @throws std::runtime_error if the space refuses
   bool registerWithSpace(swarmanoid_msgs::Register::Response& response);
   Registration adapt(Registration registration);
-  void answer(const swarmanoid_msgs::SensorFrameConstPtr& message);
+  /// To the socket of the space, if it is on this computer. @return its number there; 0: frames travel on topics
+  std::uint64_t connect();
+  /// Answer frames until the space is gone.
+  void answerMessages();
+  void answerPackets();
+  /// @return whether the frame is for this registration, and commands_message_ answers it
+  bool answer(const swarmanoid_msgs::SensorFrame& message);
   bool isOver() const { return is_over_ || !ros::ok(); }
 
   ros::CallbackQueue queue_;
@@ -49,8 +58,7 @@ class Participant {
   bool is_standalone_;
   std::uint64_t session_ = 0;
   std::unique_ptr<ControllerHost> host_;
-  ros::Subscriber sensors_;
-  ros::Publisher commands_;
+  PacketSocket socket_;
   swarmanoid_msgs::CommandFrame commands_message_;
   std::atomic<bool> is_over_{false};
   std::thread thread_;
