@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "field_table.hpp"
 #include "moment.hpp"
+#include "swarmanoid_interface/field_table.hpp"
 
 namespace swarmanoid::bindings {
 

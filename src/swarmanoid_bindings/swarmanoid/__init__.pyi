@@ -5,6 +5,9 @@ from typing import Any, Callable, Dict, Iterator, List, Mapping, Optional, Proto
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
+from .recording import RecordedEvent as RecordedEvent, RecordedReadings as RecordedReadings, Recording as Recording
+from .recording import RecordingError as RecordingError, load as load
+
 class ExperimentError(ValueError):
     file: str
     line: int

@@ -69,6 +69,7 @@ class ListTest(ProgramTest):
     def test_plugins_that_need_a_library_say_which(self):
         visualisations = self.list("visualisation")
         for name, library, package in (("rosbag_recorder", "swarmanoid_recording", "swarmanoid_space"),
+                                       ("trajectory_recorder", "swarmanoid_trajectories", "swarmanoid_space"),
                                        ("retrieval_monitor", "retrieval_monitor", "swarmanoid_experiments")):
             self.assertRegex(visualisations, f'  {name}: .*\n      in library="{library}" of {package}\n')
         self.assertRegex(visualisations, "  text_render: .*\n      file")

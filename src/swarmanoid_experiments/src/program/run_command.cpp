@@ -30,6 +30,8 @@ struct RunOptions : ExperimentOptions {
   std::optional<std::string> bag;
   std::string record_controllers = "none";
   bool record_state = false;
+  std::optional<std::string> trajectories;
+  std::string record_readings = "none";
   std::optional<std::string> hashes;
   bool hashes_deep = false;
   std::optional<std::string> save_interventions;
@@ -157,6 +159,7 @@ RunFiles filesOf(const RunOptions& options) {
   files.folder = options.out;
   files.rules = {options.write_anywhere, options.force};
   files.records_bag = options.bag.has_value();
+  files.records_trajectories = options.trajectories.has_value();
   files.reads = {options.interventions};
   return files;
 }
@@ -198,6 +201,10 @@ ExitCode run(const RunOptions& options) {
     addFromCommandLine(
         simulation, context, "--bag", "rosbag_recorder", *options.bag,
         {{"controllers", options.record_controllers}, {"state", options.record_state ? "true" : "false"}});
+  }
+  if (options.trajectories) {
+    addFromCommandLine(simulation, context, "--trajectories", "trajectory_recorder", *options.trajectories,
+                       {{"readings", options.record_readings}});
   }
   if (options.save_interventions) {
     addFromCommandLine(simulation, context, "--save-interventions", "intervention_recorder",
@@ -251,6 +258,12 @@ Command addRunCommand(CLI::App& app) {
       ->needs(bag);
   command->add_flag("--record-state", options->record_state, "all named state in the bag, for `swarmanoid diff`")
       ->needs(bag);
+  CLI::Option* trajectories = command->add_option("--trajectories", options->trajectories,
+                                                  "write poses, readings and metrics as arrays (HDF5)");
+  command
+      ->add_option("--record-readings", options->record_readings,
+                   "sensors whose readings are among them: types separated by spaces, all or none")
+      ->needs(trajectories);
   CLI::Option* hashes = command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_flag("--deep", options->hashes_deep, "and a hash of all readings and commands, too")->needs(hashes);
   command->add_option("--record", options->record, "a folder: all that `swarmanoid rerun` makes the same run of again");

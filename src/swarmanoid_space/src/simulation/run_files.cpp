@@ -8,6 +8,9 @@ std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment
   if (files.records_bag) {
     loadPluginLibrary("swarmanoid_recording", {}, {});
   }
+  if (files.records_trajectories) {
+    loadPluginLibrary("swarmanoid_trajectories", {}, {});
+  }
   auto out = std::make_shared<OutFolder>(files.folder, files.prefix, files.rules);
   for (const std::string& file : experiment.files) {
     out->protect(file);

@@ -12,11 +12,12 @@
 namespace swarmanoid {
 
 struct RunFiles {
-  std::string prefix;              ///< of the options, for messages: "--", "~"
-  std::string folder;              ///< made if it is not there; "": the current one
-  OutFolder::Rules rules;          ///< for what is written in it
-  bool records_bag = false;        ///< there is to be a bag: what writes it is loaded
-  std::vector<std::string> reads;  ///< files that the run reads beside those of the experiment; "" is none
+  std::string prefix;                 ///< of the options, for messages: "--", "~"
+  std::string folder;                 ///< made if it is not there; "": the current one
+  OutFolder::Rules rules;             ///< for what is written in it
+  bool records_bag = false;           ///< there is to be a bag: what writes it is loaded
+  bool records_trajectories = false;  ///< likewise
+  std::vector<std::string> reads;     ///< files that the run reads beside those of the experiment; "" is none
 };
 
 /// The folder of a run's files, in which nothing that the run reads or needs is replaced. To be asked for when the

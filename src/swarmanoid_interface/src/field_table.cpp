@@ -1,10 +1,11 @@
-#include "field_table.hpp"
+#include "swarmanoid_interface/field_table.hpp"
 
 #include <algorithm>
 #include <map>
+#include <mutex>
 #include <set>
 
-namespace swarmanoid::bindings {
+namespace swarmanoid {
 namespace {
 
 /// "joints[2].angle" without what is in brackets; the indices are added to `indices`.
@@ -83,7 +84,9 @@ std::vector<std::string> FieldTable::namesBehind(const std::string& prefix) cons
 }
 
 const FieldTable& fieldTableOf(const DeviceType& type) {
+  static std::mutex mutex;
   static std::map<const DeviceType*, FieldTable> tables;
+  const std::lock_guard<std::mutex> lock(mutex);
   const auto known = tables.find(&type);
   return known != tables.end() ? known->second : tables.emplace(&type, tableOf(type.numbers)).first->second;
 }
@@ -92,4 +95,4 @@ std::size_t sizeOf(NumberType type) {
   return withNumberType(type, [](auto zero) { return sizeof zero; });
 }
 
-}  // namespace swarmanoid::bindings
+}  // namespace swarmanoid

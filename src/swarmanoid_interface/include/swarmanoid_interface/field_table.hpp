@@ -1,7 +1,7 @@
 /// Where the numbers of a device lie, field by field, so that each field of many devices can be copied to one array and
 /// back. It follows from the device's descriptor (swarmanoid_interface/device_field.hpp).
 ///
-/// Threads  tables are made once a type of device, under Python's lock, and only read afterwards.
+/// Threads  any; tables are made once a type of device, and only read afterwards.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/number_type.hpp"
 
-namespace swarmanoid::bindings {
+namespace swarmanoid {
 
 /// A field of a record; a record is a device, or an element of a list in a device.
 struct FieldPlaces {
@@ -50,4 +50,4 @@ const FieldTable& fieldTableOf(const DeviceType& type);
 /// Returns the size of a number of that type [byte].
 std::size_t sizeOf(NumberType type);
 
-}  // namespace swarmanoid::bindings
+}  // namespace swarmanoid

@@ -1,0 +1,185 @@
+"""Rosbags of the suite: which can be read, their messages, and the runs in them as arrays."""
+
+import functools
+import pathlib
+import re
+from typing import Any, Dict, Iterator, List, Sequence, Tuple
+from xml.etree import ElementTree
+
+import numpy
+import rosbag
+
+from .recording import RecordedEvent, Recording, RecordingError
+
+STATES, EVENTS = "/space/world_state", "/space/events"
+ABOUT = ("/space/experiment", "/space/math_library", "/space/record", "/space/result")
+EPOCH_NS = 1_000_000_000  # stamps of ROS begin there
+
+
+class BagError(RecordingError):
+    """A bag that cannot be read: its name, and why."""
+
+
+def open_bag(file: Any) -> rosbag.Bag:
+    """To be used in a with statement. Raises BagError for a file that is not there, is no bag or not complete."""
+    if not pathlib.Path(file).exists():
+        raise BagError(f"{file}: no such file")
+    try:
+        return rosbag.Bag(str(file))
+    except rosbag.ROSBagUnindexedException:
+        raise BagError(f"{file}: is not complete, its index is missing: the recording or a copy was cut short; "
+                       "'rosbag reindex' saves what is there") from None
+    except (rosbag.ROSBagException, UnicodeDecodeError):
+        raise BagError(f"{file}: found no bag, expected a file that begins with '#ROSBAG V2.0'") from None
+    except OSError as problem:
+        raise BagError(f"{file}: cannot be read: {problem.strerror}") from None
+
+
+def messages(file: Any, topics: Sequence[str]) -> Iterator[Tuple[str, Any]]:
+    """Topic and message, in the order of their times. Raises BagError, also for data that turn out to be damaged."""
+    with open_bag(file) as bag:
+        try:
+            for topic, message, _ in bag.read_messages(topics=topics):
+                yield topic, message
+        except OSError as problem:
+            raise BagError(f"{file}: cannot be read: {problem.strerror}") from None
+        except Exception as problem:  # the reader passes on whatever decompression and deserialisation throw
+            raise BagError(f"{file}: is damaged: {problem}") from None
+
+
+def kind_name(event: Any) -> Any:
+    """The name of the event's kind, as the bag's own definition of the message has it; of an unknown one the number."""
+    names = {value: name.lower() for name, value in vars(type(event)).items() if name.isupper()}
+    return names.get(event.kind, event.kind)
+
+
+class _Columns:
+    """Which entity has which column."""
+
+    def __init__(self) -> None:
+        self.known: Dict[Tuple[str, str], int] = {}
+        self.order = functools.lru_cache(maxsize=64)(self._order)
+
+    def _order(self, entities: Tuple[Tuple[str, str], ...]) -> numpy.ndarray:
+        return numpy.array([self.known.setdefault(entity, len(self.known)) for entity in entities], dtype=numpy.int64)
+
+
+class _Rows:
+    """What states say, row by row."""
+
+    def __init__(self) -> None:
+        self.runs: List[int] = []
+        self.ticks: List[int] = []
+        self.stamps: List[Any] = []
+        self.orders: List[numpy.ndarray] = []
+        self.poses: List[numpy.ndarray] = []
+        self.engines: List[List[str]] = []
+        self.gripped: List[List[str]] = []
+        self.colors: List[numpy.ndarray] = []
+
+    def add(self, run: int, state: Any, columns: _Columns) -> None:
+        self.runs.append(run)
+        self.ticks.append(state.tick)
+        self.stamps.append(state.header.stamp)
+        self.orders.append(columns.order(tuple(zip(state.names, state.types))))
+        self.poses.append(numpy.array([(p.position.x, p.position.y, p.position.z, p.orientation.x, p.orientation.y,
+                                        p.orientation.z, p.orientation.w) for p in state.poses]).reshape(-1, 7))
+        self.engines.append(state.engines)
+        self.gripped.append(state.gripped)
+        self.colors.append(numpy.array([(c.r, c.g, c.b, c.a) for c in state.colors], dtype=numpy.float32).reshape(-1, 4))
+
+    def table(self, values: List[Any], columns: int, blank: Any, dtype: Any, behind: Tuple[int, ...] = ()) -> numpy.ndarray:
+        table = numpy.full((len(values), columns, *behind), blank, dtype=dtype)
+        for row, (order, line) in enumerate(zip(self.orders, values)):
+            table[row, order] = line
+        return table
+
+
+def _times(runs: Sequence[int], ticks: Sequence[int], stamps: Sequence[Any]) -> numpy.ndarray:
+    """Since the start of each run, which is not at the bag's beginning if the bag begins later [s]."""
+    times = numpy.empty(len(runs))
+    first: Dict[int, int] = {}
+    for row, run in enumerate(runs):
+        first.setdefault(run, row)
+    start: Dict[int, int] = {}
+    for run, row in first.items():
+        later = next((other for other in range(row + 1, len(runs)) if runs[other] == run and ticks[other] > ticks[row]), None)
+        now = stamps[row].to_nsec()
+        if ticks[row] == 0:
+            start[run] = now
+        elif later is not None:
+            start[run] = now - ticks[row] * (stamps[later].to_nsec() - now) // (ticks[later] - ticks[row])
+        else:
+            start[run] = EPOCH_NS
+    for row, run in enumerate(runs):
+        times[row] = (stamps[row].to_nsec() - start[run]) / 1e9  # a division rounds once
+    return times
+
+
+class _About:
+    """What the latched topics say of the run; bags that others made may lack all of it."""
+
+    def __init__(self) -> None:
+        self.last: Dict[str, Any] = {}
+        self.record: Any = None  # of the first run
+
+    def add(self, topic: str, message: Any) -> None:
+        self.last[topic] = message
+        if topic == "/space/record" and self.record is None:
+            contents = {file.name: bytes(file.content) for file in message.files}
+            self.record = ElementTree.fromstring(contents["record.xml"])
+
+    def text(self, topic: str) -> str:
+        return self.last[topic].data if topic in self.last else ""
+
+    def attribute(self, name: str) -> str:
+        return "" if self.record is None else self.record.get(name, "")
+
+    def overrides(self) -> Tuple[str, ...]:
+        found = [] if self.record is None else self.record.findall("override")
+        return tuple(f"{one.get('path')}={one.get('value')}" for one in found)
+
+
+def _value(text: str) -> Any:
+    """Of a metric in a message, which is a text."""
+    if text in ("true", "false"):
+        return text == "true"
+    return float(text) if re.fullmatch(r"[-+]?(inf|nan|[0-9.]+(e[-+]?[0-9]+)?)", text) else text
+
+
+def load_bag(file: Any) -> Recording:
+    """@raise BagError"""
+    columns, rows, about = _Columns(), _Rows(), _About()
+    events: List[RecordedEvent] = []
+    numbers: Dict[int, int] = {}  # the space's number of a run to ours: a bag may begin after a reset
+    for topic, message in messages(file, [STATES, EVENTS, *ABOUT]):
+        if topic in ABOUT:
+            about.add(topic, message)
+            continue
+        run = numbers.setdefault(message.run, len(numbers))
+        if topic == EVENTS:
+            events.append(RecordedEvent(run, message.tick, message.header.stamp.to_sec(), kind_name(message),
+                                        message.entity, message.other, message.text))
+        else:
+            rows.add(run, message, columns)
+    return _recording(str(file), columns, rows, about, events)
+
+
+def _recording(file: str, columns: _Columns, rows: _Rows, about: _About, events: List[RecordedEvent]) -> Recording:
+    count = len(columns.known)
+    result = about.last.get("/space/result")
+    seed = about.attribute("seed")
+    return Recording(
+        file=file, complete=True, experiment=about.attribute("experiment"), experiment_text=about.text("/space/experiment"),
+        overrides=about.overrides(), seed=int(seed) if seed else None, version=about.attribute("version"),
+        math_library=about.text("/space/math_library"),
+        state_hash=f"{result.state_hash:016x}" if result is not None and result.state_hash else None,
+        finished=result.finished if result is not None else None,
+        result={metric.name: _value(metric.value) for metric in result.metrics} if result is not None else {},
+        runs=numpy.array(rows.runs, dtype=numpy.int64), ticks=numpy.array(rows.ticks, dtype=numpy.int64),
+        times=_times(rows.runs, rows.ticks, rows.stamps), names=tuple(name for name, _ in columns.known),
+        types=tuple(kind for _, kind in columns.known), poses=rows.table(rows.poses, count, numpy.nan, float, (7,)),
+        present=rows.table([True] * len(rows.runs), count, False, bool),
+        stamps=numpy.array([stamp.to_sec() for stamp in rows.stamps]),
+        engines=rows.table(rows.engines, count, "", object), gripped=rows.table(rows.gripped, count, "", object),
+        colors=rows.table(rows.colors, count, 0, numpy.float32, (4,)), events=events, orders=rows.orders)

@@ -1,0 +1,98 @@
+"""A recorded run, whatever file it is in: arrays with a row a recorded tick and a column an entity."""
+
+import dataclasses
+import pathlib
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple
+
+import numpy
+
+
+class RecordingError(ValueError):
+    """A file that cannot be read: its name, and why."""
+
+
+class RecordedEvent(NamedTuple):
+    run: int          # number of resets in the recording, from 0
+    tick: int
+    stamp: float      # [s]
+    kind: Any         # name of the constant in Event.msg, in small letters; of one that the file does not name the number
+    entity: str
+    other: str
+    text: str
+
+
+@dataclasses.dataclass
+class Recording:
+    """Rows are recorded ticks of all runs, one behind the other; columns are entities. Units: SI; frame W, z up."""
+
+    file: str
+    complete: bool                 # False: whoever wrote it was killed, or the disk was full; what is here is right
+    experiment: str
+    experiment_text: str           # the experiment file, before overrides
+    overrides: Tuple[str, ...]     # "path=value"
+    seed: Optional[int]            # of the first run
+    version: str                   # of the suite, with the commit
+    math_library: str
+    state_hash: Optional[str]      # of the last state; None: the file does not have it
+    finished: Optional[bool]       # the run came to its end; None: the file does not say
+    result: Dict[str, Any]         # metrics at the end
+
+    runs: numpy.ndarray            # (rows,): number of resets in the recording, from 0
+    ticks: numpy.ndarray           # (rows,)
+    times: numpy.ndarray           # (rows,): simulated time since the start of the run [s]
+    names: Tuple[str, ...]         # (columns,)
+    types: Tuple[str, ...]         # (columns,)
+    poses: numpy.ndarray           # (rows, columns, 7): x, y, z, and the quaternion x, y, z, w; NaN: it is not there
+    present: numpy.ndarray         # (rows, columns): whether the entity is there
+    readings: Dict[str, "RecordedReadings"] = dataclasses.field(default_factory=dict)
+    metrics: Dict[str, numpy.ndarray] = dataclasses.field(default_factory=dict)  # (rows,) each
+
+    # Of bags alone.
+    stamps: Optional[numpy.ndarray] = None     # (rows,): of the messages [s]
+    engines: Optional[numpy.ndarray] = None    # (rows, columns): id of the engine that moves it
+    gripped: Optional[numpy.ndarray] = None    # (rows, columns): name of what it grips
+    colors: Optional[numpy.ndarray] = None     # (rows, columns, 4): red, green, blue, alpha
+    events: Optional[List[RecordedEvent]] = None
+    orders: Optional[List[numpy.ndarray]] = None  # (rows,): columns of those that are there, in the order of entity numbers
+
+    def column(self, name: str) -> int:
+        """@raise KeyError"""
+        if name not in self.names:
+            raise KeyError(f"found the entity '{name}', allowed: {', '.join(self.names)}")
+        return self.names.index(name)
+
+    def headings(self) -> numpy.ndarray:
+        """(rows, columns): about W's z axis, from -pi to pi [rad]."""
+        x, y, z, w = numpy.moveaxis(self.poses[..., 3:], -1, 0)
+        return numpy.arctan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+
+
+class RecordedReadings:
+    """The readings of one type of sensor: each field is an attribute, an array (rows, robots, ...). Fields in fields are
+    attributes again. A list such as `blobs` has `counts` (rows, robots), and its fields have all elements of all robots and
+    rows, one behind the other."""
+
+    def __init__(self, fields: Dict[str, Any]) -> None:
+        self.__dict__.update(fields)
+
+    def __repr__(self) -> str:
+        return f"<readings: {', '.join(self.__dict__)}>"
+
+
+def load(path: Any) -> Recording:
+    """A rosbag of the suite, or a file of trajectories. @raise RecordingError"""
+    file = pathlib.Path(path)
+    if not file.exists():
+        raise RecordingError(f"{path}: no such file")
+    try:
+        with open(file, "rb") as opened:
+            first = opened.read(8)
+    except OSError as problem:
+        raise RecordingError(f"{path}: cannot be read: {problem.strerror}") from None
+    if first == b"\x89HDF\r\n\x1a\n":
+        from .trajectory_file import load_trajectories
+        return load_trajectories(file)
+    if first.startswith(b"#ROSBAG"):
+        from .bag_file import load_bag
+        return load_bag(file)
+    raise RecordingError(f"{path}: found neither a bag nor trajectories, allowed: a file of `swarmanoid run --bag` or --trajectories")
