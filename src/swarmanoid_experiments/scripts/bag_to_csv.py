@@ -20,13 +20,13 @@ import sys
 import tempfile
 
 import matplotlib
+import numpy
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from swarmanoid.bag_file import BagError, load_bag  # noqa: E402
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))  # a devel space runs this file from another folder
-from check_bag import BAD_INPUT, BagError, messages  # noqa: E402
-
+BAD_INPUT = 2
 RESULTS = ("poses.csv", "events.csv", "trajectories.png")
 MOST_NAMES = 20  # in the legend: as many colours can be told apart
 COLUMNS = 3  # of panels, one a run
@@ -36,35 +36,6 @@ class OutError(Exception):
     """Results that cannot be written."""
 
 
-class Story:
-    """What the tables do not keep: the paths of everything that moves, [run][name] = [(x, y), ...] in m."""
-
-    def __init__(self):
-        self.paths = []
-        self.colors = {}  # of preys; robots get one in the picture
-        self.states = 0
-        self.gaps = 0  # places where ticks are missing
-        self._numbers = {}  # the space's number of a run to ours: a bag may begin after a reset
-        self._last_tick = {}
-
-    def run_of(self, message):
-        number = self._numbers.setdefault(message.run, len(self._numbers))
-        if number == len(self.paths):
-            self.paths.append({})
-        return number
-
-    def add(self, run, state):
-        self.states += 1
-        last = self._last_tick.get(run)
-        self.gaps += last is not None and state.tick > last + 1
-        self._last_tick[run] = state.tick
-        for name, kind, pose, color in zip(state.names, state.types, state.poses, state.colors):
-            if kind not in ("block", "light"):
-                self.paths[run].setdefault(name, []).append((pose.position.x, pose.position.y))
-                if "prey" in kind:
-                    self.colors[name] = (color.r, color.g, color.b)
-
-
 @functools.lru_cache(maxsize=None)
 def natural(name):
     """Sorts fb_2 before fb_10."""
@@ -72,48 +43,59 @@ def natural(name):
     return [int(part) if i % 2 else part for i, part in enumerate(parts)], name
 
 
-def kind_name(event):
-    """The name of the event's kind, as the bag's own definition of the message has it; of an unknown one the number."""
-    names = {value: name.lower() for name, value in vars(type(event)).items() if name.isupper()}
-    return names.get(event.kind, event.kind)
+def yaw(x, y, z, w):
+    return math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
 
 
-def yaw(q):
-    return math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
+def write_poses(recording, file):
+    table = csv.writer(file)
+    table.writerow(["run", "tick", "time_s", "name", "type", "x_m", "y_m", "z_m", "yaw_rad", "engine", "gripped"])
+    names, types = recording.names, recording.types
+    sort = functools.lru_cache(maxsize=None)(lambda columns: sorted(columns, key=lambda column: natural(names[column])))
+    for row, (run, tick, time) in enumerate(zip(recording.runs.tolist(), recording.ticks.tolist(), recording.stamps.tolist())):
+        poses, engines, gripped = recording.poses[row].tolist(), recording.engines[row], recording.gripped[row]
+        for i in sort(tuple(recording.orders[row].tolist())):
+            x, y, z, *orientation = poses[i]
+            table.writerow([run, tick, time, names[i], types[i], x, y, z, yaw(*orientation), engines[i], gripped[i]])
 
 
-def write_tables(bag_file, folder):
-    """Writes both tables. Returns the story."""
-    story = Story()
-    with open(folder / "poses.csv", "w", newline="") as poses, open(folder / "events.csv", "w", newline="") as events:
-        pose_table, event_table = csv.writer(poses), csv.writer(events)
-        pose_table.writerow(["run", "tick", "time_s", "name", "type", "x_m", "y_m", "z_m", "yaw_rad", "engine", "gripped"])
-        event_table.writerow(["run", "tick", "time_s", "kind", "entity", "other", "text"])
-        for topic, message in messages(bag_file, ["/space/world_state", "/space/events"]):
-            run, time = story.run_of(message), message.header.stamp.to_sec()
-            if topic == "/space/events":
-                event_table.writerow(
-                    [run, message.tick, time, kind_name(message), message.entity, message.other, message.text])
-                continue
-            story.add(run, message)
-            for i in sorted(range(len(message.names)), key=lambda i: natural(message.names[i])):
-                p = message.poses[i].position
-                pose_table.writerow([run, message.tick, time, message.names[i], message.types[i], p.x, p.y, p.z,
-                                     yaw(message.poses[i].orientation), message.engines[i], message.gripped[i]])
-    return story
+def write_events(recording, file):
+    table = csv.writer(file)
+    table.writerow(["run", "tick", "time_s", "kind", "entity", "other", "text"])
+    table.writerows(recording.events)
 
 
-def draw(story, title):
+def count_gaps(recording):
+    """Places where ticks are missing within a run."""
+    follows = recording.runs[1:] == recording.runs[:-1]
+    return int(numpy.count_nonzero(follows & (recording.ticks[1:] > recording.ticks[:-1] + 1)))
+
+
+def paths_of(recording):
+    """Of everything that moves, [run][name] = [(x, y), ...] in m, and the colours of preys; robots get one in the picture."""
+    runs = max([event.run for event in recording.events] + recording.runs.tolist()) + 1
+    paths, colors = [{} for _ in range(runs)], {}
+    for row, run in enumerate(recording.runs.tolist()):
+        places = recording.poses[row, :, :2].tolist()
+        for i in recording.orders[row].tolist():
+            if recording.types[i] not in ("block", "light"):
+                paths[run].setdefault(recording.names[i], []).append(tuple(places[i]))
+                if "prey" in recording.types[i]:
+                    colors[recording.names[i]] = tuple(recording.colors[row, i, :3].tolist())
+    return paths, colors
+
+
+def draw(paths_of_runs, prey_colors, title):
     """A panel for each run, all of the same scale, and one legend beside them. Returns the figure."""
-    names = sorted({name for paths in story.paths for name in paths}, key=natural)
+    names = sorted({name for paths in paths_of_runs for name in paths}, key=natural)
     palette = plt.get_cmap("tab10" if len(names) <= 10 else "tab20")  # each second one of tab20 is pale
-    colors = {name: story.colors.get(name, palette(i % palette.N)) for i, name in enumerate(names)}
-    columns = min(len(story.paths), COLUMNS)
-    rows = math.ceil(len(story.paths) / columns)
+    colors = {name: prey_colors.get(name, palette(i % palette.N)) for i, name in enumerate(names)}
+    columns = min(len(paths_of_runs), COLUMNS)
+    rows = math.ceil(len(paths_of_runs) / columns)
     figure, panels = plt.subplots(rows, columns, figsize=(7 * columns, 7 * rows), sharex=True, sharey=True, squeeze=False)
     lines = {}
-    for run, (axes, paths) in enumerate(itertools.zip_longest(panels.flat, story.paths, fillvalue={})):
-        axes.set_visible(run < len(story.paths))
+    for run, (axes, paths) in enumerate(itertools.zip_longest(panels.flat, paths_of_runs, fillvalue={})):
+        axes.set_visible(run < len(paths_of_runs))
         for name, path in paths.items():
             xs, ys = zip(*path)
             (lines[name],) = axes.plot(xs, ys, linewidth=1.2, color=colors[name])
@@ -123,7 +105,7 @@ def draw(story, title):
         axes.set_ylabel("y [m]")
         axes.tick_params(labelbottom=True, labelleft=True)
         axes.set_facecolor("0.93")
-        axes.set_title(f"{title}{f', run {run}' if len(story.paths) > 1 else ''} (circle: start, square: end)")
+        axes.set_title(f"{title}{f', run {run}' if len(paths_of_runs) > 1 else ''} (circle: start, square: end)")
     figure.tight_layout()
     if 0 < len(names) <= MOST_NAMES:
         panels[0, -1].legend([lines[name] for name in names], names, loc="upper left", bbox_to_anchor=(1.02, 1.0),
@@ -167,15 +149,20 @@ def main():
     arguments = parser.parse_args()
     try:
         with all_or_nothing(arguments.out) as folder:
-            story = write_tables(arguments.bag, folder)
-            if story.states == 0:
+            recording = load_bag(arguments.bag)
+            if not len(recording.ticks):
                 raise BagError(f"{arguments.bag}: holds no /space/world_state")
-            draw(story, arguments.bag.stem).savefig(folder / "trajectories.png", dpi=110, bbox_inches="tight")
+            paths, colors = paths_of(recording)
+            with open(folder / "poses.csv", "w", newline="") as file:
+                write_poses(recording, file)
+            with open(folder / "events.csv", "w", newline="") as file:
+                write_events(recording, file)
+            draw(paths, colors, arguments.bag.stem).savefig(folder / "trajectories.png", dpi=110, bbox_inches="tight")
     except (BagError, OutError) as problem:
         print(f"bag_to_csv: {problem}", file=sys.stderr)
         return BAD_INPUT
-    runs = len(story.paths)
-    print(f"{arguments.out}: {', '.join(RESULTS)}; {runs} run{'s' if runs > 1 else ''}, {story.gaps} gaps in the ticks")
+    runs = len(paths)
+    print(f"{arguments.out}: {', '.join(RESULTS)}; {runs} run{'s' if runs > 1 else ''}, {count_gaps(recording)} gaps in the ticks")
     return 0
 
 

@@ -3,10 +3,12 @@
 
 import csv
 import importlib.util
+import math
 import pathlib
 import resource
 import subprocess
 import unittest
+from random import Random
 
 import genpy
 import rosbag
@@ -42,6 +44,10 @@ class BagToCsvTest(ProgramTest):
             for message in messages:
                 topic = "/space/events" if isinstance(message, Event) else "/space/world_state"
                 bag.write(topic, message, message.header.stamp)
+
+    def write_more(self, state):
+        with rosbag.Bag(str(self.bag), "a" if self.bag.exists() else "w") as bag:
+            bag.write("/space/world_state", state, state.header.stamp)
 
     def event(self, kind, run=0, tick=0):
         message = Event(kind=kind, run=run, tick=tick, entity="fb_1", other="prey", text="why, \"so\"")
@@ -119,6 +125,29 @@ class TablesTest(BagToCsvTest):
         self.write(*(world_state(run, tick) for run, tick in ((0, 0), (0, 1), (0, 5), (1, 3), (1, 9))))
         self.tables("2 runs, 2 gaps in the ticks")
 
+    def test_tables_have_the_bytes_that_messages_have(self):
+        """Whatever arrays are in between: all digits, entities that come and go, and numbers that are none."""
+        random = Random(1)
+        for run, tick in ((4, 0), (4, 1), (4, 2), (5, 0), (5, 3)):
+            state = world_state(run, tick, ["fb_10", "fb_2", "late"][:2 + tick % 2])
+            state.engines, state.gripped = ["", "air", "ground"][:len(state.names)], ["prey, red", "", '"'][:len(state.names)]
+            for pose in state.poses:
+                pose.position.z, pose.position.x = random.gauss(0, 1), random.choice((1e-300, 1e22, math.nan, -0.0, 1 / 3))
+                pose.orientation.x, pose.orientation.z, pose.orientation.w = (random.gauss(0, 1) for _ in range(3))
+            self.write_more(state)
+        self.tables("2 runs, 1 gaps in the ticks")
+        expected = ["run,tick,time_s,name,type,x_m,y_m,z_m,yaw_rad,engine,gripped\r\n"]
+        with rosbag.Bag(str(self.bag)) as bag:
+            for _, state, _ in bag.read_messages("/space/world_state"):
+                order = [i for name in ("fb_2", "fb_10", "late") for i, other in enumerate(state.names) if other == name]
+                for i in order:
+                    p, q = state.poses[i].position, state.poses[i].orientation
+                    yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
+                    gripped = {"prey, red": '"prey, red"', '"': '""""'}.get(state.gripped[i], state.gripped[i])
+                    expected.append(f"{state.run - 4},{state.tick},{state.header.stamp.to_sec()!r},{state.names[i]},{state.types[i]},"
+                                    f"{p.x!r},{p.y!r},{p.z!r},{yaw!r},{state.engines[i]},{gripped}\r\n")
+        self.assertEqual((self.out / "poses.csv").read_bytes().decode(), "".join(expected))
+
     def test_a_world_in_which_nothing_moves(self):
         self.write(world_state(0, 0, ["wall"], "block"))
         self.tables("1 run, 0 gaps in the ticks")
@@ -131,12 +160,9 @@ class PictureTest(unittest.TestCase):
         specification.loader.exec_module(self.module)
 
     def figure(self, runs, robots):
-        story = self.module.Story()
-        for run in range(runs):
-            for tick in range(3):
-                state = world_state(run, tick, [f"fb_{i}" for i in range(robots, 0, -1)])
-                story.add(story.run_of(state), state)
-        figure = self.module.draw(story, "run")
+        paths = [{f"fb_{i}": [(float(robots - i), 0.1 * tick + run) for tick in range(3)] for i in range(robots, 0, -1)}
+                 for run in range(runs)]
+        figure = self.module.draw(paths, {}, "run")
         figure.canvas.draw()
         return figure
 
