@@ -23,6 +23,7 @@ import threading
 import time
 import unittest
 
+import yaml
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 
 # Where the shell commands are run; the workspace's page takes minutes and is in ./test --long
@@ -33,7 +34,8 @@ RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.
              "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
              "docs/how-to/repeat_what_was_done.md", "docs/how-to/run_a_batch.md", "docs/how-to/evolve_a_controller.md",
              "docs/how-to/run_a_controller_elsewhere.md",
-             "docs/how-to/sample_a_sensor.md", "docs/how-to/simulate_in_python.md", "docs/faq.md")
+             "docs/how-to/sample_a_sensor.md", "docs/how-to/simulate_in_python.md", "docs/explanation/coming_from_argos.md",
+             "docs/faq.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
 # Pages that add to the suite, and how many files each may add at most. They are followed in a copy of the tree, which is
 # built once; what was there before must stay as it is
@@ -185,6 +187,18 @@ class LinksTest(unittest.TestCase):
                         reached.add(name)
                         new.append(name)
         self.assertEqual([], [page for page in pages() if page not in reached])
+
+
+class CitationTest(unittest.TestCase):
+    def test_the_citation_is_of_this_version(self):
+        """The keys that version 1.2.0 of the format requires, of the whole and of the reference."""
+        citation = yaml.safe_load(read("CITATION.cff"))
+        self.assertEqual(citation["cff-version"], "1.2.0")
+        for item, required in ((citation, ("message", "title", "authors")), (citation["references"][0], ("type", "title", "authors"))):
+            self.assertEqual([key for key in required if not item.get(key)], [])
+        package = read("src/swarmanoid_experiments/package.xml")
+        self.assertIn(f"<version>{citation['version']}</version>", package)
+        self.assertIn(f"<license>{citation['license']}</license>", package)
 
 
 class ListingsTest(unittest.TestCase):
