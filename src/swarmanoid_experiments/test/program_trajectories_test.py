@@ -82,7 +82,11 @@ class ArraysTest(TrajectoriesTest):
     def test_the_file_says_what_the_run_was(self):
         world = self.world(maxclock=500, visualisations="")
         path = "controllers.fc.parameters.fail_at"
-        summary, recording = self.record(world, "--ticks", 7, "--set", f"{path}=5000", "--set", "framework.random_seed=9")
+        summary, recording = self.record(world, "--ticks", 7, "--set", f"{path}=5000", "--set", "framework.random_seed=9",
+                                         "--bag", "run.bag")
+        bag = swarmanoid.load(self.folder / "run.bag")
+        self.assertEqual((bag.overrides, bag.seed, bag.version, bag.state_hash),
+                         (recording.overrides, 9, summary["version"], summary["state_hash"]))
         self.assertEqual(recording.experiment_text, pathlib.Path(world).read_text())
         self.assertEqual(recording.overrides, (f"{path}=5000", "framework.random_seed=9"))
         self.assertEqual((recording.experiment, recording.seed, recording.complete, recording.finished, len(recording.ticks)),
@@ -112,6 +116,12 @@ class ArraysTest(TrajectoriesTest):
         self.assertEqual((recording.poses[0, 2, 0], recording.poses[-1, 2, 0]), (5.0, 6.0))
         for name in ("experiment", "experiment_text", "seed", "version", "math_library", "state_hash", "finished"):
             self.assertEqual(getattr(recording, name), getattr(bag, name), name)
+
+    def test_a_bag_of_few_states_has_the_hash_of_the_last_one(self):
+        few = '<rosbag_recorder id="b" library="swarmanoid_recording"><file>run.bag</file><every>7</every></rosbag_recorder>'
+        done = self.call("run", self.world(maxclock=10, visualisations=few), "--quiet")
+        bag = swarmanoid.load(self.folder / "run.bag")
+        self.assertEqual((list(bag.ticks), bag.state_hash), ([0, 7], json.loads(done.stdout)["state_hash"]))
 
     def test_resets_are_runs(self):
         world = self.world(visualisations='<trajectory_recorder id="t" library="swarmanoid_trajectories"><file>run.h5</file>'

@@ -57,6 +57,8 @@ class BatchTest(CommandsTest):
         row, = (row for row in expected if row[4:6] == ("0.2", "17"))
         self.assertEqual(row[:3], (EXPERIMENT, single["version"], single["math_library"]))
         self.assertIn(single["state_hash"], row)
+        overrides, = (json.loads(value) for value in row if value.startswith("["))
+        self.assertEqual(set(overrides), {f"{SPEED}=0.2", f"framework.maxclock={TICKS}"})
         self.assertIn(repr(single["metrics"]["lamps.distance"]), row)
 
     def test_whoever_is_killed_each_run_has_one_row_and_the_same(self):

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """`swarmanoid evolve` from outside: the same genotypes, to the last bit, whoever makes the runs and whoever is killed."""
 
+import csv
+import io
 import json
 import random
 import subprocess
@@ -53,10 +55,23 @@ class EvolveTest(CommandsTest):
             self.assertEqual(self.made(f"of_{jobs}"), expected)
         self.assertEqual((self.folder / "two/fitness.png").read_bytes()[:4], b"\x89PNG")
         best, = summary["best"]
+        self.assert_all_files_say_what_they_are_of(expected, best["genes"])
         values = [generation["values"] for generation in json.loads(expected["checkpoint.json"])["generations"]]
         self.assertEqual(len(values), GENERATIONS)
         self.assertEqual(best["values"]["lamps.distance"], min(value[0] for generation in values for value in generation))
         self.assert_the_best_is_an_experiment("two/best.xml", best["values"]["lamps.distance"])
+
+    def assert_all_files_say_what_they_are_of(self, made, genes):
+        """Version, fingerprint, seeds and overrides."""
+        checkpoint = json.loads(made["checkpoint.json"])
+        self.assertEqual((checkpoint["seeds"], checkpoint["overrides"]), ([1, 2, 3], {"framework.maxclock": "401"}))
+        version, fingerprint = checkpoint["version"], checkpoint["fingerprint"]
+        first = next(csv.DictReader(io.StringIO(made["generations.csv"].decode())))
+        self.assertEqual((first["version"], first["fingerprint"], first["seeds"]), (version, fingerprint, "1 2 3"))
+        self.assertIn("framework.maxclock=401", json.loads(first["overrides"]))
+        comment = made["best.xml"].decode().partition("-->")[0]
+        for text in (version, fingerprint, "Seeds: 1 2 3.", "framework.maxclock=401", *(f"{path}={value!r}" for path, value in genes.items())):
+            self.assertIn(text, comment)
 
     def assert_the_best_is_an_experiment(self, file, expected):
         metrics = []

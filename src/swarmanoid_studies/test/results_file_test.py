@@ -83,7 +83,7 @@ class ResultsFileTest(unittest.TestCase):
         self.refused(":2: found a run of another fingerprint ('12345678'), allowed: '87654321'",
                      identity=IDENTITY._replace(fingerprint="87654321"))
         self.refused(":1: found the columns of another batch, allowed: experiment,version,math_library,fingerprint,a.c,seed,"
-                     "success,ticks,wall_s,state_hash,failure,m.x", columns=Columns(("a.c",), ("m.x",)))
+                     "success,ticks,wall_s,state_hash,failure,overrides,m.x", columns=Columns(("a.c",), ("m.x",)))
         self.keys.remove(("1, 2", "2"))
         self.refused(":3: found the run a.b=1, 2, seed=2, allowed: runs of this batch")
         self.path.write_text(text + text.splitlines()[1] + "\n")

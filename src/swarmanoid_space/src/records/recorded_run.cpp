@@ -87,7 +87,7 @@ RunRecord parseRecord(const std::string& text, const std::string& file, const st
   }
   root.allowAttributes(
       {"format", "experiment", "seed", "maxclock", "every", "open", "version", "compiler", "math_library"});
-  root.allowChildren({"file", "library"});
+  root.allowChildren({"file", "override", "library"});
   RunRecord record;
   record.experiment = root.requireAttribute("experiment");
   record.seed = countOf(root, "seed");
@@ -101,6 +101,9 @@ RunRecord parseRecord(const std::string& text, const std::string& file, const st
     if (element.name() == "file") {
       checkFile(element, folder);
       record.files.push_back({element.requireAttribute("name"), ""});
+    } else if (element.name() == "override") {
+      element.allowAttributes({"path", "value"});
+      record.overrides.push_back({element.requireAttribute("path"), element.requireAttribute("value")});
     } else {
       element.allowAttributes({"name", "hash"});
       record.libraries.push_back({element.requireAttribute("name"), hashOf(element)});

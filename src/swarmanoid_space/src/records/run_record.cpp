@@ -103,6 +103,12 @@ std::string listOf(const RunRecord& record) {
   for (const RecordedFile& file : record.files) {
     appendFile(text, file.name, file.content);
   }
+  for (const Override& override : record.overrides) {
+    text.begin("override");
+    text.attribute("path", override.path);
+    text.attribute("value", override.value);
+    text.end();
+  }
   for (const RecordedLibrary& library : record.libraries) {
     text.begin("library");
     text.attribute("name", library.name);
@@ -128,6 +134,7 @@ RunRecord recordOf(const Experiment& experiment, const std::string& version) {
     }
   }
   record.libraries = librariesOf(experiment);
+  record.overrides = experiment.overrides;
   record.seed = experiment.framework.seed;
   record.max_clock = experiment.framework.max_clock;
   record.version = version;

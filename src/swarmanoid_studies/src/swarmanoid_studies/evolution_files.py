@@ -1,34 +1,39 @@
 """What an evolution leaves in its folder: a table, a picture, and the best genotypes as experiment files."""
 
+import json
 import os
 from typing import List, Optional, Sequence
 
 from .atomic_file import write_atomically
 from .evolution import Evolution, Found
 from .identity import checked
+from .identity_fields import IDENTITY, Identity
 from .pictures import png, pyplot
 from .results_file import line_of, text_of
 from .study_file import Study
 
 
-def write_files(folder: str, study: Study, evolution: Evolution) -> List[str]:
+def write_files(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
     """@return the experiment files @raise OSError"""
-    write_atomically(os.path.join(folder, "generations.csv"), _table(study, evolution))
+    write_atomically(os.path.join(folder, "generations.csv"), _table(study, identity, evolution))
     draw = _history if len(study.objectives) == 1 else _front
     write_atomically(os.path.join(folder, "fitness.png"), draw(study, evolution))
-    return _experiments(folder, study, evolution)
+    return _experiments(folder, study, identity, evolution)
 
 
-def _table(study: Study, evolution: Evolution) -> bytes:
-    lines = [line_of(["generation", "genotype", *(gene.path for gene in study.genes), *(each.metric for each in study.objectives)])]
+def _table(study: Study, identity: Identity, evolution: Evolution) -> bytes:
+    """A row a genotype, each with what makes it again."""
+    made_of = [*identity, " ".join(map(str, study.seeds))]
+    lines = [line_of([*IDENTITY, "seeds", "overrides", "generation", "genotype", *(gene.path for gene in study.genes), *(each.metric for each in study.objectives)])]
     for number, generation in enumerate(evolution.generations, 1):
         for index, (genotype, values) in enumerate(zip(generation.genotypes, generation.values)):
             genes = (gene.value(part) for gene, part in zip(study.genes, genotype))
-            lines.append(line_of([number, index, *genes, *values]))
+            overrides = json.dumps([f"{path}={value}" for path, value in evolution.overrides(genotype).items()])
+            lines.append(line_of([*made_of, overrides, number, index, *genes, *values]))
     return b"".join(lines)
 
 
-def _experiments(folder: str, study: Study, evolution: Evolution) -> List[str]:
+def _experiments(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
     """Of one objective best.xml, of several front_1.xml and so on, by the first objective."""
     names = ["best.xml"] if len(study.objectives) == 1 else [f"front_{i}.xml" for i in range(1, len(evolution.best) + 1)]
     for name in os.listdir(folder):
@@ -41,13 +46,16 @@ def _experiments(folder: str, study: Study, evolution: Evolution) -> List[str]:
             os.makedirs(os.path.dirname(os.path.join(folder, name)), exist_ok=True)
             write_atomically(os.path.join(folder, name), content)
         head, line, rest = record["text"].partition("\n")
-        write_atomically(path, f"{head}{line}<!-- {_comment(study, found)} -->\n{rest}".encode())
+        write_atomically(path, f"{head}{line}<!-- {_comment(study, identity, evolution, found)} -->\n{rest}".encode())
     return paths
 
 
-def _comment(study: Study, found: Found) -> str:
+def _comment(study: Study, identity: Identity, evolution: Evolution, found: Found) -> str:
     values = ", ".join(f"{objective.metric} {text_of(value)}" for objective, value in zip(study.objectives, found.values))
-    text = f"Evolved by the study {study.name}, generation {found.generation}: {values} over {len(study.seeds)} seeds."
+    text = f"Evolved by the study {study.name}, generation {found.generation}: {values} over {len(study.seeds)} seeds.\n"
+    text += f"Seeds: {' '.join(map(str, study.seeds))}. Version: {identity.version}, {identity.math_library}.\n"
+    text += f"Experiment: {identity.experiment}, fingerprint {identity.fingerprint}, with "
+    text += ", ".join(f"{path}={value}" for path, value in evolution.overrides(found.genotype).items()) + "."
     return text.replace("--", "- -")  # as comments of XML want it
 
 

@@ -51,7 +51,7 @@ def _refuse_bad_values(study: Study) -> None:
 def made_of(study: Study, identity: Identity) -> Dict[str, object]:
     """What must be the same when an evolution is continued; it may have more generations."""
     parameters = {name: value for name, value in study.optimiser.parameters.items() if name != "generations"}
-    return {**identity._asdict(), "genes": [[gene.path, gene.minimum, gene.maximum] for gene in study.genes],
+    return {**identity._asdict(), "overrides": study.overrides, "genes": [[gene.path, gene.minimum, gene.maximum] for gene in study.genes],
             "seeds": list(study.seeds), "objectives": [[each.metric, each.is_minimised] for each in study.objectives],
             "optimiser": study.optimiser.kind, "parameters": parameters}
 
@@ -98,7 +98,7 @@ def _main() -> int:
                 refuse_others(client, portable(study.experiment), study.overrides, identity)
             is_interrupted = not _evolve(study, evolution, generations, client, arguments.quiet,
                                          lambda: write_checkpoint(checkpoint, own, evolution.generations))
-    return _conclude(study, evolution, folder, time.monotonic() - start, is_interrupted)
+    return _conclude(study, identity, evolution, folder, time.monotonic() - start, is_interrupted)
 
 
 def _evolve(study: Study, evolution: "Evolution", generations: int, client: "Client", is_quiet: bool,
@@ -128,11 +128,12 @@ def _line(study: Study, evolution: "Evolution", generations: int) -> str:
     return f"generation {number} of {generations}: best {study.objectives[0].metric} {best if best is None else format(best, '.6g')}{mean}"
 
 
-def _conclude(study: Study, evolution: "Evolution", folder: str, wall_s: float, is_interrupted: bool) -> int:
+def _conclude(study: Study, identity: Identity, evolution: "Evolution", folder: str, wall_s: float,
+              is_interrupted: bool) -> int:
     files: List[str] = []
     if evolution.generations:
         from .evolution_files import write_files
-        files = write_files(folder, study, evolution)
+        files = write_files(folder, study, identity, evolution)
     best = [{"file": file, "generation": found.generation,
              "values": {each.metric: value for each, value in zip(study.objectives, found.values)},
              "genes": {gene.path: gene.value(part) for gene, part in zip(study.genes, found.genotype)}}

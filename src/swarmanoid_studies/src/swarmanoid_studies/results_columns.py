@@ -5,7 +5,7 @@ from typing import List, NamedTuple, Sequence, Tuple
 from .identity_fields import Identity
 from .mistakes import BadInput
 
-OUTCOME = ("success", "ticks", "wall_s", "state_hash", "failure")
+OUTCOME = ("success", "ticks", "wall_s", "state_hash", "failure", "overrides")
 
 
 class Columns(NamedTuple):

@@ -6,6 +6,7 @@ metrics."""
 
 import csv
 import io
+import json
 import os
 from typing import Dict, Sequence, Set, Tuple
 
@@ -30,6 +31,11 @@ def line_of(values: Sequence[object]) -> bytes:
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerow([text_of(value) for value in values])
     return text.getvalue().encode()
+
+
+def overrides_text(request: RunRequest) -> str:
+    """All of them, also those that all runs of the batch share: with the seed what makes the run again."""
+    return json.dumps([f"{path}={value}" for path, value in request.overrides])
 
 
 class ResultsFile:
@@ -78,7 +84,7 @@ class ResultsFile:
         if unknown:  # overrides have brought another rule in
             outcome = outcome._replace(failure=f"{outcome.failure} metrics without a column: {', '.join(unknown)}".strip())
         row = [*self._identity, *self.key_of(request), outcome.success, outcome.ticks, outcome.wall_s, outcome.state_hash,
-               outcome.failure, *(values.get(name) for name in self._columns.metrics)]
+               outcome.failure, overrides_text(request), *(values.get(name) for name in self._columns.metrics)]
         self._write(line_of(row))
 
     def key_of(self, request: RunRequest) -> Tuple[str, ...]:

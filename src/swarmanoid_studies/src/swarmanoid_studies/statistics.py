@@ -56,7 +56,7 @@ def read_results(path: str) -> Results:
     try:
         with open(path, encoding="utf-8", errors="replace") as file:
             columns = columns_of(file.readline().rstrip("\n").split(","), path)
-        texts = {name: str for name in (*IDENTITY, *columns.paths, "success", "state_hash", "failure", *columns.metrics)}
+        texts = {name: str for name in (*IDENTITY, *columns.paths, "success", "state_hash", "failure", "overrides", *columns.metrics)}
         rows = pandas.read_csv(path, dtype=texts, keep_default_na=False, encoding_errors="replace")
     except (OSError, ValueError) as error:
         raise BadInput(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None

@@ -30,6 +30,7 @@ struct RunRecord {
   std::string text;                 ///< XML; names of files are those of the record
   std::vector<RecordedFile> files;  ///< that the text names, in "files"
   std::vector<RecordedLibrary> libraries;
+  std::vector<Override> overrides;  ///< that the text has in it
   std::uint64_t seed = 1;
   std::uint64_t max_clock = 0;  ///< [ticks]
   std::uint64_t every = 1;      ///< ticks from one recorded state hash to the next

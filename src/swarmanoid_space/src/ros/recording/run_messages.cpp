@@ -39,6 +39,7 @@ void RunMessages::follow(const Space& space) {
   result_.ticks = space.tick;
   result_.run = space.run;
   result_.seed = space.seed;
+  space_ = &space;
 }
 
 void RunMessages::finish(const std::string& topics, const swarmanoid_msgs::WorldState& last_state, BagWriter& bag) {
@@ -51,7 +52,7 @@ void RunMessages::finish(const std::string& topics, const swarmanoid_msgs::World
   result_.success = outcome.success.value_or(false);
   result_.failed_robots = outcome.failed_robots;
   const bool is_last = last_state.tick == result_.ticks && last_state.run == result_.run;
-  result_.state_hash = is_last ? last_state.state_hash : 0;
+  result_.state_hash = is_last ? last_state.state_hash : stateHash(*space_);
   result_.metrics = toMessages(outcome.metrics);
   bag.writeLatched(topics + "result", result_.header.stamp, result_);
 }

@@ -38,6 +38,7 @@ class RunMessages {
   std::function<RunOutcome()> outcome_;
   std::optional<std::uint64_t> run_;   // whose record is in the bag
   swarmanoid_msgs::RunResult result_;  // of that run, as far as it has come
+  const Space* space_ = nullptr;       // that has been followed; whoever has the observer has it, too
 };
 
 }  // namespace swarmanoid
