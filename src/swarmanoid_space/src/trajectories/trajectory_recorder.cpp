@@ -34,7 +34,7 @@ std::vector<std::string> sensorsOf(const Experiment& experiment) {
 /// @throws ConfigError
 std::vector<std::string> chooseSensors(const std::string& text, const std::string& asked_by,
                                        const Experiment* experiment) {
-  const std::vector<std::string> there = experiment == nullptr ? std::vector<std::string>{} : sensorsOf(*experiment);
+  std::vector<std::string> there = experiment == nullptr ? std::vector<std::string>{} : sensorsOf(*experiment);
   std::vector<std::string> chosen;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
