@@ -2,7 +2,9 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <cstring>
+#include <type_traits>
 
 #include "swarmanoid_interface/configuration.hpp"
 
@@ -23,31 +25,44 @@ std::vector<py::ssize_t> shapeOf(const FieldPlaces& field, std::size_t records) 
   return shape;
 }
 
-/// Calls copy(place in the record, number of bytes) for each part of the field that lies in one piece.
+/// Calls copy(number of bytes) so that compilers know the number, if it is that of one number, which most fields are.
 template <class Copy>
-void visitPieces(const FieldPlaces& field, Copy copy) {
-  const std::size_t size = sizeOf(field.type);
-  if (field.isContiguous()) {
-    copy(field.offsets.front(), size * field.offsets.size());
-    return;
-  }
-  for (const std::size_t offset : field.offsets) {
-    copy(offset, size);
+void withSize(std::size_t size, Copy copy) {
+  if (size == sizeof(double)) {
+    copy(std::integral_constant<std::size_t, sizeof(double)>{});
+  } else if (size == sizeof(float)) {
+    copy(std::integral_constant<std::size_t, sizeof(float)>{});
+  } else {
+    copy(size);
   }
 }
 
 std::string textOf(const py::handle& object) { return py::str(object); }
 
+/// Whether it is an array with these numbers in this shape, one behind the other: most are, and take no time then.
+bool isReady(const py::object& value, const py::dtype& wanted, const FieldPlaces& field, std::size_t records) {
+  if (!py::isinstance<py::array>(value)) {
+    return false;
+  }
+  const auto array = py::reinterpret_borrow<py::array>(value);
+  const std::vector<py::ssize_t> shape = shapeOf(field, records);
+  return array.dtype().is(wanted) && (array.flags() & py::array::c_style) != 0 &&
+         std::equal(shape.begin(), shape.end(), array.shape(), array.shape() + array.ndim());
+}
+
 /// What the caller gives, as numbers of the field's type in the shape of the field.
 /// @throws py::value_error if the type does not have them
 py::array convert(const py::object& value, const FieldPlaces& field, std::size_t records, const std::string& name) {
+  const py::dtype wanted = dtypeOf(field.type);
+  if (isReady(value, wanted, field, records)) {
+    return py::reinterpret_borrow<py::array>(value);
+  }
   const py::module_ numpy = py::module_::import("numpy");
   const py::array given = numpy.attr("asarray")(value);
   const char kind = given.dtype().kind();
   if (kind != 'b' && kind != 'i' && kind != 'u' && kind != 'f') {
     throw py::type_error(name + ": found " + textOf(given.dtype()) + ", allowed: numbers");
   }
-  const py::dtype wanted = dtypeOf(field.type);
   const py::array converted = given.dtype().is(wanted) ? given : py::array(given.attr("astype")(wanted));
   const bool is_real = field.type == NumberType::kF4 || field.type == NumberType::kF8;
   if (!is_real && !numpy.attr("array_equal")(converted, given).cast<bool>()) {
@@ -66,8 +81,8 @@ py::array convert(const py::object& value, const FieldPlaces& field, std::size_t
 
 std::vector<std::byte*> elementsOf(const Records& records, const ListPlaces& list, std::int64_t* counts) {
   std::vector<std::byte*> places;
-  for (std::size_t i = 0; i < records.places.size(); ++i) {
-    const Span<const std::byte> bytes = list.access.bytes(records.places[i] + list.offset);
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const Span<const std::byte> bytes = list.access.bytes((*records.places)[i] + list.offset);
     const std::size_t count = bytes.size() / list.access.element_size;
     counts[i] = static_cast<std::int64_t>(count);
     for (std::size_t k = 0; k < count; ++k) {
@@ -80,7 +95,8 @@ std::vector<std::byte*> elementsOf(const Records& records, const ListPlaces& lis
 
 FieldArrays elementArrays(const Records& records, const ListPlaces& list, const std::string& device,
                           std::int64_t* counts) {
-  auto elements = std::make_shared<Records>(Records{records.moment, elementsOf(records, list, counts)});
+  auto elements = std::make_shared<Records>(
+      Records{records.moment, std::make_shared<std::vector<std::byte*>>(elementsOf(records, list, counts))});
   return {std::move(elements), list.elements, device + "." + list.name, "", false};
 }
 
@@ -95,16 +111,38 @@ py::object partOf(const py::object& owner, const FieldArrays& arrays, const std:
 
 }  // namespace
 
-py::array FieldArrays::copyOf(const FieldPlaces& field) const {
-  py::array copy(dtypeOf(field.type), shapeOf(field, size()));
-  auto* to = static_cast<std::byte*>(copy.mutable_data());
-  for (const std::byte* record : records_->places) {
-    visitPieces(field, [&](std::size_t offset, std::size_t bytes) {
-      std::memcpy(to, record + offset, bytes);
-      to += bytes;
+py::array arrayFor(const FieldPlaces& field, std::size_t records) {
+  return {dtypeOf(field.type), shapeOf(field, records)};
+}
+
+void gather(const std::vector<std::byte*>& records, const FieldPlaces& field, void* numbers) {
+  auto* to = static_cast<std::byte*>(numbers);
+  const std::size_t stride = field.offsets.size() * sizeOf(field.type);
+  for (const FieldPlaces::Piece& piece : field.pieces) {
+    withSize(piece.size, [&](auto size) {
+      std::byte* line = to;
+      for (const std::byte* record : records) {
+        std::memcpy(line, record + piece.offset, size);
+        line += stride;
+      }
     });
+    to += piece.size;
   }
-  return copy;
+}
+
+void scatter(const void* numbers, const FieldPlaces& field, const std::vector<std::byte*>& records) {
+  const auto* from = static_cast<const std::byte*>(numbers);
+  const std::size_t stride = field.offsets.size() * sizeOf(field.type);
+  for (const FieldPlaces::Piece& piece : field.pieces) {
+    withSize(piece.size, [&](auto size) {
+      const std::byte* line = from;
+      for (std::byte* record : records) {
+        std::memcpy(record + piece.offset, line, size);
+        line += stride;
+      }
+    });
+    from += piece.size;
+  }
 }
 
 void FieldArrays::refuse(const std::string& name) const {
@@ -116,7 +154,9 @@ py::object FieldArrays::get(const std::string& name) const {
   records_->moment.require();
   const std::string full = prefix_ + name;
   if (const FieldPlaces* field = table_->findField(full)) {
-    return copyOf(*field);
+    py::array copy = arrayFor(*field, size());
+    gather(*records_->places, *field, copy.mutable_data());
+    return std::move(copy);
   }
   if (const ListPlaces* list = table_->findList(full)) {
     return py::cast(ListArrays(*records_, *list, device_));
@@ -138,13 +178,7 @@ void FieldArrays::set(const std::string& name, const py::object& value) const {
     throw py::type_error(full + " is not written here: commands are, in the step of a controller");
   }
   const py::array numbers = convert(value, *field, size(), full);
-  const auto* from = static_cast<const std::byte*>(numbers.data());
-  for (std::byte* record : records_->places) {
-    visitPieces(*field, [&](std::size_t offset, std::size_t bytes) {
-      std::memcpy(record + offset, from, bytes);
-      from += bytes;
-    });
-  }
+  scatter(numbers.data(), *field, *records_->places);
 }
 
 std::string FieldArrays::describe() const {
@@ -152,13 +186,42 @@ std::string FieldArrays::describe() const {
 }
 
 ListArrays::ListArrays(const Records& records, const ListPlaces& list, const std::string& device)
-    : counts_(static_cast<py::ssize_t>(records.places.size())),
+    : counts_(static_cast<py::ssize_t>(records.size())),
       elements_(elementArrays(records, list, device, counts_.mutable_data())) {
-  robot_ = py::module_::import("numpy").attr("repeat")(
-      py::module_::import("numpy").attr("arange")(records.places.size()), counts_);
+  robot_ =
+      py::module_::import("numpy").attr("repeat")(py::module_::import("numpy").attr("arange")(records.size()), counts_);
 }
 
+namespace {
+
+/// What a device's descriptor says of each of its fields; lists are left out.
+py::dict fieldsOf(const std::string& device) {
+  const DeviceType* type = findDeviceType(device);
+  if (type == nullptr) {
+    std::vector<std::string> known;
+    for (const DeviceType* other : deviceTypes()) {
+      known.push_back(other->type);
+    }
+    throw py::key_error(unknownName("the device", device, known));
+  }
+  py::dict fields;
+  for (const FieldPlaces& field : fieldTableOf(*type).fields) {
+    const FieldDescription& description = type->fields.at(field.description);
+    fields[py::str(field.name)] =
+        py::dict(py::arg("shape") = py::tuple(py::cast(field.shape)), py::arg("dtype") = dtypeOf(field.type),
+                 py::arg("unit") = description.unit, py::arg("meaning") = description.meaning,
+                 py::arg("low") = description.range.minimum, py::arg("high") = description.range.maximum);
+  }
+  return fields;
+}
+
+}  // namespace
+
 void bindFieldArrays(py::module_& module) {
+  module.def(
+      "fields_of", &fieldsOf, py::arg("device"),
+      "The fields of a device of a type by name, each a dictionary: shape in one device, dtype, unit, meaning, and "
+      "low and high, the bounds that its numbers keep.");
   py::class_<FieldArrays>(module, "FieldArrays", "Fields of one device of many robots, as arrays.")
       .def("__getattr__",
            [](const py::object& arrays, const std::string& name) {

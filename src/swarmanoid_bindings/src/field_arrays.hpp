@@ -16,11 +16,23 @@
 
 namespace swarmanoid::bindings {
 
-/// Where the devices of the robots are, in the order of the robots.
+/// Where records are, in the order of the robots.
+using Places = std::shared_ptr<const std::vector<std::byte*>>;
+
+/// The devices of robots, or elements of lists in them.
 struct Records {
   OfMoment moment;
-  std::vector<std::byte*> places;
+  Places places;
+
+  std::size_t size() const { return places->size(); }
 };
+
+/// An array for a field of so many records, its numbers unset.
+pybind11::array arrayFor(const FieldPlaces& field, std::size_t records);
+/// Copies a field of all records to an array, one behind the other, and back. @{
+void gather(const std::vector<std::byte*>& records, const FieldPlaces& field, void* numbers);
+void scatter(const void* numbers, const FieldPlaces& field, const std::vector<std::byte*>& records);
+/// @}
 
 /// One device of all robots, or a part of it such as `joints` of `joints.angle`.
 class FieldArrays {
@@ -34,7 +46,7 @@ class FieldArrays {
         prefix_(std::move(prefix)),
         is_writable_(is_writable) {}
 
-  std::size_t size() const { return records_->places.size(); }
+  std::size_t size() const { return records_->size(); }
   /// An array, a list or a part. @throws pybind11::attribute_error naming those that there are
   pybind11::object get(const std::string& name) const;
   /// @param value an array of the field's shape, or what NumPy broadcasts to it
@@ -44,7 +56,6 @@ class FieldArrays {
   std::string describe() const;
 
  private:
-  pybind11::array copyOf(const FieldPlaces& field) const;
   [[noreturn]] void refuse(const std::string& name) const;
 
   std::shared_ptr<const Records> records_;

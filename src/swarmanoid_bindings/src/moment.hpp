@@ -11,7 +11,24 @@ namespace swarmanoid::bindings {
 /// That of a run; it goes on with each tick and reset.
 struct Moment {
   std::uint64_t number = 0;
-  bool is_ticking = false;  ///< and no controller in Python is called just now: another thread makes ticks
+  bool is_ticking = false;  ///< and no code in Python is called just now: another thread makes ticks
+};
+
+/// For as long as code in Python is called: what it may look at is not being changed, and what it has got is good until
+/// the call is over.
+class Pause {
+ public:
+  explicit Pause(Moment& moment) : moment_(moment), was_ticking_(moment.is_ticking) { moment_.is_ticking = false; }
+  ~Pause() {
+    moment_.is_ticking = was_ticking_;
+    ++moment_.number;
+  }
+  Pause(const Pause&) = delete;
+  Pause& operator=(const Pause&) = delete;
+
+ private:
+  Moment& moment_;
+  bool was_ticking_;
 };
 
 /// Whatever was made in a moment, and is good for this moment only.

@@ -1,40 +1,34 @@
 #include "python_controller.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+
+#include "python_parameters.hpp"
 
 namespace py = pybind11;
 
 namespace swarmanoid::bindings {
-namespace {
 
-/// An element's text, or the dictionary of its children.
-py::object toPython(const Configuration& element) {
-  if (element.children().empty()) {
-    return py::str(element.text());
+bool areSame(const RobotSelection& selection, Span<const GroupMember> members) {
+  if (selection.rows.size() != members.size()) {
+    return false;
   }
-  py::dict children;
-  for (const Configuration& child : element.children()) {
-    children[py::str(child.name())] = toPython(child);
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    if (selection.rows[i] != members[i].row || selection.robots[i] != members[i].robot) {
+      return false;
+    }
   }
-  return children;
+  return true;
 }
 
-/// For as long as a controller is called: what it may look at is not being changed.
-class Pause {
- public:
-  explicit Pause(Moment& moment) : moment_(moment) { moment_.is_ticking = false; }
-  ~Pause() {
-    moment_.is_ticking = true;
-    ++moment_.number;  // the robots of a step are those of that step only
+std::shared_ptr<RobotSelection> select(Span<const GroupMember> members) {
+  auto selection = std::make_shared<RobotSelection>();
+  for (const GroupMember& member : members) {
+    selection->rows.push_back(member.row);
+    selection->robots.push_back(member.robot);
   }
-  Pause(const Pause&) = delete;
-  Pause& operator=(const Pause&) = delete;
-
- private:
-  Moment& moment_;
-};
-
-}  // namespace
+  return selection;
+}
 
 PythonController::PythonController(py::object controller, std::shared_ptr<Moment> moment,
                                    std::shared_ptr<Thrown> thrown)
@@ -42,30 +36,36 @@ PythonController::PythonController(py::object controller, std::shared_ptr<Moment
   step_ = py::hasattr(controller_, "step") ? py::object(controller_.attr("step")) : controller_;
   if (PyCallable_Check(step_.ptr()) == 0) {
     throw py::type_error("found a controller " + std::string(py::repr(controller_)) +
-                         ", allowed: a function of the robots, or an object with a function step(robots)");
+                         ", allowed: a function of the robots, an object with a function step(robots), or a class "
+                         "with a function step(self, robot)");
   }
 }
 
 void PythonController::init(const Configuration& parameters) {
+  selection_ = nullptr;
   if (py::hasattr(controller_, "init")) {
-    const py::object given = toPython(parameters);
-    controller_.attr("init")(py::isinstance<py::dict>(given) ? given : py::dict());
+    controller_.attr("init")(parametersOf(parameters));
   }
+}
+
+void PythonController::start(const Space& /*space*/, Banks& /*commands*/, Row /*row*/, Robot& /*robot*/) {
+  selection_ = nullptr;  // another robot may have come to the place of one that is no more
 }
 
 void PythonController::step(const Space& space, Banks& /*commands*/, Span<const GroupMember> members) {
   const py::gil_scoped_acquire lock;
   if (thrown_->error) {
-    return;  // the tick is the last one until somebody has seen what another controller threw
+    return;  // the tick is the last one until somebody has seen what another one threw
+  }
+  if (selection_ == nullptr || !areSame(*selection_, members)) {
+    selection_ = select(members);
   }
   const Pause pause(*moment_);
   try {
-    step_(SteppedRobots(space, moment_, members));
+    step_(SteppedRobots(space, moment_, selection_));
   } catch (py::error_already_set& error) {
     const std::string what = error.what();
-    const bool is_of_user = error.matches(PyExc_Exception);  // Ctrl-C is not
-    thrown_->error.emplace(std::move(error));
-    if (is_of_user) {
+    if (thrown_->keep(std::move(error))) {
       throw std::runtime_error(what);
     }
   }

@@ -1,5 +1,5 @@
 /// A controller in Python of all robots of a configuration: a function `step(robots)`, or an object with `step(robots)`
-/// and, if it likes, `init(parameters)`.
+/// and, if it likes, `init(parameters)`. One for each robot is in python_robots.hpp.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -7,8 +7,9 @@
 #include <memory>
 
 #include "moment.hpp"
-#include "run.hpp"
+#include "robots.hpp"
 #include "swarmanoid_space/group_controller.hpp"
+#include "thrown.hpp"
 
 namespace swarmanoid::bindings {
 
@@ -19,6 +20,7 @@ class PythonController final : public GroupController {
 
   /// @pre Python's lock is held
   void init(const Configuration& parameters) override;
+  void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
   /// Takes Python's lock. What Python throws stops the robots, and is kept for whoever makes the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
@@ -27,6 +29,12 @@ class PythonController final : public GroupController {
   pybind11::object step_;
   std::shared_ptr<Moment> moment_;
   std::shared_ptr<Thrown> thrown_;
+  std::shared_ptr<RobotSelection> selection_;  // those of the last step; null: they are to be found anew
 };
+
+/// Whether the robots of a selection are the members, in their order.
+bool areSame(const RobotSelection& selection, Span<const GroupMember> members);
+/// A selection of the members.
+std::shared_ptr<RobotSelection> select(Span<const GroupMember> members);
 
 }  // namespace swarmanoid::bindings

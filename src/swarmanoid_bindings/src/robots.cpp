@@ -3,6 +3,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <limits>
 #include <set>
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -11,14 +12,6 @@ namespace py = pybind11;
 
 namespace swarmanoid::bindings {
 namespace {
-
-std::vector<Row> rowsOf(Span<const GroupMember> members) {
-  std::vector<Row> rows;
-  for (const GroupMember& member : members) {
-    rows.push_back(member.row);
-  }
-  return rows;
-}
 
 /// A table with a line of `width` numbers a row, which fill(row, numbers) fills.
 template <class Fill>
@@ -44,13 +37,13 @@ py::array_t<double> drawn(const std::vector<Robot*>& robots, Draw draw) {
 
 bool Devices::has(const std::string& type) const {
   moment_.require();
-  return std::any_of(rows_.begin(), rows_.end(), [&](Row row) { return banks_->find(type, row) != nullptr; });
+  return std::any_of(rows_->begin(), rows_->end(), [&](Row row) { return banks_->find(type, row) != nullptr; });
 }
 
 std::vector<std::string> Devices::types() const {
   moment_.require();
   std::set<std::string> types;
-  for (const Row row : rows_) {
+  for (const Row row : *rows_) {
     banks_->visit(row, [&](const std::string& type, const void*) { types.insert(type); });
   }
   return {types.begin(), types.end()};
@@ -62,45 +55,87 @@ const FieldArrays& Devices::at(const std::string& type) {
   if (known != known_.end()) {
     return known->second;
   }
-  auto records = std::make_shared<Records>(Records{moment_, {}});
-  for (const Row row : rows_) {
-    if (const void* device = banks_->find(type, row)) {
-      // Space holds the banks const for whoever looks; FieldArrays says what may be written
-      records->places.push_back(static_cast<std::byte*>(const_cast<void*>(device)));
-    }
-  }
+  const Places places = placesOf(type);
   const DeviceType* described = findDeviceType(type);
-  if (described == nullptr || (records->places.empty() && !rows_.empty())) {
+  if (described == nullptr || (places->empty() && !rows_->empty())) {
     throw py::key_error(unknownName("the device", type, types()));
   }
+  auto records = std::make_shared<Records>(Records{moment_, places});
   return known_.emplace(type, FieldArrays(std::move(records), fieldTableOf(*described), type, "", is_writable_))
       .first->second;
+}
+
+Places Devices::placesOf(const std::string& type) {
+  Places& places = (*places_)[type];
+  if (places == nullptr) {
+    auto found = std::make_shared<std::vector<std::byte*>>();
+    found->reserve(rows_->size());
+    for (const Row row : *rows_) {
+      if (const void* device = banks_->find(type, row)) {
+        // Space holds the banks const for whoever looks; FieldArrays says what may be written
+        found->push_back(static_cast<std::byte*>(const_cast<void*>(device)));
+      }
+    }
+    places = std::move(found);
+  }
+  return places;
 }
 
 py::array_t<std::int64_t> Devices::owners(const std::string& type) const {
   moment_.require();
   std::vector<std::int64_t> owners;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    if (banks_->find(type, rows_[i]) != nullptr) {
+  for (std::size_t i = 0; i < rows_->size(); ++i) {
+    if (banks_->find(type, (*rows_)[i]) != nullptr) {
       owners.push_back(static_cast<std::int64_t>(i));
     }
   }
   return py::array_t<std::int64_t>(static_cast<py::ssize_t>(owners.size()), owners.data());
 }
 
-Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows)
-    : Robots(space, std::move(moment), std::move(rows), false) {}
+namespace {
 
-Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows, bool is_writable)
+std::shared_ptr<RobotSelection> selectionOf(std::vector<Row> rows) {
+  auto selection = std::make_shared<RobotSelection>();
+  selection->rows = std::move(rows);
+  return selection;
+}
+
+/// Those of the selection, which lives on with them.
+std::shared_ptr<const std::vector<Row>> rowsIn(const std::shared_ptr<RobotSelection>& selection) {
+  return {selection, &selection->rows};
+}
+
+}  // namespace
+
+Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows)
+    : Robots(space, std::move(moment), selectionOf(std::move(rows)), false) {}
+
+Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection,
+               bool is_writable)
     : space_(&space),
-      moment_(std::move(moment)),
-      rows_(std::move(rows)),
-      readings_(moment_, space.readings, rows_, false),
-      commands_(moment_, space.commands, rows_, is_writable) {}
+      whole_moment_(std::move(moment)),
+      moment_(whole_moment_),
+      selection_(std::move(selection)),
+      readings_(moment_, space.readings, rowsIn(selection_), selection_->readings, false),
+      commands_(moment_, space.commands, rowsIn(selection_), selection_->commands, is_writable) {}
+
+Robots robotsOf(const Space& space, std::shared_ptr<const Moment> moment) {
+  std::vector<Row> rows;
+  for (const Row row : space.entities.order) {
+    if (space.robots[row] != nullptr) {
+      rows.push_back(row);
+    }
+  }
+  return {space, std::move(moment), std::move(rows)};
+}
+
+Robots entitiesOf(const Space& space, std::shared_ptr<const Moment> moment) {
+  return {space, std::move(moment), space.entities.order};
+}
 
 std::vector<std::string> Robots::names() const {
   std::vector<std::string> names;
-  for (const Row row : rows_) {
+  for (const Row row : rows()) {
     names.push_back(space().entities.name[row]);
   }
   return names;
@@ -108,16 +143,44 @@ std::vector<std::string> Robots::names() const {
 
 std::vector<std::string> Robots::types() const {
   std::vector<std::string> types;
-  for (const Row row : rows_) {
+  for (const Row row : rows()) {
     const auto& robot = space().robots[row];
     types.push_back(robot == nullptr ? space().entities.model[row]->type : robot->type());
   }
   return types;
 }
 
+std::vector<std::string> Robots::controllers() const {
+  std::vector<std::string> controllers;
+  for (const Row row : rows()) {
+    const ControllerDescription* description = space().controllers[row].description;
+    controllers.push_back(description == nullptr ? "" : description->id);
+  }
+  return controllers;
+}
+
+py::array_t<std::int64_t> Robots::numbers() const {
+  py::array_t<std::int64_t> numbers(static_cast<py::ssize_t>(rows().size()));
+  std::transform(rows().begin(), rows().end(), numbers.mutable_data(),
+                 [&](Row row) { return static_cast<std::int64_t>(space().entities.number[row]); });
+  return numbers;
+}
+
+Robots Robots::take(const std::vector<std::size_t>& places) const {
+  std::vector<Row> some;
+  for (const std::size_t place : places) {
+    if (place >= rows().size()) {
+      throw py::index_error("found the robot " + std::to_string(place) + ", allowed: less than " +
+                            std::to_string(rows().size()));
+    }
+    some.push_back(rows()[place]);
+  }
+  return {space(), whole_moment_, std::move(some)};
+}
+
 py::array_t<double> Robots::poses() const {
   const auto& poses = space().entities.pose;
-  return tableOf(rows_, 7, [&](Row row, double* line) {
+  return tableOf(rows(), 7, [&](Row row, double* line) {
     Eigen::Map<Eigen::Vector3d>{line} = poses[row].position;
     Eigen::Map<Eigen::Vector4d>{line + 3} = poses[row].orientation.coeffs();
   });
@@ -125,36 +188,37 @@ py::array_t<double> Robots::poses() const {
 
 py::array_t<double> Robots::twists() const {
   const auto& twists = space().entities.twist;
-  return tableOf(rows_, 6, [&](Row row, double* line) {
+  return tableOf(rows(), 6, [&](Row row, double* line) {
     Eigen::Map<Eigen::Vector3d>{line} = twists[row].linear;
     Eigen::Map<Eigen::Vector3d>{line + 3} = twists[row].angular;
   });
 }
 
-SteppedRobots::SteppedRobots(const Space& space, std::shared_ptr<const Moment> moment, Span<const GroupMember> members)
-    : Robots(space, std::move(moment), rowsOf(members), true) {
-  for (const GroupMember& member : members) {
-    robots_.push_back(member.robot);
-  }
+py::array_t<double> Robots::property(const std::string& name) const {
+  py::array_t<double> values(static_cast<py::ssize_t>(rows().size()));
+  std::transform(rows().begin(), rows().end(), values.mutable_data(), [&](Row row) {
+    return space().property(row, name).value_or(std::numeric_limits<double>::quiet_NaN());
+  });
+  return values;
 }
 
 py::array_t<double> SteppedRobots::uniform(double low, double high) const {
   space();
-  return drawn(robots_, [&](RandomStream& random) { return random.uniform(low, high); });
+  return drawn(robots(), [&](RandomStream& random) { return random.uniform(low, high); });
 }
 
 py::array_t<double> SteppedRobots::gaussian(double mean, double standard_deviation) const {
   space();
-  return drawn(robots_, [&](RandomStream& random) { return random.gaussian(mean, standard_deviation); });
+  return drawn(robots(), [&](RandomStream& random) { return random.gaussian(mean, standard_deviation); });
 }
 
 Robot& SteppedRobots::at(std::size_t robot) const {
   space();
-  if (robot >= robots_.size()) {
+  if (robot >= robots().size()) {
     throw py::index_error("found the robot " + std::to_string(robot) + ", allowed: less than " +
-                          std::to_string(robots_.size()));
+                          std::to_string(robots().size()));
   }
-  return *robots_[robot];
+  return *robots()[robot];
 }
 
 void SteppedRobots::log(std::size_t robot, const std::string& text) const { at(robot).log(text); }
@@ -176,9 +240,16 @@ void bindRobots(py::module_& module) {
       .def("__len__", &Robots::size)
       .def_property_readonly("names", &Robots::names)
       .def_property_readonly("types", &Robots::types)
+      .def_property_readonly("controllers", &Robots::controllers,
+                             "The id of each one's controller configuration; '' for none.")
+      .def_property_readonly("numbers", &Robots::numbers,
+                             "(robots,): entity numbers, which rise and are never used again.")
+      .def("take", &Robots::take, py::arg("places"), "Those at some places among these, of the same moment.")
       .def_property_readonly("poses", &Robots::poses,
                              "(robots, 7): position [m] and orientation as a quaternion x, y, z, w, in W.")
       .def_property_readonly("twists", &Robots::twists, "(robots, 6): linear [m/s] and angular velocity [rad/s], in W.")
+      .def("property", &Robots::property, py::arg("name"),
+           "(robots,): a property of each, such as 'intensity'; NaN for whoever does not have it.")
       .def_property_readonly("readings", &Robots::readings, kInternal)
       .def_property_readonly("commands", &Robots::commands, kInternal);
   py::class_<SteppedRobots, Robots>(module, "SteppedRobots", "The robots of a controller, in its step.")

@@ -15,17 +15,30 @@
 
 #include "field_arrays.hpp"
 #include "moment.hpp"
-#include "swarmanoid_space/group_controller.hpp"
+#include "swarmanoid_interface/robot.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::bindings {
+
+/// Robots, and where their devices are: found once, for as long as the same robots keep the same devices.
+struct RobotSelection {
+  std::vector<Row> rows;
+  std::vector<Robot*> robots;              ///< only of those that are stepped
+  std::map<std::string, Places> readings;  ///< by type; of those that have the device
+  std::map<std::string, Places> commands;
+};
 
 /// The robots' devices of one direction, by type: robots.readings["footbot_proximity"].
 class Devices {
  public:
   /// @param banks outlive the moment
-  Devices(OfMoment moment, const Banks& banks, std::vector<Row> rows, bool is_writable)
-      : moment_(std::move(moment)), banks_(&banks), rows_(std::move(rows)), is_writable_(is_writable) {}
+  Devices(OfMoment moment, const Banks& banks, std::shared_ptr<const std::vector<Row>> rows,
+          std::map<std::string, Places>& places, bool is_writable)
+      : moment_(std::move(moment)),
+        banks_(&banks),
+        rows_(std::move(rows)),
+        places_(&places),
+        is_writable_(is_writable) {}
 
   /// Of the robots that have such a device. @throws pybind11::key_error if none has
   const FieldArrays& at(const std::string& type);
@@ -35,9 +48,12 @@ class Devices {
   pybind11::array_t<std::int64_t> owners(const std::string& type) const;
 
  private:
+  Places placesOf(const std::string& type);
+
   OfMoment moment_;
   const Banks* banks_;
-  std::vector<Row> rows_;
+  std::shared_ptr<const std::vector<Row>> rows_;  // with it, the selection
+  std::map<std::string, Places>* places_;         // in the selection
   bool is_writable_;
   std::map<std::string, FieldArrays> known_;
 };
@@ -47,18 +63,29 @@ class Robots {
  public:
   Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows);
 
-  std::size_t size() const { return rows_.size(); }
+  std::size_t size() const { return rows().size(); }
   std::vector<std::string> names() const;
   std::vector<std::string> types() const;
+  /// The id of the controller configuration of each; "": it has none.
+  std::vector<std::string> controllers() const;
+  /// Entity numbers, which rise and are never used again: (robots,).
+  pybind11::array_t<std::int64_t> numbers() const;
+  /// Some of them, to look at. @param places among these @throws pybind11::index_error
+  Robots take(const std::vector<std::size_t>& places) const;
   /// x, y, z, and the quaternion x, y, z, w: (robots, 7).
   pybind11::array_t<double> poses() const;
   /// Linear, then angular velocity: (robots, 6).
   pybind11::array_t<double> twists() const;
+  /// One number each, NaN for whoever has no such property: (robots,).
+  pybind11::array_t<double> property(const std::string& name) const;
   Devices& readings() { return readings_; }
   Devices& commands() { return commands_; }
 
  protected:
-  Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows, bool is_writable);
+  Robots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection,
+         bool is_writable);
+  const std::vector<Row>& rows() const { return selection_->rows; }
+  const std::vector<Robot*>& robots() const { return selection_->robots; }
   const Space& space() const {
     moment_.require();
     return *space_;
@@ -66,16 +93,23 @@ class Robots {
 
  private:
   const Space* space_;
+  std::shared_ptr<const Moment> whole_moment_;
   OfMoment moment_;
-  std::vector<Row> rows_;
+  std::shared_ptr<RobotSelection> selection_;
   Devices readings_;
   Devices commands_;
 };
 
+/// Those of a space, by entity number.
+Robots robotsOf(const Space& space, std::shared_ptr<const Moment> moment);
+/// All entities.
+Robots entitiesOf(const Space& space, std::shared_ptr<const Moment> moment);
+
 /// Those that a controller steps just now: their commands can be written, and they have random numbers and a log.
 class SteppedRobots : public Robots {
  public:
-  SteppedRobots(const Space& space, std::shared_ptr<const Moment> moment, Span<const GroupMember> members);
+  SteppedRobots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection)
+      : Robots(space, std::move(moment), std::move(selection), true) {}
 
   std::uint64_t tick() const { return space().tick; }
   double time() const { return toSeconds(space().time - kEpoch); }
@@ -88,8 +122,6 @@ class SteppedRobots : public Robots {
 
  private:
   Robot& at(std::size_t robot) const;
-
-  std::vector<Robot*> robots_;
 };
 
 void bindRobots(pybind11::module_& module);

@@ -1,11 +1,15 @@
 #include "run.hpp"
 
-#include <algorithm>
 #include <chrono>
+#include <exception>
 #include <stdexcept>
 
+#include "errors.hpp"
 #include "python_controller.hpp"
+#include "python_robots.hpp"
+#include "python_rule.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_space/interventions/intervention_file.hpp"
 
 namespace py = pybind11;
 
@@ -13,16 +17,15 @@ namespace swarmanoid::bindings {
 namespace {
 
 /// @throws ConfigError for the id of a configuration that the experiment does not have
-void refuseUnknown(const Experiment& experiment, const std::map<std::string, py::object>& controllers) {
+const ControllerDescription& configurationOf(const Experiment& experiment, const std::string& id) {
   std::vector<std::string> known;
   for (const ControllerDescription& description : experiment.controllers) {
+    if (description.id == id) {
+      return description;
+    }
     known.push_back(description.id);
   }
-  for (const auto& [id, controller] : controllers) {
-    if (std::find(known.begin(), known.end(), id) == known.end()) {
-      throw ConfigError({experiment.file, 0}, unknownName("the controller", id, known));
-    }
-  }
+  throw ConfigError({experiment.file, 0}, unknownName("the controller", id, known));
 }
 
 /// For as long as ticks are made.
@@ -47,14 +50,51 @@ class Ticking {
 
 }  // namespace
 
-Run::Run(Experiment experiment, RunContext context, const std::map<std::string, py::object>& controllers) {
-  refuseUnknown(experiment, controllers);
+Run::Run(Experiment experiment, RunContext context, const PythonParts& parts) {
   SuppliedParts supplied;
-  for (const auto& [id, controller] : controllers) {
-    supplied.group_controllers[id] = std::make_shared<PythonController>(controller, moment_, thrown_);
+  for (const auto& [id, controller] : parts.controllers) {
+    const ControllerDescription& configuration = configurationOf(experiment, id);
+    if (PyType_Check(controller.ptr()) != 0) {
+      supplied.group_controllers[id] = std::make_shared<PythonRobots>(controller, configuration, moment_, thrown_);
+    } else {
+      supplied.group_controllers[id] = std::make_shared<PythonController>(controller, moment_, thrown_);
+    }
   }
-  simulation_ = std::make_unique<Simulation>(std::move(experiment), std::move(context), std::move(supplied));
-  simulation_->start();
+  for (const auto& [id, rule] : parts.rules) {
+    supplied.rules.emplace_back(id, std::make_shared<PythonRule>(rule, moment_, thrown_));
+  }
+  try {
+    simulation_ = std::make_unique<Simulation>(std::move(experiment), std::move(context), std::move(supplied));
+    simulation_->start();
+  } catch (...) {
+    thrown_->raise();
+    throw;
+  }
+  thrown_->raise();
+}
+
+template <class Action>
+void Run::act(Action action) {
+  std::exception_ptr stopped;
+  {
+    const Ticking ticking(*moment_, is_in_tick_);
+    try {
+      action();
+    } catch (...) {
+      stopped = std::current_exception();
+    }
+  }
+  if (stopped) {
+    try {
+      simulation_->finish();
+    } catch (...) {
+      // the first problem is the one that counts
+    }
+  }
+  thrown_->raise();
+  if (stopped) {
+    std::rethrow_exception(stopped);
+  }
 }
 
 void Run::requireIdle() const {
@@ -63,27 +103,21 @@ void Run::requireIdle() const {
   }
 }
 
+void Run::requireOpen() const {
+  requireIdle();
+  if (is_closed_) {
+    throw std::runtime_error("the simulation is closed");
+  }
+}
+
 const Simulation& Run::simulation() const {
   requireIdle();
   return *simulation_;
 }
 
-Robots Run::robots() const {
-  requireIdle();
-  const Space& space = simulation_->space();
-  std::vector<Row> rows;
-  for (const Row row : space.entities.order) {
-    if (space.robots[row] != nullptr) {
-      rows.push_back(row);
-    }
-  }
-  return {space, moment_, std::move(rows)};
-}
+Robots Run::robots() const { return robotsOf(simulation().space(), moment_); }
 
-Robots Run::entities() const {
-  requireIdle();
-  return {simulation_->space(), moment_, simulation_->space().entities.order};
-}
+Robots Run::entities() const { return entitiesOf(simulation().space(), moment_); }
 
 std::uint64_t Run::makeTicks(std::uint64_t count) {
   constexpr std::chrono::milliseconds kBetweenSignals{50};
@@ -108,28 +142,41 @@ std::uint64_t Run::makeTicks(std::uint64_t count) {
 }
 
 std::uint64_t Run::tick(std::uint64_t count) {
-  requireIdle();
-  if (is_closed_) {
-    throw std::runtime_error("the simulation is closed");
-  }
+  requireOpen();
   std::uint64_t made = 0;
-  {
-    const Ticking ticking(*moment_, is_in_tick_);
+  act([&] {
     const py::gil_scoped_release unlocked;
     made = makeTicks(count);
-  }
-  if (thrown_->error) {
-    const py::error_already_set error = std::move(*thrown_->error);
-    thrown_->error.reset();
-    throw error;
-  }
+  });
   return made;
 }
 
+void Run::sense() {
+  requireOpen();
+  act([&] {
+    const py::gil_scoped_release unlocked;
+    simulation_->sense();
+  });
+}
+
 void Run::reset(std::optional<std::uint64_t> seed) {
-  requireIdle();
-  ++moment_->number;
-  simulation_->reset(seed);
+  requireOpen();
+  act([&] { simulation_->reset(seed); });
+}
+
+void Run::apply(const Intervention& intervention) {
+  requireOpen();
+  std::optional<std::string> refusal;
+  act([&] {
+    try {
+      simulation_->apply(intervention);
+    } catch (const ConfigError& error) {
+      refusal = error.what();
+    }
+  });
+  if (refusal) {
+    throw InterventionError(std::string(kindOf(intervention)) + " is refused: " + *refusal);
+  }
 }
 
 void Run::close() {

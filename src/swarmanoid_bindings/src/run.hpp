@@ -9,31 +9,39 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "moment.hpp"
 #include "robots.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
+#include "thrown.hpp"
 
 namespace swarmanoid::bindings {
 
-/// What is thrown in a step, kept until the tick is over.
-struct Thrown {
-  std::optional<pybind11::error_already_set> error;
+/// Parts in Python, by id.
+struct PythonParts {
+  std::map<std::string, pybind11::object> controllers;          ///< instead of those of the configurations
+  std::vector<std::pair<std::string, pybind11::object>> rules;  ///< beside those of the experiment file
 };
 
 class Run {
  public:
-  /// @param controllers in Python, by the id of their configuration
-  /// @throws ConfigError
-  Run(Experiment experiment, RunContext context, const std::map<std::string, pybind11::object>& controllers);
+  /// @throws ConfigError, pybind11::error_already_set what a part in Python throws
+  Run(Experiment experiment, RunContext context, const PythonParts& parts);
   ~Run() { ++moment_->number; }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
   /// Makes up to `count` ticks. @return how many: less if the run is over
-  /// @throws pybind11::error_already_set what a controller threw, or Ctrl-C; std::exception what stops a run
+  /// @throws pybind11::error_already_set what a controller or a rule threw, or Ctrl-C; std::exception what stops a run.
+  /// After all but what controllers throw, and Ctrl-C, the run is over
   std::uint64_t tick(std::uint64_t count);
+  /// Readings as controllers get them in the next tick (Simulation::sense).
+  void sense();
   void reset(std::optional<std::uint64_t> seed);
+  /// @throws InterventionError why it is refused; then nothing has changed
+  void apply(const Intervention& intervention);
   /// Completes what observers write, and destroys the controllers.
   void close();
 
@@ -45,7 +53,11 @@ class Run {
  private:
   /// @throws std::runtime_error
   void requireIdle() const;
+  void requireOpen() const;
   std::uint64_t makeTicks(std::uint64_t count);
+  /// Does something to the run that may call code in Python. What that throws, and what stops the run, is thrown here.
+  template <class Action>
+  void act(Action action);
 
   std::shared_ptr<Moment> moment_ = std::make_shared<Moment>();
   std::shared_ptr<Thrown> thrown_ = std::make_shared<Thrown>();

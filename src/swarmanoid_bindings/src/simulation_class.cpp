@@ -9,6 +9,8 @@
 #include <string>
 #include <variant>
 
+#include "events.hpp"
+#include "interventions.hpp"
 #include "python_text.hpp"
 #include "record_of_run.hpp"
 #include "run.hpp"
@@ -17,6 +19,7 @@
 #include "swarmanoid_space/simulation/run_files.hpp"
 #include "swarmanoid_space/simulation/run_result.hpp"
 #include "swarmanoid_space/simulation/without_ros.hpp"
+#include "values.hpp"
 
 namespace py = pybind11;
 
@@ -31,15 +34,14 @@ struct Options {
   std::optional<std::uint64_t> ticks;
   std::optional<int> threads;
   std::map<std::string, py::object> overrides;
-  std::map<std::string, py::object> controllers;
+  PythonParts parts;
   std::optional<std::string> out;
 };
 
 std::vector<Override> overridesOf(const Options& options) {
   std::vector<Override> overrides;
   for (const auto& [path, value] : options.overrides) {
-    const bool is_truth = py::isinstance<py::bool_>(value);
-    overrides.push_back({path, is_truth ? (value.cast<bool>() ? "true" : "false") : std::string(py::str(value))});
+    overrides.push_back({path, fileText(value)});
   }
   return overrides;
 }
@@ -73,6 +75,15 @@ Experiment read(const Options& options) {
   return experiment;
 }
 
+/// In the order in which they stand there.
+std::vector<std::pair<std::string, py::object>> rulesIn(const py::dict& rules) {
+  std::vector<std::pair<std::string, py::object>> result;
+  for (const auto& [id, rule] : rules) {
+    result.emplace_back(py::str(id), py::reinterpret_borrow<py::object>(rule));
+  }
+  return result;
+}
+
 std::unique_ptr<Run> makeRun(const Options& options) {
   Experiment experiment = read(options);
   RunContext context;
@@ -83,7 +94,7 @@ std::unique_ptr<Run> makeRun(const Options& options) {
     files.folder = *options.out;
     context.out = openOutFolder(files, experiment);
   }
-  auto run = std::make_unique<Run>(std::move(experiment), context, options.controllers);
+  auto run = std::make_unique<Run>(std::move(experiment), context, options.parts);
   if (context.out != nullptr) {
     context.out->keep();
   }
@@ -110,17 +121,17 @@ py::list failuresOf(const Run& run) {
   return failures;
 }
 
-py::list eventsOf(const Run& run) {
-  py::list events;
-  for (const Event& event : run.simulation().space().events) {
-    events.append(py::dict(py::arg("kind") = toString(event.kind), py::arg("entity") = event.entity,
-                           py::arg("other") = event.other, py::arg("text") = pythonText(event.text)));
+/// Who asked, and for what.
+py::list interventionsOf(const Run& run) {
+  py::list interventions;
+  for (const TakenIntervention& taken : run.simulation().space().interventions) {
+    interventions.append(py::make_tuple(pythonText(taken.asked_by), taken.what));
   }
-  return events;
+  return interventions;
 }
 
 py::dict resultOfRun(const Run& run) {
-  const RunResult result = resultOf(run.simulation(), {run.simulation().isFinished(), "", 0.0, {}});
+  const RunResult result = resultOf(run.simulation(), {run.simulation().hasReachedEnd(), "", 0.0, {}});
   py::dict values;
   values["experiment"] = result.experiment;
   values["seed"] = result.seed;
@@ -144,6 +155,9 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly(
           "time", [](const Run& run) { return toSeconds(run.simulation().space().time - kEpoch); },
           "Simulated time since the start [s].")
+      .def_property_readonly(
+          "max_ticks", [](const Run& run) { return run.simulation().experiment().framework.max_clock; },
+          "Ticks after which the run is over.")
       .def_property_readonly("seed", [](const Run& run) { return run.simulation().space().seed; })
       .def_property_readonly("finished", [](const Run& run) { return run.simulation().isFinished(); })
       .def_property_readonly(
@@ -151,7 +165,12 @@ void bindState(py::class_<Run>& simulation) {
           "What the experiment's judges agree on; None without judges.")
       .def_property_readonly("metrics", [](const Run& run) { return metricsOf(run.simulation().metrics()); })
       .def_property_readonly("failures", &failuresOf, "Robots whose controllers failed.")
-      .def_property_readonly("events", &eventsOf, "What happened in the last tick.")
+      .def_property_readonly(
+          "events", [](const Run& run) { return eventsOf(run.simulation().space()); },
+          "What happened in the last tick.")
+      .def_property_readonly(
+          "interventions", &interventionsOf,
+          "What was done before the last tick, in order: (who asked, what). Nobody, '': from outside.")
       .def_property_readonly(
           "state_hash", [](const Run& run) { return hashText(run.simulation().stateHash()); },
           "Of all state, as `swarmanoid run` prints it: equal runs have equal ones.")
@@ -164,16 +183,23 @@ void bindState(py::class_<Run>& simulation) {
 void bindSimulation(py::module_& module) {
   py::class_<Run> simulation(module, "Simulation", "A run of an experiment.");
   simulation
-      .def(py::init([](std::optional<std::string> experiment, std::optional<std::string> text,
-                       std::optional<std::uint64_t> seed, std::optional<std::uint64_t> ticks,
-                       std::optional<int> threads, std::map<std::string, py::object> overrides,
-                       std::map<std::string, py::object> controllers, std::optional<std::string> out) {
-             return makeRun({std::move(experiment), std::move(text), seed, ticks, threads, std::move(overrides),
-                             std::move(controllers), std::move(out)});
-           }),
-           py::arg("experiment") = py::none(), py::kw_only(), py::arg("text") = py::none(),
-           py::arg("seed") = py::none(), py::arg("ticks") = py::none(), py::arg("threads") = py::none(),
-           py::arg("overrides") = py::dict(), py::arg("controllers") = py::dict(), py::arg("out") = py::none())
+      .def(
+          py::init([](std::optional<std::string> experiment, std::optional<std::string> text,
+                      std::optional<std::uint64_t> seed, std::optional<std::uint64_t> ticks, std::optional<int> threads,
+                      std::map<std::string, py::object> overrides, std::map<std::string, py::object> controllers,
+                      const py::dict& rules, std::optional<std::string> out) {
+            return makeRun({std::move(experiment),
+                            std::move(text),
+                            seed,
+                            ticks,
+                            threads,
+                            std::move(overrides),
+                            {std::move(controllers), rulesIn(rules)},
+                            std::move(out)});
+          }),
+          py::arg("experiment") = py::none(), py::kw_only(), py::arg("text") = py::none(), py::arg("seed") = py::none(),
+          py::arg("ticks") = py::none(), py::arg("threads") = py::none(), py::arg("overrides") = py::dict(),
+          py::arg("controllers") = py::dict(), py::arg("rules") = py::dict(), py::arg("out") = py::none())
       .def("tick", &Run::tick, py::arg("count") = 1,
            "Makes up to so many ticks, fewer if the run is over. Returns how many.")
       .def(
@@ -183,6 +209,15 @@ void bindSimulation(py::module_& module) {
             return resultOfRun(run);
           },
           "Makes ticks until the run is over. Returns `result`.")
+      .def(
+          "apply", [](Run& run, const py::object& intervention) { run.apply(toIntervention(intervention)); },
+          py::arg("intervention"),
+          "Does what an intervention (Move, Spawn, ...) asks for, between ticks. An InterventionError says why it is "
+          "refused.")
+      .def("sense", &Run::sense,
+           "Readings become those that controllers get in the next tick, which begins with this: between ticks they "
+           "are those "
+           "that the last tick began with.")
       .def("reset", &Run::reset, py::arg("seed") = py::none(), "Back to the state before the first tick.")
       .def("close", &Run::close, "Completes the files that the run writes; there are no ticks afterwards.")
       .def(

@@ -7,12 +7,22 @@
     print(simulation.robots.poses[:, :2])                             # (robots, 2), in metres
     print(simulation.robots.readings["footbot_proximity"].value)      # (robots, 24)
 
-docs/how-to/analyse_trajectories.md shows what `load` makes of recorded runs, docs/how-to/simulate_in_python.md controllers in Python. Simulations of different threads run at the same time."""
+docs/how-to/simulate_in_python.md shows controllers in Python, docs/how-to/analyse_trajectories.md what `load` makes of recorded
+runs. Simulations of different threads run at the same time."""
 
-from ._core import (Devices, ExperimentError, FieldArrays, ListArrays, Robots, Simulation, SteppedRobots,
-                    installed_experiments)
+from ._core import (Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError, ListArrays,
+                    Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
+                    Spawn, SteppedRobots, World, fields_of, installed_experiments)
 
+from ._single import Robot
 from .recording import RecordedEvent, RecordedReadings, Recording, RecordingError, load
 
-__all__ = ["Devices", "ExperimentError", "FieldArrays", "ListArrays", "RecordedEvent", "RecordedReadings", "Recording",
-           "RecordingError", "Robots", "Simulation", "SteppedRobots", "installed_experiments", "load"]
+__all__ = ["Delete", "Devices", "Disc", "ErrorModel", "ExperimentError", "FieldArrays", "HandOver",
+           "InterventionError", "ListArrays", "Move", "Paint", "RecordedEvent", "RecordedReadings", "Recording",
+           "RecordingError", "Robots", "RuleError", "SetCommandSource", "SetEngineParameters", "SetFault", "SetProperty",
+           "Simulation", "Spawn", "SteppedRobots", "World", "fields_of", "installed_experiments", "load", "Robot"]
+
+for _name in __all__:
+    if isinstance(globals()[_name], type):
+        globals()[_name].__module__ = __name__   # where users find it, and pickle too
+del _name

@@ -23,6 +23,13 @@ class Convoy final : public GroupController {
     }
   }
 
+  void start(const Space& /*space*/, Banks& /*commands*/, Row /*row*/, Robot& robot) override {
+    if (robot.name() == does_not_start) {
+      throw std::runtime_error("not this one");
+    }
+    started.push_back(robot.name());
+  }
+
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override {
     names.clear();
     draws.clear();
@@ -36,11 +43,17 @@ class Convoy final : public GroupController {
     if (space.tick == fails_in) {
       throw std::runtime_error("lost the convoy");
     }
+    if (space.tick == first_fails_in) {
+      *members[0].failure = "out of breath";
+    }
   }
 
   std::vector<std::string> names;
   std::vector<double> draws;
+  std::vector<std::string> started;
+  std::string does_not_start;
   std::uint64_t fails_in = ~std::uint64_t{0};
+  std::uint64_t first_fails_in = ~std::uint64_t{0};
   double unit = 0.0;  // rad/s
   int starts = 0;
 };
@@ -115,6 +128,32 @@ TEST_F(GroupControllerTest, AnExceptionStopsItsRobotsOnly) {
   EXPECT_EQ(Names{}, convoy_->names) << "those that have failed are not stepped again";
 }
 
+TEST_F(GroupControllerTest, AFailureThatItWritesDownStopsThatRobotOnly) {
+  Simulation& simulation = start();
+  convoy_->first_fails_in = 2;
+  tick(simulation, 4);
+  ASSERT_EQ(1U, simulation.failures().size());
+  EXPECT_EQ("a", simulation.failures()[0].robot);
+  EXPECT_EQ(2U, simulation.failures()[0].tick);
+  EXPECT_EQ("out of breath", simulation.failures()[0].reason);
+  EXPECT_NEAR(2 * 1.7, driven("a"), 1e-9);
+  EXPECT_NEAR(3 * 3.4 + 1.7, driven("c"), 1e-9) << "is the first one then";
+  EXPECT_EQ(Names{"c"}, convoy_->names);
+}
+
+TEST_F(GroupControllerTest, HearsWhichRobotsStart) {
+  Simulation& simulation = start();
+  EXPECT_EQ((Names{"a", "c"}), convoy_->started);
+  simulation.apply(SetCommandSource{"a", CommandSource::kNone});
+  tick(simulation);
+  simulation.apply(SetCommandSource{"a", CommandSource::kController});
+  EXPECT_EQ((Names{"a", "c", "a"}), convoy_->started);
+  simulation.reset();
+  EXPECT_EQ((Names{"a", "c", "a", "a", "c"}), convoy_->started);
+  convoy_->does_not_start = "c";
+  EXPECT_THROW(start(), ConfigError);
+}
+
 TEST_F(GroupControllerTest, WhomAnotherSourceCommandsIsNotStepped) {
   Simulation& simulation = start();
   tick(simulation);
@@ -143,6 +182,21 @@ TEST_F(GroupControllerTest, BeginsAnewWithEachReset) {
   simulation.reset();
   EXPECT_EQ(2, convoy_->starts);
   EXPECT_EQ(first, hashesOf(simulation, 4));
+}
+
+/// What somebody outside sees and does, a controller would: the bits are those of ticks that sense by themselves.
+TEST_F(GroupControllerTest, SensingBeforeATickChangesNothingInIt) {
+  Simulation& simulation = start();
+  const std::vector<std::uint64_t> alone = hashesOf(simulation, 5);
+  simulation.reset();
+  std::vector<std::uint64_t> sensed;
+  for (int i = 0; i < 5; ++i) {
+    simulation.sense();
+    simulation.sense();
+    tick(simulation);
+    sensed.push_back(simulation.stateHash());
+  }
+  EXPECT_EQ(alone, sensed);
 }
 
 TEST_F(GroupControllerTest, WhatItsInitThrowsRefusesTheExperiment) {

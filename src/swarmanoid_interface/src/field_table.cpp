@@ -33,8 +33,21 @@ void add(FieldTable& table, const DeviceNumber& number) {
   FieldPlaces& field = known == table.fields.end() ? table.fields.emplace_back() : *known;
   field.name = name;
   field.type = *findNumberType(number.type);
+  field.description = number.field;
   field.offsets.push_back(number.offset);
   field.shape = shape;
+}
+
+/// Numbers that touch are one piece.
+void joinPieces(FieldPlaces& field) {
+  const std::size_t size = sizeOf(field.type);
+  for (const std::size_t offset : field.offsets) {
+    if (!field.pieces.empty() && field.pieces.back().offset + field.pieces.back().size == offset) {
+      field.pieces.back().size += size;
+    } else {
+      field.pieces.push_back({offset, size});
+    }
+  }
 }
 
 FieldTable tableOf(const std::vector<DeviceNumber>& numbers) {
@@ -46,6 +59,7 @@ FieldTable tableOf(const std::vector<DeviceNumber>& numbers) {
       add(table, number);
     }
   }
+  std::for_each(table.fields.begin(), table.fields.end(), joinPieces);
   return table;
 }
 
@@ -56,16 +70,6 @@ const Place* findByName(const std::vector<Place>& places, const std::string& nam
 }
 
 }  // namespace
-
-bool FieldPlaces::isContiguous() const {
-  const std::size_t size = sizeOf(type);
-  for (std::size_t i = 1; i < offsets.size(); ++i) {
-    if (offsets[i] != offsets[i - 1] + size) {
-      return false;
-    }
-  }
-  return true;
-}
 
 const FieldPlaces* FieldTable::findField(const std::string& name) const { return findByName(fields, name); }
 

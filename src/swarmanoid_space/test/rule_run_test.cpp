@@ -47,6 +47,36 @@ TEST_F(RuleRunTest, MetricsAreNamedByTheirRulesAndStartAnew) {
   EXPECT_EQ(numberIn(simulation->metrics(), "a.count"), 1.0);
 }
 
+TEST_F(RuleRunTest, SuppliedRulesComeAfterThoseOfTheFileOrInTheirPlace) {
+  scripts()["c"].after = [](ScriptedRule&, const Space&, InterventionQueue& queue) { queue.tryTo(DeleteEntity{"x"}); };
+  SuppliedParts supplied;
+  supplied.rules = {{"c", std::make_shared<ScriptedRule>()}, {"a", std::make_shared<ScriptedRule>()}};
+  const auto simulation = ruledWorld(1, std::move(supplied));
+  simulation->start();
+  calls().clear();
+  simulation->tick();
+  EXPECT_EQ(calls(),
+            (std::vector<std::string>{"a.before", "b.before", "c.before", "step", "a.after", "b.after", "c.after"}));
+  EXPECT_EQ(simulation->metrics().size(), 3U);
+  simulation->tick();
+  EXPECT_EQ(eventsOf(*simulation),
+            "intervention_refused : rule 'c' asked in tick 1 for what is refused: there is no entity 'x';");
+}
+
+/// Whoever senses before a tick has rules do what they do before it, once.
+TEST_F(RuleRunTest, SensingBeginsATickAndTheTickDoesNotBeginAgain) {
+  const auto simulation = started();
+  calls().clear();
+  simulation->sense();
+  EXPECT_EQ(calls(), (std::vector<std::string>{"a.before", "b.before"}));
+  simulation->apply(moveTo(2.0, 3.0));
+  simulation->sense();
+  simulation->tick();
+  EXPECT_EQ(calls(), (std::vector<std::string>{"a.before", "b.before", "step", "a.after", "b.after"}));
+  EXPECT_TRUE(simulation->space().interventions[0].after_rules);
+  EXPECT_EQ(xOf(simulation->space()), 2.0);
+}
+
 TEST_F(RuleRunTest, ARuleEndsTheRunAndTheRulesAfterItAreCalled) {
   a.after = [this](ScriptedRule&, const Space& space, InterventionQueue&) { a.is_finished = space.tick == 2; };
   const auto simulation = started();

@@ -93,7 +93,7 @@ class NotingObserver final : public Observer {
 
 /// A footbot "fb" with a controller at (1, 2), a prey, a nest, no engine, and the rules `a` and `b`, which do as
 /// `scripts` says.
-inline std::unique_ptr<Simulation> ruledWorld(std::uint64_t seed = 1) {
+inline std::unique_ptr<Simulation> ruledWorld(std::uint64_t seed = 1, SuppliedParts supplied = {}) {
   Experiment experiment = parseExperiment(R"(
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>100</maxclock></framework>
@@ -107,7 +107,7 @@ inline std::unique_ptr<Simulation> ruledWorld(std::uint64_t seed = 1) {
 </ahss-config>)",
                                           "rules.xml");
   experiment.framework.seed = seed;
-  return std::make_unique<Simulation>(std::move(experiment));
+  return std::make_unique<Simulation>(std::move(experiment), RunContext{}, std::move(supplied));
 }
 
 inline Intervention moveTo(double x, double y) {

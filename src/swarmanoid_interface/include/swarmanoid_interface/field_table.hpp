@@ -19,9 +19,13 @@ struct FieldPlaces {
   NumberType type = NumberType::kF8;
   std::vector<std::size_t> offsets;  ///< of its numbers, the last index fastest [byte]
   std::vector<std::size_t> shape;    ///< of one record; empty: a single number
-
-  /// Whether the numbers lie one behind the other.
-  bool isContiguous() const;
+  std::size_t description = 0;       ///< index in DeviceType::fields
+  /// The same numbers as few pieces of bytes, one behind the other in a record.
+  struct Piece {
+    std::size_t offset = 0;
+    std::size_t size = 0;
+  };
+  std::vector<Piece> pieces;
 };
 
 struct ListPlaces;

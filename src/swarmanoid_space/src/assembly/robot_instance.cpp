@@ -4,11 +4,14 @@
 
 namespace swarmanoid {
 
-std::shared_ptr<Controller> startControllerOf(const RobotInstance& instance) {
+std::shared_ptr<Controller> startControllerOf(const RobotInstance& instance, Space& space) {
   const ControllerGroup& group = *instance.group;
-  return group.together != nullptr
-             ? nullptr
-             : startController(group.make, group.part, *instance.robot, group.description->parameters);
+  if (group.together == nullptr) {
+    return startController(group.make, group.part, *instance.robot, group.description->parameters);
+  }
+  callUserCode({"init", group.part, instance.robot->name()},
+               [&] { group.together->start(space, space.commands, instance.row, *instance.robot); });
+  return nullptr;
 }
 
 const std::vector<DeviceUse>& devicesOf(const ControllerGroup* group) {

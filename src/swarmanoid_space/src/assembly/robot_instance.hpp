@@ -16,6 +16,8 @@
 
 namespace swarmanoid {
 
+struct RobotInstance;
+
 /// One controller configuration of the experiment, with the devices that all its robots share.
 struct ControllerGroup {
   const ControllerDescription* description = nullptr;
@@ -24,7 +26,8 @@ struct ControllerGroup {
   std::vector<DeviceUse> devices;  ///< all of them
   /// Steps the robots together; null: each has a controller of its own, which `make` makes.
   std::shared_ptr<GroupController> together;
-  std::vector<GroupMember> members;  ///< scratch of `control`
+  std::vector<GroupMember> members;     ///< scratch of `control`
+  std::vector<RobotInstance*> stepped;  ///< likewise: whose members these are
   std::function<std::shared_ptr<Controller>()> make;
   std::string part;  ///< `together`, or what `make` makes, as UserCode has it
 };
@@ -52,6 +55,6 @@ struct alignas(64) RobotInstance {
 
 /// A controller of the robot's own, started. @return null if its group is stepped together
 /// @throws what startController throws
-std::shared_ptr<Controller> startControllerOf(const RobotInstance& instance);
+std::shared_ptr<Controller> startControllerOf(const RobotInstance& instance, Space& space);
 
 }  // namespace swarmanoid

@@ -18,7 +18,7 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
   const bool is_off = instance->source_when_charged.has_value();
   try {
     if (source == CommandSource::kController && !is_off) {
-      controller = startControllerOf(*instance);
+      controller = startControllerOf(*instance, world.space);
     }
     refuseUnlessReachable(*instance, source);
     if (source == CommandSource::kRemote && !world.context.is_open) {

@@ -8,27 +8,31 @@
 namespace swarmanoid::phases {
 namespace {
 
-/// Steps all robots of a group by one call.
-void stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& states, ControllerGroup& group,
+/// Steps all robots of a group by one call. @return whether any of them has failed
+bool stepTogether(const Space& space, Banks& commands, ByRow<ControllerState>& states, ControllerGroup& group,
                   std::vector<RobotInstance>& instances) {
   group.members.clear();
-  for (const RobotInstance& instance : instances) {
+  group.stepped.clear();
+  for (RobotInstance& instance : instances) {
     if (instance.group == &group && instance.source == CommandSource::kController && !instance.has_failed) {
       instance.robot->startTick(space.tick, space.time);
-      group.members.push_back({instance.row, instance.robot});
+      group.members.push_back({instance.row, instance.robot, &instance.failure});
+      group.stepped.push_back(&instance);
     }
   }
   const Span<const GroupMember> members(group.members.data(), group.members.size());
   const std::string failure =
       failureOf({"step", group.part, "", space.tick}, [&] { group.together->step(space, commands, members); });
-  for (RobotInstance& instance : instances) {
-    if (instance.group != &group || instance.source != CommandSource::kController || instance.has_failed) {
-      continue;
+  bool is_failure = false;
+  for (RobotInstance* instance : group.stepped) {
+    if (!failure.empty()) {
+      instance->failure = failure;
     }
-    instance.has_failed = !failure.empty();
-    instance.failure = failure;
-    states[instance.row].status = instance.has_failed ? StepStatus::kFailed : StepStatus::kStepped;
+    instance->has_failed = !instance->failure.empty();
+    is_failure = is_failure || instance->has_failed;
+    states[instance->row].status = instance->has_failed ? StepStatus::kFailed : StepStatus::kStepped;
   }
+  return is_failure;
 }
 
 }  // namespace
@@ -66,8 +70,7 @@ Found control(const Space& space, Banks& commands, ByRow<ControllerState>& state
   });
   for (const auto& group : groups) {
     if (group->together != nullptr) {
-      stepTogether(space, commands, states, *group, instances);
-      is_failure = true;  // each of them may have failed
+      is_failure = stepTogether(space, commands, states, *group, instances) || is_failure;
     }
   }
   return {is_failure, is_stop};

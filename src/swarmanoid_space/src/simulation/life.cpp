@@ -171,6 +171,7 @@ void Simulation::playInterventions(bool after_rules) {
 
 void Simulation::reseed(std::uint64_t seed) {
   World& world = *world_;
+  has_sensed_ = false;
   world.space.seed = seed;
   for (const auto& group : world.assembly.groups) {
     for (const auto& sensor : group->sensors) {
@@ -188,6 +189,9 @@ void Simulation::reseed(std::uint64_t seed) {
   }
 }
 
-void Simulation::apply(const Intervention& intervention) { take(*world_, intervention, "", rules_have_begun_); }
+void Simulation::apply(const Intervention& intervention) {
+  has_sensed_ = false;
+  take(*world_, intervention, "", rules_have_begun_);
+}
 
 }  // namespace swarmanoid

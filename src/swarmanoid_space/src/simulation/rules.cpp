@@ -10,6 +10,7 @@ void Simulation::resetRules() {
   World& world = *world_;
   world.queue.clear();
   rules_have_begun_ = false;
+  has_sensed_ = false;
   for (const RuleInstance& rule : world.assembly.rules) {
     world.queue.setAsking(rule.part);
     rule->begin(world.space.seed);

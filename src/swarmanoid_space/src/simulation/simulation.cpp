@@ -19,7 +19,10 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   Stopwatch stopwatch;
   beginTick();
   stopwatch.lap(phase_times_.rule);
-  phases::sense(world.space, world.assembly.groups, world.assembly.workers);
+  if (!has_sensed_) {
+    phases::sense(world.space, world.assembly.groups, world.assembly.workers);
+  }
+  has_sensed_ = false;
   stopwatch.lap(phase_times_.sense);
   if (!world.lockstep.exchange(world.space, world.assembly.robots, world.pending_events, world.log_sink,
                                is_disturbed)) {
@@ -82,6 +85,14 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     phase_times_.show += seconds;
   }
   return true;
+}
+
+void Simulation::sense() {
+  if (!isFinished() && !has_sensed_) {
+    beginTick();
+    phases::sense(world_->space, world_->assembly.groups, world_->assembly.workers);
+    has_sensed_ = true;
+  }
 }
 
 void Simulation::noteFailures() {

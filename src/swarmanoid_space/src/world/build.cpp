@@ -201,16 +201,39 @@ void build(World& world) {
   offerRobots(world);
 }
 
+namespace {
+
+/// @param part see UserCode
+void addRule(World& world, const std::shared_ptr<Rule>& plugin, const std::string& part, const std::string& id,
+             const Configuration& parameters, const SourceLocation& location) {
+  const RuleInstance rule{{plugin, part}};
+  rule->setId(id);
+  configure(rule, location, parameters);
+  for (const Metric& metric : rule->metrics()) {
+    world.space.metrics.push_back(&metric);
+  }
+  world.assembly.rules.push_back(rule);
+}
+
+}  // namespace
+
 void buildRules(World& world) {
+  auto supplied = world.supplied.rules;
   for (const RuleDescription& description : world.experiment.rules) {
-    const auto* entry = Registry::instance().find(PluginKind::kRule, description.label);
-    const RuleInstance rule{{makePlugin<Rule>(*entry), "rule '" + description.id + "' (" + description.label + ")"}};
-    rule->setId(description.id);
-    configure(rule, description.location, description.parameters);
-    for (const Metric& metric : rule->metrics()) {
-      world.space.metrics.push_back(&metric);
+    const std::string part = "rule '" + description.id + "'";
+    const auto found =
+        std::find_if(supplied.begin(), supplied.end(), [&](const auto& rule) { return rule.first == description.id; });
+    if (found != supplied.end()) {
+      addRule(world, found->second, part, description.id, description.parameters, description.location);
+      supplied.erase(found);
+    } else {
+      const auto* entry = Registry::instance().find(PluginKind::kRule, description.label);
+      addRule(world, makePlugin<Rule>(*entry), part + " (" + description.label + ")", description.id,
+              description.parameters, description.location);
     }
-    world.assembly.rules.push_back(rule);
+  }
+  for (const auto& [id, rule] : supplied) {
+    addRule(world, rule, "rule '" + id + "'", id, {}, {});
   }
 }
 

@@ -37,7 +37,7 @@ void giveController(World& world, Row row, const EntityDescription& entity) {
       instance.robot->provideActuator(actuator->type(), actuator->add(world.space, row));
     }
     if (instance.source == CommandSource::kController) {
-      instance.controller = startControllerOf(instance);
+      instance.controller = startControllerOf(instance, world.space);
     }
     refuseUnlessReachable(instance, instance.source);
   } catch (const ConfigError& error) {

@@ -56,6 +56,10 @@ class Simulation {
   /// the simulation waits for the end of the tick
   /// @return false: it was disturbed and given up before anything happened; it is to be made again, after that
   bool tick(const std::function<bool()>& is_disturbed = nullptr);
+  /// Between ticks: what the next tick begins with is done now (what rules do before it, and `sense`), so that readings
+  /// are those that its controllers get. For whoever decides outside of controllers what robots do. Does nothing once
+  /// finished. @throws what rules throw
+  void sense();
   /// maxclock is reached, or a rule or an observer asked to finish.
   bool isFinished() const;
   /// The same, but not for a run that `finish` has ended before.
@@ -145,6 +149,7 @@ class Simulation {
   std::chrono::steady_clock::time_point next_flush_;
   bool is_started_ = false;
   bool rules_have_begun_ = false;  // the tick that is to come
+  bool has_sensed_ = false;        // the tick that is to come, and nothing has changed since
   bool finish_asked_ = false;
   bool finished_ = false;
 };

@@ -1,0 +1,24 @@
+/// The exceptions of the package, all of them errors that Python knows too: ExperimentError and InterventionError are
+/// ValueErrors, RuleError is a RuntimeError.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace swarmanoid::bindings {
+
+/// What somebody asked a running world for cannot be done. Becomes InterventionError.
+class InterventionError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The class of errors in rules that are written in Python. @pre bindErrors was called
+PyObject* ruleError();
+
+/// Adds the exceptions to the module. ConfigError becomes ExperimentError, with `file` and `line`.
+void bindErrors(pybind11::module_& module);
+
+}  // namespace swarmanoid::bindings

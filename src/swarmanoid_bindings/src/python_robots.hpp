@@ -1,0 +1,53 @@
+/// Controllers in Python, one for each robot of a configuration: a class with `step(self, robot)` and, if it likes,
+/// `init(self, robot, parameters)`. They are stepped one after the other, by entity number, so that even those that
+/// share something make the same run each time.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "moment.hpp"
+#include "robot_host.hpp"
+#include "swarmanoid_space/group_controller.hpp"
+#include "thrown.hpp"
+
+namespace swarmanoid::bindings {
+
+class PythonRobots final : public GroupController {
+ public:
+  /// @param type the class @param description of the configuration
+  /// @throws pybind11::type_error if the class has no step
+  PythonRobots(pybind11::object type, const ControllerDescription& description, std::shared_ptr<Moment> moment,
+               std::shared_ptr<Thrown> thrown);
+
+  void init(const Configuration& parameters) override;
+  /// Makes the robot's controller. Takes Python's lock, as step does. @throws pybind11::error_already_set
+  void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
+  /// What Python throws stops that robot, and is kept for whoever makes the ticks.
+  void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
+
+ private:
+  struct Instance {
+    pybind11::object robot;
+    pybind11::object step;  ///< bound to the controller
+  };
+
+  std::shared_ptr<RobotHost> hostOf(const Space& space, Span<const GroupMember> members) const;
+  void regroup(const Space& space, Span<const GroupMember> members);
+
+  pybind11::object type_;
+  std::vector<std::string> sensors_;
+  std::vector<std::string> actuators_;
+  std::shared_ptr<Moment> moment_;
+  std::shared_ptr<Thrown> thrown_;
+  pybind11::dict parameters_;
+  std::unordered_map<const Robot*, Instance> instances_;
+  std::shared_ptr<RobotHost> host_;  // of those stepped last; null: they are to be found anew
+  std::vector<Instance> stepped_;    // likewise, in their order
+};
+
+}  // namespace swarmanoid::bindings

@@ -1,0 +1,43 @@
+/// Classes of values for Python: what they are made of are properties, and their text is what makes them again.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <string>
+#include <vector>
+
+namespace swarmanoid::bindings {
+
+/// A class whose constructor takes the named properties by place, in that order.
+/// Its objects are compared and hashed by these, and printed as `Move(entity='fb_1', position=(1.0, 2.0, 0.0))`.
+template <class Value>
+pybind11::class_<Value> valueClass(pybind11::module_& module, const char* name, const char* text,
+                                   const std::vector<std::string>& properties) {
+  namespace py = pybind11;
+  const auto valuesOf = [properties](const py::object& self) {
+    py::tuple values(properties.size());
+    for (std::size_t i = 0; i < properties.size(); ++i) {
+      values[i] = self.attr(properties[i].c_str());
+    }
+    return values;
+  };
+  py::class_<Value> type(module, name, text);
+  type.def("__repr__",
+           [name, properties](const py::object& self) {
+             std::string line;
+             for (const std::string& property : properties) {
+               line += (line.empty() ? "" : ", ") + property + "=" + std::string(py::repr(self.attr(property.c_str())));
+             }
+             return name + ("(" + line + ")");
+           })
+      .def("__eq__",
+           [valuesOf](const py::object& self, const py::object& other) {
+             return py::isinstance<Value>(other) && valuesOf(self).equal(valuesOf(other));
+           })
+      .def("__hash__", [](const py::object& self) { return py::hash(py::repr(self)); })
+      .def("__reduce__",
+           [valuesOf](const py::object& self) { return py::make_tuple(py::type::of(self), valuesOf(self)); });
+  return type;
+}
+
+}  // namespace swarmanoid::bindings

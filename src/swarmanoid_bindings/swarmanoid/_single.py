@@ -1,0 +1,195 @@
+"""Robots for controllers that are a class, one object a robot.
+
+A device is an object with an attribute for each field. Numbers are read and written in memory of the host (robot_host.hpp),
+which copies them from the run before each step and back after it: so an attribute costs a fraction of a microsecond. A class
+is made for each type of device, once."""
+
+import difflib
+
+import numpy
+
+
+def unknown(what, name, known):
+    near = difflib.get_close_matches(name, known, 1)
+    return f"found {what} '{name}', allowed: {', '.join(sorted(known))}" + (f"; did you mean '{near[0]}'?" if near else "")
+
+
+class Part:
+    """A device of one robot, or a part of it: its fields are attributes."""
+    __slots__ = ("_at", "_host")
+
+    def __getattr__(self, name):
+        raise AttributeError(unknown(f"the field of {type(self).__name__}", name, self._names))
+
+    def __dir__(self):
+        return sorted(self._names)
+
+    def __repr__(self):
+        return f"<{type(self).__name__}: {', '.join(self.__dir__())}>"
+
+
+def number_field(slot, name, device, is_writable):
+    """A single number; `slot` holds it for all robots."""
+    def get(part):
+        return getattr_slot(part)[part._at]
+
+    getattr_slot = slot.__get__
+
+    def put(part, value):
+        try:
+            getattr_slot(part)[part._at] = value
+        except (TypeError, ValueError) as error:
+            raise type(error)(f"{device}.{name}: found {value!r}, allowed: a number of its type") from None
+
+    return property(get, put if is_writable else None)
+
+
+def array_field(slot, name, device, is_writable):
+    """Several numbers, as an array that stays."""
+    def get(part):
+        return getattr_slot(part)
+
+    getattr_slot = slot.__get__
+
+    def put(part, value):
+        array = getattr_slot(part)
+        given = numpy.asarray(value)
+        with numpy.errstate(all="ignore"):
+            converted = given.astype(array.dtype) if given.dtype.kind in "biuf" else None
+        if converted is None or (array.dtype.kind != "f" and not numpy.array_equal(converted, given)):
+            raise ValueError(f"{device}.{name}: found {value!r}, allowed: numbers that are {array.dtype}")
+        try:
+            array[...] = converted
+        except ValueError:
+            raise ValueError(f"{device}.{name}: found the shape {given.shape}, allowed: {array.shape}") from None
+
+    return property(get, put if is_writable else None)
+
+
+def list_field(full, device):
+    return property(lambda part: part._host.elements(device, full, part._at))
+
+
+def first_words(names):
+    """The parts of "ring.red" and "value" are ring, with red, and value, with nothing."""
+    words = {}
+    for name in names:
+        first, _, rest = name.partition(".")
+        words.setdefault(first, []).append(rest)
+    return words
+
+
+def part_class(device, prefix, fields, lists, is_writable):
+    """@param fields how many dimensions each has, by its name behind the prefix"""
+    words = first_words([*fields, *lists])
+    slots = [f"_{word}" for word in words]
+    base = type(f"{device}.{prefix}".rstrip("."), (Part,), {"__slots__": slots})
+    namespace = {"__slots__": (), "_names": list(words), "_parts": {}, "_numbers": [], "_arrays": [], "_prefix": prefix}
+    for word in words:
+        slot = base.__dict__[f"_{word}"]
+        if word in lists:
+            namespace[word] = list_field(prefix + word, device)
+        elif word not in fields:
+            inner = {name[len(word) + 1:]: size for name, size in fields.items() if name.startswith(word + ".")}
+            inner_lists = [name[len(word) + 1:] for name in lists if name.startswith(word + ".")]
+            namespace["_parts"][word] = part_class(device, f"{prefix}{word}.", inner, inner_lists, is_writable)
+            namespace[word] = property(slot.__get__)
+        elif fields[word] == 1:
+            namespace["_numbers"].append(word)
+            namespace[word] = number_field(slot, prefix + word, device, is_writable)
+        else:
+            namespace["_arrays"].append(word)
+            namespace[word] = array_field(slot, prefix + word, device, is_writable)
+    made = type(base.__name__, (base,), namespace)
+    made.__module__ = __name__
+    return made
+
+
+def bind(part, host, arrays, at, is_writable):
+    """The part is that of the robot `at` of the host from now on. @param arrays by name of the field"""
+    kind = type(part)
+    part._host = host
+    part._at = at
+    for word in kind._numbers:
+        setattr(part, f"_{word}", memoryview(arrays[kind._prefix + word]))
+    for word in kind._arrays:
+        row = arrays[kind._prefix + word][at]
+        row.flags.writeable = is_writable
+        setattr(part, f"_{word}", row)
+    for word, inner in kind._parts.items():
+        if not hasattr(part, f"_{word}"):
+            setattr(part, f"_{word}", inner())
+        bind(getattr(part, f"_{word}"), host, arrays, at, is_writable)
+
+
+CLASSES = {}
+
+
+def class_of(device, arrays, lists, is_writable):
+    if device not in CLASSES:
+        CLASSES[device] = part_class(device, "", {name: array.ndim for name, array in arrays.items()}, lists, is_writable)
+    return CLASSES[device]
+
+
+class Devices(dict):
+    """The devices of a robot, by type."""
+
+    def __missing__(self, name):
+        raise KeyError(unknown("the device", name, self))
+
+
+class Robot:
+    """One robot, for its controller: good for as long as the controller is its own.
+
+    readings and commands are its devices by type, robot.readings["footbot_proximity"].value: the fields as in the reference of
+    devices, SI and radians. Keep a device in `init`; it stays the same, and what it says is of the present step."""
+
+    def __init__(self, host):
+        self.readings = Devices()
+        self.commands = Devices()
+        self.name = host.name(0)
+        self.type = host.type(0)
+        self._bind(host, 0)
+
+    def _bind(self, host, at):
+        self._host = host
+        self._at = at
+        for devices, found, is_writable in ((self.readings, host.sensors, False), (self.commands, host.actuators, True)):
+            for device, (arrays, lists) in found.items():
+                if device not in devices:
+                    devices[device] = class_of(device, arrays, lists, is_writable)()
+                bind(devices[device], host, arrays, at, is_writable)
+
+    @property
+    def tick(self):
+        """Number of this tick; the first one is 0."""
+        return self._host.tick
+
+    @property
+    def time(self):
+        """Simulated time since the start [s]."""
+        return self._host.time
+
+    @property
+    def dt(self):
+        """Time of a tick [s]."""
+        return self._host.dt
+
+    def uniform(self, low=0.0, high=1.0):
+        """The next number of the robot's own random stream, from low to high."""
+        return self._host.uniform(self._at, low, high)
+
+    def gaussian(self, mean=0.0, standard_deviation=1.0):
+        """The same, normally distributed."""
+        return self._host.gaussian(self._at, mean, standard_deviation)
+
+    def log(self, text):
+        """A line in the log."""
+        self._host.log(self._at, text)
+
+    def debug(self, key, value):
+        """A value that people see."""
+        self._host.debug(self._at, key, value)
+
+    def __repr__(self):
+        return f"<{self.type} '{self.name}'>"
