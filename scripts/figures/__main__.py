@@ -13,6 +13,7 @@ import devices
 import engines
 import lockstep
 import long_tests
+import python_bindings
 import robots
 import robustness
 import simulation
@@ -44,6 +45,9 @@ FIGURES = {
     "climbing": engines.climbing,
     "start_up": lambda table, build: simulation.start_up(table),
     "devices": devices.devices,
+    "python_at_once": lambda table, build: python_bindings.python_at_once(table),
+    "python_alone": lambda table, build: python_bindings.python_alone(table),
+    "python_memory": lambda table, build: python_bindings.python_memory(table),
     "evolution": lambda table, build: studies.evolution(table),
     "batch": lambda table, build: studies.batch(table),
     "batch_cost": lambda table, build: studies.fixed_cost(table),
