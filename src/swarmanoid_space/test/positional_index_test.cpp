@@ -7,7 +7,10 @@
 #include <random>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
+
+#include "swarmanoid_space/index/positional_index_visits.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -333,6 +336,49 @@ TEST_P(PositionalIndexTest, ResultsComeByEntityNumberWhateverTheRows) {
   ASSERT_EQ(third, first) << "the row is used again";
   index.rebuild(entities);
   EXPECT_EQ(index.within(entities, {1.0, 1.0, 0.0}, 0.5), (std::vector<Row>{second, third}));
+}
+
+TEST_P(PositionalIndexTest, PairsAreAllThatAreThatNearSeenFromAboveEachOnce) {
+  fill(500);
+  const auto any = [](Row) { return true; };
+  for (const double distance : {0.0, 0.13, 0.9, 3.7, 250.0}) {
+    std::vector<std::pair<Row, Row>> found;
+    index.visitPairs(entities, distance, any, [&](Row one, Row other, double square) {
+      EXPECT_EQ(square, (entities.pose[one].position - entities.pose[other].position).head<2>().squaredNorm());
+      found.emplace_back(std::minmax(one, other));
+    });
+    std::sort(found.begin(), found.end());
+    std::vector<std::pair<Row, Row>> expected;
+    for (std::size_t i = 0; i < entities.order.size(); ++i) {
+      for (std::size_t k = i + 1; k < entities.order.size(); ++k) {
+        const Row one = entities.order[i];
+        const Row other = entities.order[k];
+        if ((entities.pose[one].position - entities.pose[other].position).head<2>().squaredNorm() <=
+            distance * distance) {
+          expected.emplace_back(std::minmax(one, other));
+        }
+      }
+    }
+    std::sort(expected.begin(), expected.end());
+    EXPECT_EQ(found, expected) << distance;
+  }
+}
+
+TEST_P(PositionalIndexTest, PairsLeaveOutWhatIsLargeAndNotMeant) {
+  fill(50);
+  const std::vector<PositionalIndex::LargeOutline>& large = index.large();
+  ASSERT_EQ(large.size(), 2U);
+  std::size_t with_large = 0;
+  std::size_t all = 0;
+  const auto is_meant = [&](Row row) { return row == large[1].row; };
+  index.visitPairs(entities, kEverything, is_meant, [&](Row one, Row other, double) {
+    EXPECT_NE(one, large[0].row);
+    EXPECT_NE(other, large[0].row);
+    with_large += one == large[1].row || other == large[1].row ? 1 : 0;
+    ++all;
+  });
+  EXPECT_EQ(with_large, 50U);
+  EXPECT_EQ(all, 50U + 50U * 49U / 2U);
 }
 
 TEST_P(PositionalIndexTest, WithNothingInItFindsNothing) {

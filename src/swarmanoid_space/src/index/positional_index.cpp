@@ -5,6 +5,7 @@
 
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/range.hpp"
+#include "swarmanoid_space/index/positional_index_visits.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -154,25 +155,6 @@ PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Ro
 }
 
 template <class Visit>
-void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Vector3d& reach, Visit visit) const {
-  refresh();
-  constexpr double kRounding = 1e-9;  // m: the cells must hold all that Outline::meets accepts
-  const Eigen::Vector3d half = (reach.array() + (largest_small_radius_ + kRounding)).matrix();
-  const Cell low = cellOf(centre - half);
-  const Cell high = cellOf(centre + half);
-  for (int z = low[2]; z <= high[2]; ++z) {
-    for (int y = low[1]; y <= high[1]; ++y) {
-      // cells of one line are neighbours in memory
-      const Place first = first_item_[flat({low[0], y, z})];
-      const Place last = first_item_[flat({high[0], y, z}) + 1];
-      for (Place place = first; place < last; ++place) {
-        visit(place);
-      }
-    }
-  }
-}
-
-template <class Visit>
 void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
   refresh();
   for (const LargeOutline& large : large_items_) {
@@ -192,20 +174,7 @@ void PositionalIndex::collect(const Eigen::Vector3d& centre, double radius, std:
 }
 
 void PositionalIndex::collectUpright(const Eigen::Vector2d& axis, double radius, std::vector<Row>& found) const {
-  refresh();
-  for (const LargeOutline& large : large_items_) {
-    const Eigen::Vector2d nearest = axis.cwiseMax(large.bounds.min().head<2>()).cwiseMin(large.bounds.max().head<2>());
-    if ((nearest - axis).squaredNorm() <= radius * radius) {
-      found.push_back(large.row);
-    }
-  }
-  const Eigen::Vector3d middle(axis.x(), axis.y(), 0.5 * size_.z());
-  visitPlaces(middle, {radius, radius, kInfinity}, [&](Place place) {
-    const double reach = radius + items_[place].radius;
-    if ((items_[place].position - axis).squaredNorm() <= reach * reach) {
-      found.push_back(items_[place].row);
-    }
-  });
+  visitUpright(axis, radius, [&](Row row) { found.push_back(row); });
 }
 
 void PositionalIndex::collectPlaces(const Eigen::Vector3d& centre, double radius, std::vector<Place>& found) const {

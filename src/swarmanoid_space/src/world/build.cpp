@@ -197,6 +197,7 @@ void build(World& world) {
   buildControllerGroups(world);
   buildBoundary(world);
   buildEntities(world);
+  world.space.index.forget(world.space.entities);  // rules ask it when the run begins
   buildTriggers(world);
   offerRobots(world);
 }

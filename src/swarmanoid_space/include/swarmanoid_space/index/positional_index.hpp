@@ -48,6 +48,17 @@ class PositionalIndex {
   /// The same for an upright cylinder without ends: whatever is within a distance of its axis, at any height.
   void collectUpright(const Eigen::Vector2d& axis, double radius, std::vector<Row>& found) const;
 
+  // For questions of many at once, without a list of who is found; defined in index/positional_index_visits.hpp.
+
+  /// As collectUpright: visit(Row) of each.
+  template <class Visit>
+  void visitUpright(const Eigen::Vector2d& axis, double radius, Visit visit) const;
+  /// Pairs of entities whose origins, seen from above, are at most `distance` from each other: visit(Row, Row, double
+  /// square of their distance) once of each pair, in no stated order. Far cheaper than to ask around each of them.
+  /// @param is_large_meant (Row) whether what is large may be one of a pair: walls mostly are not, and would cost
+  template <class IsLargeMeant, class Visit>
+  void visitPairs(const Entities& entities, double distance, IsLargeMeant is_large_meant, Visit visit) const;
+
   /// An upright cylinder around an entity. What is tilted, or has arms, has one that holds its sphere.
   struct Outline {
     Eigen::Vector2d position;  ///< of its axis, in W [m]
@@ -130,6 +141,8 @@ class PositionalIndex {
   void visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const;
   template <class Visit>  // visit(Place), of all in cells that a box may meet; @param reach of the box each way [m]
   void visitPlaces(const Eigen::Vector3d& centre, const Eigen::Vector3d& reach, Visit visit) const;
+  template <class Visit>  // visit(Place, double square of the distance), of later places whose axes are that near
+  void visitLaterNear(const Cell& cell, Place place, double distance, Visit visit) const;
 
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
   Optimization optimization_ = Optimization::k2D;

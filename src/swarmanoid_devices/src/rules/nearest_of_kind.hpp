@@ -1,0 +1,131 @@
+/// How far robots are from the nearest entity of a kind, other than themselves, seen from above.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "robot_group.hpp"
+#include "swarmanoid_interface/range.hpp"
+#include "swarmanoid_space/index/positional_index_visits.hpp"
+
+namespace swarmanoid::devices {
+
+/// Phase `rule`, one thread. Allocates only while there are more entities than ever before.
+class NearestOfKind {
+ public:
+  NearestOfKind() = default;
+  /// @param kind the tag in <arena>, no alias
+  explicit NearestOfKind(std::string kind) : kind_(std::move(kind)) {}
+
+  /// @param group has looked at the space as it is now
+  /// @return the squared distance [m2] of each robot of the group, in its order; infinity where there is no other
+  const std::vector<double>& look(const Space& space, const RobotGroup& group) {
+    if (population_.hasChanged(space)) {
+      enlistTargets(space);
+    }
+    squares_.assign(group.rows().size(), kInfinity);
+    constexpr std::size_t kFew = 16;  // of which a look at each is as fast
+    if (targets_.size() > kFew) {
+      askTheIndex(space, group);
+    }
+    for (std::size_t i = 0; i < squares_.size(); ++i) {
+      if (squares_[i] == kInfinity) {
+        squares_[i] = targets_.size() > kFew ? lookAround(space, group.rows()[i]) : lookAtEach(space, group.rows()[i]);
+      }
+    }
+    expectAsBefore();
+    return squares_;
+  }
+
+ private:
+  void enlistTargets(const Space& space) {
+    targets_.clear();
+    targets_.reserve(space.entities.size());
+    is_target_.resize(space.entities.rowCount());
+    std::fill(is_target_.begin(), is_target_.end(), char{0});
+    for (const Row row : space.entities.order) {
+      if (space.entities.model[row]->type == kind_) {
+        targets_.push_back(row);
+        is_target_[row] = 1;
+      }
+    }
+    if (reach_ == 0.0 && !targets_.empty()) {
+      reach_ = std::sqrt(space.size.x() * space.size.y() / static_cast<double>(targets_.size()));
+    }
+  }
+
+  /// All at once, of pairs that are as near as most were at the last look.
+  void askTheIndex(const Space& space, const RobotGroup& group) {
+    constexpr std::size_t kShare = 8;  // fewer than one in so many look around themselves faster
+    if (group.rows().size() * kShare < space.entities.size()) {
+      return;
+    }
+    const auto offer = [&](Row robot, Row other, double square) {
+      const RobotGroup::Place place = group.placeOf(robot);
+      if (place != RobotGroup::kNoPlace && is_target_[other] != 0) {
+        double& nearest = squares_[static_cast<std::size_t>(place)];
+        nearest = std::min(nearest, square);
+      }
+    };
+    const auto is_large_meant = [&](Row row) {
+      return is_target_[row] != 0 || group.placeOf(row) != RobotGroup::kNoPlace;
+    };
+    space.index.visitPairs(space.entities, reach_, is_large_meant, [&](Row one, Row other, double square) {
+      offer(one, other, square);
+      offer(other, one, square);
+    });
+  }
+
+  /// In circles that grow. What is beyond the arena's diagonal may be anywhere.
+  double lookAround(const Space& space, Row robot) const {
+    const Eigen::Vector2d centre = space.entities.pose[robot].position.head<2>();
+    const double farthest = space.size.head<2>().norm();
+    for (double radius = 2.0 * reach_; radius < farthest; radius *= 2.0) {
+      double nearest = kInfinity;
+      space.index.visitUpright(centre, radius, [&](Row row) {
+        if (is_target_[row] != 0 && row != robot) {
+          nearest = std::min(nearest, (space.entities.pose[row].position.head<2>() - centre).squaredNorm());
+        }
+      });
+      if (nearest <= radius * radius) {  // else another one, whose outline is farther, may be nearer
+        return nearest;
+      }
+    }
+    return lookAtEach(space, robot);
+  }
+
+  double lookAtEach(const Space& space, Row robot) const {
+    const Eigen::Vector2d centre = space.entities.pose[robot].position.head<2>();
+    double nearest = kInfinity;
+    for (const Row row : targets_) {
+      if (row != robot) {
+        nearest = std::min(nearest, (space.entities.pose[row].position.head<2>() - centre).squaredNorm());
+      }
+    }
+    return nearest;
+  }
+
+  /// The next look begins with twice the mean of this one: in it most find the nearest, and few anybody else. What is
+  /// found does not depend on it.
+  void expectAsBefore() {
+    constexpr double kLeast = 0.01;  // m: so that circles grow
+    double sum = 0.0;
+    double count = 0.0;
+    for (const double square : squares_) {
+      sum += square < kInfinity ? std::sqrt(square) : 0.0;
+      count += square < kInfinity ? 1.0 : 0.0;
+    }
+    reach_ = count > 0.0 ? std::max(2.0 * sum / count, kLeast) : reach_;
+  }
+
+  std::string kind_;
+  Population population_;
+  std::vector<Row> targets_;  // by entity number
+  RowMap<char> is_target_;    // 1: it is one of them
+  std::vector<double> squares_;
+  double reach_ = 0.0;  // m
+};
+
+}  // namespace swarmanoid::devices

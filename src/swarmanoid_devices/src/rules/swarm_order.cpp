@@ -1,0 +1,50 @@
+// The order of a swarm: whether robots head in one direction, and whether they head around their centre. After Couzin,
+// Krause, James, Ruxton and Franks, "Collective memory and spatial sorting in animal groups" (2002).
+#include <cmath>
+
+#include "measuring_rule.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class SwarmOrder final : public MeasuringRule {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "swarm_order";
+    description.summary = "Measures whether robots head in one direction, or around their centre.";
+    description.parameters = withParameters({});
+    return description;
+  }
+
+ private:
+  void read(const Configuration&) override {
+    polarisation_ = &addMetric("polarisation", "", "Length of the mean of the robots' headings as vectors.");
+    angular_order_ = &addMetric("angular_order", "", "How far they head around their centroid, in the mean.");
+  }
+
+  /// 0 without robots.
+  void measure(const Space& space, bool) override {
+    const Eigen::Vector2d centroid = group().centroid(space).value_or(Eigen::Vector2d::Zero());
+    Eigen::Vector2d headings = Eigen::Vector2d::Zero();
+    double turns = 0.0;
+    for (const Row row : group().rows()) {
+      const Pose& pose = space.entities.pose[row];
+      const Eigen::Vector2d heading = (pose.orientation * Eigen::Vector3d::UnitX()).head<2>().stableNormalized();
+      const Eigen::Vector2d outwards = (pose.position.head<2>() - centroid).stableNormalized();
+      headings += heading;
+      turns += outwards.x() * heading.y() - outwards.y() * heading.x();
+    }
+    const double share = group().rows().empty() ? 0.0 : 1.0 / static_cast<double>(group().rows().size());
+    polarisation_->value = share * headings.norm();
+    angular_order_->value = share * std::abs(turns);
+  }
+
+  Metric* polarisation_ = nullptr;
+  Metric* angular_order_ = nullptr;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::SwarmOrder)
