@@ -54,6 +54,10 @@ class alignas(64) Robot {
     return *static_cast<Device*>(find(actuators_, Device::kType, "actuator"));
   }
 
+  /// The same by the name of the type, for controllers that find fields by the device's descriptor (device_type.hpp).
+  const void* sensor(const std::string& type) const { return find(sensors_, type.c_str(), "sensor"); }
+  void* actuator(const std::string& type) { return find(actuators_, type.c_str(), "actuator"); }
+
   bool hasSensor(const std::string& type) const;
   bool hasActuator(const std::string& type) const;
 

@@ -9,8 +9,8 @@
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/number_place.hpp"
 #include "swarmanoid_space/error_models/element_buffer.hpp"
-#include "swarmanoid_space/error_models/number_place.hpp"
 
 namespace swarmanoid {
 

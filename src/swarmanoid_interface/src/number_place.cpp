@@ -1,4 +1,4 @@
-#include "swarmanoid_space/error_models/number_place.hpp"
+#include "swarmanoid_interface/number_place.hpp"
 
 #include <cmath>
 #include <type_traits>

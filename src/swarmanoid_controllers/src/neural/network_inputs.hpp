@@ -1,0 +1,48 @@
+/// The inputs of a neural network: readings of sensors, scaled.
+///
+/// Threads  const after they are made.
+#pragma once
+
+#include "port.hpp"
+
+namespace swarmanoid::neural {
+
+class NetworkInputs {
+ public:
+  NetworkInputs() = default;
+  /// @param inputs the element <inputs> @throws ConfigError
+  NetworkInputs(const Robot& robot, const Configuration& inputs);
+
+  std::size_t size() const { return size_; }
+  /// @param values as many as `size` says: 0 stays 0, and what is farthest from it becomes 1 or -1
+  void read(std::vector<double>& values) const;
+
+ private:
+  enum class Kind { kNumbers, kFirst, kSectors };
+
+  struct Source {
+    Kind kind = Kind::kNumbers;
+    const std::byte* device = nullptr;
+    std::vector<NumberPlace> places;
+    std::size_t group = 1;        // numbers whose mean is one input
+    std::size_t span_offset = 0;  // of the list in the device [byte]
+    SpanAccess span;              // of a list
+    NumberPlace direction;        // by which elements are in sectors
+    std::size_t count = 0;        // elements of a list that are read, or sectors
+    double farthest = 1.0;        // value that becomes 1
+    Range range;
+    bool is_near = false;  // 1 at 0, and 0 at the farthest
+  };
+
+  static Source sourceOf(Port& port, const void* device);
+  static std::size_t sizeOf(const Source& source);
+  static double scaled(const Source& source, double value);
+  static void readNumbers(const Source& source, double* values);
+  static void readFirst(const Source& source, double* values);
+  static void readSectors(const Source& source, double* values);
+
+  std::vector<Source> sources_;
+  std::size_t size_ = 0;
+};
+
+}  // namespace swarmanoid::neural

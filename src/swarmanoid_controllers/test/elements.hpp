@@ -1,0 +1,36 @@
+/// Elements of configurations, as tests write them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid::test {
+
+/// An element with others in it.
+inline Configuration element(const std::string& name, const std::vector<Configuration>& children) {
+  Configuration result(name, "", {"file.xml", 7});
+  for (const Configuration& child : children) {
+    result.add(child);
+  }
+  return result;
+}
+
+/// An element, or an attribute, with a text.
+inline Configuration value(const std::string& name, const std::string& text = "") {
+  return {name, text, {"file.xml", 8}};
+}
+
+/// What a call says that refuses its input; "" if it does not.
+template <class Call>
+std::string refusalOf(Call call) {
+  try {
+    call();
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace swarmanoid::test
