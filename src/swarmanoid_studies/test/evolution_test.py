@@ -8,7 +8,7 @@ from swarmanoid_studies import evolution
 from swarmanoid_studies.checkpoint import Generation
 from swarmanoid_studies.mistakes import BadInput, RunsStopped
 from swarmanoid_studies.runs import RunOutcome, lost
-from swarmanoid_studies.study_file import Gene, Objective, OptimiserChoice, Study
+from swarmanoid_studies.study import Gene, Objective, OptimiserChoice, Study
 
 SEEDS = (3, 8)
 STUDY = Study("study", "world.xml", {"a.b": "7"}, (Gene("x", -1.0, 3.0, "study.xml:4"),), SEEDS,

@@ -6,7 +6,8 @@ import unittest
 
 import numpy
 from swarmanoid_studies.optimisers import front, make_optimiser, reflected
-from swarmanoid_studies.study_file import OPTIMISERS, OptimiserChoice
+from swarmanoid_studies.study import OptimiserChoice
+from swarmanoid_studies.study_file import OPTIMISERS
 
 TARGET = (0.2, 0.7, 0.4)
 

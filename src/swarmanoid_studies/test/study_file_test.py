@@ -50,6 +50,14 @@ class StudyFileTest(unittest.TestCase):
         self.assertEqual(study.genes[0].value(0.5), 0.15)
         self.assertEqual(study.optimiser.parameters, {"generations": 4, "random_seed": 1, "population": 0, "sigma": 0.3})
 
+    def test_a_vector_of_numbers_is_many_genes(self):
+        study = self.read(STUDY.replace("</genotype>", '<genes path="controllers.nc.parameters.weights" count="3" minimum="-4" '
+                                        'maximum="4"/></genotype>'))
+        self.assertEqual((study.size(), [gene.count for gene in study.genes]), (4, [0, 3]))
+        self.assertEqual(study.genes[1].names(), [f"controllers.nc.parameters.weights[{i}]" for i in range(3)])
+        self.assertEqual(study.texts([0.5, 0.0, 0.1, 1.0]), {"controllers.pc.parameters.speed": "0.15",
+                                                             "controllers.nc.parameters.weights": "-4.0, -3.2, 4.0"})
+
     def test_an_experiment_file_is_looked_for_beside_the_study(self):
         own = self.path.parent / "own.xml"
         own.write_text("<ahss-config/>")
@@ -65,6 +73,11 @@ class StudyFileTest(unittest.TestCase):
                 ("maximum: found 'nan', allowed: a number", 'maximum="0.3"', 'maximum="nan"', 7),
                 ("found <gene> without maximum=\"...\", allowed: with it", ' maximum="0.3"', "", 7),
                 ("found the attribute 'maximun', allowed: path, minimum, maximum; did you mean 'maximum'?", "maximum=", "maximun=", 7),
+                ("found <genes> without count=\"...\", allowed: with it", "<gene ", "<genes ", 7),
+                ("count: found '0', allowed: a whole number from 1 to 10000", "<gene ", '<genes count="0" ', 7),
+                ("count: found 'all', allowed: a number", "<gene ", '<genes count="all" ', 7),
+                ("found the attribute 'count', allowed: path, minimum, maximum", "<gene ", '<gene count="2" ', 7),
+                ("found the element 'gens', allowed: gene, genes; did you mean 'genes'?", "<gene ", "<gens ", 7),
                 ("seeds: found '3..1', allowed: seeds and ranges of seeds, such as 1..1000 or 1,2,10..20", "1..3", "3..1", 9),
                 ("generations: found '0', allowed: a whole number from 1 to 1000000", ">4<", ">0<", 13),
                 ("generations: found '1.5', allowed: a whole number from 1 to 1000000", ">4<", ">1.5<", 13),

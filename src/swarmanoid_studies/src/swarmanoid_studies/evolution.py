@@ -26,7 +26,7 @@ class Evolution:
         """@param experiment what workers are given for it"""
         self._study = study
         self._experiment = experiment
-        self._optimiser = make_optimiser(study.optimiser, len(study.genes), len(study.objectives))
+        self._optimiser = make_optimiser(study.optimiser, study.size(), len(study.objectives))
         self._asked = self._optimiser.ask()
         self.generations: List[Generation] = []
         self.best: List[Found] = []    # one, or the front of several objectives
@@ -60,8 +60,7 @@ class Evolution:
 
     def overrides(self, genotype: Sequence[float]) -> Dict[str, str]:
         """Of the experiment, with all digits."""
-        genes = {gene.path: repr(gene.value(part)) for gene, part in zip(self._study.genes, genotype)}
-        return {**self._study.overrides, **genes}
+        return {**self._study.overrides, **self._study.texts(genotype)}
 
     def _requests(self, genotype: Sequence[float]) -> List[RunRequest]:
         overrides = tuple(self.overrides(genotype).items())

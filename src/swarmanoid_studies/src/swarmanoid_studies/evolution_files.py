@@ -1,5 +1,6 @@
 """What an evolution leaves in its folder: a table, a picture, and the best genotypes as experiment files."""
 
+import itertools
 import json
 import os
 from typing import List, Optional, Sequence
@@ -10,7 +11,7 @@ from .identity import checked
 from .identity_fields import IDENTITY, Identity
 from .pictures import png, pyplot
 from .results_file import line_of, text_of
-from .study_file import Study
+from .study import Study
 
 
 def write_files(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
@@ -24,12 +25,13 @@ def write_files(folder: str, study: Study, identity: Identity, evolution: Evolut
 def _table(study: Study, identity: Identity, evolution: Evolution) -> bytes:
     """A row a genotype, each with what makes it again."""
     made_of = [*identity, " ".join(map(str, study.seeds))]
-    lines = [line_of([*IDENTITY, "seeds", "overrides", "generation", "genotype", *(gene.path for gene in study.genes), *(each.metric for each in study.objectives)])]
+    lines = [line_of([*IDENTITY, "seeds", "overrides", "generation", "genotype", *(name for gene in study.genes for name in gene.names()),
+                      *(each.metric for each in study.objectives)])]
     for number, generation in enumerate(evolution.generations, 1):
         for index, (genotype, values) in enumerate(zip(generation.genotypes, generation.values)):
-            genes = (gene.value(part) for gene, part in zip(study.genes, genotype))
+            genes = (value if isinstance(value, list) else [value] for value in study.values(genotype).values())
             overrides = json.dumps([f"{path}={value}" for path, value in evolution.overrides(genotype).items()])
-            lines.append(line_of([*made_of, overrides, number, index, *genes, *values]))
+            lines.append(line_of([*made_of, overrides, number, index, *itertools.chain(*genes), *values]))
     return b"".join(lines)
 
 

@@ -12,7 +12,8 @@ from .identity import checked, identity_of
 from .identity_fields import Identity
 from .mistakes import FINISHED, Arguments, BadInput, call, interrupted
 from .progress import Progress
-from .study_file import MOST, Study, find_study, read_study
+from .study import Study
+from .study_file import MOST, find_study, read_study
 from .workers import connected, refuse_others
 
 if TYPE_CHECKING:
@@ -35,11 +36,12 @@ def _arguments() -> Arguments:
 
 def _refuse_bad_values(study: Study) -> None:
     """Builds the experiment with the ends of each range, the other genes being in the middle. @raise BadInput"""
-    middle = {gene.path: repr(gene.value(0.5)) for gene in study.genes}
+    middle = study.texts([0.5] * study.size())
     for gene in study.genes:
         for part in (0.0, 1.0):
+            end = study.texts([part] * study.size())[gene.path]
             try:
-                metrics = checked(study.experiment, {**study.overrides, **middle, gene.path: repr(gene.value(part))}).metrics
+                metrics = checked(study.experiment, {**study.overrides, **middle, gene.path: end}).metrics
             except BadInput as mistake:
                 raise BadInput(f"{gene.where}: {mistake}") from None
     numbers = [name for name, value in metrics.items() if not isinstance(value, str)]
@@ -51,7 +53,8 @@ def _refuse_bad_values(study: Study) -> None:
 def made_of(study: Study, identity: Identity) -> Dict[str, object]:
     """What must be the same when an evolution is continued; it may have more generations."""
     parameters = {name: value for name, value in study.optimiser.parameters.items() if name != "generations"}
-    return {**identity._asdict(), "overrides": study.overrides, "genes": [[gene.path, gene.minimum, gene.maximum] for gene in study.genes],
+    return {**identity._asdict(), "overrides": study.overrides,
+            "genes": [[gene.path, gene.minimum, gene.maximum, gene.count] for gene in study.genes],
             "seeds": list(study.seeds), "objectives": [[each.metric, each.is_minimised] for each in study.objectives],
             "optimiser": study.optimiser.kind, "parameters": parameters}
 
@@ -136,7 +139,7 @@ def _conclude(study: Study, identity: Identity, evolution: "Evolution", folder: 
         files = write_files(folder, study, identity, evolution)
     best = [{"file": file, "generation": found.generation,
              "values": {each.metric: value for each, value in zip(study.objectives, found.values)},
-             "genes": {gene.path: gene.value(part) for gene, part in zip(study.genes, found.genotype)}}
+             "genes": study.values(found.genotype)}
             for file, found in zip(files, evolution.best)]
     failures = sum(generation.failed_controllers for generation in evolution.generations)
     print(json.dumps({"study": study.name, "generations": len(evolution.generations), "population": evolution.population(),

@@ -16,7 +16,7 @@ import numpy
 from deap import base, cma, tools
 from deap.tools import crossover, emo, mutation, selection
 
-from .study_file import OptimiserChoice
+from .study import OptimiserChoice
 
 Genotype = List[float]
 Losses = Tuple[float, ...]

@@ -3,7 +3,10 @@
     <study>
       <experiment>phototaxis</experiment>
       <overrides> <set path="framework.maxclock">1610</set> </overrides>
-      <genotype> <gene path="controllers.pc.parameters.speed" minimum="0" maximum="0.3"/> </genotype>
+      <genotype>
+        <gene path="controllers.pc.parameters.speed" minimum="0" maximum="0.3"/>
+        <genes path="controllers.nc.parameters.weights" count="48" minimum="-5" maximum="5"/>
+      </genotype>
       <fitness seeds="1..5"> <minimise metric="lamps.distance_before_switch"/> </fitness>
       <optimiser> <cma_es> <generations>15</generations> <random_seed>1</random_seed> </cma_es> </optimiser>
     </study>
@@ -18,39 +21,7 @@ from lxml import etree
 
 from .grid import SEED_PATH, parse_seeds
 from .mistakes import BadInput
-
-
-class Gene(NamedTuple):
-    """A number of the experiment file that is evolved."""
-    path: str
-    minimum: float
-    maximum: float
-    where: str         # file and line
-
-    def value(self, part: float) -> float:
-        """@param part of the range, from 0 to 1"""
-        return self.minimum + part * (self.maximum - self.minimum)
-
-
-class Objective(NamedTuple):
-    metric: str
-    is_minimised: bool
-    where: str         # file and line
-
-
-class OptimiserChoice(NamedTuple):
-    kind: str
-    parameters: Dict[str, float]
-
-
-class Study(NamedTuple):
-    name: str         # of the file, without folder and ending
-    experiment: str   # a file, or the name of an installed experiment
-    overrides: Dict[str, str]
-    genes: Tuple[Gene, ...]
-    seeds: Tuple[int, ...]
-    objectives: Tuple[Objective, ...]
-    optimiser: OptimiserChoice
+from .study import Gene, Objective, OptimiserChoice, Study
 
 
 class Bounds(NamedTuple):
@@ -61,6 +32,7 @@ class Bounds(NamedTuple):
 
 
 MOST = 1_000_000
+MOST_GENES = 10_000   # of one value
 COMMON = {"generations": Bounds(20, 1, MOST), "random_seed": Bounds(1, 0, 2 ** 63)}
 OF_GA = {"population": Bounds(20, 4, 100_000), "crossover": Bounds(0.9, 0, 1, False), "mutation": Bounds(0, 0, 1, False)}
 # what each optimiser takes; 0 where the optimiser computes a value of its own
@@ -144,10 +116,12 @@ class _Reader:
     def _genes(self, element: etree._Element) -> Tuple[Gene, ...]:
         self._attributes(element)
         genes: List[Gene] = []
-        for child in self._all(element, ("gene",)):
-            values = self._attributes(child, "path", "minimum", "maximum")
+        for child in self._all(element, ("gene", "genes")):
+            is_vector = child.tag == "genes"
+            values = self._attributes(child, "path", *(["count"] if is_vector else []), "minimum", "maximum")
             ends = (self._number(child, name, values[name]) for name in ("minimum", "maximum"))
-            gene = Gene(values["path"], *ends, self._where(child))
+            count = self._within(child, "count", values["count"], Bounds(0, 1, MOST_GENES)) if is_vector else 0
+            gene = Gene(values["path"], *ends, self._where(child), int(count))
             self._text(child, is_empty=True)
             if gene.minimum >= gene.maximum:
                 self._refuse(child, f"found the range {values['minimum']} to {values['maximum']}, allowed: minimum < maximum")
@@ -155,7 +129,7 @@ class _Reader:
                 self._refuse(child, f"found the path '{gene.path}' twice, allowed: once")
             genes.append(gene)
         if not genes:
-            self._refuse(element, "found no <gene>, allowed: at least one")
+            self._refuse(element, "found no <gene>, allowed: at least one, or <genes>")
         return tuple(genes)
 
     def _fitness(self, element: etree._Element) -> Tuple[Tuple[int, ...], Tuple[Objective, ...]]:
@@ -188,11 +162,13 @@ class _Reader:
         return OptimiserChoice(kind, parameters)
 
     def _bounded(self, element: etree._Element, bounds: Bounds) -> float:
-        text = self._text(element)
-        value = self._number(element, element.tag, text)
+        return self._within(element, element.tag, self._text(element), bounds)
+
+    def _within(self, element: etree._Element, name: str, text: str, bounds: Bounds) -> float:
+        value = self._number(element, name, text)
         if not bounds.least <= value <= bounds.most or bounds.is_whole and value != int(value):
             kind = "a whole number" if bounds.is_whole else "a number"
-            self._refuse(element, f"{element.tag}: found '{text}', allowed: {kind} from {bounds.least} to {bounds.most}")
+            self._refuse(element, f"{name}: found '{text}', allowed: {kind} from {bounds.least} to {bounds.most}")
         return int(value) if bounds.is_whole else value
 
     def _number(self, element: etree._Element, name: str, text: str) -> float:
