@@ -5,7 +5,6 @@ import unittest
 from unittest import mock
 
 from swarmanoid_studies import evolution
-from swarmanoid_studies.checkpoint import Generation
 from swarmanoid_studies.mistakes import BadInput, RunsStopped
 from swarmanoid_studies.runs import RunOutcome, lost
 from swarmanoid_studies.study import Gene, Objective, OptimiserChoice, Study
@@ -61,12 +60,20 @@ class EvolutionTest(unittest.TestCase):
             self.step(own, lambda request: lost("it died") if request.seed == 3 else done(1.0))
         self.assertEqual(len(own.generations), 1)
 
+    def test_runs_in_which_controllers_failed_are_named(self):
+        own = evolution.Evolution(STUDY, "world.xml")
+        text = "1 controllers failed, first fb_1 in tick 5: it is tired"
+        self.step(own, lambda request: done(1.0)._replace(failure=text if request.seed == 8 else ""))
+        generation, = own.generations
+        self.assertEqual(generation.failed_controllers, 6)
+        self.assertEqual(generation.first_failures, [f"genotype {i}, seed 8: {text}" for i in range(6)])
+
     def test_a_checkpoint_of_other_genotypes_is_refused(self):
         own = evolution.Evolution(STUDY, "world.xml")
         self.step(own, lambda request: done(1.0))
         first, = own.generations
         evolution.Evolution(STUDY, "world.xml").replay([first])
-        other = Generation([[0.5], *first.genotypes[1:]], first.values, 0)
+        other = first._replace(genotypes=[[0.5], *first.genotypes[1:]])
         with self.assertRaisesRegex(BadInput, "^generation 1 of the checkpoint: found other genotypes than the optimiser asks for"):
             evolution.Evolution(STUDY, "world.xml").replay([other])
 

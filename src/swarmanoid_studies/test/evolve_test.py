@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from commands import INTERRUPTED, CommandsTest, workers_of
+from commands import CONTROLLER_FAILED, INTERRUPTED, CommandsTest, workers_of
 
 SPEED, THRESHOLD = "controllers.pc.parameters.speed", "controllers.pc.parameters.threshold"
 STUDY = f"""<study>
@@ -24,6 +24,30 @@ STUDY = f"""<study>
 </study>
 """
 GENERATIONS = 6
+FAILS = """<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>20</maxclock></framework>
+  <controllers>
+    <failing_controller id="fc" library="failing_controller">
+      <actuators><footbot_wheels/></actuators>
+      <parameters><fail_at>3</fail_at></parameters>
+    </failing_controller>
+  </controllers>
+  <arena size="3,3,2" optimization="2D">
+    <light id="lamp"><position>1, 2, 1</position><orientation>0, 0, 0</orientation></light>
+    <footbot id="fb"><position>1, 1, 0</position><orientation>0, 0, 0</orientation><controller>fc</controller></footbot>
+  </arena>
+  <engines><kinematics2d id="ground"/></engines>
+  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
+  <rules><switching_lamp id="lamps"><lamp>lamp</lamp></switching_lamp></rules>
+</ahss-config>
+"""
+STUDY_THAT_FAILS = """<study>
+  <experiment>fails.xml</experiment>
+  <genotype><gene path="rules.lamps.intensity" minimum="1" maximum="2"/></genotype>
+  <fitness seeds="1..2"><minimise metric="lamps.distance"/></fitness>
+  <optimiser><ga><generations>2</generations><population>8</population></ga></optimiser>
+</study>
+"""
 
 
 class EvolveTest(CommandsTest):
@@ -54,6 +78,7 @@ class EvolveTest(CommandsTest):
             self.evolve(f"of_{jobs}", "--jobs", jobs)
             self.assertEqual(self.made(f"of_{jobs}"), expected)
         self.assertEqual((self.folder / "two/fitness.png").read_bytes()[:4], b"\x89PNG")
+        self.assertEqual((summary["runs_with_failed_controllers"], summary["first_failures"]), (0, []))
         best, = summary["best"]
         self.assert_all_files_say_what_they_are_of(expected, best["genes"])
         values = [generation["values"] for generation in json.loads(expected["checkpoint.json"])["generations"]]
@@ -101,6 +126,38 @@ class EvolveTest(CommandsTest):
         self.evolve("parts", "--jobs", 2, "--generations", 2)
         self.evolve("parts", "--jobs", 2, "--resume")
         self.assertEqual(self.made("parts"), self.uninterrupted())
+
+    def test_the_picture_is_made_anew_after_each_generation(self):
+        program = self.start("evolve", "study.xml", "--out", "live", "--quiet", "--jobs", 1, "--generations", 100)
+        pictures = []
+        end = time.monotonic() + 60
+        while len(pictures) < 3:
+            self.assertLess(time.monotonic(), end, "the picture does not change")
+            self.assertIsNone(program.poll(), "the program has ended")
+            path = self.folder / "live/fitness.png"
+            if path.exists() and path.read_bytes() not in pictures:
+                pictures.append(path.read_bytes())
+                self.assertEqual(pictures[-1][:4], b"\x89PNG")
+                self.assertEqual(pictures[-1][-8:-4], b"IEND", "it is there as a whole")
+            time.sleep(0.01)
+        program.terminate()
+        program.communicate(timeout=60)
+
+    def test_controllers_that_fail_are_named_and_the_exit_code_says_it(self):
+        (self.folder / "fails.xml").write_text(FAILS)
+        self.study.write_text(STUDY_THAT_FAILS)
+        program = self.start("evolve", "study.xml", "--out", "run", "--quiet", "--jobs", 2)
+        output, errors = program.communicate(timeout=60)
+        self.assertEqual(program.returncode, CONTROLLER_FAILED)
+        summary = json.loads(output)
+        self.assertEqual(summary["runs_with_failed_controllers"], 32)
+        reason = "1 controllers failed, first fb in tick 3: told to, "
+        first = [f"generation 1, genotype {i // 2}, seed {1 + i % 2}: {reason}" for i in range(10)]
+        self.assertEqual([line[:len(first[0])] for line in summary["first_failures"]], first)
+        lines = errors.splitlines()
+        self.assertEqual(lines[0], "swarmanoid: controllers failed in 32 runs, the first of them:")
+        self.assertEqual([line[:2 + len(first[0])] for line in lines[1:]], [f"  {line}" for line in first])
+        self.evolve("run", "--resume", "--generations", 2, code=CONTROLLER_FAILED)
 
     def test_several_objectives_have_a_front(self):
         text = STUDY.replace('<minimise metric="lamps.distance"/>',

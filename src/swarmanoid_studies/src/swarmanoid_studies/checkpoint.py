@@ -17,6 +17,7 @@ class Generation(NamedTuple):
     genotypes: List[List[float]]            # (genotypes, genes), parts of the ranges, from 0 to 1
     values: List[List[Optional[float]]]     # (genotypes, objectives), means of metrics over the seeds; None: not finite
     failed_controllers: int                 # runs in which a controller failed
+    first_failures: List[str]               # of the first of them: genotype, seed, which controllers and why
 
 
 def finite(value: float) -> Optional[float]:

@@ -10,7 +10,10 @@ from .dispatch import outcomes
 from .mistakes import BadInput, RunsStopped
 from .optimisers import Losses, front, make_optimiser
 from .runs import RunOutcome, RunRequest
-from .study_file import Study
+from .study import Study
+
+
+MOST_FAILURES = 10   # of a generation that are told of one by one
 
 
 class Found(NamedTuple):
@@ -55,8 +58,9 @@ class Evolution:
         runs = len(self._study.seeds)
         values = [self._values([outcome for outcome in made[first:first + runs] if outcome is not None])
                   for first in range(0, len(made), runs)]
-        failures = sum(bool(outcome.failure) for outcome in made if outcome is not None)
-        self._take(Generation(self._asked, values, failures))
+        failures = [f"genotype {number // runs}, seed {requests[number].seed}: {outcome.failure}"
+                    for number, outcome in enumerate(made) if outcome is not None and outcome.failure]
+        self._take(Generation(self._asked, values, len(failures), failures[:MOST_FAILURES]))
 
     def overrides(self, genotype: Sequence[float]) -> Dict[str, str]:
         """Of the experiment, with all digits."""

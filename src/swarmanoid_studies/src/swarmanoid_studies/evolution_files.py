@@ -17,9 +17,14 @@ from .study import Study
 def write_files(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
     """@return the experiment files @raise OSError"""
     write_atomically(os.path.join(folder, "generations.csv"), _table(study, identity, evolution))
+    write_picture(folder, study, evolution)
+    return _experiments(folder, study, identity, evolution)
+
+
+def write_picture(folder: str, study: Study, evolution: Evolution) -> None:
+    """Of the generations so far. @raise OSError"""
     draw = _history if len(study.objectives) == 1 else _front
     write_atomically(os.path.join(folder, "fitness.png"), draw(study, evolution))
-    return _experiments(folder, study, identity, evolution)
 
 
 def _table(study: Study, identity: Identity, evolution: Evolution) -> bytes:

@@ -3,6 +3,7 @@
 import argparse
 import json
 import os
+import sys
 import time
 from typing import TYPE_CHECKING, Callable, Dict, List
 
@@ -10,7 +11,7 @@ from .atomic_file import lock
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
 from .identity import checked, identity_of
 from .identity_fields import Identity
-from .mistakes import FINISHED, Arguments, BadInput, call, interrupted
+from .mistakes import CONTROLLER_FAILED, FINISHED, Arguments, BadInput, call, interrupted
 from .progress import Progress
 from .study import Study
 from .study_file import MOST, find_study, read_study
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from distributed import Client
 
     from .evolution import Evolution
+
+MOST_TOLD = 10   # runs with failed controllers that are told of one by one
 
 
 def _arguments() -> Arguments:
@@ -99,8 +102,13 @@ def _main() -> int:
         with connected(jobs, arguments.scheduler) as client:
             if arguments.scheduler is not None:
                 refuse_others(client, portable(study.experiment), study.overrides, identity)
-            is_interrupted = not _evolve(study, evolution, generations, client, arguments.quiet,
-                                         lambda: write_checkpoint(checkpoint, own, evolution.generations))
+            from .evolution_files import write_picture
+
+            def keep() -> None:
+                write_checkpoint(checkpoint, own, evolution.generations)
+                write_picture(folder, study, evolution)
+
+            is_interrupted = not _evolve(study, evolution, generations, client, arguments.quiet, keep)
     return _conclude(study, identity, evolution, folder, time.monotonic() - start, is_interrupted)
 
 
@@ -142,8 +150,15 @@ def _conclude(study: Study, identity: Identity, evolution: "Evolution", folder: 
              "genes": study.values(found.genotype)}
             for file, found in zip(files, evolution.best)]
     failures = sum(generation.failed_controllers for generation in evolution.generations)
+    told = [f"generation {number}, {failure}" for number, generation in enumerate(evolution.generations, 1)
+            for failure in generation.first_failures][:MOST_TOLD]
     print(json.dumps({"study": study.name, "generations": len(evolution.generations), "population": evolution.population(),
-                      "runs_with_failed_controllers": failures, "folder": folder, "wall_s": round(wall_s, 3), "best": best}))
+                      "runs_with_failed_controllers": failures, "first_failures": told, "folder": folder,
+                      "wall_s": round(wall_s, 3), "best": best}))
     if is_interrupted:
         return interrupted()
+    if failures:
+        lines = "".join(f"\n  {line}" for line in told)
+        print(f"swarmanoid: controllers failed in {failures} runs, the first of them:{lines}", file=sys.stderr)
+        return CONTROLLER_FAILED
     return FINISHED
