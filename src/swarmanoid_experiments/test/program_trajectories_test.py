@@ -190,13 +190,14 @@ class EndTest(TrajectoriesTest):
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         self.wait_for(200000, process)
-        lengths = []
-        for _ in range(2):
-            time.sleep(1.2)
+        lengths, end = set(), time.monotonic() + 60
+        while len(lengths) < 3 and time.monotonic() < end:
             recording = swarmanoid.load(self.folder / FILE)
             self.assertFalse(recording.complete)
-            lengths.append(len(recording.ticks))
-        self.assertGreater(lengths[1], lengths[0])
+            self.assertEqual(list(recording.ticks), list(range(len(recording.ticks))))
+            self.assertTrue(recording.present.all())
+            lengths.add(len(recording.ticks))
+        self.assertEqual(len(lengths), 3)
 
     def test_a_full_disk_ends_the_run_and_keeps_what_there_is(self):
         limit = 15_000_000

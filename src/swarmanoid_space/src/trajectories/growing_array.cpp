@@ -8,7 +8,7 @@
 namespace swarmanoid::trajectories {
 namespace {
 
-constexpr std::size_t kChunkBytes = std::size_t{256} << 10U;  // a quarter of the library's cache for a dataset
+constexpr std::size_t kChunkBytes = std::size_t{256} << 10U;
 constexpr hsize_t kMostRows = 1024;
 
 hsize_t product(const std::vector<hsize_t>& sizes, std::size_t first) {
@@ -43,7 +43,10 @@ GrowingArray::GrowingArray(hid_t file, const std::string& name, ElementType type
   check(H5Pset_fill_value(creation.get(), type_.id, type_.blank.data()), "choosing the blank");
   const Hdf5Id links(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "making properties");
   check(H5Pset_create_intermediate_group(links.get(), 1), "making groups");
-  dataset_ = Hdf5Id(H5Dcreate2(file, name.c_str(), type_.id, space.get(), links.get(), creation.get(), H5P_DEFAULT),
+  // a chunk in the library's cache would get to the file after the number of rows that says it is there
+  const Hdf5Id access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "making properties");
+  check(H5Pset_chunk_cache(access.get(), 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT), "leaving out the cache");
+  dataset_ = Hdf5Id(H5Dcreate2(file, name.c_str(), type_.id, space.get(), links.get(), creation.get(), access.get()),
                     H5Dclose, ("making '" + name + "'").c_str());
   makeBuffer();
 }
