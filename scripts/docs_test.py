@@ -34,7 +34,8 @@ RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.
              "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
              "docs/how-to/repeat_what_was_done.md", "docs/how-to/run_a_batch.md", "docs/how-to/evolve_a_controller.md",
              "docs/how-to/run_a_controller_elsewhere.md",
-             "docs/how-to/sample_a_sensor.md", "docs/how-to/simulate_in_python.md", "docs/explanation/coming_from_argos.md",
+             "docs/how-to/sample_a_sensor.md", "docs/how-to/simulate_in_python.md", "docs/how-to/train_in_python.md",
+             "docs/explanation/coming_from_argos.md",
              "docs/faq.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
 # Pages that add to the suite, and how many files each may add at most. They are followed in a copy of the tree, which is
