@@ -17,6 +17,7 @@ import swarmanoid
 from program_world import BAD_INPUT, FINISHED, INTERRUPTED, STOPPED, ProgramTest
 
 FILE = "run.h5"
+MUCH = 1_000_000  # bytes of a file that are there only when its first rows were flushed
 COMES_AND_GOES = """<interventions>
   <spawn tick="3" engines="ground"><footbot id="late"><position>8, 8, 0</position><orientation>0, 0, 0</orientation></footbot></spawn>
   <move tick="6" entity="wall"><position>6, 5, 0.25</position><orientation>0, 0, 45</orientation></move>
@@ -163,7 +164,7 @@ class EndTest(TrajectoriesTest):
 
     def test_ctrl_c_leaves_a_complete_file(self):
         process = self.start()
-        self.wait_for(200000, process)
+        self.wait_for(MUCH, process)
         process.send_signal(signal.SIGINT)
         output, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, INTERRUPTED, errors)
@@ -175,7 +176,7 @@ class EndTest(TrajectoriesTest):
     def test_a_killed_run_leaves_what_was_flushed_and_no_whole_file(self):
         for delay in (0.0, 0.3, 1.3):
             process = self.start()
-            self.wait_for(200000, process)
+            self.wait_for(MUCH, process)
             time.sleep(delay)
             process.kill()
             process.communicate(timeout=60)
@@ -189,7 +190,7 @@ class EndTest(TrajectoriesTest):
         process = self.start()
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
-        self.wait_for(200000, process)
+        self.wait_for(MUCH, process)
         lengths, end = set(), time.monotonic() + 60
         while len(lengths) < 3 and time.monotonic() < end:
             recording = swarmanoid.load(self.folder / FILE)

@@ -117,11 +117,12 @@ class TrajectoryRecorder final : public Observer {
   void draw(const Space& space) override {
     if (space.tick % every_ == 0) {
       guard([&] {
+        const bool is_first = !arrays_;
         begin(space);
         arrays_->append(space);
         space_ = &space;
         last_tick_ = space.tick;
-        if (file_->wantsFlush()) {
+        if (is_first || file_->wantsFlush()) {  // a run that is killed at once has its first state
           arrays_->write();
           file_->flush();
         }
