@@ -27,9 +27,9 @@ import yaml
 from surroundings import REPOSITORY, bare, compiler_cache, run, sourced
 
 # Where the shell commands are run; the workspace's page takes minutes and is in ./test --long
-RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/how-to/add_a_controller.md", "docs/how-to/add_a_device.md",
-             "docs/how-to/add_a_robot.md", "docs/how-to/analyse_trajectories.md", "docs/how-to/add_a_rule.md",
-             "docs/how-to/add_a_visualisation.md",
+RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/tutorial/swarm_in_python.md", "docs/how-to/add_a_controller.md",
+             "docs/how-to/add_a_device.md", "docs/how-to/add_a_robot.md", "docs/how-to/analyse_trajectories.md",
+             "docs/how-to/add_a_rule.md", "docs/how-to/add_a_visualisation.md",
              "docs/how-to/add_an_arena_object.md", "docs/how-to/add_an_engine.md",
              "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
              "docs/how-to/repeat_what_was_done.md", "docs/how-to/run_a_batch.md", "docs/how-to/evolve_a_controller.md",

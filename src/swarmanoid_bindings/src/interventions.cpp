@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "python_parameters.hpp"
 #include "swarmanoid_space/interventions/spawned_entity.hpp"
 #include "value_class.hpp"
 #include "values.hpp"
@@ -60,14 +61,7 @@ void bind(py::module_& module, Kind<SpawnEntity> /*kind*/) {
           "orientation", [](const SpawnEntity& what) { return toPython(orientationFromAngles(what.entity.angles)); })
       .def_property_readonly("engines", [](const SpawnEntity& what) { return py::tuple(py::cast(what.engines)); })
       .def_property_readonly("controller", [](const SpawnEntity& what) { return what.entity.controller; })
-      .def_property_readonly("parameters",
-                             [](const SpawnEntity& what) {
-                               py::dict values;
-                               for (const Configuration& value : what.entity.parameters.children()) {
-                                 values[py::str(value.name())] = value.text();
-                               }
-                               return values;
-                             })
+      .def_property_readonly("parameters", [](const SpawnEntity& what) { return parametersOf(what.entity.parameters); })
       .def_property_readonly("color", [](const SpawnEntity& what) { return toString(what.entity.color); });
 }
 
@@ -197,13 +191,7 @@ void bind(py::module_& module, Kind<SetFault> /*kind*/) {
       .def_readonly("kind", &ErrorModelDescription::kind)
       .def_readonly("field", &ErrorModelDescription::field)
       .def_property_readonly("parameters",
-                             [](const ErrorModelDescription& error) {
-                               py::dict values;
-                               for (const Configuration& value : error.parameters.children()) {
-                                 values[py::str(value.name())] = value.text();
-                               }
-                               return values;
-                             })
+                             [](const ErrorModelDescription& error) { return parametersOf(error.parameters); })
       .def_readonly("from_tick", &ErrorModelDescription::from_tick);
   valueClass<SetFault>(module, "SetFault",
                        "What is wrong with a device of a robot from the next tick on; no errors: it is mended.\n\n"

@@ -238,8 +238,8 @@ void bindRobots(py::module_& module) {
       .def("owners", &Devices::owners, py::arg("type"), "The places, among the robots, of those that have the device.");
   py::class_<Robots>(module, "Robots", "Robots of a simulation in one moment, by entity number.")
       .def("__len__", &Robots::size)
-      .def_property_readonly("names", &Robots::names)
-      .def_property_readonly("types", &Robots::types)
+      .def_property_readonly("names", &Robots::names, "Their names, a list of str.")
+      .def_property_readonly("types", &Robots::types, "Their types, such as 'footbot', a list of str.")
       .def_property_readonly("controllers", &Robots::controllers,
                              "The id of each one's controller configuration; '' for none.")
       .def_property_readonly("numbers", &Robots::numbers,
@@ -250,10 +250,12 @@ void bindRobots(py::module_& module) {
       .def_property_readonly("twists", &Robots::twists, "(robots, 6): linear [m/s] and angular velocity [rad/s], in W.")
       .def("property", &Robots::property, py::arg("name"),
            "(robots,): a property of each, such as 'intensity'; NaN for whoever does not have it.")
-      .def_property_readonly("readings", &Robots::readings, kInternal)
-      .def_property_readonly("commands", &Robots::commands, kInternal);
+      .def_property_readonly("readings", &Robots::readings, kInternal,
+                             "Sensors by type: readings['footbot_proximity'].value is (robots that have it, 24).")
+      .def_property_readonly("commands", &Robots::commands, kInternal,
+                             "Actuators by type: commands['footbot_wheels'].left is (robots that have it,), in rad/s.");
   py::class_<SteppedRobots, Robots>(module, "SteppedRobots", "The robots of a controller, in its step.")
-      .def_property_readonly("tick", &SteppedRobots::tick)
+      .def_property_readonly("tick", &SteppedRobots::tick, "Number of this tick; the first one is 0.")
       .def_property_readonly("time", &SteppedRobots::time, "Simulated time since the start [s].")
       .def_property_readonly("dt", &SteppedRobots::dt, "Time of a tick [s].")
       .def("uniform", &SteppedRobots::uniform, py::arg("low") = 0.0, py::arg("high") = 1.0,

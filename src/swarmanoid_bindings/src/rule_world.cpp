@@ -18,7 +18,8 @@ void bindRuleWorld(py::module_& module) {
           "Simulated time since the start [s].")
       .def_property_readonly(
           "dt", [](const RuleWorld& world) { return toSeconds(world.space().clocktick); }, "Time of a tick [s].")
-      .def_property_readonly("seed", [](const RuleWorld& world) { return world.space().seed; })
+      .def_property_readonly(
+          "seed", [](const RuleWorld& world) { return world.space().seed; }, "Of the run's random numbers.")
       .def_property_readonly("robots", &RuleWorld::robots, "The robots, by entity number.")
       .def_property_readonly("entities", &RuleWorld::entities, "All entities, robots among them.")
       .def_property_readonly(

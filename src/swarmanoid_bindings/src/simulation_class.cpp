@@ -158,16 +158,22 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly(
           "max_ticks", [](const Run& run) { return run.simulation().experiment().framework.max_clock; },
           "Ticks after which the run is over.")
-      .def_property_readonly("seed", [](const Run& run) { return run.simulation().space().seed; })
-      .def_property_readonly("finished", [](const Run& run) { return run.simulation().isFinished(); })
+      .def_property_readonly(
+          "seed", [](const Run& run) { return run.simulation().space().seed; }, "Of the run's random numbers.")
+      .def_property_readonly(
+          "finished", [](const Run& run) { return run.simulation().isFinished(); },
+          "Whether the run is over: its ticks are, a rule has ended it, or it has failed.")
       .def_property_readonly(
           "success", [](const Run& run) { return run.simulation().success(); },
           "What the experiment's judges agree on; None without judges.")
-      .def_property_readonly("metrics", [](const Run& run) { return metricsOf(run.simulation().metrics()); })
-      .def_property_readonly("failures", &failuresOf, "Robots whose controllers failed.")
+      .def_property_readonly(
+          "metrics", [](const Run& run) { return metricsOf(run.simulation().metrics()); },
+          "What rules and observers measure, by 'id.name', as a dictionary.")
+      .def_property_readonly("failures", &failuresOf,
+                             "Robots whose controllers failed: a dictionary each, robot, tick, reason.")
       .def_property_readonly(
           "events", [](const Run& run) { return eventsOf(run.simulation().space()); },
-          "What happened in the last tick.")
+          "What happened in the last tick: a dictionary each, kind, entity, other, text.")
       .def_property_readonly(
           "interventions", &interventionsOf,
           "What was done before the last tick, in order: (who asked, what). Nobody, '': from outside.")
@@ -178,10 +184,30 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly("record", &recordOfRun, "What a run is made of, as a dictionary.");
 }
 
+constexpr const char* kSimulationText = R"(A run of an experiment.
+
+Simulation(experiment=None, *, text=None, seed=None, ticks=None, threads=None, overrides={}, controllers={}, rules={},
+           out=None)
+
+experiment: a file, or the name of an installed experiment; text: the same as it would stand in a file.
+seed, ticks, threads: instead of those of the file. overrides: values by path, as of `swarmanoid run --set`.
+controllers: by the id of a configuration, a function or an object of all robots at once, or a class of one robot.
+rules: objects by id, called after those of the file. out: a folder for what observers write; else they write nothing.
+
+>>> import swarmanoid
+>>> simulation = swarmanoid.Simulation("diffusion", seed=3, overrides={"arena.distribute.quantity": 5})
+>>> simulation.tick(10), simulation.time
+(10, 1.0)
+>>> simulation.robots.poses.shape
+(5, 7)
+>>> simulation.robots.readings["footbot_proximity"].value.dtype
+dtype('float32')
+)";
+
 }  // namespace
 
 void bindSimulation(py::module_& module) {
-  py::class_<Run> simulation(module, "Simulation", "A run of an experiment.");
+  py::class_<Run> simulation(module, "Simulation", kSimulationText);
   simulation
       .def(
           py::init([](std::optional<std::string> experiment, std::optional<std::string> text,

@@ -1,14 +1,19 @@
 """The simulator of robot swarms in Python, in process and without ROS.
 
-    import swarmanoid
+>>> import swarmanoid
+>>> simulation = swarmanoid.Simulation("diffusion", seed=3)
+>>> simulation.tick(100)
+100
+>>> simulation.robots.poses[:, :2].shape                             # x, y of each robot, in metres
+(100, 2)
+>>> simulation.robots.readings["footbot_proximity"].value.shape      # 24 sensors each
+(100, 24)
+>>> simulation.apply(swarmanoid.Move("fb_1", (90, 3, 0)))
+Traceback (most recent call last):
+swarmanoid.InterventionError: move is refused: position: found '90, 3, 0', allowed: in the arena, from 0, 0, 0 to 12.65, 12.65, 1
 
-    simulation = swarmanoid.Simulation("diffusion", seed=3)
-    simulation.tick(100)
-    print(simulation.robots.poses[:, :2])                             # (robots, 2), in metres
-    print(simulation.robots.readings["footbot_proximity"].value)      # (robots, 24)
-
-docs/how-to/simulate_in_python.md shows controllers in Python, docs/how-to/analyse_trajectories.md what `load` makes of recorded
-runs. Simulations of different threads run at the same time."""
+docs/tutorial/swarm_in_python.md leads through it, docs/how-to/simulate_in_python.md shows controllers, interventions and rules,
+docs/how-to/analyse_trajectories.md what `load` makes of recorded runs. Simulations of different threads run at the same time."""
 
 from ._core import (Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError, ListArrays,
                     Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
