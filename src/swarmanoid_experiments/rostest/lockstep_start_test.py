@@ -26,13 +26,16 @@ PACES = [(factor, paused) for factor in (0, 1, 10) for paused in ("false", "true
 REMOTE = {"aggregation": ("fb_1", "aggregation"), "battery_foraging": ("fb_1", "footbot_battery_foraging"),
           "chain_formation": ("fb_1", "chain_formation"), "charging": ("fb_1", "footbot_charging"),
           "climbing": ("hb_1", "climbing"), "conformance": ("hb", "conformance"), "diffusion": ("fb_1", "diffusion"),
-          "emergent_taxis": ("fb_1", "emergent_taxis"), "flocking": ("fb_1", "flocking"),
+          "emergent_taxis": ("fb_1", "emergent_taxis"), "evolved_retrieval": ("eb", "eyebot_retrieval"),
+          "flocking": ("fb_1", "flocking"),
           "foraging": ("fb_1", "footbot_foraging"), "gap": ("fb_3", "chain"), "group_pull": ("fb_7", "pulling"),
+          "neural_aggregation": ("fb_1", "recurrent_network"), "neural_phototaxis": ("fb_1", "feed_forward_network"),
           "object_retrieval": ("eb", "eyebot_retrieval"), "phototaxis": ("fb_1", "phototaxis"),
           "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb_1", "climbing"),
           "trail": ("fb_1", "trail_following")}
 # all robots of a distribution have one source
-DISTRIBUTED = ("aggregation", "battery_foraging", "chain_formation", "diffusion", "emergent_taxis", "flocking")
+DISTRIBUTED = ("aggregation", "battery_foraging", "chain_formation", "diffusion", "emergent_taxis", "flocking",
+               "neural_aggregation", "neural_phototaxis")
 QUICK = [("object_retrieval", 0, "false"), ("shelf_retrieval", 1, "false"), ("diffusion", 10, "true")]
 
 

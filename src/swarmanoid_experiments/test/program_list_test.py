@@ -31,7 +31,8 @@ class ListTest(ProgramTest):
         self.assertEqual("".join(self.list(heading) for heading in HEADINGS), everything)
         self.assertEqual(self.list("experiment"),
                          "experiment\n  aggregation\n  battery_foraging\n  chain_formation\n  charging\n  climbing\n  conformance\n"
-                         "  diffusion\n  emergent_taxis\n  flocking\n  foraging\n  gap\n  group_pull\n  object_retrieval\n  phototaxis\n"
+                         "  diffusion\n  emergent_taxis\n  evolved_retrieval\n  flocking\n  foraging\n  gap\n  group_pull\n"
+                         "  neural_aggregation\n  neural_phototaxis\n  object_retrieval\n  phototaxis\n"
                          "  rough_terrain\n  shelf_retrieval\n  trail\n")
         sensors = self.list("sensor")
         self.assertIn("  footbot_proximity (polynomial, default): ", sensors)

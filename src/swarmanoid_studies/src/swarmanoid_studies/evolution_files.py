@@ -13,6 +13,8 @@ from .pictures import png, pyplot
 from .results_file import line_of, text_of
 from .study import Study
 
+WIDE = 100   # times the least value: a picture with greater ones has a logarithmic axis
+
 
 def write_files(folder: str, study: Study, identity: Identity, evolution: Evolution) -> List[str]:
     """@return the experiment files @raise OSError"""
@@ -85,6 +87,9 @@ def _history(study: Study, evolution: Evolution) -> bytes:
             best.append(choose([*best[-1:], choose(values)]))
     axes.plot(numbers, means, color="tab:blue", label="mean of the generation")
     axes.plot(numbers, best, color="black", label="best so far")
+    judged = _finite([row[0] for generation in evolution.generations for row in generation.values])
+    if judged and min(judged) > 0 and max(judged) > WIDE * min(judged):
+        axes.set_yscale("log")
     axes.set_xlabel("generation")
     axes.set_ylabel(f"{objective.metric}, mean over {len(study.seeds)} seeds")
     axes.legend()
