@@ -1,7 +1,8 @@
 // What a world costs that acts: a rule that looks at every robot after each tick, and a floor that is painted and
 // fades.
 //
-// Rule: sparse diffusion of simulation_benchmark.cpp; `rule_share` is the part of a tick that the rule takes.
+// Rule: sparse diffusion of simulation_benchmark.cpp; `rule_share` is the part of a tick that the rule takes, `rule_us`
+// how long it takes. Measure: the same with the rules of the suite that measure, and for contacts in a crowd.
 // Floor: 100 footbots that read it, on 10 m x 10 m; of 1,000 x 1,000 cells all are painted, and fade. A tick with its
 // state hash is measured, on the clean floor, on the painted one, and while 100 discs of about 50 cells are painted
 // before each tick.
@@ -60,10 +61,10 @@ std::unique_ptr<Simulation> start(const std::string& text) {
   return simulation;
 }
 
-void BM_Rule(benchmark::State& state) {
+void measureRule(benchmark::State& state, const std::string& rule, double area_each) {
   const auto simulation =
-      start(with(diffusionExperiment(static_cast<int>(state.range(0)), 1.6, "<kinematics2d id='ground'/>"),
-                 "</ahss-config>", "<rules><watcher id='w'/></rules>"));
+      start(with(diffusionExperiment(static_cast<int>(state.range(0)), area_each, "<kinematics2d id='ground'/>"),
+                 "</ahss-config>", "<rules>" + rule + "</rules>"));
   double of_rule = 0.0;
   double of_all = 0.0;
   for (auto _ : state) {
@@ -74,6 +75,16 @@ void BM_Rule(benchmark::State& state) {
               times.show;
   }
   state.counters["rule_share"] = of_rule / of_all;
+  state.counters["rule_us"] = 1e6 * of_rule / static_cast<double>(state.iterations());
+}
+
+constexpr double kSparse = 1.6;  // m2 for each robot
+
+void BM_Rule(benchmark::State& state) { measureRule(state, "<watcher id='w'/>", kSparse); }
+void BM_Measure(benchmark::State& state, const char* rule) { measureRule(state, rule, kSparse); }
+void BM_MeasureCrowd(benchmark::State& state, const char* rule) {
+  constexpr double kCrowded = 0.2;  // m2
+  measureRule(state, rule, kCrowded);
 }
 
 enum class Paint { kNone, kAll, kAnew };
@@ -102,6 +113,24 @@ void BM_Floor(benchmark::State& state) {
 }
 
 BENCHMARK(BM_Rule)->Arg(10000)->Unit(benchmark::kMicrosecond);
+#define SWARMANOID_MEASURE(function, name, rule) \
+  BENCHMARK_CAPTURE(function, name, rule)->Arg(10000)->Unit(benchmark::kMicrosecond)
+SWARMANOID_MEASURE(BM_Measure, distance_to_place, "<distance_to id='r'><to>1, 2</to></distance_to>");
+SWARMANOID_MEASURE(BM_Measure, distance_to_line, "<distance_to id='r'><to>1, 2, 30, 40</to></distance_to>");
+SWARMANOID_MEASURE(BM_Measure, distance_to_nearest, "<distance_to id='r'><to>footbot</to></distance_to>");
+SWARMANOID_MEASURE(BM_Measure, distance_to_nearest_every_10,
+                   "<distance_to id='r'><to>footbot</to><every>10</every></distance_to>");
+SWARMANOID_MEASURE(BM_Measure, robot_clusters, "<robot_clusters id='r'/>");
+SWARMANOID_MEASURE(BM_Measure, area_coverage, "<area_coverage id='r'/>");
+SWARMANOID_MEASURE(BM_Measure, square_displacement, "<square_displacement id='r'/>");
+SWARMANOID_MEASURE(BM_Measure, swarm_order, "<swarm_order id='r'/>");
+SWARMANOID_MEASURE(BM_Measure, state_times, "<state_times id='r'><states>a, b</states></state_times>");
+SWARMANOID_MEASURE(BM_Measure, region_count,
+                   "<region_count id='r'><minimum>0, 0, 0</minimum><maximum>9, 9, 0</maximum></region_count>");
+SWARMANOID_MEASURE(BM_Measure, contact_count, "<contact_count id='r'/>");
+SWARMANOID_MEASURE(BM_MeasureCrowd, contact_count, "<contact_count id='r'/>");
+SWARMANOID_MEASURE(BM_MeasureCrowd, distance_to_nearest, "<distance_to id='r'><to>footbot</to></distance_to>");
+SWARMANOID_MEASURE(BM_Measure, energy_use, "<energy_use id='r'/>");
 BENCHMARK(BM_Floor)
     ->Arg(static_cast<int>(Paint::kNone))
     ->Arg(static_cast<int>(Paint::kAll))

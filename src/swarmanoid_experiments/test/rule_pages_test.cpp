@@ -90,5 +90,18 @@ TEST(RulePagesTest, AreOfRulesThatThereAre) {
   }
 }
 
+/// The schema takes a tag that it knows for the rule, wherever it stands in what it does not know.
+TEST(RulePagesTest, NoRuleIsCalledAsAParameterOfAPlugin) {
+  rules();
+  for (const PluginKind kind : kPluginKinds) {
+    for (const Registry::Entry* entry : Registry::instance().all(kind)) {
+      for (const Parameter& parameter : entry->description.parameters) {
+        EXPECT_EQ(Registry::instance().find(PluginKind::kRule, parameter.name), nullptr)
+            << entry->description.label << ": " << parameter.name;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace swarmanoid

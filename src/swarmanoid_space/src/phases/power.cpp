@@ -4,25 +4,25 @@
 #include <cmath>
 
 #include "phases.hpp"
+#include "swarmanoid_space/power_demand.hpp"
 
-namespace swarmanoid::phases {
-namespace {
+namespace swarmanoid {
 
-/// On the ground, or held by what it holds on to: then rotors have nothing to carry.
-bool rests(const Space& space, Row row) {
-  constexpr double kClearance = 0.01;  // m
-  const Eigen::Vector3d& position = space.entities.pose[row].position;
-  const bool is_over_terrain = space.terrain && space.terrain->contains(position.x(), position.y());
-  const double ground = is_over_terrain ? space.terrain->heightAt(position.x(), position.y()) : 0.0;
-  return position.z() - space.entities.model[row]->origin_height < ground + kClearance ||
-         space.attachments.isAttached(row);
+double standbyPower(const BatteryModel& battery, const ControllerDescription* controller) {
+  double power = battery.electronics;
+  if (controller != nullptr) {
+    for (const auto* devices : {&controller->sensors, &controller->actuators}) {
+      for (const DeviceDescription& device : *devices) {
+        power += battery.powerOf(device.type);
+      }
+    }
+  }
+  return power;
 }
 
-/// What the robot draws [W].
-double demandOf(const Space& space, Row row, const BatteryState& state) {
+double powerDemand(const Space& space, Row row, const BatteryModel& battery, double standby) {
   const EntityModel& model = *space.entities.model[row];
-  const BatteryModel& battery = *model.battery;
-  double power = state.standby;
+  double power = standby;
   for (const Color& led : space.leds[row]) {
     power += battery.led * led.brightness();
   }
@@ -31,11 +31,25 @@ double demandOf(const Space& space, Row row, const BatteryState& state) {
     const double turned = std::abs(wheels.left) / wheels.grip.left + std::abs(wheels.right) / wheels.grip.right;
     power += battery.drive * turned / (2.0 * model.wheels->max_speed);
   }
-  if (battery.flight > 0.0 && space.flight[row].is_driven && !rests(space, row)) {
+  if (battery.flight > 0.0 && space.flight[row].is_driven && !isCarried(space, row)) {
     power += battery.flight;
   }
   return power;
 }
+
+bool isCarried(const Space& space, Row row) {
+  constexpr double kClearance = 0.01;  // m
+  const Eigen::Vector3d& position = space.entities.pose[row].position;
+  const bool is_over_terrain = space.terrain && space.terrain->contains(position.x(), position.y());
+  const double ground = is_over_terrain ? space.terrain->heightAt(position.x(), position.y()) : 0.0;
+  return position.z() - space.entities.model[row]->origin_height < ground + kClearance ||
+         space.attachments.isAttached(row);
+}
+
+}  // namespace swarmanoid
+
+namespace swarmanoid::phases {
+namespace {
 
 /// Takes an energy from a store, as far as it is there. @return what it took
 double take(double energy, double& store) {
@@ -49,7 +63,7 @@ void drain(const Space& space, Row row, double dt, Span<double> stores, BatteryS
   if (state.is_empty) {
     return;
   }
-  const double needed = demandOf(space, row, state) * dt;
+  const double needed = powerDemand(space, row, *space.entities.model[row]->battery, state.standby) * dt;
   double taken = take(needed, stores[kBatteryCharge]);
   taken += take(needed - taken, stores[kBatteryCapacitor]);
   state.used += taken;
@@ -87,7 +101,7 @@ void cutPower(Space& space, const std::vector<RobotInstance>& instances) {
   // a safe stop ends with hovering when it has not reached the ground in its time
   for (const RobotInstance& instance : instances) {
     FlightCommand& flight = space.flight[instance.row];
-    if (instance.source_when_charged && !instance.stops_since && flight.is_driven && !rests(space, instance.row)) {
+    if (instance.source_when_charged && !instance.stops_since && flight.is_driven && !isCarried(space, instance.row)) {
       flight.linear = {0.0, 0.0, -SafeStopSettings{}.descend_speed};
       flight.yaw_rate = 0.0;
     }

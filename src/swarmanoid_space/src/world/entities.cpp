@@ -6,6 +6,7 @@
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
+#include "swarmanoid_space/power_demand.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -51,12 +52,9 @@ void giveController(World& world, Row row, const EntityDescription& entity) {
 }
 
 void giveBattery(World& world, Row row, const EntityDescription& entity) {
-  const BatteryModel& battery = *world.space.entities.model[row]->battery;
-  double& standby = world.space.batteries[row][0].standby;
-  standby = battery.electronics;
-  for (const DeviceUse& device : devicesOf(world.assembly.findGroup(entity.controller))) {
-    standby += battery.powerOf(device.type);
-  }
+  const ControllerGroup* group = world.assembly.findGroup(entity.controller);
+  world.space.batteries[row][0].standby =
+      standbyPower(*world.space.entities.model[row]->battery, group == nullptr ? nullptr : group->description);
   world.space.powered.push_back(row);  // entity numbers only grow
 }
 

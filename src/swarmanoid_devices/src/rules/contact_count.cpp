@@ -1,0 +1,190 @@
+// Contacts: how many robots touch each other, and what stands in the arena; how often, and for how long. By where
+// bodies are, whichever engine moves them.
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "enlist.hpp"
+#include "footprint.hpp"
+#include "measuring_rule.hpp"
+#include "swarmanoid_space/index/positional_index_visits.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class ContactCount final : public MeasuringRule {
+ public:
+  static PluginDescription describe() {
+    PluginDescription description;
+    description.label = "contact_count";
+    description.summary = "Counts the robots that touch each other, and objects.";
+    description.parameters =
+        withParameters({number("gap", "m", "0.001", {0.0, 1.0}, "Between bodies, up to which they touch.")});
+    return description;
+  }
+
+ private:
+  struct Robot {
+    EntityNumber number = kNoEntity;
+    bool is_touching = false;
+    bool was_touching = false;  // in the last measurement
+  };
+
+  void read(const Configuration& parameters) override {
+    gap_ = parameters.number("gap");
+    robot_pairs_ = &addMetric("robot_pairs", "", "Pairs of robots that touch each other.");
+    object_pairs_ = &addMetric("object_pairs", "", "Pairs of a robot and an object that touch each other.");
+    touching_ = &addMetric("touching", "", "Robots that touch a robot or an object.");
+    collisions_ = &addMetric("collisions", "", "How often a robot came to touch something that had touched nothing.");
+    time_ = &addMetric("time", "s", "For how long a robot has touched something, in the mean over the robots.");
+  }
+
+  void start(const Space&) override {
+    robots_.clear();
+    population_ = {};
+    has_begun_ = false;
+  }
+
+  void measure(const Space& space, bool is_changed) override {
+    if (is_changed) {
+      const auto is_meant = [](Row) { return true; };
+      enlist(space, group().rows(), is_meant, robots_);
+    }
+    if (population_.hasChanged(space)) {
+      measureReaches(space);
+    }
+    robot_pairs_->value = 0.0;
+    object_pairs_->value = 0.0;
+    for (Robot& robot : robots_) {
+      robot.was_touching = robot.is_touching;
+      robot.is_touching = false;
+    }
+    const auto judge = [&](Row one, Row other) { judgePair(space, one, other); };
+    judgeSmall(space, judge);
+    judgeLarge(space, judge);
+    sum(space);
+  }
+
+  /// What no joint can leave, seen from above [m]; less than 0 for what has no body.
+  static double reachOf(const EntityModel& model) {
+    if (model.shapes.empty()) {
+      return -1.0;
+    }
+    return model.joints_keep_outline ? model.horizontal_radius : model.moving_reach;
+  }
+
+  /// The farthest apart that origins of two may be that touch, among those that are not large.
+  void measureReaches(const Space& space) {
+    double of_robots = 0.0;
+    double of_all = 0.0;
+    const std::vector<PositionalIndex::LargeOutline>& large = space.index.large();
+    for (const Row row : space.entities.order) {
+      const bool is_large = std::any_of(large.begin(), large.end(), [&](const auto& item) { return item.row == row; });
+      if (!is_large) {
+        const double reach = space.entities.model[row]->moving_reach;
+        of_all = std::max(of_all, reach);
+        of_robots = isCounted(row) ? std::max(of_robots, reach) : of_robots;
+      }
+    }
+    farthest_ = of_robots + of_all + gap_;
+  }
+
+  template <class Judge>
+  void judgeSmall(const Space& space, Judge judge) const {
+    const auto is_large_meant = [](Row) { return false; };
+    space.index.visitPairs(space.entities, farthest_, is_large_meant,
+                           [&](Row one, Row other, double) { judge(one, other); });
+  }
+
+  /// From each of the few that are large, such as walls, along the outlines of the index, which lie side by side.
+  template <class Judge>
+  void judgeLarge(const Space& space, Judge judge) const {
+    const std::vector<PositionalIndex::LargeOutline>& large = space.index.large();
+    const std::size_t places = space.index.placeCount();
+    for (std::size_t i = 0; i < large.size(); ++i) {
+      const Eigen::Vector2d least = large[i].bounds.min().head<2>();
+      const Eigen::Vector2d greatest = large[i].bounds.max().head<2>();
+      for (std::size_t place = 0; place < places; ++place) {
+        const PositionalIndex::Outline& small = space.index.at(static_cast<PositionalIndex::Place>(place));
+        const double reach = small.radius + gap_;
+        if (((small.position.array() >= least.array() - reach) && (small.position.array() <= greatest.array() + reach))
+                .all()) {
+          judge(large[i].row, small.row);
+        }
+      }
+      for (std::size_t k = i + 1; k < large.size(); ++k) {
+        judge(large[i].row, large[k].row);
+      }
+    }
+  }
+
+  bool isCounted(Row row) const { return group().placeOf(row) != RobotGroup::kNoPlace; }
+
+  void judgePair(const Space& space, Row one, Row other) {
+    const EntityModel& of_one = *space.entities.model[one];
+    const EntityModel& of_other = *space.entities.model[other];
+    const double reach = reachOf(of_one) + reachOf(of_other) + gap_;
+    const Eigen::Vector3d way = space.entities.pose[one].position - space.entities.pose[other].position;
+    if (!(isCounted(one) || isCounted(other)) || of_one.shapes.empty() || of_other.shapes.empty() ||
+        way.head<2>().squaredNorm() > reach * reach || areConnected(space, one, other) || !doTouch(space, one, other)) {
+      return;
+    }
+    (of_one.is_robot && of_other.is_robot ? robot_pairs_ : object_pairs_)->value += 1.0;
+    for (const Row row : {one, other}) {
+      if (isCounted(row)) {
+        robots_[static_cast<std::size_t>(group().placeOf(row))].is_touching = true;
+      }
+    }
+  }
+
+  bool doTouch(const Space& space, Row one, Row other) {
+    footprintsOf(space, one, of_one_);
+    footprintsOf(space, other, of_other_);
+    return std::any_of(of_one_.begin(), of_one_.end(), [&](const Footprint& a) {
+      return std::any_of(of_other_.begin(), of_other_.end(),
+                         [&](const Footprint& b) { return areTouching(a, b, gap_); });
+    });
+  }
+
+  /// One holds the other: that is no collision.
+  static bool areConnected(const Space& space, Row one, Row other) {
+    bool is_held = space.structure.grippedBy(one) == other || space.structure.grippedBy(other) == one;
+    if (!space.attachments.isEmpty()) {
+      space.attachments.visit(one, [&](std::size_t, const Attachment& holds) { is_held |= holds.held == other; });
+      space.attachments.visit(other, [&](std::size_t, const Attachment& holds) { is_held |= holds.held == one; });
+    }
+    return is_held;
+  }
+
+  void sum(const Space& space) {
+    double touching = 0.0;
+    for (const Robot& robot : robots_) {
+      touching += robot.is_touching ? 1.0 : 0.0;
+      collisions_->value += robot.is_touching && !robot.was_touching ? 1.0 : 0.0;
+    }
+    touching_->value = touching;
+    if (has_begun_ && !robots_.empty()) {
+      time_->value +=
+          static_cast<double>(every()) * toSeconds(space.clocktick) * touching / static_cast<double>(robots_.size());
+    }
+    has_begun_ = true;
+  }
+
+  double gap_ = 0.0;           // m
+  double farthest_ = 0.0;      // m
+  std::vector<Robot> robots_;  // by entity number, as the group has them
+  Population population_;
+  bool has_begun_ = false;
+  std::vector<Footprint> of_one_;
+  std::vector<Footprint> of_other_;
+  Metric* robot_pairs_ = nullptr;
+  Metric* object_pairs_ = nullptr;
+  Metric* touching_ = nullptr;
+  Metric* collisions_ = nullptr;
+  Metric* time_ = nullptr;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::ContactCount)

@@ -1,0 +1,120 @@
+// Times in states: for how long robots are in each of the states that their controllers say they are in.
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "measuring_rule.hpp"
+
+namespace swarmanoid::devices {
+namespace {
+
+class StateTimes final : public MeasuringRule {
+ public:
+  static PluginDescription describe() {
+    using Type = Parameter::Type;
+    PluginDescription description;
+    description.label = "state_times";
+    description.summary = "Measures for how long robots are in each state that their controllers say.";
+    description.parameters = withParameters(
+        {makeParameter("states", Type::kText, "", "", {}, "The debug values that are measured, separated by commas."),
+         makeParameter("key", Type::kText, "", "state", {}, "Of these debug values.")});
+    return description;
+  }
+
+ private:
+  struct State {
+    std::string name;
+    Metric* time;
+    std::size_t robots = 0;  // that are in it
+  };
+
+  void read(const Configuration& parameters) override {
+    key_ = parameters.text("key");
+    const Configuration& states = *parameters.find("states");
+    location_ = states.location();
+    for (const std::string& name : namesOf(states.text())) {
+      const auto is_same = [&](const State& state) { return state.name == name; };
+      if (name.empty() || name == kOther || std::any_of(states_.begin(), states_.end(), is_same)) {
+        throw ConfigError(location_, "states: found '" + name + "', allowed: other names than '" + kOther +
+                                         "', each once, separated by commas");
+      }
+      states_.push_back({name, &addMetric(name, "s", "Time in the state of this name.")});
+    }
+    other_ = &addMetric(kOther, "s", "Time in any other state, or in none.");
+  }
+
+  void start(const Space&) override {
+    if (states_.empty()) {
+      throw ConfigError(location_, "states: found '', allowed: names, separated by commas");
+    }
+    has_begun_ = false;
+  }
+
+  void measure(const Space& space, bool) override {
+    if (!has_begun_) {
+      has_begun_ = true;
+      return;  // no time has passed
+    }
+    const std::size_t robots = group().rows().size();
+    std::size_t rest = robots;
+    for (State& state : states_) {
+      state.robots = 0;
+    }
+    for (const Row row : group().rows()) {
+      if (State* state = stateOf(space.robots[row].get())) {
+        ++state->robots;
+        --rest;
+      }
+    }
+    if (robots > 0) {
+      const double time = static_cast<double>(every()) * toSeconds(space.clocktick) / static_cast<double>(robots);
+      for (State& state : states_) {
+        state.time->value += time * static_cast<double>(state.robots);
+      }
+      other_->value += time * static_cast<double>(rest);
+    }
+  }
+
+  /// @param robot null: it has no controller
+  State* stateOf(const Robot* robot) {
+    if (robot == nullptr) {
+      return nullptr;
+    }
+    for (const auto& [key, value] : robot->debugValues()) {
+      if (key == key_) {
+        const auto found = std::find_if(states_.begin(), states_.end(),
+                                        [&said = value](const State& state) { return state.name == said; });
+        return found == states_.end() ? nullptr : &*found;
+      }
+    }
+    return nullptr;
+  }
+
+  /// Without white space around them. None of an empty text.
+  static std::vector<std::string> namesOf(const std::string& text) {
+    std::vector<std::string> names;
+    for (std::size_t start = 0; !text.empty() && start <= text.size();) {
+      const std::size_t end = std::min(text.find(',', start), text.size());
+      const std::string part = text.substr(start, end - start);
+      const std::size_t first = part.find_first_not_of(" \t\n");
+      const std::size_t last = part.find_last_not_of(" \t\n");
+      names.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
+      start = end + 1;
+    }
+    return names;
+  }
+
+  static constexpr const char* kOther = "other";
+
+  std::string key_;
+  SourceLocation location_;
+  std::vector<State> states_;
+  bool has_begun_ = false;
+  Metric* other_ = nullptr;
+};
+
+}  // namespace
+}  // namespace swarmanoid::devices
+
+REGISTER_RULE(swarmanoid::devices::StateTimes)
