@@ -101,7 +101,7 @@ Eigen::Quaterniond orientation(const py::handle& quaternion, const py::handle& h
     return Eigen::Quaterniond::Identity();
   }
   const std::vector<double> found = numbers(quaternion, 4, "orientation");
-  const Eigen::Quaterniond result(found[3], found[0], found[1], found[2]);
+  Eigen::Quaterniond result(found[3], found[0], found[1], found[2]);
   constexpr double kLeastNorm = 1e-6;
   if (result.norm() < kLeastNorm) {
     refuse("orientation", quaternion, "a quaternion x, y, z, w that is not 0");
