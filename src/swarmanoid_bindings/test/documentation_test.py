@@ -43,10 +43,10 @@ def texts():
 
 
 def stub_of(name):
-    """Names by class in the file of types of a module."""
+    """Names by class in the file of types of a module, or in the module itself if it has its types there."""
     folder = os.path.dirname(swarmanoid.__file__)
-    file = "__init__.pyi" if name == "swarmanoid" else name.rpartition(".")[2] + ".pyi"
-    with open(os.path.join(folder, file)) as opened:
+    file = os.path.join(folder, "__init__" if name == "swarmanoid" else name.rpartition(".")[2])
+    with open(file + (".pyi" if os.path.exists(file + ".pyi") else ".py")) as opened:
         tree = ast.parse(opened.read())
     stub = {}
     for node in tree.body:
