@@ -8,10 +8,8 @@ equal and no count is above the limit."""
 
 import argparse
 import itertools
-import os
 import pathlib
 import re
-import subprocess
 import sys
 import tempfile
 
@@ -19,33 +17,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "scripts/figures"))
 sys.path.insert(0, str(ROOT / "src/swarmanoid_experiments/rostest"))
 import engines  # noqa: E402  pylint: disable=wrong-import-position
+from instruction_counts import EXPERIMENTS, LIMIT, Build, counts  # noqa: E402  pylint: disable=wrong-import-position
 from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
-EXPERIMENTS = ROOT / "src/swarmanoid_experiments/experiments"
-LIMIT = 1.02  # of instructions
 EQUAL = re.compile(r"equal: .* of all named state, .* of readings and commands")  # and nothing less compared
-DIFFUSION = "--set arena.distribute.quantity={n} --set arena.size={s},{s},1 --set arena.distribute.maximum={e},{e},0"
-# name, experiment, engine in place of kinematics2d, arguments, ticks that are counted
-COUNTED = (("diffusion, 10 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=10, s=4, e=3.8), 4000),
-           ("diffusion, 1,000 footbots, kinematics2d", "diffusion", "kinematics2d", DIFFUSION.format(n=1000, s=40, e=39.8), 200),
-           ("diffusion, 100 footbots, dynamics2d", "diffusion", "dynamics2d", "", 200),
-           ("diffusion, 10 footbots, dynamics3d", "diffusion", "dynamics3d", DIFFUSION.format(n=10, s=4, e=3.8), 50),
-           ("object retrieval", "object_retrieval", "kinematics2d", "", 400))
-
-
-class Build:
-    """One build of the suite, whose devel space is sourced for each command."""
-
-    def __init__(self, folder):
-        self._setup = pathlib.Path(folder).resolve() / "devel/setup.bash"
-        if not self._setup.exists():
-            sys.exit(f"compare_builds: found no {self._setup}, allowed: a folder in which the suite was built")
-
-    def call(self, *command, more=None):
-        environment = {name: value for name, value in os.environ.items()
-                       if name not in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "LD_LIBRARY_PATH", "PYTHONPATH")}
-        return subprocess.run(["bash", "-c", f'source "{self._setup}" && exec "$@"', "bash", *map(str, command)],
-                              env=dict(environment, **(more or {})), capture_output=True, text=True, check=False)
 
 
 def record(build, experiment, seed, threads, bag):
@@ -95,25 +70,12 @@ def compare_bits(before, after, arguments):
     return differing
 
 
-def count(build, file, arguments, ticks):
-    done = build.call("valgrind", "--tool=callgrind", "--callgrind-out-file=/dev/null", "--trace-children=yes", "swarmanoid", "run",
-                      file, "--quiet", "--ticks", ticks, *arguments.split())
-    counts = re.findall(r"Collected : (\d+)", done.stderr)
-    if done.returncode != 0 or not counts:
-        sys.exit(f"compare_builds: {file}: exit code {done.returncode}: {done.stderr[-500:]}")
-    return max(map(int, counts))
-
-
 def compare_counts(before, after):
     """@return how many are above the limit"""
     above = 0
-    with tempfile.TemporaryDirectory(prefix="swarmanoid_compare_") as folder:
-        for name, experiment, engine, arguments, ticks in COUNTED:
-            file = pathlib.Path(folder) / f"{experiment}_{engine}.xml"
-            file.write_text((EXPERIMENTS / f"{experiment}.xml").read_text().replace("kinematics2d id=\"ground\"", f"{engine} id=\"ground\""))
-            old, new = (count(build, file, arguments, ticks) - count(build, file, arguments, 1) for build in (before, after))
-            above += new > LIMIT * old
-            print(f"{name}: {old / ticks:,.0f} instructions a tick before, {new / ticks:,.0f} after: {new / old:.4f}", flush=True)
+    for name, (old, new) in counts(before, after):
+        above += new > LIMIT * old
+        print(f"{name}: {old:,.0f} instructions a tick before, {new:,.0f} after: {new / old:.4f}", flush=True)
     return above
 
 

@@ -2,6 +2,12 @@
 
 import json
 import subprocess
+import sys
+
+from table import ROOT
+
+sys.path.insert(0, str(ROOT / "scripts"))
+import instruction_counts  # noqa: E402  pylint: disable=wrong-import-position
 
 
 def benchmark(table, build):
@@ -74,3 +80,14 @@ def queries(table, build):
         # log(10^5) / log(10^2) is 2.5
         table.add(f"range query, optimization={kind}, 10^2 to 10^5 entities", "grows as log n or better (at most 2.5 fold)",
                   ", ".join(f"{t:.0f} ns" for t in series) + f"; {growth:.1f} fold", growth <= 2.5)
+
+
+def instructions(table, build):
+    kept = instruction_counts.kept()
+    for name, (count,) in instruction_counts.counts(instruction_counts.Build(build)):
+        what, before = f"{name}: instructions a tick (callgrind)", kept.get(name)
+        if before is None:
+            table.add(what, f"at most {instruction_counts.LIMIT:g} times what is kept", f"{count:,.0f}; nothing is kept yet", False)
+        else:
+            table.add(what, f"at most {instruction_counts.LIMIT:g} times {before:,.0f}, which is kept",
+                      f"{count:,.0f}; {count / before:.3f} times", count <= instruction_counts.LIMIT * before)

@@ -15,9 +15,10 @@ import psutil
 
 from cluster_network import ClusterNetwork
 from launched import free_port
-from studies import STUDY, call
+from studies import FOLDER, call
 from table import ROOT
 
+STUDY = FOLDER / "phototaxis.xml"
 PAGE = ROOT / "docs/how-to/run_a_batch.md"
 RUNS = 300
 BATCH = ("batch", "object_retrieval", "--seeds", f"1..{RUNS}", "--no-report")

@@ -17,14 +17,9 @@ std::vector<hsize_t> shapeOf(const FieldPlaces& field) { return {field.shape.beg
 std::size_t bytesOf(const FieldPlaces& field) { return sizeOf(field.type) * field.offsets.size(); }
 
 void copyRecord(const FieldPlaces& field, const std::byte* record, std::byte* target) {
-  const std::size_t size = sizeOf(field.type);
-  if (field.isContiguous()) {
-    std::memcpy(target, record + field.offsets.front(), size * field.offsets.size());
-    return;
-  }
-  for (const std::size_t offset : field.offsets) {
-    std::memcpy(target, record + offset, size);
-    target += size;
+  for (const FieldPlaces::Piece& piece : field.pieces) {
+    std::memcpy(target, record + piece.offset, piece.size);
+    target += piece.size;
   }
 }
 
