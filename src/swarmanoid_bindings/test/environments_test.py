@@ -47,7 +47,7 @@ class EnvironmentsTest(unittest.TestCase):
             self.assertAlmostEqual(reward, sum(rewards.values()))
             self.assertFalse(terminated or truncated)
         self.assertGreater(reward, 0.5)
-        self.assertEqual(info, {"ticks": 120})
+        self.assertEqual(info["ticks"], 120)
 
     def test_has_the_shape_of_gymnasium(self):
         env = Env("diffusion", **options())
@@ -55,7 +55,7 @@ class EnvironmentsTest(unittest.TestCase):
         self.assertEqual((env.observation_space.shape, env.action_space.shape), ((30, 24), (30, 2)))
         self.assertIn(observation, env.observation_space)
         self.assertEqual(observation.dtype, env.observation_space.dtype)
-        self.assertEqual(info, {"ticks": 0})
+        self.assertEqual(info["ticks"], 0)
         first = env.action_space.sample()
         self.assertIn(first, env.action_space)
         observation, reward, terminated, truncated, info = env.step(first)
@@ -125,7 +125,8 @@ class EnvironmentsTest(unittest.TestCase):
         env = Env("diffusion", **options(rules={"enough": Enough()}))
         env.reset(seed=1)
         self.assertEqual([env.step(numpy.zeros((30, 2)))[2:4] for _ in range(3)], [(False, False)] * 2 + [(True, False)])
-        self.assertEqual(env.step(numpy.zeros((30, 2)))[4], {"ticks": 3, "enough.ticks": 3.0})
+        info = env.step(numpy.zeros((30, 2)))[4]
+        self.assertEqual((info["ticks"], info["enough.ticks"]), (3, 3.0))
 
     def test_mistakes_are_refused(self):
         with self.assertRaisesRegex(ValueError, "found the field 'footbot_wheels.lft', allowed: footbot_wheels.left, footbot_wheels.right"):

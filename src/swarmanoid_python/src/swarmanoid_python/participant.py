@@ -32,7 +32,7 @@ class Participant:
         self._space = space
         rospy.wait_for_service(space + "/register")
         register = rospy.ServiceProxy(space + "/register", Register)
-        registration = register(self._name, self._robots, timeout, policy)
+        registration = register(participant=self._name, robots=self._robots, timeout=timeout, policy=policy)
         if not registration.success:
             raise RuntimeError(registration.message)
         self._session = registration.session
