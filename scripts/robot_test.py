@@ -70,7 +70,7 @@ class RobotTest(unittest.TestCase):
         succeed(["cmake", "-S", source, "-B", cls.build, "-G", "Ninja", "-DPYTHON_EXECUTABLE=/usr/bin/python3",
                  "-DPython3_EXECUTABLE=/usr/bin/python3", "-DCATKIN_ENABLE_TESTING=OFF", "-DCMAKE_UNITY_BUILD=ON",
                  f"-DCATKIN_DEVEL_PREFIX={cls.folder}/devel", *compiler_cache()], cls.bare)
-        succeed(["cmake", "--build", cls.build, "-j2"], cls.bare, timeout=500)
+        succeed(["cmake", "--build", cls.build, "-j2"], cls.bare, timeout=1200)
         cls.environment = sourced(cls.bare, f"{cls.folder}/devel/setup.bash")
 
     def test_no_simulator_is_named(self):
