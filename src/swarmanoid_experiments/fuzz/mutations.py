@@ -1,6 +1,7 @@
 """Makes experiment files that differ from good ones in something: a value, the structure, the text, or bytes."""
 
 import copy
+import threading
 import xml.etree.ElementTree as ElementTree
 
 import values
@@ -147,17 +148,22 @@ class Mutator:
 
 
 # Values stand in the tree under a word, and are put in as they are at the end: the tree would make them well formed.
-_WORDS = {}
+class _Words(threading.local):  # cases are made in several threads
+    def __init__(self):
+        self.known = {}
+
+
+_WORDS = _Words()
 
 
 def placeholder(value):
-    word = f"value{len(_WORDS)}value"
-    _WORDS[word] = value
+    word = f"value{len(_WORDS.known)}value"
+    _WORDS.known[word] = value
     return word
 
 
 def values_in_place(text):
-    for word, value in _WORDS.items():
+    for word, value in _WORDS.known.items():
         text = text.replace(word, values.escaped(value))
-    _WORDS.clear()
+    _WORDS.known.clear()
     return text

@@ -73,7 +73,7 @@ class AreaCoverage final : public MeasuringRule {
     if (parameters_.text(name).empty()) {
       return otherwise;
     }
-    const Eigen::Vector2d corner = parameters_.vector2(name);
+    Eigen::Vector2d corner = parameters_.vector2(name);
     if ((corner.array() < 0.0).any() || (corner.array() > arena.array()).any()) {
       refuse(name, "from 0, 0 to the size of the arena, " + numberText(arena.x()) + ", " + numberText(arena.y()));
     }
