@@ -36,6 +36,7 @@ class EnergyUse final : public MeasuringRule {
     robots_.clear();
     way_ = 0.0;
     has_begun_ = false;
+    model_ = nullptr;
   }
 
   void measure(const Space& space, bool is_changed) override {
@@ -71,16 +72,29 @@ class EnergyUse final : public MeasuringRule {
     if (!model.possible_battery) {
       return 0.0;
     }
-    const BatteryModel& battery = *model.possible_battery;
-    const double standby = standbyPower(battery, space.controllers[row].description);
-    const double power = powerDemand(space, row, battery, standby);
+    const double power = powerDemand(space, row, *model.possible_battery, standbyOf(space, row));
     used_->value += power * time;
     return power;
+  }
+
+  /// Most robots are as the one before them: then it is known.
+  double standbyOf(const Space& space, Row row) {
+    const EntityModel* model = space.entities.model[row].get();
+    const ControllerDescription* controller = space.controllers[row].description;
+    if (model != model_ || controller != controller_) {
+      model_ = model;
+      controller_ = controller;
+      standby_ = standbyPower(*model->possible_battery, controller);
+    }
+    return standby_;
   }
 
   std::vector<Robot> robots_;  // by entity number, as the group has them
   double way_ = 0.0;           // m, of all robots
   bool has_begun_ = false;
+  const EntityModel* model_ = nullptr;                 // of the last robot that was asked for its standby, with
+  const ControllerDescription* controller_ = nullptr;  // its controller,
+  double standby_ = 0.0;                               // W, and what it is
   Metric* used_ = nullptr;
   Metric* power_ = nullptr;
   Metric* per_metre_ = nullptr;

@@ -7,6 +7,12 @@
 namespace swarmanoid::devices {
 namespace {
 
+/// @return a vector of length 1; none has none
+Eigen::Vector2d directionOf(const Eigen::Vector2d& vector) {
+  const double length = vector.norm();
+  return length > 0.0 ? Eigen::Vector2d(vector / length) : Eigen::Vector2d(Eigen::Vector2d::Zero());
+}
+
 class SwarmOrder final : public MeasuringRule {
  public:
   static PluginDescription describe() {
@@ -30,8 +36,8 @@ class SwarmOrder final : public MeasuringRule {
     double turns = 0.0;
     for (const Row row : group().rows()) {
       const Pose& pose = space.entities.pose[row];
-      const Eigen::Vector2d heading = (pose.orientation * Eigen::Vector3d::UnitX()).head<2>().stableNormalized();
-      const Eigen::Vector2d outwards = (pose.position.head<2>() - centroid).stableNormalized();
+      const Eigen::Vector2d heading = directionOf((pose.orientation * Eigen::Vector3d::UnitX()).head<2>());
+      const Eigen::Vector2d outwards = directionOf(pose.position.head<2>() - centroid);
       headings += heading;
       turns += outwards.x() * heading.y() - outwards.y() * heading.x();
     }
