@@ -59,21 +59,6 @@ def mappings(table):
         table.add(what, "at least 95", seen, good >= 95)
 
 
-def against_library(table, build, engine, least):
-    """Whole ticks of diffusion against the library alone, stepping the same bodies with the same drive."""
-    binary = build / f"devel/lib/swarmanoid_engines/swarmanoid_engines_{engine}_benchmark"
-    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_min_time=2"], capture_output=True, text=True,
-                          check=True)
-    for entry in json.loads(done.stdout)["benchmarks"]:
-        robots, subclock = (int(part.split(":")[1]) for part in entry["name"].split("/")[1:3])
-        promised = least.get((robots, subclock))
-        seen = entry["against_library"]
-        table.add(f"{engine}, diffusion, {robots:,} footbots, {subclock} steps a tick: whole tick against the library alone",
-                  f"at least {promised}" if promised else "reported",
-                  f"{seen:.2f}; {entry['items_per_second'] / 1e3:,.0f} thousand robots x ticks/s",
-                  None if promised is None else seen >= promised)
-
-
 def dynamics2d(table, build):
     """Ticks of diffusion in turn with Box2D alone, in one run; and how long a run takes to start."""
     binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics2d_benchmark"
@@ -101,7 +86,17 @@ def dynamics2d(table, build):
 
 
 def dynamics3d(table, build):
-    against_library(table, build, "dynamics3d", {(10, 10): 0.9, (100, 10): 0.9, (1000, 10): 0.9})
+    """Ticks of diffusion in turn with ODE alone, in one run."""
+    binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics3d_benchmark"
+    done = subprocess.run([binary, "--benchmark_format=json"], capture_output=True, text=True, check=True)
+    for entry in json.loads(done.stdout)["benchmarks"]:
+        robots, subclock = (int(part.split(":")[1]) for part in entry["name"].split("/")[1:3])
+        speed, exact, quick = (entry[key] / 1e3 for key in ("items_per_second", "exact", "quick"))
+        is_promised = subclock == 10
+        table.add(f"dynamics3d, diffusion, {robots:,} footbots, {subclock} steps a tick, first 50 ticks, robots x ticks/s",
+                  "at least 30 thousand, and 0.9 of ODE alone" if is_promised else "reported",
+                  f"{speed:,.0f} thousand; ODE alone, chassis and two wheels, {exact:,.0f} with its exact solver, {quick:,.0f} with the "
+                  "quick one", speed >= max(30, 0.9 * exact, 0.9 * quick) if is_promised else None)
 
 
 def crowd(file, kinematic, dynamic):

@@ -14,6 +14,8 @@
 
 namespace swarmanoid::test {
 
+constexpr double kDegree = M_PI / 180.0;
+
 using Parameters = std::map<std::string, std::string>;
 using Errors = std::vector<ErrorModelDescription>;
 

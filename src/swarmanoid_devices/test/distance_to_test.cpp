@@ -112,16 +112,16 @@ TEST(DistanceToTest, TheIndexFindsWhatALookAtAllFinds) {
 
 TEST(DistanceToTest, WhatIsWrongIsNamedWithItsLine) {
   const std::string line = "run.xml:9: ";  // of <to>
-  EXPECT_EQ(refusalOf(rule("3")), line + "to: found '3', allowed: two numbers, four numbers, or an entity type");
-  EXPECT_EQ(refusalOf(rule("1, 2, 3")),
+  EXPECT_EQ(refusalOfRule(rule("3")), line + "to: found '3', allowed: two numbers, four numbers, or an entity type");
+  EXPECT_EQ(refusalOfRule(rule("1, 2, 3")),
             line + "to: found '1, 2, 3', allowed: two numbers, four numbers, or an entity type");
-  EXPECT_EQ(refusalOf(rule("")), line + "to: found '', allowed: two numbers, four numbers, or an entity type");
-  EXPECT_EQ(refusalOf(rule("1, x")),
+  EXPECT_EQ(refusalOfRule(rule("")), line + "to: found '', allowed: two numbers, four numbers, or an entity type");
+  EXPECT_EQ(refusalOfRule(rule("1, x")),
             line + "to: found '1, x', allowed: 2 numbers separated by commas, each from -10000 to 10000");
-  EXPECT_EQ(
-      refusalOf(rule("lihgt")).rfind(line + "to: found the entity type 'lihgt', allowed: block, ceiling_perch, ", 0),
-      0U);
-  EXPECT_NE(refusalOf(rule("lihgt")).find("; did you mean 'light'?"), std::string::npos);
+  EXPECT_EQ(refusalOfRule(rule("lihgt"))
+                .rfind(line + "to: found the entity type 'lihgt', allowed: block, ceiling_perch, ", 0),
+            0U);
+  EXPECT_NE(refusalOfRule(rule("lihgt")).find("; did you mean 'light'?"), std::string::npos);
 }
 
 TEST(DistanceToTest, ASteadyTickAllocatesNothing) {

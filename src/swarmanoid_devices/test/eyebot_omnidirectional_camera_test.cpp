@@ -9,7 +9,7 @@
 namespace swarmanoid::test {
 namespace {
 
-using Camera = SensorUnderTest<EyebotOmnidirectionalCamera>;
+using OmnidirectionalCamera = SensorUnderTest<EyebotOmnidirectionalCamera>;
 
 TEST(EyebotOmnidirectionalCameraTest, SeesTheLedsOfEyebotsAtAnyHeight) {
   for (const double height : {0.0, 0.9, 1.2, 2.35}) {
@@ -17,7 +17,7 @@ TEST(EyebotOmnidirectionalCameraTest, SeesTheLedsOfEyebotsAtAnyHeight) {
     const Row watcher = world.addEyebot(5.0, 5.0, 1.0, 0.3);
     const Row other = world.addEyebot(6.2, 5.9, height, 0.7);
     world.space.leds[other][3] = colors::kRed;
-    Camera camera(world, watcher);
+    OmnidirectionalCamera camera(world, watcher);
     const auto& blobs = camera.sense().blobs;
     ASSERT_EQ(blobs.size(), 1U) << height << " m";
     // LED 3 of 16 is at 67.5 degrees on a ring of 0.1 m, 0.2 m above the robot's origin; the camera is at 1.42 m
@@ -38,7 +38,7 @@ TEST(EyebotOmnidirectionalCameraTest, SeesLampsByTheirColourAboveAndBelow) {
   world.add(lightModel(), {5.0, 5.6, 2.9}, 0.0, colors::kOrange);
   world.add(lightModel(), {4.4, 5.0, 0.1}, 0.0, colors::kCyan);
   world.add(lightModel(0.0), {5.6, 5.0, 0.1}, 0.0, colors::kWhite);  // dark
-  Camera camera(world, watcher);
+  OmnidirectionalCamera camera(world, watcher);
   const auto& blobs = camera.sense().blobs;
   ASSERT_EQ(blobs.size(), 2U);
   EXPECT_EQ(blobs[0].color, colors::kOrange);
@@ -52,17 +52,17 @@ TEST(EyebotOmnidirectionalCameraTest, WhatStandsBetweenHidesAndTheRangeIsHorizon
   DeviceWorld world;
   const Row watcher = world.addEyebot(5.0, 5.0, 1.0);
   world.add(lightModel(), {6.1, 5.0, 2.9}, 0.0, colors::kOrange);
-  EXPECT_EQ(Camera(world, watcher, {{"range", "1.11"}}).sense().blobs.size(), 1U);
+  EXPECT_EQ(OmnidirectionalCamera(world, watcher, {{"range", "1.11"}}).sense().blobs.size(), 1U);
   DeviceWorld another;
   const Row same = another.addEyebot(5.0, 5.0, 1.0);
   another.add(lightModel(), {6.1, 5.0, 2.9}, 0.0, colors::kOrange);
-  EXPECT_EQ(Camera(another, same, {{"range", "1.09"}}).sense().blobs.size(), 0U);
+  EXPECT_EQ(OmnidirectionalCamera(another, same, {{"range", "1.09"}}).sense().blobs.size(), 0U);
   // half way, at 2.16 m, there is a board
   DeviceWorld third;
   const Row below = third.addEyebot(5.0, 5.0, 1.0);
   third.add(lightModel(), {6.1, 5.0, 2.9}, 0.0, colors::kOrange);
   third.add(blockModel({0.3, 0.3, 0.02}), {5.55, 5.0, 2.16});
-  EXPECT_EQ(Camera(third, below).sense().blobs.size(), 0U);
+  EXPECT_EQ(OmnidirectionalCamera(third, below).sense().blobs.size(), 0U);
 }
 
 TEST(ColorBlobTest, PreysAndPatchesAreAsLargeAsTheyAre) {

@@ -12,9 +12,9 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
+constexpr double kFlockDegree = M_PI / 180.0;
 
-std::string footbot(const std::string& id, const std::string& position, const std::string& heading_deg) {
+std::string flockFootbot(const std::string& id, const std::string& position, const std::string& heading_deg) {
   return "<footbot id=\"" + id + "\"><position>" + position + ", 0</position><orientation>0, 0, " + heading_deg +
          "</orientation></footbot>";
 }
@@ -35,10 +35,10 @@ class FlockTest : public testing::Test {
     loadPluginLibrary("swarmanoid_devices", {}, {});
     return std::make_unique<Simulation>(parseExperiment(R"(<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>1000</maxclock></framework>
-  <arena size="5,5,3" optimization="2D">)" + footbot("fb_1", "1, 1", "20") +
-                                                            footbot("fb_2", "2, 1", "110") +
-                                                            footbot("fb_3", "3, 2.5", "-35") +
-                                                            footbot("other", "4, 4", "180") + R"(</arena>
+  <arena size="5,5,3" optimization="2D">)" + flockFootbot("fb_1", "1, 1", "20") +
+                                                            flockFootbot("fb_2", "2, 1", "110") +
+                                                            flockFootbot("fb_3", "3, 2.5", "-35") +
+                                                            flockFootbot("other", "4, 4", "180") + R"(</arena>
   <rules><flock id="f"><robots>fb_</robots><settling>0.5</settling></flock></rules></ahss-config>)",
                                                         "flock.xml"));
   }
@@ -48,16 +48,16 @@ class FlockTest : public testing::Test {
 
 TEST_F(FlockTest, OrderIsTheLengthOfTheMeanHeading) {
   simulation->tick();
-  const double east = std::cos(20.0 * kDegree) + std::cos(110.0 * kDegree) + std::cos(35.0 * kDegree);
-  const double north = std::sin(20.0 * kDegree) + std::sin(110.0 * kDegree) - std::sin(35.0 * kDegree);
+  const double east = std::cos(20.0 * kFlockDegree) + std::cos(110.0 * kFlockDegree) + std::cos(35.0 * kFlockDegree);
+  const double north = std::sin(20.0 * kFlockDegree) + std::sin(110.0 * kFlockDegree) - std::sin(35.0 * kFlockDegree);
   EXPECT_NEAR(metric("order"), std::hypot(east, north) / 3.0, 1e-12);
   for (const char* robot : {"fb_1", "fb_2", "fb_3"}) {
     put(robot, 1.0, 1.0, 2.2);
   }
   simulation->tick();
   EXPECT_NEAR(metric("order"), 1.0, 1e-12) << "all alike";
-  put("fb_1", 1.0, 1.0, 2.2 + 120.0 * kDegree);
-  put("fb_2", 1.0, 1.0, 2.2 - 120.0 * kDegree);
+  put("fb_1", 1.0, 1.0, 2.2 + 120.0 * kFlockDegree);
+  put("fb_2", 1.0, 1.0, 2.2 - 120.0 * kFlockDegree);
   simulation->tick();
   EXPECT_NEAR(metric("order"), 0.0, 1e-12) << "a star of three";
 }
@@ -76,10 +76,10 @@ TEST_F(FlockTest, MeansAreThoseOfTheTicksAfterSettling) {
   const double first = metric("order");
   EXPECT_NEAR(metric("mean_order"), first, 1e-12);
   EXPECT_EQ(metric("speed"), 0.0);
-  put("fb_3", 3.3, 2.1, -35.0 * kDegree);  // the centre goes by a third of (0.3, -0.4)
+  put("fb_3", 3.3, 2.1, -35.0 * kFlockDegree);  // the centre goes by a third of (0.3, -0.4)
   simulation->tick();
   EXPECT_NEAR(metric("speed"), 0.5 / 3.0 / 0.1, 1e-9);
-  put("fb_3", 3.3, 2.1, 110.0 * kDegree);
+  put("fb_3", 3.3, 2.1, 110.0 * kFlockDegree);
   simulation->tick();
   EXPECT_NEAR(metric("speed"), 0.5 / 3.0 / 0.2, 1e-9) << "over two ticks";
   EXPECT_NEAR(metric("mean_order"), (2.0 * first + metric("order")) / 3.0, 1e-12);
@@ -89,14 +89,14 @@ TEST_F(FlockTest, WhoComesOrGoesIsNoMotion) {
   for (int tick = 0; tick < 5; ++tick) {
     simulation->tick();
   }
-  put("fb_3", 3.3, 2.1, -35.0 * kDegree);  // the centre goes by a third of (0.3, -0.4)
+  put("fb_3", 3.3, 2.1, -35.0 * kFlockDegree);  // the centre goes by a third of (0.3, -0.4)
   simulation->tick();
   const double speed = metric("speed");
   EXPECT_NEAR(speed, 0.5 / 3.0 / 0.1, 1e-9);
   simulation->apply(DeleteEntity{"fb_1"});  // it goes to (2.65, 1.55)
   simulation->tick();
   EXPECT_EQ(metric("speed"), speed);
-  put("fb_2", 1.4, 0.8, 110.0 * kDegree);  // by half of (-0.6, -0.2)
+  put("fb_2", 1.4, 0.8, 110.0 * kFlockDegree);  // by half of (-0.6, -0.2)
   simulation->tick();
   EXPECT_NEAR(metric("speed"), std::hypot(0.1 - 0.3, -0.4 / 3.0 - 0.1) / 0.2, 1e-9);
   EntityDescription another = simulation->experiment().arena.entities.front();

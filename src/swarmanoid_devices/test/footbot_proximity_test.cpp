@@ -14,8 +14,8 @@ namespace {
 
 using Ring = SensorUnderTest<FootbotProximity>;
 
-constexpr double kRadius = 0.085;  // m, of the ring
-constexpr double kRange = 0.1;     // m, the default
+constexpr double kFootbotRadius = 0.085;  // m, of the ring
+constexpr double kRange = 0.1;            // m, the default
 
 double response(double distance, double range = kRange) {
   return distance >= range ? 0.0 : std::pow(1.0 - distance / range, 3.0);
@@ -26,12 +26,12 @@ double headings[] = {0.0, 0.7, -2.5};
 TEST(FootbotProximityTest, AWallAheadIsReadByEachSensorAtItsOwnDistance) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  world.addWall({0.1, 2.0, 0.5}, {1.0 + kRadius + 0.05 + 0.05, 1.0});  // its face is 5 cm before sensor 0
+  world.addWall({0.1, 2.0, 0.5}, {1.0 + kFootbotRadius + 0.05 + 0.05, 1.0});  // its face is 5 cm before sensor 0
   const FootbotProximity& readings = Ring(world, robot).sense();
   EXPECT_NEAR(readings.value[0], 0.125, 1e-6);
   for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
     const double cosine = std::cos(FootbotProximity::angle(i));
-    const double distance = cosine > 0.0 ? (kRadius + 0.05) / cosine - kRadius : kRange;
+    const double distance = cosine > 0.0 ? (kFootbotRadius + 0.05) / cosine - kFootbotRadius : kRange;
     EXPECT_NEAR(readings.value[i], response(distance), 1e-6) << "sensor " << i;
     EXPECT_EQ(readings.value[i] == 0.0F, distance >= kRange) << "sensor " << i;
   }
@@ -46,7 +46,7 @@ TEST(FootbotProximityTest, TheResponseIsCubicFromContactToTheRange) {
     for (const double distance : {0.0, 0.01, 0.05, 0.0999, 0.1, 0.2, 0.299, 0.301, 0.5}) {
       // to the robot's left, where no other part of the robot sticks out
       world.pose(robot).orientation = Eigen::AngleAxisd(-M_PI / 2.0, Eigen::Vector3d::UnitZ());
-      world.pose(wall).position.x() = 1.0 + kRadius + distance + 0.05;
+      world.pose(wall).position.x() = 1.0 + kFootbotRadius + distance + 0.05;
       EXPECT_NEAR(ring.sense().value[6], response(distance, range), 1e-6) << distance << " m";
     }
   }
@@ -60,7 +60,7 @@ TEST(FootbotProximityTest, DistancesAreReadByTheLawOfTheDevice) {
   const Row wall = world.addWall({0.1, 2.0, 0.5}, {2.0, 1.0});
   Ring ring(world, robot);
   for (const double distance : {0.0, 0.0137, 0.0271, 0.0613, 0.0891, 0.0999, 0.1003, 0.7}) {
-    world.pose(wall).position.x() = 1.0 + kRadius + distance + 0.05;
+    world.pose(wall).position.x() = 1.0 + kFootbotRadius + distance + 0.05;
     const float expected = Proximity::response(std::min(distance / kRange, 1.0));
     EXPECT_NEAR(expected, ring.sense().value[6], 1e-6) << distance << " m";
   }
@@ -74,7 +74,7 @@ TEST(FootbotProximityTest, OnlyTheSensorThatFacesAPoleSeesIt) {
     Ring ring(world, robot);
     for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
       const double angle = heading + FootbotProximity::angle(i);
-      const double distance = kRadius + 0.05 + 0.01;
+      const double distance = kFootbotRadius + 0.05 + 0.01;
       world.pose(pole).position = {1.0 + distance * std::cos(angle), 1.0 + distance * std::sin(angle), 0.0};
       const FootbotProximity& readings = ring.sense();
       for (std::size_t k = 0; k < FootbotProximity::kCount; ++k) {
@@ -95,7 +95,7 @@ TEST(FootbotProximityTest, SensorsAreEvery15DegreesCounterClockwise) {
 TEST(FootbotProximityTest, ItsOwnGripperAndWheelsAreNotSeen) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  world.addPrey(1.0 - kRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // makes the sensor cast rays at all
+  world.addPrey(1.0 - kFootbotRadius - 0.05 - 0.01, 1.0, colors::kBlack, 0.01);  // makes the sensor cast rays at all
   const FootbotProximity& readings = Ring(world, robot).sense();
   EXPECT_NEAR(readings.value[12], 0.125, 1e-6);
   for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
@@ -106,14 +106,14 @@ TEST(FootbotProximityTest, ItsOwnGripperAndWheelsAreNotSeen) {
 TEST(FootbotProximityTest, AnotherFootbotIsSeenAtItsHull) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0, -M_PI / 2.0);
-  world.addFootbot(1.0 + 2.0 * kRadius + 0.02, 1.0, -M_PI / 2.0);  // left of the first, 2 cm apart
+  world.addFootbot(1.0 + 2.0 * kFootbotRadius + 0.02, 1.0, -M_PI / 2.0);  // left of the first, 2 cm apart
   EXPECT_NEAR(Ring(world, robot).sense().value[6], response(0.02), 1e-6);
 }
 
 TEST(FootbotProximityTest, WhatIsLowerOrHigherThanTheRingIsNotSeen) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  const double face = 1.0 + kRadius + 0.05;
+  const double face = 1.0 + kFootbotRadius + 0.05;
   world.add(blockModel({0.1, 1.0, 0.05}), {face + 0.05, 1.0, 0.025});  // up to 5 cm
   world.add(blockModel({0.1, 1.0, 0.05}), {face + 0.05, 1.0, 0.095});  // from 7 cm
   Ring ring(world, robot);
@@ -125,7 +125,7 @@ TEST(FootbotProximityTest, WhatIsLowerOrHigherThanTheRingIsNotSeen) {
 TEST(FootbotProximityTest, ReadsNothingAgainWhenTheObstacleIsGone) {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
-  const Row prey = world.addPrey(1.0, 1.0 + kRadius + 0.06 + 0.03);
+  const Row prey = world.addPrey(1.0, 1.0 + kFootbotRadius + 0.06 + 0.03);
   Ring ring(world, robot);
   EXPECT_GT(ring.sense().value[6], 0.3F);
   world.remove(prey);
@@ -137,7 +137,7 @@ std::vector<std::array<float, FootbotProximity::kCount>> over(int ticks, const s
                                                               int bystanders = 0) {
   DeviceWorld world(seed);
   const Row robot = world.addFootbot(1.0, 1.0);
-  world.addWall({0.1, 2.0, 0.5}, {1.0 + kRadius + 0.05 + 0.05, 1.0});
+  world.addWall({0.1, 2.0, 0.5}, {1.0 + kFootbotRadius + 0.05 + 0.05, 1.0});
   Ring ring(world, robot, {{"noise", noise}});
   for (int i = 0; i < bystanders; ++i) {
     ring.sensor->add(world.space, world.addFootbot(3.0 + i, 5.0));

@@ -14,7 +14,7 @@ using Turret = ActuatorUnderTest<FootbotTurret>;
 using State = SensorUnderTest<FootbotTurretState>;
 using Mode = FootbotTurret::Mode;
 
-constexpr double kMaxSpeed = 3.0;  // rad/s
+constexpr double kMaxTurretSpeed = 3.0;  // rad/s
 
 TEST(FootbotTurretTest, HoldsStraightUntilItIsCommanded) {
   DeviceWorld world;
@@ -26,8 +26,9 @@ TEST(FootbotTurretTest, HoldsStraightUntilItIsCommanded) {
 TEST(FootbotTurretTest, SpeedsAreLimitedToTheJoints) {
   DeviceWorld world;
   Turret turret(world, world.addFootbot(1.0, 1.0));
-  for (const auto& [command, expected] : {std::pair(1.2, 1.2), std::pair(-1.2, -1.2), std::pair(kMaxSpeed, kMaxSpeed),
-                                          std::pair(3.1, kMaxSpeed), std::pair(-1e300, -kMaxSpeed)}) {
+  for (const auto& [command, expected] :
+       {std::pair(1.2, 1.2), std::pair(-1.2, -1.2), std::pair(kMaxTurretSpeed, kMaxTurretSpeed),
+        std::pair(3.1, kMaxTurretSpeed), std::pair(-1e300, -kMaxTurretSpeed)}) {
     turret.command.turnAt(command);
     EXPECT_EQ(turret.actuate().mode, Mode::kSpeed);
     EXPECT_EQ(turret.actuate().speed, expected);

@@ -22,12 +22,12 @@ namespace {
 constexpr float kBare = 300.0F / 765.0F;
 constexpr float kDisc = 306.0F / 765.0F;
 constexpr float kStrip = 60.0F / 765.0F;
-constexpr Color kBareColor{200, 100, 0};
-constexpr Color kDiscColor{51, 102, 153};
+constexpr Color kGreyColor{200, 100, 0};
+constexpr Color kPatchColor{51, 102, 153};
 constexpr Color kStripColor{10, 20, 30};
 constexpr double kHeading = 0.83;  // rad
 
-FloorPatch disc(double x, double y, double radius, Color color = kDiscColor) {
+FloorPatch disc(double x, double y, double radius, Color color = kPatchColor) {
   FloorPatch patch;
   patch.position = {x, y, 0.0};
   patch.radius = radius;
@@ -77,7 +77,7 @@ void expectNear(const std::array<float, count>& found, const std::array<float, c
 
 class GroundTest : public testing::Test {
  protected:
-  void SetUp() override { world.space.floor.bare = kBareColor; }
+  void SetUp() override { world.space.floor.bare = kGreyColor; }
 
   void place(double z, double tilt = 0.0) {
     Pose& pose = world.pose(robot);

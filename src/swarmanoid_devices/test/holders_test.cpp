@@ -18,8 +18,8 @@ using HoldersActuator = ActuatorUnderTest<Holders>;
 using HoldersSensor = SensorUnderTest<HolderStates>;
 
 // Holders of the handbot's model, by their indices there.
-constexpr std::size_t kRightHand = 1;
-constexpr std::size_t kRope = 2;
+constexpr std::size_t kRightHandHolder = 1;
+constexpr std::size_t kRopeHolder = 2;
 
 void expectCommand(const HolderCommand& found, bool holds, double winding_speed) {
   EXPECT_TRUE(found.is_commanded);
@@ -30,7 +30,7 @@ void expectCommand(const HolderCommand& found, bool holds, double winding_speed)
 std::shared_ptr<EntityModel> spider(std::size_t holders) {
   auto model = std::make_shared<EntityModel>(*robotModel("handbot"));
   model->type = "spider";
-  const EntityModel::Holder hand = model->holders[kRightHand];
+  const EntityModel::Holder hand = model->holders[kRightHandHolder];
   model->holders.assign(holders, hand);
   return model;
 }
@@ -61,8 +61,8 @@ TEST(HoldersTest, CommandHandsAndRopeAsTheirOwnDevicesDo) {
   HoldersActuator holders(world, any);
   hands.command.right = true;
   rope.command = {true, 0.13};
-  holders.command.holders[kRightHand].holds = true;
-  holders.command.holders[kRope] = {true, 0.13};
+  holders.command.holders[kRightHandHolder].holds = true;
+  holders.command.holders[kRopeHolder] = {true, 0.13};
   holders.command.holders[3] = {true, 0.2};  // which it does not have
   const auto expectSame = [&](double winding_speed) {
     hands.actuate();
@@ -72,13 +72,13 @@ TEST(HoldersTest, CommandHandsAndRopeAsTheirOwnDevicesDo) {
       const Span<const HolderCommand> commands = world.space.holder_commands[row];
       ASSERT_EQ(commands.size(), 3U);
       expectCommand(commands[0], false, 0.0);
-      expectCommand(commands[kRightHand], true, 0.0);
-      expectCommand(commands[kRope], true, winding_speed);
+      expectCommand(commands[kRightHandHolder], true, 0.0);
+      expectCommand(commands[kRopeHolder], true, winding_speed);
     }
   };
   expectSame(0.13);
   rope.command.winding_speed = -7.0;
-  holders.command.holders[kRope].winding_speed = -7.0;
+  holders.command.holders[kRopeHolder].winding_speed = -7.0;
   expectSame(-0.2);
 }
 
@@ -86,10 +86,10 @@ TEST(HoldersTest, TheFastestWindingIsAParameter) {
   DeviceWorld world;
   const Row robot = world.add(robotModel("handbot"), {1.0, 1.0, 0.0});
   HoldersActuator holders(world, robot, {{"max_speed", "0.35"}}, {bias("holders[2].winding_speed", "-0.25")});
-  holders.command.holders[kRope] = {true, 0.5};
-  EXPECT_EQ(holders.actuate().holders[kRope].winding_speed, 0.25) << "with its error";
-  holders.command.holders[kRope].winding_speed = 0.9;
-  EXPECT_EQ(holders.actuate().holders[kRope].winding_speed, 0.35);
+  holders.command.holders[kRopeHolder] = {true, 0.5};
+  EXPECT_EQ(holders.actuate().holders[kRopeHolder].winding_speed, 0.25) << "with its error";
+  holders.command.holders[kRopeHolder].winding_speed = 0.9;
+  EXPECT_EQ(holders.actuate().holders[kRopeHolder].winding_speed, 0.35);
 }
 
 TEST(HoldersTest, ASafeStopKeepsHoldOfWhatIsHeld) {
@@ -97,17 +97,17 @@ TEST(HoldersTest, ASafeStopKeepsHoldOfWhatIsHeld) {
   const Row robot = world.add(robotModel("handbot"), {1.0, 1.0, 0.0});
   HoldersActuator holders(world, robot);
   holders.command.holders[0].holds = true;
-  holders.command.holders[kRope] = {true, 0.1};
+  holders.command.holders[kRopeHolder] = {true, 0.1};
   holders.actuate();
-  holders.command.holders[kRope].winding_speed = std::numeric_limits<double>::quiet_NaN();
+  holders.command.holders[kRopeHolder].winding_speed = std::numeric_limits<double>::quiet_NaN();
   holders.actuate();
   EXPECT_EQ(holders.faulty, std::vector<Row>{robot});
   EXPECT_TRUE(holders.stop());
   holders.actuate();
   EXPECT_TRUE(holders.faulty.empty());
   expectCommand(world.space.holder_commands[robot][0], true, 0.0);
-  expectCommand(world.space.holder_commands[robot][kRightHand], false, 0.0);
-  expectCommand(world.space.holder_commands[robot][kRope], true, 0.0);
+  expectCommand(world.space.holder_commands[robot][kRightHandHolder], false, 0.0);
+  expectCommand(world.space.holder_commands[robot][kRopeHolder], true, 0.0);
 }
 
 TEST(HolderStatesTest, AGripperHoldsWhatIsInTheStructuralTree) {
@@ -132,21 +132,21 @@ TEST(HolderStatesTest, OthersHoldWhatIsAttached) {
   const Row ceiling = world.addWall({1.0, 1.0, 0.1}, {1.0, 1.0});
   const Row prey = world.addPrey(1.3, 1.0);
   HoldersSensor states(world, robot);
-  world.space.attachments.attach(robot, kRope, {ceiling, {0.0, 0.0, 0.0}, 1.25, 28.5});
-  world.space.attachments.attach(robot, kRightHand, {prey, {0.0, 0.0, 0.0}, 0.0, 2.5});
+  world.space.attachments.attach(robot, kRopeHolder, {ceiling, {0.0, 0.0, 0.0}, 1.25, 28.5});
+  world.space.attachments.attach(robot, kRightHandHolder, {prey, {0.0, 0.0, 0.0}, 0.0, 2.5});
   const Span<const HolderStates::Holder> holders = states.sense().holders;
   ASSERT_EQ(holders.size(), 3U);
   EXPECT_FALSE(holders[0].is_holding);
   EXPECT_EQ(holders[0].force, 0.0);
-  EXPECT_TRUE(holders[kRightHand].is_holding);
-  EXPECT_EQ(holders[kRightHand].length, 0.0);
-  EXPECT_EQ(holders[kRightHand].force, 2.5);
-  EXPECT_TRUE(holders[kRope].is_holding);
-  EXPECT_EQ(holders[kRope].length, 1.25);
-  EXPECT_EQ(holders[kRope].force, 28.5);
-  world.space.attachments.detach(robot, kRope);
-  EXPECT_FALSE(states.sense().holders[kRope].is_holding);
-  EXPECT_EQ(states.sense().holders[kRope].length, 0.0);
+  EXPECT_TRUE(holders[kRightHandHolder].is_holding);
+  EXPECT_EQ(holders[kRightHandHolder].length, 0.0);
+  EXPECT_EQ(holders[kRightHandHolder].force, 2.5);
+  EXPECT_TRUE(holders[kRopeHolder].is_holding);
+  EXPECT_EQ(holders[kRopeHolder].length, 1.25);
+  EXPECT_EQ(holders[kRopeHolder].force, 28.5);
+  world.space.attachments.detach(robot, kRopeHolder);
+  EXPECT_FALSE(states.sense().holders[kRopeHolder].is_holding);
+  EXPECT_EQ(states.sense().holders[kRopeHolder].length, 0.0);
 }
 
 TEST(HolderStatesTest, ErrorsActOnTheSpan) {
@@ -154,10 +154,10 @@ TEST(HolderStatesTest, ErrorsActOnTheSpan) {
   const Row robot = world.add(robotModel("handbot"), {1.0, 1.0, 0.0});
   const Row prey = world.addPrey(1.3, 1.0);
   HoldersSensor states(world, robot, {}, {bias("holders[].force", "0.75")});
-  world.space.attachments.attach(robot, kRightHand, {prey, {0.0, 0.0, 0.0}, 0.0, 2.5});
-  EXPECT_EQ(states.sense().holders[kRightHand].force, 3.25);
+  world.space.attachments.attach(robot, kRightHandHolder, {prey, {0.0, 0.0, 0.0}, 0.0, 2.5});
+  EXPECT_EQ(states.sense().holders[kRightHandHolder].force, 3.25);
   EXPECT_EQ(states.sense().holders[0].force, 0.75);
-  EXPECT_EQ(states.sense().holders[kRightHand].length, 0.0);
+  EXPECT_EQ(states.sense().holders[kRightHandHolder].length, 0.0);
 }
 
 TEST(HoldersTest, RobotsWithoutHoldersOrWithTooManyAreRefused) {

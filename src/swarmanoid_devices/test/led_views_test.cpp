@@ -71,7 +71,7 @@ TEST_F(LedViewsTest, ADirectionIsShownByTheThreeLedsNearestToIt) {
 
 /// Why a footbot with the first device does not take the second one.
 template <class First, class Second>
-std::string refusalOf() {
+std::string refusalOfViews() {
   DeviceWorld world;
   const Row robot = world.addFootbot(1.0, 1.0);
   const ActuatorUnderTest<First> first(world, robot);
@@ -84,11 +84,11 @@ std::string refusalOf() {
 }
 
 TEST(LedsOfOneRobotTest, AreShownByOneDevice) {
-  EXPECT_EQ((refusalOf<FootbotLeds, FootbotBeacon>()),
+  EXPECT_EQ((refusalOfViews<FootbotLeds, FootbotBeacon>()),
             "found the devices 'footbot_leds' and 'footbot_beacon' on one robot, allowed: one that shows its LEDs");
-  EXPECT_EQ((refusalOf<FootbotBeacon, Leds>()),
+  EXPECT_EQ((refusalOfViews<FootbotBeacon, Leds>()),
             "found the devices 'footbot_beacon' and 'leds' on one robot, allowed: one that shows its LEDs");
-  EXPECT_EQ((refusalOf<Leds, FootbotPreferentialDirection>()),
+  EXPECT_EQ((refusalOfViews<Leds, FootbotPreferentialDirection>()),
             "found the devices 'leds' and 'footbot_preferential_direction' on one robot, allowed: one that shows its "
             "LEDs");
 }

@@ -12,8 +12,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
-
 /// A camera and one lamp.
 template <class Device>
 class OneLamp {

@@ -17,8 +17,8 @@ namespace {
 using LightSensor = SensorUnderTest<Light>;
 
 constexpr std::size_t kCount = 24;
-constexpr double kRadius = 0.085;  // m, of the ring
-constexpr double kHeight = 0.06;   // m, likewise
+constexpr double kLightRingRadius = 0.085;  // m, of the ring
+constexpr double kHeight = 0.06;            // m, likewise
 constexpr double kUsualRange = 2.0;
 constexpr double kStep = M_PI / 12.0;
 
@@ -44,7 +44,7 @@ double lightOn(const Eigen::Vector3d& sensor, const Eigen::Vector3d& looks, cons
 /// Where sensor `i` of a footbot is and where it looks, in W.
 Eigen::Vector3d placeOf(const Pose& pose, std::size_t i) {
   const double angle = kStep * static_cast<double>(i);
-  return pose.toWorld({kRadius * std::cos(angle), kRadius * std::sin(angle), kHeight});
+  return pose.toWorld({kLightRingRadius * std::cos(angle), kLightRingRadius * std::sin(angle), kHeight});
 }
 Eigen::Vector3d looksOf(const Pose& pose, std::size_t i) {
   const double angle = kStep * static_cast<double>(i);
@@ -96,8 +96,8 @@ TEST_F(LightTest, ALampIsReadByAngleAndDistance) {
 
 TEST_F(LightTest, OneReadingIsWorkedOutByHand) {
   world.pose(robot).orientation.setIdentity();
-  addLamp({4.0 + kRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // 0.5 m from sensor 0, cosine 0.8
-  LightSensor sensor(world, robot);                             // keeps the list of readings
+  addLamp({4.0 + kLightRingRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // 0.5 m from sensor 0, cosine 0.8
+  LightSensor sensor(world, robot);                                      // keeps the list of readings
   const Light& light = sensor.sense();
   EXPECT_NEAR(light.sensors[0].value, 0.8 * 0.04 / 3.0, 1e-7);
   EXPECT_EQ(light.sensors[12].value, 0.0F) << "looks away";
@@ -105,7 +105,7 @@ TEST_F(LightTest, OneReadingIsWorkedOutByHand) {
 
 TEST_F(LightTest, TheIntensityOfALampIsAFactor) {
   world.pose(robot).orientation.setIdentity();
-  const Row lamp = addLamp({4.0 + kRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // as above
+  const Row lamp = addLamp({4.0 + kLightRingRadius + 0.4, 5.3, kHeight}, colors::kBlue);  // as above
   LightSensor sensor(world, robot);
   const float at_one = sensor.sense().sensors[0].value;
   world.space.properties[lamp][0] = 0.3;
@@ -124,7 +124,7 @@ TEST_F(LightTest, WhateverHasAnIntensityShinesAlsoIfItHasABody) {
   lantern->measureShapes();
   lantern->properties.push_back({"intensity", "", "", {}, 2.0});
   world.pose(robot).orientation.setIdentity();
-  world.add(lantern, {4.0 + kRadius + 0.4, 5.3, 0.0}, 0.0, colors::kBlue);  // 0.5 m away, cosine 0.8
+  world.add(lantern, {4.0 + kLightRingRadius + 0.4, 5.3, 0.0}, 0.0, colors::kBlue);  // 0.5 m away, cosine 0.8
   EXPECT_NEAR(LightSensor(world, robot).sense().sensors[0].value, 2.0 * 0.8 * 0.04 / 3.0, 1e-7);
 }
 
@@ -132,7 +132,7 @@ TEST_F(LightTest, SourcesAddUp) {
   const Row other = world.addFootbot(4.4, 4.6, 3.0 * M_PI / 4.0);
   world.space.leds[other][0] = {0, 200, 51};  // looks at the robot
   addLamp({3.2, 5.9, 1.4}, {51, 51, 51});
-  const double aside = kRadius * std::sqrt(0.5);
+  const double aside = kLightRingRadius * std::sqrt(0.5);
   const int lit = expectLight(LightSensor(world, robot).sense(), world.pose(robot),
                               {{{4.4 - aside, 4.6 + aside, 0.12}, 251.0 / 765.0}, {{3.2, 5.9, 1.4}, 0.2}});
   EXPECT_EQ(lit, 22) << "each is before about half of the sensors";
@@ -157,7 +157,7 @@ TEST_F(LightTest, ALedBehindItsOwnRobotIsHidden) {
   EXPECT_EQ(strongestOf(light.sense()), 0.0);
   world.space.leds[other][0] = colors::kBlack;
   world.space.leds[other][6] = colors::kRed;
-  EXPECT_GT(expectLight(light.sense(), world.pose(robot), {{{4.6 - kRadius, 5.0, 0.12}, 1.0 / 3.0}}), 5);
+  EXPECT_GT(expectLight(light.sense(), world.pose(robot), {{{4.6 - kLightRingRadius, 5.0, 0.12}, 1.0 / 3.0}}), 5);
 }
 
 TEST_F(LightTest, AWallHidesALed) {
@@ -169,7 +169,7 @@ TEST_F(LightTest, AWallHidesALed) {
   world.pose(wall).position.z() = -0.15;  // up to 0.1 m; the lines from 0.06 m to 0.12 m are at most 0.095 m high there
   EXPECT_EQ(strongestOf(light.sense()), 0.0);
   world.pose(wall).position.z() = -0.2;  // up to 0.05 m
-  EXPECT_GT(expectLight(light.sense(), world.pose(robot), {{{4.6 - kRadius, 5.0, 0.12}, 1.0 / 3.0}}), 5);
+  EXPECT_GT(expectLight(light.sense(), world.pose(robot), {{{4.6 - kLightRingRadius, 5.0, 0.12}, 1.0 / 3.0}}), 5);
 }
 
 /// Each sensor has a line of sight of its own.
@@ -199,7 +199,7 @@ TEST_F(LightTest, APoleShadesSomeOfTheSensors) {
 
 TEST_F(LightTest, BeyondTheRangeThereIsNoLight) {
   world.pose(robot).orientation.setIdentity();
-  const Row lamp = addLamp({4.0 + kRadius + 0.699, 5.0, kHeight});
+  const Row lamp = addLamp({4.0 + kLightRingRadius + 0.699, 5.0, kHeight});
   LightSensor light(world, robot, {{"range", "0.7"}});
   EXPECT_NEAR(light.sense().sensors[0].value, std::pow(0.1 / 0.699, 2.0), 1e-6);
   EXPECT_EQ(light.sense().sensors[6].value, 0.0F);
@@ -209,7 +209,7 @@ TEST_F(LightTest, BeyondTheRangeThereIsNoLight) {
 
 TEST_F(LightTest, LedsMayHaveAShorterReachThanLamps) {
   world.pose(robot).orientation.setIdentity();
-  const Row other = world.addFootbot(4.0 + kRadius + 0.7, 5.0, M_PI);  // its LED 0 looks here
+  const Row other = world.addFootbot(4.0 + kLightRingRadius + 0.7, 5.0, M_PI);  // its LED 0 looks here
   world.space.leds[other][0] = colors::kWhite;
   const auto brightest = [&](const std::string& led_range) {
     LightSensor light(world, robot, {{"range", "1.3"}, {"led_range", led_range}});
@@ -221,19 +221,19 @@ TEST_F(LightTest, LedsMayHaveAShorterReachThanLamps) {
   EXPECT_GT(brightest("0.9"), 0.005);
   EXPECT_EQ(brightest("0.6"), 0.0);
   EXPECT_EQ(brightest("50"), brightest("0.9")) << "the range holds for all";
-  addLamp({4.0, 5.0 + kRadius + 1.2, kHeight});
+  addLamp({4.0, 5.0 + kLightRingRadius + 1.2, kHeight});
   EXPECT_NEAR(brightest("0.6"), std::pow(0.1 / 1.2, 2.0), 1e-7) << "the lamp alone, straight ahead of sensor 6";
 }
 
 TEST_F(LightTest, ReadingsSaturate) {
   world.pose(robot).orientation.setIdentity();
-  const Row lamp = addLamp({4.0 + kRadius + 0.125, 5.0, kHeight});
+  const Row lamp = addLamp({4.0 + kLightRingRadius + 0.125, 5.0, kHeight});
   LightSensor light(world, robot);
   EXPECT_NEAR(light.sense().sensors[0].value, 0.64, 1e-6);
-  world.pose(lamp).position.x() = 4.0 + kRadius + 0.05;
+  world.pose(lamp).position.x() = 4.0 + kLightRingRadius + 0.05;
   EXPECT_EQ(light.sense().sensors[0].value, 1.0F);
-  world.pose(lamp).position.x() = 4.0 + kRadius + 0.125;
-  addLamp({4.0 + kRadius + 0.125, 5.0, kHeight});
+  world.pose(lamp).position.x() = 4.0 + kLightRingRadius + 0.125;
+  addLamp({4.0 + kLightRingRadius + 0.125, 5.0, kHeight});
   EXPECT_EQ(light.sense().sensors[0].value, 1.0F) << "0.64 twice";
 }
 

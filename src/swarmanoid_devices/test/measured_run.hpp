@@ -25,7 +25,7 @@ inline Pose poseOf(const Stand& stand) {
   return {{stand.x, stand.y, 0.0}, Eigen::Quaterniond(Eigen::AngleAxisd(stand.heading, Eigen::Vector3d::UnitZ()))};
 }
 
-inline std::string footbot(const std::string& id, const Stand& stand) {
+inline std::string standingFootbot(const std::string& id, const Stand& stand) {
   return "<footbot id='" + id + "'><position>" + numberText(stand.x) + "," + numberText(stand.y) +
          ",0</position><orientation>0,0," + numberText(stand.heading * 180.0 / M_PI) + "</orientation></footbot>\n";
 }
@@ -62,9 +62,9 @@ class MeasuredRun {
   static std::unique_ptr<Simulation> make(const std::string& rule, const std::vector<Stand>& stands,
                                           const std::string& more) {
     loadPluginLibrary("swarmanoid_devices", {}, {});
-    std::string robots = footbot("other", {9.3, 9.1, 1.1});
+    std::string robots = standingFootbot("other", {9.3, 9.1, 1.1});
     for (std::size_t i = 0; i < stands.size(); ++i) {
-      robots += footbot("fb_" + std::to_string(i + 1), stands[i]);
+      robots += standingFootbot("fb_" + std::to_string(i + 1), stands[i]);
     }
     return std::make_unique<Simulation>(
         parseExperiment("<ahss-config><framework><clocktick>100</clocktick><maxclock>1000</maxclock></framework>\n"
@@ -86,7 +86,7 @@ inline long allocationsOfATick(MeasuredRun& run) {
 }
 
 /// What is said of a rule that is wrong, "" if it is not.
-inline std::string refusalOf(const std::string& rule) {
+inline std::string refusalOfRule(const std::string& rule) {
   try {
     const MeasuredRun run(rule, {{1.0, 1.0, 0.0}});
   } catch (const ConfigError& error) {

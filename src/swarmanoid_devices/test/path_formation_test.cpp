@@ -11,7 +11,7 @@
 namespace swarmanoid::test {
 namespace {
 
-std::string footbot(const std::string& id, const std::string& position) {
+std::string pathFootbot(const std::string& id, const std::string& position) {
   return "<footbot id=\"" + id + "\"><position>" + position +
          ", 0</position><orientation>0, 0, 0</orientation></footbot>";
 }
@@ -24,8 +24,8 @@ Experiment experiment(const std::string& parameters) {
   <arena size="5,5,3" optimization="2D">
     <light id="nest"><position>1, 1, 2</position><orientation>0, 0, 0</orientation></light>
     <light id="prey"><position>3.9, 1, 0.5</position><orientation>0, 0, 0</orientation></light>)" +
-                             footbot("a", "1.7, 1") + footbot("b", "2.45, 1") + footbot("c", "3.2, 1") +
-                             footbot("d", "1.9, 1.7") + footbot("e", "2.55, 1.9") + footbot("f", "3.2, 1.7") +
+                             pathFootbot("a", "1.7, 1") + pathFootbot("b", "2.45, 1") + pathFootbot("c", "3.2, 1") +
+                             pathFootbot("d", "1.9, 1.7") + pathFootbot("e", "2.55, 1.9") + pathFootbot("f", "3.2, 1.7") +
                              "</arena><rules><path_formation id=\"p\"><reach>0.8</reach>" + parameters +
                              "</path_formation></rules></ahss-config>",
                          "path.xml");

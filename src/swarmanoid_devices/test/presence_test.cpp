@@ -35,11 +35,11 @@ TEST(AreaCoverageTest, IsOfTheArenaIfNothingElseIsSaid) {
 }
 
 TEST(AreaCoverageTest, WhatIsWrongIsNamedWithItsLine) {
-  EXPECT_EQ(refusalOf(coverage("<maximum>10, 10.5</maximum>")),
+  EXPECT_EQ(refusalOfRule(coverage("<maximum>10, 10.5</maximum>")),
             "run.xml:9: maximum: found '10, 10.5', allowed: from 0, 0 to the size of the arena, 10, 10");
-  EXPECT_EQ(refusalOf(coverage("<minimum>3, 3</minimum>\n<maximum>5, 3.5</maximum>\n<cell>0.75</cell>")),
+  EXPECT_EQ(refusalOfRule(coverage("<minimum>3, 3</minimum>\n<maximum>5, 3.5</maximum>\n<cell>0.75</cell>")),
             "run.xml:11: cell: found '0.75', allowed: at most the shorter side of the area, 0.5");
-  EXPECT_EQ(refusalOf(coverage("<cell>0.001</cell>")),
+  EXPECT_EQ(refusalOfRule(coverage("<cell>0.001</cell>")),
             "run.xml:9: cell: found '0.001', allowed: at least 0.0031622776601683794, for ten million squares");
 }
 
@@ -80,9 +80,9 @@ TEST(RegionCountTest, EnoughObjectsAreASuccessAndMayEndTheRun) {
 }
 
 TEST(RegionCountTest, WhatIsWrongIsNamedWithItsLine) {
-  EXPECT_EQ(refusalOf(count("<minimum>1, 2, 0</minimum>\n<maximum>1, 1.9, 0</maximum>")),
+  EXPECT_EQ(refusalOfRule(count("<minimum>1, 2, 0</minimum>\n<maximum>1, 1.9, 0</maximum>")),
             "run.xml:10: maximum: found '1, 1.9, 0', allowed: nothing below minimum, '1, 2, 0'");
-  EXPECT_EQ(refusalOf(count("<minimum>1, 2, 0</minimum>\n<maximum>1, 2, 0</maximum>\n<ends>true</ends>")),
+  EXPECT_EQ(refusalOfRule(count("<minimum>1, 2, 0</minimum>\n<maximum>1, 2, 0</maximum>\n<ends>true</ends>")),
             "run.xml:11: ends: found 'true', allowed: only with enough above 0");
 }
 

@@ -14,7 +14,7 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kHeight = 0.13;  // m, of footbots' transmitters
+constexpr double kTransmitterHeight = 0.13;  // m, of footbots' transmitters
 
 /// The message of the only one who is heard.
 RangeAndBearingMessage only(const Board& board) {
@@ -126,7 +126,7 @@ TEST(RangeAndBearingTest, WhoIsInRangeIsHeardAndWhoIsBeyondIsNot) {
 TEST(RangeAndBearingTest, TheRangeCountsBetweenTransmittersInSpace) {
   MessageWorld world(Parameters{{"range", "1.5"}});
   const Board footbot = world.footbot(5.0, 5.0);
-  const Board eyebot = world.eyebot(5.9, 5.0, 1.2 + kHeight - 0.22 - 1e-6);  // 0.9 m and 1.2 m away
+  const Board eyebot = world.eyebot(5.9, 5.0, 1.2 + kTransmitterHeight - 0.22 - 1e-6);  // 0.9 m and 1.2 m away
   eyebot.command->send({1});
   world.exchange();
   expectPlace(only(footbot), 1.5, 0.0, std::atan2(1.2, 0.9));
@@ -193,7 +193,8 @@ TEST(RangeAndBearingTest, ACrowdHearsWhomNothingHides) {
   world.exchange();
   const auto placeOf = [&](const Board& board) {
     const bool flies = world.space.entities.model[board.row]->type == "eyebot";
-    return Eigen::Vector3d(world.pose(board.row).position + Eigen::Vector3d(0.0, 0.0, flies ? 0.22 : kHeight));
+    return Eigen::Vector3d(world.pose(board.row).position +
+                           Eigen::Vector3d(0.0, 0.0, flies ? 0.22 : kTransmitterHeight));
   };
   int heard = 0;
   int hidden = 0;
@@ -229,7 +230,7 @@ TEST(RangeAndBearingTest, ARobotWithoutTheLinkHasItsTransmitterInTheMiddleOfItsH
   const Board other = world.footbot(6.0, 5.0);
   plain.command->send({1});
   world.exchange();
-  EXPECT_NEAR(only(other).elevation, std::atan(0.3 + 0.073 - kHeight), 1e-6);
+  EXPECT_NEAR(only(other).elevation, std::atan(0.3 + 0.073 - kTransmitterHeight), 1e-6);
 }
 
 TEST(RangeAndBearingTest, ATransmitterOnAJointTurnsWithIt) {
@@ -252,7 +253,7 @@ TEST(RangeAndBearingTest, ATransmitterFarFromTheBodyIsRefused) {
   const Board tall = world.equip(world.add(model, {5.5, 5.0, 0.0}));
   tall.command->send({1});
   world.exchange();
-  EXPECT_NEAR(only(robot).elevation, std::atan2(0.236 - kHeight, 0.5), 1e-6);
+  EXPECT_NEAR(only(robot).elevation, std::atan2(0.236 - kTransmitterHeight, 0.5), 1e-6);
   auto taller = std::make_shared<EntityModel>(*model);
   taller->mounts["range_and_bearing"].position.z() = 0.146 + 0.22;
   try {

@@ -20,7 +20,6 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kRadius = FootbotProximity::kRingRadius;
 
 class SampledRingTest : public testing::Test {

@@ -14,8 +14,6 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
 class SpotLightTest : public testing::Test {
  protected:
   /// @param tilt of its axis below the x axis of the world, then turned by the heading [rad]

@@ -17,7 +17,7 @@ namespace {
 
 using Places = std::vector<std::pair<double, double>>;
 
-std::string footbot(const std::string& id, double x, double y) {
+std::string measuredFootbot(const std::string& id, double x, double y) {
   return "<footbot id=\"" + id + "\"><position>" + numberText(x) + "," + numberText(y) +
          ",0</position><orientation>0,0,0</orientation></footbot>";
 }
@@ -25,9 +25,9 @@ std::string footbot(const std::string& id, double x, double y) {
 /// Footbots fb_1, fb_2, ..., one that does not count by its name, and a lamp.
 Experiment world(const std::string& rules, const Places& places) {
   loadPluginLibrary("swarmanoid_devices", {}, {});
-  std::string robots = footbot("other", 9.0, 9.0);
+  std::string robots = measuredFootbot("other", 9.0, 9.0);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    robots += footbot("fb_" + std::to_string(i + 1), places[i].first, places[i].second);
+    robots += measuredFootbot("fb_" + std::to_string(i + 1), places[i].first, places[i].second);
   }
   return parseExperiment(R"(<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>1000</maxclock></framework>

@@ -4,7 +4,7 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kTolerance = 1e-12;
+constexpr double kMotionTolerance = 1e-12;
 constexpr const char* kOrder = "<swarm_order id='r'><robots>fb_</robots></swarm_order>";
 constexpr const char* kDisplacement = "<square_displacement id='r'><robots>fb_</robots></square_displacement>";
 
@@ -21,29 +21,29 @@ std::vector<Stand> ring(int count, double against_outwards) {
 TEST(SwarmOrderTest, HeadingsAlikeAreFullyPolarised) {
   const double heading = 2.23;
   const MeasuredRun run(kOrder, {{1.2, 0.7, heading}, {4.1, 2.8, heading}, {8.9, 7.3, heading}});
-  EXPECT_NEAR(run.metric("polarisation"), 1.0, kTolerance) << "before the first tick, too";
+  EXPECT_NEAR(run.metric("polarisation"), 1.0, kMotionTolerance) << "before the first tick, too";
 }
 
 TEST(SwarmOrderTest, PolarisationIsTheLengthOfTheMeanHeading) {
   const MeasuredRun run(kOrder, {{1.2, 0.7, 0.4}, {4.1, 2.8, 1.7}, {8.9, 7.3, -2.6}});
   const double east = std::cos(0.4) + std::cos(1.7) + std::cos(2.6);
   const double north = std::sin(0.4) + std::sin(1.7) - std::sin(2.6);
-  EXPECT_NEAR(run.metric("polarisation"), std::hypot(east, north) / 3.0, kTolerance);
+  EXPECT_NEAR(run.metric("polarisation"), std::hypot(east, north) / 3.0, kMotionTolerance);
 }
 
 /// On a ring the lever is the sine of the angle against outwards, for whatever number of robots.
 TEST(SwarmOrderTest, AngularOrderIsTheSineOfTheAngleAgainstOutwards) {
   for (const double angle : {0.0, 0.61, M_PI / 2.0, -1.13, 2.9}) {
     const MeasuredRun run(kOrder, ring(7, angle));
-    EXPECT_NEAR(run.metric("angular_order"), std::abs(std::sin(angle)), kTolerance) << angle;
-    EXPECT_NEAR(run.metric("polarisation"), 0.0, kTolerance) << angle;
+    EXPECT_NEAR(run.metric("angular_order"), std::abs(std::sin(angle)), kMotionTolerance) << angle;
+    EXPECT_NEAR(run.metric("polarisation"), 0.0, kMotionTolerance) << angle;
   }
 }
 
 TEST(SwarmOrderTest, WhoStandsAtTheCentroidTurnsAroundNothing) {
   const MeasuredRun run(kOrder, {{3.0, 2.0, 0.9}});
   EXPECT_EQ(run.metric("angular_order"), 0.0);
-  EXPECT_NEAR(run.metric("polarisation"), 1.0, kTolerance);
+  EXPECT_NEAR(run.metric("polarisation"), 1.0, kMotionTolerance);
 }
 
 TEST(SwarmOrderTest, WithoutRobotsThereIsNone) {
@@ -63,9 +63,9 @@ TEST(SquareDisplacementTest, IsTheMeanSquareOfTheWaysAsTheCrowFlies) {
   run.tick();
   const double first = 0.2 * 0.2 + 0.2 * 0.2;
   const double second = 1.3 * 1.3 + 2.5 * 2.5;
-  EXPECT_NEAR(run.metric("mean_square"), (first + second) / 3.0, kTolerance);
-  EXPECT_NEAR(run.metric("farthest"), std::sqrt(second), kTolerance);
-  EXPECT_NEAR(run.metric("diffusivity"), (first + second) / 3.0 / (4.0 * 0.2), kTolerance);
+  EXPECT_NEAR(run.metric("mean_square"), (first + second) / 3.0, kMotionTolerance);
+  EXPECT_NEAR(run.metric("farthest"), std::sqrt(second), kMotionTolerance);
+  EXPECT_NEAR(run.metric("diffusivity"), (first + second) / 3.0 / (4.0 * 0.2), kMotionTolerance);
   run.simulation().reset();
   EXPECT_EQ(run.metric("mean_square"), 0.0);
 }
@@ -76,12 +76,12 @@ TEST(SquareDisplacementTest, WhoComesLaterBeginsThere) {
   run.tick(3);
   run.spawn("fb_9", {7.0, 7.0});
   run.tick();
-  EXPECT_NEAR(run.metric("mean_square"), 0.7 * 0.7 / 3.0, kTolerance);
+  EXPECT_NEAR(run.metric("mean_square"), 0.7 * 0.7 / 3.0, kMotionTolerance);
   run.put("fb_9", {7.0, 6.6});
   run.remove("fb_1");
   run.tick();
-  EXPECT_NEAR(run.metric("mean_square"), (0.7 * 0.7 + 0.4 * 0.4) / 2.0, kTolerance);
-  EXPECT_NEAR(run.metric("diffusivity"), (0.7 * 0.7 + 0.4 * 0.4) / (4.0 * (0.5 + 0.1)), kTolerance)
+  EXPECT_NEAR(run.metric("mean_square"), (0.7 * 0.7 + 0.4 * 0.4) / 2.0, kMotionTolerance);
+  EXPECT_NEAR(run.metric("diffusivity"), (0.7 * 0.7 + 0.4 * 0.4) / (4.0 * (0.5 + 0.1)), kMotionTolerance)
       << "fb_2 is measured for 0.5 s, fb_9 for 0.1 s";
 }
 

@@ -10,7 +10,7 @@
 namespace swarmanoid::test {
 namespace {
 
-std::string footbot(const std::string& id, double x, double y) {
+std::string trailFootbot(const std::string& id, double x, double y) {
   return "<footbot id=\"" + id + "\"><position>" + numberText(x) + "," + numberText(y) +
          ",0</position><orientation>0,0,0</orientation></footbot>";
 }
@@ -26,15 +26,15 @@ std::unique_ptr<Simulation> make(const std::string& rules, const std::string& ar
   <arena size="5,5,3" optimization="2D">)" + arena + R"(
     <floor_patch id="nest"><position>1, 1, 0</position><radius>0.4</radius></floor_patch>
     <floor_patch id="food"><position>4, 4, 0</position><radius>0.4</radius></floor_patch>)" +
-                                                       footbot("fb_1", 2.03, 3.06) + footbot("fb_2", 3, 3) +
-                                                       footbot("other", 2, 1) + R"(
+                                                       trailFootbot("fb_1", 2.03, 3.06) + trailFootbot("fb_2", 3, 3) +
+                                                       trailFootbot("other", 2, 1) + R"(
   </arena>
   <rules>)" + rules + "</rules></ahss-config>",
                                                    "trail.xml"));
   return simulation;
 }
 
-std::string refusalOf(const std::string& rules, const std::string& arena = "") {
+std::string refusalOfRules(const std::string& rules, const std::string& arena = "") {
   try {
     make(rules, arena);
   } catch (const std::exception& error) {
@@ -124,9 +124,10 @@ TEST_F(TrailTest, RobotsOutsideTheArenaLayNone) {
 }
 
 TEST(TrailRuleTest, NeedsAFloorThatTakesPaint) {
-  EXPECT_EQ(refusalOf(kTrail).rfind("trail.xml:7: found the rule 'trail', allowed: in an arena with <floor_paint>", 0),
-            0U)
-      << refusalOf(kTrail);
+  EXPECT_EQ(
+      refusalOfRules(kTrail).rfind("trail.xml:7: found the rule 'trail', allowed: in an arena with <floor_paint>", 0),
+      0U)
+      << refusalOfRules(kTrail);
 }
 
 constexpr const char* kTrips = "<trips id='t'><robots>fb_</robots></trips>";
@@ -181,9 +182,9 @@ TEST(TripsTest, EndsTheRunWithSuccessWhenThereAreEnough) {
 }
 
 TEST(TripsTest, PatchesMustBeThereAndTwo) {
-  EXPECT_EQ(refusalOf("<trips id='t'><to>nest</to></trips>"),
+  EXPECT_EQ(refusalOfRules("<trips id='t'><to>nest</to></trips>"),
             "trail.xml:7: to: found 'nest', which is from too, allowed: another floor patch");
-  EXPECT_EQ(refusalOf("<trips id='t'><to>fod</to></trips>"),
+  EXPECT_EQ(refusalOfRules("<trips id='t'><to>fod</to></trips>"),
             "trail.xml:7: to: found 'fod', allowed: the id of a floor patch (nest, food); did you mean 'food'?");
 }
 

@@ -13,7 +13,7 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr int kTicks = 10000;
+constexpr int kManyTicks = 10000;
 
 Parameters unreliable(Parameters parameters) {
   parameters.insert(
@@ -22,7 +22,7 @@ Parameters unreliable(Parameters parameters) {
 }
 
 /// Five standard deviations of the rate of what happens with a probability.
-double spread(double probability) { return 5.0 * std::sqrt(probability * (1.0 - probability) / kTicks); }
+double spread(double probability) { return 5.0 * std::sqrt(probability * (1.0 - probability) / kManyTicks); }
 
 double missedRate(const Parameters& parameters) {
   DeviceWorld world;
@@ -30,10 +30,10 @@ double missedRate(const Parameters& parameters) {
   world.addPrey(4.9, 4.4);  // its middle is 0.23 m under the camera
   SensorUnderTest<FootbotCamera> camera(world, robot, unreliable(parameters));
   int missed = 0;
-  for (; world.space.tick < kTicks; ++world.space.tick) {
+  for (; world.space.tick < kManyTicks; ++world.space.tick) {
     missed += camera.sense().blobs.empty() ? 1 : 0;
   }
-  return missed / static_cast<double>(kTicks);
+  return missed / static_cast<double>(kManyTicks);
 }
 
 TEST(UnreliableCameraTest, MissesBlobsWithAProbability) {
@@ -56,7 +56,7 @@ std::vector<std::vector<ColorBlob>> falseBlobs(const std::shared_ptr<const Entit
   const Row row = world.add(robot, {5.0, 5.0, height}, 0.4);
   SensorUnderTest<Camera> camera(world, row, unreliable(parameters));
   std::vector<std::vector<ColorBlob>> ticks;
-  for (; world.space.tick < kTicks; ++world.space.tick) {
+  for (; world.space.tick < kManyTicks; ++world.space.tick) {
     const auto& blobs = camera.sense().blobs;
     ticks.emplace_back(blobs.begin(), blobs.end());
   }
@@ -82,10 +82,10 @@ TEST(UnreliableCameraTest, FalseBlobsComeAtTheirMeanRate) {
       EXPECT_NEAR(blob.elevation, std::atan2(-0.28, blob.distance), 1e-5) << "on the ground";
     }
   }
-  EXPECT_NEAR(count / static_cast<double>(kTicks), 0.4, 5.0 * std::sqrt(0.4 / kTicks));
+  EXPECT_NEAR(count / static_cast<double>(kManyTicks), 0.4, 5.0 * std::sqrt(0.4 / kManyTicks));
   double probability = std::exp(-0.4);
   for (std::size_t most = 0; most < 3; ++most) {
-    EXPECT_NEAR(ticks_with[most] / static_cast<double>(kTicks), probability, spread(probability))
+    EXPECT_NEAR(ticks_with[most] / static_cast<double>(kManyTicks), probability, spread(probability))
         << most << ": Poisson";
     probability *= 0.4 / static_cast<double>(most + 1);
   }
@@ -107,8 +107,8 @@ TEST(UnreliableCameraTest, FalseBlobsAreInViewAndOfTheColoursThatAreNamed) {
     }
   }
   EXPECT_EQ(colors.size(), 2U);
-  EXPECT_GT(colors["7,8,9"], kTicks / 10);
-  EXPECT_GT(colors["magenta"], kTicks / 10);
+  EXPECT_GT(colors["7,8,9"], kManyTicks / 10);
+  EXPECT_GT(colors["magenta"], kManyTicks / 10);
   int count = 0;
   for (const auto& blobs : falseBlobs<HandbotCamera>(robotModel("handbot"), 0.0, parameters)) {
     for (const ColorBlob& blob : blobs) {
@@ -118,7 +118,7 @@ TEST(UnreliableCameraTest, FalseBlobsAreInViewAndOfTheColoursThatAreNamed) {
       EXPECT_LE(std::abs(blob.elevation), M_PI / 8.0 + 1e-6);
     }
   }
-  EXPECT_NEAR(count / static_cast<double>(kTicks), 0.3, 5.0 * std::sqrt(0.3 / kTicks));
+  EXPECT_NEAR(count / static_cast<double>(kManyTicks), 0.3, 5.0 * std::sqrt(0.3 / kManyTicks));
 }
 
 TEST(UnreliableCameraTest, BelongsToTheSeedAndNotToThreads) {

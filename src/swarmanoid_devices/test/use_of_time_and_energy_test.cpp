@@ -83,12 +83,12 @@ TEST(StateTimesTest, ASampleStandsForTheTicksBeforeIt) {
 TEST(StateTimesTest, WhatIsWrongIsNamedWithItsLine) {
   const std::string start = "<state_times id='r'>\n<states>";
   const std::string end = "</states></state_times>";
-  EXPECT_EQ(refusalOf(start + end), "run.xml:8: states: found '', allowed: names, separated by commas");
-  EXPECT_EQ(refusalOf(start + "a, b, a" + end),
+  EXPECT_EQ(refusalOfRule(start + end), "run.xml:8: states: found '', allowed: names, separated by commas");
+  EXPECT_EQ(refusalOfRule(start + "a, b, a" + end),
             "run.xml:8: states: found 'a', allowed: other names than 'other', each once, separated by commas");
-  EXPECT_EQ(refusalOf(start + "a,, b" + end),
+  EXPECT_EQ(refusalOfRule(start + "a,, b" + end),
             "run.xml:8: states: found '', allowed: other names than 'other', each once, separated by commas");
-  EXPECT_EQ(refusalOf(start + "other" + end),
+  EXPECT_EQ(refusalOfRule(start + "other" + end),
             "run.xml:8: states: found 'other', allowed: other names than 'other', each once, separated by commas");
 }
 

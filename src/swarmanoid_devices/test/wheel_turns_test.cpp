@@ -12,9 +12,9 @@
 namespace swarmanoid::test {
 namespace {
 
-constexpr double kTick = 0.1;         // s
-constexpr double kRadius = 0.029;     // m, of a footbot's wheels
-constexpr double kSeparation = 0.14;  // m
+constexpr double kTurnTick = 0.1;       // s
+constexpr double kWheelRadius = 0.029;  // m, of a footbot's wheels
+constexpr double kSeparation = 0.14;    // m
 
 template <class Device>
 class WheelTurnTest : public testing::Test {
@@ -79,7 +79,7 @@ TEST(WheelEncoderStepsTest, AreWholeOnesTowardsMinusInfinity) {
   world.space.wheel_turns[robot].left += 0.4 * step;
   sensor.sense();
   EXPECT_NEAR(readings.left.turned, 3.0 * step, 1e-12);
-  EXPECT_NEAR(readings.left.speed, step / kTick, 1e-11);
+  EXPECT_NEAR(readings.left.speed, step / kTurnTick, 1e-11);
   EXPECT_EQ(readings.right.step, 0.0);
 }
 
@@ -87,8 +87,8 @@ TEST_F(OdometryTest, FollowsAnArcExactlyInOneTickAsInMany) {
   // 2.3 rad to the left around a centre 0.37 m away
   constexpr double kTurn = 2.3;
   constexpr double kArc = 0.37;
-  const double left = (kArc - 0.5 * kSeparation) * kTurn / kRadius;
-  const double right = (kArc + 0.5 * kSeparation) * kTurn / kRadius;
+  const double left = (kArc - 0.5 * kSeparation) * kTurn / kWheelRadius;
+  const double right = (kArc + 0.5 * kSeparation) * kTurn / kWheelRadius;
   constexpr int kPieces = 7;
   for (int i = 0; i < kPieces; ++i) {
     turn(left / kPieces, right / kPieces);
@@ -105,14 +105,14 @@ TEST_F(OdometryTest, FollowsAnArcExactlyInOneTickAsInMany) {
     EXPECT_NEAR(readings->y, kArc * (1.0 - std::cos(kTurn)), 1e-12);
     EXPECT_NEAR(readings->heading, kTurn, 1e-12);
   }
-  EXPECT_NEAR(one.speed, kArc * kTurn / kTick, 1e-9);
-  EXPECT_NEAR(many.turn_rate, kTurn / kPieces / kTick, 1e-9);
+  EXPECT_NEAR(one.speed, kArc * kTurn / kTurnTick, 1e-9);
+  EXPECT_NEAR(many.turn_rate, kTurn / kPieces / kTurnTick, 1e-9);
   turn(0.0, 0.0);
   EXPECT_EQ(sensor.sense().speed, 0.0);
 }
 
 TEST_F(OdometryTest, HeadingStaysWithinATurn) {
-  const double quarter = 0.5 * M_PI * 0.5 * kSeparation / kRadius;
+  const double quarter = 0.5 * M_PI * 0.5 * kSeparation / kWheelRadius;
   for (int i = 0; i < 3; ++i) {
     turn(-quarter, quarter);
   }
@@ -126,7 +126,7 @@ TEST_F(OdometryTest, CovarianceGrowsWithTheWay) {
   constexpr int kTicks = 1000;
   constexpr double kWay = 0.8;
   for (int i = 0; i < kTicks; ++i) {
-    turn(kWay / kTicks / kRadius, kWay / kTicks / kRadius);
+    turn(kWay / kTicks / kWheelRadius, kWay / kTicks / kWheelRadius);
   }
   const auto& covariance = sensor.sense().covariance;
   constexpr double kSlip = 0.01;
@@ -156,8 +156,8 @@ TEST(OdometrySlipTest, IsDrawnAsTheCovarianceSays) {
   for (int i = 0; i < kTicks; ++i) {
     ++world.space.tick;
     for (const Row row : rows) {
-      world.space.wheel_turns[row].left += kWay / kRadius;
-      world.space.wheel_turns[row].right += kWay / kRadius;
+      world.space.wheel_turns[row].left += kWay / kWheelRadius;
+      world.space.wheel_turns[row].right += kWay / kWheelRadius;
     }
     world.sense(*sensor);
   }

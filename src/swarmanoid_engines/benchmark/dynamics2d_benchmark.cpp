@@ -5,45 +5,17 @@
 // first one on, without what comes before it: that is what `BM_Start` measures. Times are of the processor.
 #include <benchmark/benchmark.h>
 
-#include <ctime>
-#include <memory>
-#include <string>
-#include <vector>
-
+#include "diffusion_run.hpp"
 #include "raw_box2d.hpp"
-#include "swarmanoid_space/simulation/simulation.hpp"
-#include "swarmanoid_space/testing/diffusion_experiment.hpp"
 
 namespace swarmanoid::benchmarks {
 namespace {
 
-constexpr double kAreaPerRobot = 1.6;  // m2
 constexpr int kTicks = 100;
 constexpr double kTick = 0.1;  // s
 
-double processorSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-std::unique_ptr<Simulation> startDiffusion(int robots, int subclock) {
-  const std::string engine =
-      "<dynamics2d id='ground'><subclock>" + std::to_string(subclock) + "</subclock></dynamics2d>";
-  auto simulation = std::make_unique<Simulation>(
-      parseExperiment(diffusionExperiment(robots, kAreaPerRobot, engine), "diffusion.xml"));
-  simulation->start();
-  return simulation;
-}
-
-std::vector<Row> robotsOf(const Space& space) {
-  std::vector<Row> robots;
-  for (const Row row : space.entities.order) {
-    if (space.entities.model[row]->is_robot) {
-      robots.push_back(row);
-    }
-  }
-  return robots;
+std::string engineWith(int subclock) {
+  return "<dynamics2d id='ground'><subclock>" + std::to_string(subclock) + "</subclock></dynamics2d>";
 }
 
 /// Processor times of a run [s].
@@ -54,7 +26,7 @@ struct Times {
 };
 
 void runInTurn(int count, int subclock, Times& times) {
-  const auto simulation = startDiffusion(count, subclock);
+  const auto simulation = startDiffusion(count, engineWith(subclock), kTick);
   const Space& space = simulation->space();
   const std::vector<Row> robots = robotsOf(space);
   const double side = space.size.x();
@@ -95,7 +67,7 @@ void BM_Dynamics2d(benchmark::State& state) {
 void BM_Start(benchmark::State& state) {
   loadBuiltInPlugins();
   for (auto _ : state) {
-    startDiffusion(static_cast<int>(state.range(0)), 4)->tick();
+    startDiffusion(static_cast<int>(state.range(0)), engineWith(4), kTick)->tick();
   }
 }
 

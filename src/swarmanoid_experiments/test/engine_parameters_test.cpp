@@ -146,6 +146,7 @@ TEST(EngineReportTest, SaysWhoIsWhere) {
   EXPECT_EQ(reports[2].mirrored, 1U);
   EXPECT_EQ(reports[2].health.warning, "");
   const std::vector<std::pair<std::string, std::string>> counters = {{"steps", "30"},
+                                                                     {"bodies moved in them", "30"},
                                                                      {"steps solved again for friction", "0"},
                                                                      {"steps redone", "0"},
                                                                      {"steps left to the iterative solver", "0"}};

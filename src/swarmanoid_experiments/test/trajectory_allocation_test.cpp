@@ -18,8 +18,8 @@ namespace {
 std::atomic<long> made_by_new{0};
 }  // namespace
 
-// of the whole process, libraries too
-void* operator new(std::size_t size) {
+// of the whole process, libraries too; not inlined, where the compiler would warn of a free that belongs to no malloc
+[[gnu::noinline]] void* operator new(std::size_t size) {
   ++made_by_new;
   void* memory = std::malloc(size);
   if (memory == nullptr) {
@@ -27,8 +27,8 @@ void* operator new(std::size_t size) {
   }
   return memory;
 }
-void operator delete(void* memory) noexcept { std::free(memory); }
-void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t /*size*/) noexcept { std::free(memory); }
 
 namespace swarmanoid::test {
 namespace {

@@ -22,11 +22,12 @@ std::string failureOfThrowing(const std::function<void()>& action) { return fail
 
 TEST(UserCodeTest, IsDescribedByWhatThereIs) {
   EXPECT_EQ("step of robot 'fb_3' (controller 'drive' of libdrive.so), tick 17", describe(kStep));
-  EXPECT_EQ("init of robot 'fb_3' (controller 'drive')", describe({"init", "controller 'drive'", "fb_3"}));
-  EXPECT_EQ("loading of library 'drive'", describe({"loading", "library 'drive'", ""}));
-  EXPECT_EQ("step of robot 'fb_3' (controller 'drive'), tick 0", describe({"step", "controller 'drive'", "fb_3", 0}));
+  EXPECT_EQ("init of robot 'fb_3' (controller 'drive')", describe(UserCode{"init", "controller 'drive'", "fb_3"}));
+  EXPECT_EQ("loading of library 'drive'", describe(UserCode{"loading", "library 'drive'", ""}));
+  EXPECT_EQ("step of robot 'fb_3' (controller 'drive'), tick 0",
+            describe(UserCode{"step", "controller 'drive'", "fb_3", 0}));
   EXPECT_EQ("move of engine 'ground' (kinematics2d), tick 17",
-            describe({"move", "engine 'ground' (kinematics2d)", "", 17, false}));
+            describe(UserCode{"move", "engine 'ground' (kinematics2d)", "", 17, false}));
 }
 
 TEST(UserCodeTest, WhateverIsThrownHasAText) {

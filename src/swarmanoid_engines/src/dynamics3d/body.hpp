@@ -54,6 +54,15 @@ struct Flight {
   double heading = 0.0;                            ///< likewise [rad]
 };
 
+/// Whether a body moves as it did. See steady_motion.hpp.
+struct Steadiness {
+  bool is_left_out = false;                          ///< of ODE, for the rest of the tick under way
+  Eigen::AlignedBox3d way;                           ///< around all places where it may be in that tick; in W
+  int steps = 0;                                     ///< how many steps it has moved as in the step before
+  Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< velocity of its centre of mass in the last step, in B [m/s]
+  double turn_rate = 0.0;                            ///< likewise, about the vertical [rad/s]
+};
+
 struct Body;
 
 /// What a holder without a rope holds.
@@ -124,6 +133,10 @@ struct Body {
   Grip grip;
   std::unique_ptr<Holding> holding;  ///< null: nobody commands its holders, and they hold nothing
   Turret turret;
+  Steadiness steadiness;
+
+  /// Whether ODE moves it in the step under way.
+  bool isInOde() const { return is_dynamic && !steadiness.is_left_out; }
 
   const EntityModel::Holder& holder(std::size_t index) const { return model->holders[index]; }
 

@@ -49,6 +49,28 @@ bool areApart(dGeomID a, dGeomID b) {
          box_a[4] > box_b[5] || box_b[4] > box_a[5];
 }
 
+/// Whether a fixed body may meet the box. Of walls aslant the boxes around them say little.
+bool mayMeet(const Body& fixed, const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d centre = box.center();
+  const double radius = 0.5 * box.diagonal().norm();
+  return std::any_of(fixed.solids.begin(), fixed.solids.end(), [&](const Solid& solid) {
+    if (!solid.box.intersects(box) || dGeomGetClass(solid.geom) != dBoxClass) {
+      return solid.box.intersects(box);
+    }
+    dVector3 sides;
+    dGeomBoxGetLengths(solid.geom, sides);
+    dQuaternion turn;
+    dGeomGetQuaternion(solid.geom, turn);
+    const Eigen::Vector3d place = toQuaternion(turn).conjugate() * (centre - toVector(dGeomGetPosition(solid.geom)));
+    return (place.cwiseAbs() - 0.5 * toVector(sides)).cwiseMax(0.0).squaredNorm() <= radius * radius;
+  });
+}
+
+/// Whether a body is left out of ODE and the other, which is fixed, stays out of its way.
+bool passes(const Body& body, const Body& other) {
+  return body.steadiness.is_left_out && other.rigid == nullptr && !mayMeet(other, body.steadiness.way);
+}
+
 /// Whether a hand or a magnet of `robot`, of which `solid` is part, holds the object.
 bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
   const auto holds = [&](const Grip& grip) {
@@ -102,24 +124,36 @@ Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
   return bounds;
 }
 
-void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
+const std::vector<Body*>& Contacts::findPairs(std::size_t bodies) {
   constexpr std::size_t kContactsOfABody = 24;  // in a crowd, and more
-  if (points_.capacity() < kContactsOfABody * bodies.size()) {
-    points_.reserve(kContactsOfABody * bodies.size());
+  if (points_.capacity() < kContactsOfABody * bodies) {
+    points_.reserve(kContactsOfABody * bodies);
     pairs_.reserve(points_.capacity());
+    reached_.reserve(2 * pairs_.capacity());
     reserveJoints(world_, joints_, points_.capacity());
   }
-  step_ = step;
-  attempt_ = attempt;
-  friction_.startStep(step, settings_.gravity);
-  near_.update([](Body* body) { return boundsNow(*body); });
+  near_.update([](Body* body) { return body->steadiness.is_left_out ? body->steadiness.way : boundsNow(*body); });
   pairs_.clear();
-  near_.visitPairs([&](const Body* a, const Body* b) {
-    if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b)) {
+  reached_.clear();
+  near_.visitPairs([&](Body* a, Body* b) {
+    if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b) && !passes(*a, *b) && !passes(*b, *a)) {
       pairs_.emplace_back(std::min(a->rank, b->rank), std::max(a->rank, b->rank));
+      for (Body* body : {a, b}) {
+        body->steadiness.steps = 0;  // it may lean on what is taken away some day
+        if (body->steadiness.is_left_out) {
+          reached_.push_back(body);
+        }
+      }
     }
   });
   std::sort(pairs_.begin(), pairs_.end());
+  return reached_;
+}
+
+void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
+  step_ = step;
+  attempt_ = attempt;
+  friction_.startStep(step, settings_.gravity);
   collideAll(bodies);
 }
 
@@ -132,7 +166,7 @@ void Contacts::collideAll(const std::vector<Body*>& bodies) {
   joints_made_ = 0;
   points_.clear();
   for (Body* body : bodies) {
-    if (body->is_dynamic) {
+    if (body->isInOde()) {
       collideGround(*body);
     }
   }
@@ -173,6 +207,7 @@ void Contacts::collideGround(Body& body) {
 }
 
 void Contacts::collideRoughGround(Body& body, const Solid& solid) {
+  body.steadiness.steps = 0;
   SurfaceContacts contacts = dynamics3d::collideGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
   contacts.keepSpread(kMostUsed);
   for (const SurfaceContact& contact : contacts) {

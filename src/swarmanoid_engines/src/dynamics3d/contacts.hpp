@@ -33,7 +33,13 @@ class Contacts {
   void add(Body& body) { near_.add(&body, boundsNow(body)); }
   void remove(Body& body) { near_.remove(&body); }
 
-  /// Makes the joints of one step. @param bodies by entity number; @param step [s]
+  /// Finds who is near whom in the step that comes. @param bodies how many there are @return those left out of ODE that
+  /// somebody is near: they have to be taken in, and looked at once more (boundsNow); valid until the next call
+  const std::vector<Body*>& findPairs(std::size_t bodies);
+  /// The box around a body, where it is now. Sees where its solids are.
+  static Eigen::AlignedBox3d boundsNow(Body& body);
+
+  /// Makes the joints of one step, after findPairs. @param bodies by entity number; @param step [s]
   /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
   void make(const std::vector<Body*>& bodies, double step, int attempt);
   /// After the step was solved: whether friction is Coulomb's everywhere.
@@ -52,8 +58,6 @@ class Contacts {
   void clear() { dJointGroupEmpty(joints_); }
 
  private:
-  /// Refreshes the boxes of its solids too.
-  static Eigen::AlignedBox3d boundsNow(Body& body);
   void collideGround(Body& body);
   void collideRoughGround(Body& body, const Solid& solid);
   void collideAll(const std::vector<Body*>& bodies);
@@ -73,6 +77,7 @@ class Contacts {
   int attempt_ = 0;
   SortedBounds<Body*> near_;
   std::vector<std::pair<int, int>> pairs_;  // ranks
+  std::vector<Body*> reached_;              // scratch of findPairs
   std::vector<Point> points_;
 };
 

@@ -86,6 +86,7 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   const auto place = std::upper_bound(order_.begin(), order_.end(), &body,
                                       [](const Body* a, const Body* b) { return a->number < b->number; });
   rankFrom(order_.insert(place, &body));
+  left_out_.reserve(order_.capacity());
   findTurret(body, space);
   takePose(space, body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
@@ -102,6 +103,7 @@ void Dynamics3d::rankFrom(std::vector<Body*>::iterator first) {
 }
 
 void Dynamics3d::takePose(const Space& space, Body& body) {
+  body.steadiness = Steadiness{};
   constexpr double kFastest = 5.0;       // m/s: a mirror that was put elsewhere did not go there
   constexpr double kFastestTurn = 20.0;  // rad/s
   const Span<const JointState> joints = space.joints[body.row];

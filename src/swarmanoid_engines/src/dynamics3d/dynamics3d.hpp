@@ -15,6 +15,8 @@
 /// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
 /// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
+/// Bodies that go on as they did, or stand, with nobody near, are moved without ODE (steady_motion.hpp).
+///
 /// Terrain is ground as the level one is, and takes its place in its rectangle (ground_contacts.hpp).
 ///
 /// Rays hit the entities' shapes as they were after the last tick; a mirror is not hit, the engine that moves it
@@ -38,6 +40,7 @@ class Dynamics3d final : public Engine {
   /// What the solver did since the world was made or cleared.
   struct SolverCounts {
     std::uint64_t steps = 0;
+    std::uint64_t moved = 0;      ///< bodies that forces moved in these steps; the others moved steadily
     std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
     std::uint64_t corrected = 0;  ///< solutions made once more, since friction did not oppose the slip
     std::uint64_t iterative = 0;  ///< of the steps redone, those that the iterative solver made in the end
@@ -75,8 +78,10 @@ class Dynamics3d final : public Engine {
   const SolverCounts& solverCounts() const { return counts_; }
 
   /// Notes what the treels of every robot that has them do from now on, by step and entity number; null: no longer. For
-  /// comparisons with ODE alone.
+  /// comparisons with what physics says.
   void record(std::vector<Treels>* treels) { recorded_treels_ = treels; }
+  /// Whether what moves steadily is moved by ODE too, from now on. For comparisons likewise.
+  void keepInOde(bool keeps_all) { keeps_all_in_ode_ = keeps_all; }
 
  private:
   Body* find(Row row) const { return by_row_.has(row) ? by_row_[row].get() : nullptr; }
@@ -87,7 +92,13 @@ class Dynamics3d final : public Engine {
   void takePose(const Space& space, Body& body);
 
   // motion.cpp
-  void stepOnce(double step);
+  /// Leaves those out of ODE that move steadily in the tick that begins.
+  void leaveOutSteady(double tick);
+  /// Takes those in again that somebody is near. @param steps of this tick that are done
+  void takeInReached(int steps, double step);
+  void takeIn(Body& body, int steps, double step);
+  /// @param number from 0, of the step in the tick
+  void stepOnce(int number, double step);
   void setDamping(bool is_damped);
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
@@ -136,10 +147,12 @@ class Dynamics3d final : public Engine {
   RowMap<std::unique_ptr<Body>> by_row_;
   std::vector<Body*> order_;        // by entity number
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
+  std::vector<Body*> left_out_;     // of ODE, in the tick under way; those taken in again too
   int settling_ = 0;                // steps that are left until what was put down stands
   SolverCounts counts_;
   bool has_reported_trouble_ = false;
   std::vector<Treels>* recorded_treels_ = nullptr;
+  bool keeps_all_in_ode_ = false;
 };
 
 }  // namespace swarmanoid::dynamics3d

@@ -5,6 +5,7 @@
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
 #include "dynamics3d/rope.hpp"
+#include "dynamics3d/steady_motion.hpp"
 #include "dynamics3d/treels.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -30,9 +31,13 @@ void Dynamics3d::move(Space& space, Duration dt) {
       body->treels.run[1] = 0.0;
     }
   }
+  leaveOutSteady(toSeconds(dt));
   const double step = toSeconds(dt) / settings_.subclock;
   for (int i = 0; i < settings_.subclock; ++i) {
-    stepOnce(step);
+    stepOnce(i, step);
+  }
+  for (Body* body : left_out_) {
+    takeIn(*body, settings_.subclock, step);
   }
   finishTick(space);
 }
@@ -64,7 +69,48 @@ void visitRopes(Body& robot, Visit visit) {
 
 }  // namespace
 
-void Dynamics3d::stepOnce(double step) {
+void Dynamics3d::leaveOutSteady(double tick) {
+  for (Body* body : order_) {
+    visitRopes(*body, [&](std::size_t rope) { body->holding->ropes[rope].held->steadiness.steps = 0; });
+  }
+  left_out_.clear();
+  if (settling_ > 0 || keeps_all_in_ode_) {
+    return;
+  }
+  for (Body* body : order_) {
+    if (!body->is_dynamic || !movesSteadily(*body)) {
+      continue;
+    }
+    body->steadiness.way = boxAroundWay(*body, Contacts::boundsNow(*body), tick);
+    if (!ground_.isRoughAt(body->steadiness.way)) {
+      body->steadiness.is_left_out = true;
+      dBodyDisable(body->rigid);
+      left_out_.push_back(body);
+    }
+  }
+}
+
+void Dynamics3d::takeInReached(int steps, double step) {
+  for (Body* body : contacts_.findPairs(order_.size())) {
+    if (body->steadiness.is_left_out) {
+      takeIn(*body, steps, step);
+      Contacts::boundsNow(*body);
+    }
+  }
+}
+
+void Dynamics3d::takeIn(Body& body, int steps, double step) {
+  if (!body.steadiness.is_left_out) {
+    return;
+  }
+  body.steadiness.is_left_out = false;
+  dBodyEnable(body.rigid);
+  if (steps > 0) {
+    moveOn(body, steps, step);
+  }
+}
+
+void Dynamics3d::stepOnce(int number, double step) {
   for (Body* body : order_) {
     if (!body->is_dynamic) {
       continue;
@@ -74,6 +120,9 @@ void Dynamics3d::stepOnce(double step) {
       if (recorded_treels_ != nullptr) {
         recorded_treels_->push_back(body->treels);
       }
+    }
+    if (body->steadiness.is_left_out) {
+      continue;
     }
     if (body->flight_command.is_driven && !hangsByMagnet(*body)) {
       fly(*body, settings_.gravity, step);
@@ -85,6 +134,7 @@ void Dynamics3d::stepOnce(double step) {
     });
     driveTurret(*body, contacts_, step);
   }
+  takeInReached(number, step);
   setDamping(settling_ == 0);
   ++counts_.steps;
   const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
@@ -98,7 +148,11 @@ void Dynamics3d::stepOnce(double step) {
   setDamping(true);
   settling_ = std::max(settling_ - 1, 0);
   for (Body* body : order_) {
-    readTurret(*body);
+    if (body->isInOde()) {
+      readTurret(*body);
+      noteStep(*body);
+      ++counts_.moved;
+    }
   }
   feelGrips(step);
 }
@@ -114,7 +168,9 @@ void Dynamics3d::setDamping(bool is_damped) {
 bool Dynamics3d::solveExactly(double step) {
   constexpr int kMostAttempts = 3;
   for (Body* body : order_) {
-    body->saveState();
+    if (!body->steadiness.is_left_out) {
+      body->saveState();
+    }
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     contacts_.make(order_, step, attempt);
@@ -151,7 +207,9 @@ bool Dynamics3d::correctFriction(double step) {
 
 void Dynamics3d::restoreStates() {
   for (Body* body : order_) {
-    body->restoreState();
+    if (!body->steadiness.is_left_out) {
+      body->restoreState();
+    }
   }
 }
 
@@ -179,6 +237,7 @@ EngineHealth Dynamics3d::health() const {
   EngineHealth health;
   health.steps_per_tick = settings_.subclock;
   health.counters = {{"steps", std::to_string(counts_.steps)},
+                     {"bodies moved in them", std::to_string(counts_.moved)},
                      {"steps solved again for friction", std::to_string(counts_.corrected)},
                      {"steps redone", std::to_string(counts_.redone)},
                      {"steps left to the iterative solver", std::to_string(counts_.iterative)}};

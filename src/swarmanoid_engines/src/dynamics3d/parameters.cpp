@@ -96,6 +96,9 @@ void Dynamics3d::reconfigure(const Configuration& parameters) {
     dWorldSetGravity(world_, 0.0, 0.0, -settings_.gravity);
     dWorldSetQuickStepNumIterations(world_, settings_.iterations);
     contacts_.reconfigure(settings_);
+    for (Body* body : order_) {
+      body->steadiness = Steadiness{};
+    }
   }
 }
 

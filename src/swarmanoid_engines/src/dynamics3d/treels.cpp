@@ -1,6 +1,7 @@
 #include "dynamics3d/treels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -8,6 +9,12 @@ namespace {
 // The balls that keep a robot from tipping, as springs.
 constexpr double kSupportStiffness = 2e4;  // N/m
 constexpr double kSupportDamping = 800.0;  // N s/m
+
+/// As commanded. @param side 0 left, 1 right
+double wantedSpeed(const Body& robot, int side) {
+  const WheelsCommand& command = robot.wheels_command;
+  return (side == 0 ? command.left : command.right) * robot.model->wheels->radius;
+}
 
 }  // namespace
 
@@ -25,14 +32,19 @@ void turnWheels(const Body& robot, WheelTurns& turns) {
 }
 
 void followCommand(Body& robot, double step) {
-  const double radius = robot.model->wheels->radius;
   const double most = kTreelAcceleration * step;
-  const double wanted[2] = {robot.wheels_command.left * radius, robot.wheels_command.right * radius};
   for (int side = 0; side < 2; ++side) {
     double& speed = robot.treels.rim_speed[side];
-    speed += std::clamp(wanted[side] - speed, -most, most);
+    speed += std::clamp(wantedSpeed(robot, side) - speed, -most, most);
     robot.treels.run[side] += speed * step;
   }
+}
+
+bool runsAsCommanded(const Body& robot) {
+  constexpr double kRounding = 1e-12;  // m/s
+  const double* speed = robot.treels.rim_speed;
+  return std::abs(speed[0] - wantedSpeed(robot, 0)) < kRounding &&
+         std::abs(speed[1] - wantedSpeed(robot, 1)) < kRounding;
 }
 
 void driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact) {

@@ -23,6 +23,9 @@ void turnWheels(const Body& robot, WheelTurns& turns);
 /// [s]
 void followCommand(Body& robot, double step);
 
+/// Whether the treels are as fast as they are commanded to be.
+bool runsAsCommanded(const Body& robot);
+
 /// Sets a contact's friction and motion; if the ball touches sideways, it stays a contact as any other.
 /// @param solid of the robot, which is the contact's first body
 void driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact);

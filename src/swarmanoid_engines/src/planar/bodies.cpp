@@ -41,6 +41,7 @@ void Bodies::findMechanisms(const Space& space, BodyIndex index) {
 BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   if (order_.empty()) {
     grid_.configure(plane_.toLocal(space.size));
+    walls_.configure(plane_.toLocal(space.size));
   }
   auto index = static_cast<BodyIndex>(bodies_.size());
   if (holes_.empty()) {
@@ -75,7 +76,9 @@ BodyIndex Bodies::add(const Space& space, Row row, Role role) {
                 index);
   circles_[static_cast<std::size_t>(index)].radius = body.model->radius;
   if (body.is_large) {
-    large_.push_back({index, {}});
+    if (body.is_movable) {
+      large_.push_back(index);
+    }
   } else {
     largest_radius_ = std::max(largest_radius_, body.model->radius);
     grid_.add(index, plane_.toLocal(space.entities.pose[row].position));
@@ -113,25 +116,18 @@ void Bodies::setPose(BodyIndex index, const PlacedPose& pose) {
   body.has_moved = true;
   circles_[static_cast<std::size_t>(index)].centre = pose.position;
   if (body.is_large) {
-    refreshBounds(index);
+    if (!body.is_movable) {
+      walls_.set(index, boundsOf(body));
+    }
   } else {
     grid_.move(index, pose.position);
   }
 }
 
-void Bodies::refreshBounds(BodyIndex index) {
-  const Body& body = (*this)[index];
+Eigen::AlignedBox2d Bodies::boundsOf(const Body& body) {
   const PlacedPose& pose = body.pose;
   const PlanarModel& model = *body.model;
-  Eigen::AlignedBox2d& bounds =
-      std::find_if(large_.begin(), large_.end(), [&](const Large& large) { return large.index == index; })->bounds;
-  bounds.setEmpty();
-  if (body.is_movable) {
-    // whatever its heading, so that turning alone brings it no nearer to anybody
-    const Eigen::Vector2d extent = Eigen::Vector2d::Constant(model.radius);
-    bounds.extend(pose.position - extent).extend(pose.position + extent);
-    return;
-  }
+  Eigen::AlignedBox2d bounds;
   placeShapes(model, pose.position, pose.cosine, pose.sine, placed_shapes_);
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     const PlanarShape& shape = placed_shapes_[i];
@@ -141,6 +137,7 @@ void Bodies::refreshBounds(BodyIndex index) {
       bounds.extend(vertex);
     }
   }
+  return bounds;
 }
 
 void Bodies::remove(BodyIndex index) {
@@ -150,8 +147,10 @@ void Bodies::remove(BodyIndex index) {
   }
   index_of_row_[body.row] = kNoBody;
   order_.erase(std::find(order_.begin(), order_.end(), index));
-  if (body.is_large) {
-    large_.erase(std::find_if(large_.begin(), large_.end(), [&](const Large& large) { return large.index == index; }));
+  if (body.is_large && body.is_movable) {
+    large_.erase(std::find(large_.begin(), large_.end(), index));
+  } else if (body.is_large) {
+    walls_.remove(index);
   } else {
     grid_.remove(index);
   }
@@ -168,6 +167,7 @@ void Bodies::clear() {
   order_.clear();
   index_of_row_.clear();
   large_.clear();
+  walls_.clear();
   projections_.clear();
   grid_.clear();
   turrets_.clear();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "common/turret.hpp"
+#include "planar/box_grid.hpp"
 #include "planar/cell_grid.hpp"
 #include "planar/placed_pose.hpp"
 #include "planar/planar_model.hpp"
@@ -135,18 +136,21 @@ class Bodies {
     if (!body.is_large || body.is_movable) {
       return (body.pose.position - point).norm() - body.model->radius;
     }
-    const auto large =
-        std::find_if(large_.begin(), large_.end(), [&](const Large& each) { return each.index == index; });
-    return large->bounds.exteriorDistance(point);
+    return walls_.bounds(index).exteriorDistance(point);
   }
 
   /// Calls visit(index) for all bodies whose surrounding circle may meet the given one, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
-    for (const Large& large : large_) {
-      if (large.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(large.index)) {
+    for (const BodyIndex index : large_) {
+      const Circle& circle = circles_[static_cast<std::size_t>(index)];
+      const double reach = radius + circle.radius;
+      if ((circle.centre - centre).squaredNorm() <= reach * reach && !visit(index)) {
         return;
       }
+    }
+    if (!walls_.visitNear(centre, radius, visit)) {
+      return;
     }
     grid_.visitNear(centre, radius + largest_radius_, [&](BodyIndex index) {
       const Circle& circle = circles_[static_cast<std::size_t>(index)];
@@ -163,12 +167,6 @@ class Bodies {
     std::weak_ptr<const PlanarModel> model;
   };
 
-  /// Kept out of the grid, looked at one by one.
-  struct Large {
-    BodyIndex index = kNoBody;
-    Eigen::AlignedBox2d bounds;
-  };
-
   std::shared_ptr<const PlanarModel> project(const std::shared_ptr<const EntityModel>& entity,
                                              const Eigen::Quaterniond& base);
   void findMechanisms(const Space& space, BodyIndex index);
@@ -176,7 +174,8 @@ class Bodies {
   bool haveJointsTurned(const Space& space, BodyIndex index) const;
   OwnProjection& ownProjection(BodyIndex index);
   void takeProjection(BodyIndex index);
-  void refreshBounds(BodyIndex index);
+  /// Of what does not move.
+  Eigen::AlignedBox2d boundsOf(const Body& body);
 
   Plane plane_;
   std::vector<Body> bodies_;
@@ -185,10 +184,11 @@ class Bodies {
   std::vector<BodyIndex> holes_;
   std::vector<BodyIndex> order_;
   RowMap<BodyIndex> index_of_row_;
-  std::vector<Large> large_;
+  std::vector<BodyIndex> large_;  // of those that move: looked at one by one
+  BoxGrid walls_;                 // large ones that do not
   std::vector<Turret> turrets_;
   OwnProjection tried_;                     // scratch of modelAt
-  std::vector<PlanarShape> placed_shapes_;  // scratch of refreshBounds
+  std::vector<PlanarShape> placed_shapes_;  // scratch of boundsOf
   std::vector<Projection> projections_;
   CellGrid grid_;
   double largest_radius_ = 0.0;  // of bodies in the grid

@@ -8,7 +8,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kWeight = 1.8 * kGravity;  // N, of a footbot
 constexpr double kTreelFriction = 0.9;
 

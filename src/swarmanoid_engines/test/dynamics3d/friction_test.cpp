@@ -11,8 +11,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
-
 /// From one vector to another about z [rad].
 double turnBetween(const Vector3d& from, const Vector3d& to) { return std::atan2(from.cross(to).z(), from.dot(to)); }
 

@@ -13,8 +13,6 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
-
 /// Places things as if the world were turned about (5, 5).
 class Turned {
  public:

@@ -9,8 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
-
 /// Both tilted by an angle towards a direction, as an experiment file would have it.
 struct BlockSlope : Slope {
   BlockSlope(double angle, double direction, World::Values values) : Slope(std::move(values)) {

@@ -13,8 +13,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
-
 double flat(double, double) { return 0.0; }
 
 /// A footbot's pitch: how far its x axis points up [rad].

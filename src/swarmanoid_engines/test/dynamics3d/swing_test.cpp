@@ -15,7 +15,6 @@ using Eigen::Isometry3d;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kStep = 0.01;  // s
 
 struct Swing {

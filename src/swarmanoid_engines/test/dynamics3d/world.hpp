@@ -14,6 +14,7 @@
 namespace swarmanoid::dynamics3d {
 
 constexpr double kGravity = 9.81;  // m/s2
+constexpr double kDegree = M_PI / 180.0;
 
 /// A pose on the ground.
 inline Pose flatPose(double x, double y, double heading = 0.0, double z = 0.0) {

@@ -1,6 +1,6 @@
 /// Serves tests that code allocates nothing: it counts every malloc of the program, and so every new.
 ///
-/// Include it in one source file of the test's executable; it replaces malloc and its relatives there.
+/// It replaces malloc and its relatives in the test's executable; several of its sources may include it.
 #pragma once
 
 #include <atomic>
@@ -30,27 +30,27 @@ void* __libc_realloc(void* memory, std::size_t size);
 void* __libc_memalign(std::size_t alignment, std::size_t size);
 // NOLINTEND(bugprone-reserved-identifier, readability-identifier-naming)
 
-void* malloc(std::size_t size) noexcept {
+[[gnu::weak]] void* malloc(std::size_t size) noexcept {
   ++swarmanoid::heap_allocations;
   return __libc_malloc(size);
 }
 
-void* calloc(std::size_t count, std::size_t size) noexcept {
+[[gnu::weak]] void* calloc(std::size_t count, std::size_t size) noexcept {
   ++swarmanoid::heap_allocations;
   return __libc_calloc(count, size);
 }
 
-void* realloc(void* memory, std::size_t size) noexcept {
+[[gnu::weak]] void* realloc(void* memory, std::size_t size) noexcept {
   ++swarmanoid::heap_allocations;
   return __libc_realloc(memory, size);
 }
 
-void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
+[[gnu::weak]] void* aligned_alloc(std::size_t alignment, std::size_t size) noexcept {
   ++swarmanoid::heap_allocations;
   return __libc_memalign(alignment, size);
 }
 
-int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
+[[gnu::weak]] int posix_memalign(void** memory, std::size_t alignment, std::size_t size) noexcept {
   ++swarmanoid::heap_allocations;
   *memory = __libc_memalign(alignment, size);
   return *memory == nullptr ? ENOMEM : 0;

@@ -1,0 +1,67 @@
+#include "planar/box_grid.hpp"
+
+#include <cmath>
+
+#include "swarmanoid_interface/expects.hpp"
+
+namespace swarmanoid::planar {
+namespace {
+constexpr std::int32_t kNone = -1;
+}  // namespace
+
+void BoxGrid::configure(const Eigen::Vector2d& size) {
+  constexpr double kSmallestCell = 1.0;  // m: robots look around by less
+  constexpr double kMostPerAxis = 256.0;
+  const double cell_size = std::max(kSmallestCell, size.maxCoeff() / kMostPerAxis);
+  inverse_cell_size_ = 1.0 / cell_size;
+  columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell_size)));
+  lines_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell_size)));
+  clear();
+}
+
+void BoxGrid::clear() {
+  entries_.clear();
+  entry_of_body_.clear();
+  cells_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(lines_), {});
+}
+
+template <class Visit>
+void BoxGrid::visitCells(const Cells& cells, Visit visit) {
+  for (int line = cells.low_line; line <= cells.high_line; ++line) {
+    for (int column = cells.low_column; column <= cells.high_column; ++column) {
+      visit(cells_[flat(column, line)]);
+    }
+  }
+}
+
+void BoxGrid::set(std::int32_t body, const Eigen::AlignedBox2d& bounds) {
+  const auto place = static_cast<std::size_t>(body);
+  if (place < entry_of_body_.size() && entry_of_body_[place] != kNone) {
+    remove(body);
+  }
+  entry_of_body_.resize(std::max(entry_of_body_.size(), place + 1), kNone);
+  const auto number = static_cast<std::int32_t>(entries_.size());
+  entry_of_body_[place] = number;
+  entries_.push_back({body, bounds, cellsOf(bounds)});
+  visitCells(entries_.back().cells, [&](std::vector<std::int32_t>& cell) { cell.push_back(number); });
+}
+
+void BoxGrid::remove(std::int32_t body) {
+  std::int32_t& number = entry_of_body_[static_cast<std::size_t>(body)];
+  SWARMANOID_EXPECTS(number != kNone);
+  visitCells(entries_[static_cast<std::size_t>(number)].cells,
+             [&](std::vector<std::int32_t>& cell) { cell.erase(std::find(cell.begin(), cell.end(), number)); });
+  // the last one takes its place
+  const auto last = static_cast<std::int32_t>(entries_.size()) - 1;
+  if (number != last) {
+    const Entry moved = entries_.back();
+    visitCells(moved.cells,
+               [&](std::vector<std::int32_t>& cell) { *std::find(cell.begin(), cell.end(), last) = number; });
+    entries_[static_cast<std::size_t>(number)] = moved;
+    entry_of_body_[static_cast<std::size_t>(moved.body)] = number;
+  }
+  entries_.pop_back();
+  number = kNone;
+}
+
+}  // namespace swarmanoid::planar

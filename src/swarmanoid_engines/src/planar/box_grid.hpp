@@ -1,0 +1,91 @@
+/// Which boxes that stay where they are, such as walls, are near a place: a grid of wide cells over the arena, each
+/// with a list of the boxes that meet it.
+///
+/// A look-up costs what is near, however many walls a maze has. What is outside the arena is kept in the border cells.
+/// Threads: const functions may run at once.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+namespace swarmanoid::planar {
+
+class BoxGrid {
+ public:
+  /// @param size of the area, which spans from 0 to size [m]
+  void configure(const Eigen::Vector2d& size);
+  void clear();
+
+  /// @param body its number, from 0; what it was added with before is forgotten
+  void set(std::int32_t body, const Eigen::AlignedBox2d& bounds);
+  void remove(std::int32_t body);
+
+  /// @pre the body was added
+  const Eigen::AlignedBox2d& bounds(std::int32_t body) const {
+    return entries_[static_cast<std::size_t>(entry_of_body_[static_cast<std::size_t>(body)])].bounds;
+  }
+
+  /// Calls visit(body) once for all whose box is within `radius` of `centre`, until it returns false. @return whether
+  /// it never did
+  template <class Visit>
+  bool visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
+    if (entries_.empty()) {
+      return true;
+    }
+    const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
+    const Cells cells = cellsOf({centre - reach, centre + reach});
+    for (int line = cells.low_line; line <= cells.high_line; ++line) {
+      for (int column = cells.low_column; column <= cells.high_column; ++column) {
+        for (const std::int32_t number : cells_[flat(column, line)]) {
+          const Entry& entry = entries_[static_cast<std::size_t>(number)];
+          // of the cells that it shares with the place, it counts in the first
+          const bool is_first = column == std::max(cells.low_column, entry.cells.low_column) &&
+                                line == std::max(cells.low_line, entry.cells.low_line);
+          if (is_first && entry.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(entry.body)) {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+ private:
+  struct Cells {
+    int low_column;
+    int high_column;
+    int low_line;
+    int high_line;
+  };
+  struct Entry {
+    std::int32_t body;
+    Eigen::AlignedBox2d bounds;
+    Cells cells;
+  };
+
+  int clamped(double cell, int count) const {
+    // written so that NaN ends in cell 0
+    return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
+  }
+  Cells cellsOf(const Eigen::AlignedBox2d& box) const {
+    return {clamped(box.min().x() * inverse_cell_size_, columns_),
+            clamped(box.max().x() * inverse_cell_size_, columns_), clamped(box.min().y() * inverse_cell_size_, lines_),
+            clamped(box.max().y() * inverse_cell_size_, lines_)};
+  }
+  std::size_t flat(int column, int line) const {
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+  template <class Visit>  // visit(list of the cell)
+  void visitCells(const Cells& cells, Visit visit);
+
+  double inverse_cell_size_ = 1.0;
+  int columns_ = 1;
+  int lines_ = 1;
+  std::vector<Entry> entries_;
+  std::vector<std::int32_t> entry_of_body_;       // by body; kNone: it has none
+  std::vector<std::vector<std::int32_t>> cells_;  // entries
+};
+
+}  // namespace swarmanoid::planar
