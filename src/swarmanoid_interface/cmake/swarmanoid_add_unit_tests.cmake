@@ -12,12 +12,12 @@ endfunction()
 # swarmanoid_add_unit_tests(TARGETS FOLDER [LIBRARIES LIBRARY...] [ALONE NAME...] [PREFIX PREFIX] [GROUPS N]): the tests in all FOLDER/*_test.cpp,
 # so that a new one is built without an entry anywhere. They are linked with the libraries.
 #
-# They are one program, ${PROJECT_NAME}_unit_tests for the folder `test`, since most of the time to compile them goes into
-# headers, which several sources that are compiled as one read once: N groups of them (4), which a new file does not change. Each file is a test of its own all the same, and a
-# script, ${PROJECT_NAME}_<prefix><name of the file>, that runs what is in it. NAMEs are of files (without .cpp) that are a
-# program by themselves, because they register what others register too, or have sources and libraries of their own.
-# Others have no name
-# at file scope in common with those in their group. TARGETS becomes the list of all programs.
+# They are one program, ${PROJECT_NAME}_unit_tests for the folder `test`, compiled in N groups of files (4), which a new file does
+# not change: most of the time to compile tests goes into headers, which a group reads once. So no two files of a group have a
+# name at file scope in common. Each file is a test of its own all the same, with a script and a target
+# ${PROJECT_NAME}_<prefix><name of the file> that runs and builds what is in it. NAMEs are of files (without .cpp) that are
+# programs by themselves, because they register what others register too, or have sources and libraries of their own.
+# TARGETS becomes the list of all programs.
 function(swarmanoid_add_unit_tests targets folder)
   cmake_parse_arguments(_test "" "PREFIX;GROUPS" "LIBRARIES;ALONE" ${ARGN})
   file(GLOB _files RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/${folder} CONFIGURE_DEPENDS
@@ -69,6 +69,7 @@ function(_swarmanoid_run_part_of program script file)
     "#!/bin/sh\n# the tests of @file@\nexec @_folder@/@program@ '--gtest_filter=@_filter@' \"$@\"\n")
   file(CHMOD ${_folder}/${script} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
     WORLD_EXECUTE)
+  add_custom_target(${script} DEPENDS ${program})
   catkin_run_tests_target(gtest ${script} gtest-${script}.xml DEPENDENCIES ${program} COMMAND
     "${_folder}/${script} --gtest_output=xml:${CATKIN_TEST_RESULTS_DIR}/${PROJECT_NAME}/gtest-${script}.xml")
 endfunction()

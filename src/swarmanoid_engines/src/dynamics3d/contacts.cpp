@@ -66,9 +66,9 @@ bool mayMeet(const Body& fixed, const Eigen::AlignedBox3d& box) {
   });
 }
 
-/// Whether a body is left out of ODE and the other, which is fixed, stays out of its way.
+/// Whether the other is fixed, and out of the body's way.
 bool passes(const Body& body, const Body& other) {
-  return body.steadiness.is_left_out && other.rigid == nullptr && !mayMeet(other, body.steadiness.way);
+  return body.is_dynamic && other.rigid == nullptr && !mayMeet(other, body.steadiness.box);
 }
 
 /// Whether a hand or a magnet of `robot`, of which `solid` is part, holds the object.
@@ -132,7 +132,12 @@ const std::vector<Body*>& Contacts::findPairs(std::size_t bodies) {
     reached_.reserve(2 * pairs_.capacity());
     reserveJoints(world_, joints_, points_.capacity());
   }
-  near_.update([](Body* body) { return body->steadiness.is_left_out ? body->steadiness.way : boundsNow(*body); });
+  near_.update([](Body* body) {
+    if (!body->steadiness.is_left_out) {
+      body->steadiness.box = boundsNow(*body);
+    }
+    return body->steadiness.box;
+  });
   pairs_.clear();
   reached_.clear();
   near_.visitPairs([&](Body* a, Body* b) {

@@ -81,8 +81,8 @@ void Dynamics3d::leaveOutSteady(double tick) {
     if (!body->is_dynamic || !movesSteadily(*body)) {
       continue;
     }
-    body->steadiness.way = boxAroundWay(*body, Contacts::boundsNow(*body), tick);
-    if (!ground_.isRoughAt(body->steadiness.way)) {
+    body->steadiness.box = boxAroundWay(*body, Contacts::boundsNow(*body), tick);
+    if (!ground_.isRoughAt(body->steadiness.box)) {
       body->steadiness.is_left_out = true;
       dBodyDisable(body->rigid);
       left_out_.push_back(body);
