@@ -1,8 +1,9 @@
 #!/usr/bin/python3
-"""tidy.py BUILD_FOLDER [--all]: clang-tidy over the sources of all packages that are built there, tests left out.
+"""tidy.py BUILD_FOLDER [--since DATE]: clang-tidy over the sources of all packages that are built there, tests left out.
 
 What is compiled as one is looked at as one. A unit is skipped if its text after the preprocessor, its checks and the
-version of clang-tidy are those with which it passed before; BUILD_FOLDER/tidy_passed holds them. --all skips nothing."""
+version of clang-tidy are those with which it passed before; BUILD_FOLDER/tidy_passed holds them. With --since, only those units
+are looked at of which commits after that date have changed a source, as `git log --since` takes it."""
 
 import argparse
 import concurrent.futures
@@ -37,17 +38,27 @@ def fingerprint(unit, checks):
     return hashlib.sha256(checks + shlex.join(command).encode() + text).hexdigest()
 
 
+def changed_since(date):
+    """Paths that commits have changed since then; of a clone without history its only commit has changed all."""
+    log = subprocess.run(["git", "log", f"--since={date}", "--name-only", "--format="], cwd=ROOT, stdout=subprocess.PIPE, text=True,
+                         check=True)
+    return set(log.stdout.split())
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("build", type=pathlib.Path)
-    parser.add_argument("--all", action="store_true")
+    parser.add_argument("--since", metavar="DATE", help="such as '2 days ago'")
     arguments = parser.parse_args()
     version = subprocess.run(["clang-tidy", "--version"], stdout=subprocess.PIPE, check=True).stdout
     checks = CHECKS.read_bytes() + version
     passed = arguments.build / "tidy_passed"
-    known = set(passed.read_text().split()) if passed.exists() and not arguments.all else set()
+    known = set(passed.read_text().split()) if passed.exists() else set()
     commands = json.loads((arguments.build / "compile_commands.json").read_text())
     units = [unit for unit in commands if sources(unit)]
+    if arguments.since:
+        changed = changed_since(arguments.since)
+        units = [unit for unit in units if changed.intersection(sources(unit))]
 
     def look(unit):
         """@return what is to be remembered, and what clang-tidy says: nothing if the unit was known"""
@@ -60,7 +71,8 @@ def main():
 
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         results = list(pool.map(look, units))
-    passed.write_text("".join(f"{mark}\n" for mark, _, _ in results if mark))
+    marks = {mark for mark, _, _ in results if mark}
+    passed.write_text("".join(f"{mark}\n" for mark in sorted(marks | known if arguments.since else marks)))
     findings = [text for mark, text, _ in results if mark is None]
     for text in findings:
         print(text)

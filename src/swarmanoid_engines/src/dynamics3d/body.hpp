@@ -58,7 +58,7 @@ struct Flight {
 struct Steadiness {
   bool is_left_out = false;  ///< of ODE, for the rest of the tick under way
   Eigen::AlignedBox3d box;   ///< around it in the step under way; left out, around its way in that tick; in W
-  int steps = 0;             ///< how many steps it has moved as in the step before
+  double time = 0.0;         ///< for how long it has moved as in the step before [s]
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();  ///< velocity of its centre of mass in the last step, in B [m/s]
   double turn_rate = 0.0;                            ///< likewise, about the vertical [rad/s]
 };

@@ -144,7 +144,7 @@ const std::vector<Body*>& Contacts::findPairs(std::size_t bodies) {
     if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b) && !passes(*a, *b) && !passes(*b, *a)) {
       pairs_.emplace_back(std::min(a->rank, b->rank), std::max(a->rank, b->rank));
       for (Body* body : {a, b}) {
-        body->steadiness.steps = 0;  // it may lean on what is taken away some day
+        body->steadiness.time = 0.0;  // it may lean on what is taken away some day
         if (body->steadiness.is_left_out) {
           reached_.push_back(body);
         }
@@ -212,7 +212,7 @@ void Contacts::collideGround(Body& body) {
 }
 
 void Contacts::collideRoughGround(Body& body, const Solid& solid) {
-  body.steadiness.steps = 0;
+  body.steadiness.time = 0.0;
   SurfaceContacts contacts = dynamics3d::collideGround(ground_, PlacedSolid(solid.geom), kMargin / 2.0);
   contacts.keepSpread(kMostUsed);
   for (const SurfaceContact& contact : contacts) {

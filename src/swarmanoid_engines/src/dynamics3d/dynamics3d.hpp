@@ -97,6 +97,8 @@ class Dynamics3d final : public Engine {
   /// Takes those in again that somebody is near. @param steps of this tick that are done
   void takeInReached(int steps, double step);
   void takeIn(Body& body, int steps, double step);
+  /// What hangs on a rope does not move steadily: ropes are no lasting joints in ODE.
+  void noteRopes();
   /// @param number from 0, of the step in the tick
   void stepOnce(int number, double step);
   void setDamping(bool is_damped);

@@ -70,9 +70,7 @@ void visitRopes(Body& robot, Visit visit) {
 }  // namespace
 
 void Dynamics3d::leaveOutSteady(double tick) {
-  for (Body* body : order_) {
-    visitRopes(*body, [&](std::size_t rope) { body->holding->ropes[rope].held->steadiness.steps = 0; });
-  }
+  noteRopes();
   left_out_.clear();
   if (settling_ > 0 || keeps_all_in_ode_) {
     return;
@@ -150,11 +148,18 @@ void Dynamics3d::stepOnce(int number, double step) {
   for (Body* body : order_) {
     if (body->isInOde()) {
       readTurret(*body);
-      noteStep(*body);
+      noteStep(*body, step);
       ++counts_.moved;
     }
   }
+  noteRopes();
   feelGrips(step);
+}
+
+void Dynamics3d::noteRopes() {
+  for (Body* body : order_) {
+    visitRopes(*body, [&](std::size_t rope) { body->holding->ropes[rope].held->steadiness.time = 0.0; });
+  }
 }
 
 void Dynamics3d::setDamping(bool is_damped) {

@@ -12,32 +12,33 @@ using Eigen::Vector3d;
 
 // What remains of a change then moves a body by parts of a micrometre until it has died away: springs under robots
 // take 40 ms to a part of e.
-constexpr int kSameSteps = 10;
-constexpr double kSameSpeed = 1e-7;   // m/s, along the ground
-constexpr double kSameTurn = 1e-6;    // rad/s, about the vertical
-constexpr double kStillSpeed = 1e-6;  // m/s, up and down
-constexpr double kStillTurn = 2e-5;   // rad/s, of what tips
-constexpr double kRounding = 1e-6;    // m
+constexpr double kSameTime = 0.1 - 1e-9;  // s
+constexpr double kSameSpeed = 1e-5;       // m/s2, along the ground
+constexpr double kSameTurn = 1e-4;        // rad/s2, about the vertical
+constexpr double kStillSpeed = 1e-6;      // m/s, up and down
+constexpr double kStillTurn = 2e-5;       // rad/s, of what tips
+constexpr double kRounding = 1e-6;        // m
 
 }  // namespace
 
-void noteStep(Body& body) {
+void noteStep(Body& body, double step) {
   const Vector3d linear = toVector(dBodyGetLinearVel(body.rigid));
   const Vector3d angular = toVector(dBodyGetAngularVel(body.rigid));
   const Vector3d own_linear = toQuaternion(dBodyGetQuaternion(body.rigid)).conjugate() * linear;
   Steadiness& steadiness = body.steadiness;
-  const bool is_same = dBodyGetNumJoints(body.rigid) == 0 && std::abs(linear.z()) < kStillSpeed &&
-                       angular.head<2>().norm() < kStillTurn && (own_linear - steadiness.linear).norm() < kSameSpeed &&
-                       std::abs(angular.z() - steadiness.turn_rate) < kSameTurn;
+  const bool is_same = dBodyGetNumJoints(body.rigid) == 0 && !body.flight_command.is_driven &&
+                       std::abs(linear.z()) < kStillSpeed && angular.head<2>().norm() < kStillTurn &&
+                       (own_linear - steadiness.linear).norm() < kSameSpeed * step &&
+                       std::abs(angular.z() - steadiness.turn_rate) < kSameTurn * step;
   steadiness.linear = own_linear;
   steadiness.turn_rate = angular.z();
-  steadiness.steps = is_same ? steadiness.steps + 1 : 0;
+  steadiness.time = is_same ? steadiness.time + step : 0.0;
 }
 
 bool movesSteadily(const Body& body) {
   const bool is_free = body.links.empty() && body.holding == nullptr && !body.turret.isCommanded() &&
                        !body.flight_command.is_driven && dBodyGetNumJoints(body.rigid) == 0;
-  return is_free && body.steadiness.steps >= kSameSteps && (!body.model->wheels || runsAsCommanded(body));
+  return is_free && body.steadiness.time >= kSameTime && (!body.model->wheels || runsAsCommanded(body));
 }
 
 Eigen::AlignedBox3d boxAroundWay(const Body& body, const Eigen::AlignedBox3d& box, double tick) {

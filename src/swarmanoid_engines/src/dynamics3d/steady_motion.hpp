@@ -10,8 +10,8 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// After a step in ODE: whether the body moved as in the step before.
-void noteStep(Body& body);
+/// After a step in ODE: whether the body moved as in the step before. @param step [s]
+void noteStep(Body& body, double step);
 
 /// Whether it will move as it did in the last steps if nothing meets it, the ground under it being level. After its
 /// commands of the tick were read.

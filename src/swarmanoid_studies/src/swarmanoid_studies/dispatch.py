@@ -11,7 +11,7 @@ from typing import Deque, Dict, Iterator, List, Sequence, Tuple
 
 from distributed import Client, Future, KilledWorker, as_completed
 
-from .mistakes import RunsStopped
+from .mistakes import RunsStopped, hear_interrupts
 from .run_maker import make_runs
 from .runs import RunOutcome, RunRequest, lost
 
@@ -95,6 +95,7 @@ def outcomes(client: Client, requests: Sequence[RunRequest]) -> Iterator[Tuple[i
 
     send()
     for future in completed:
+        hear_interrupts()
         bundle = sent.pop(future)
         try:
             results = _result(future)

@@ -27,8 +27,28 @@ class Arguments(argparse.ArgumentParser):
         raise BadInput(f"{message}; `{self.prog} --help` has all options")
 
 
+class _Interrupts:
+    """Python ignores an exception that comes while a callback of its garbage collector or a destructor runs, and libraries have
+    such: so may an interrupt be lost."""
+    is_lost = False
+
+
 def _interrupt(_signal: int, _frame: object) -> None:
     raise KeyboardInterrupt
+
+
+def _note_lost(ignored: "sys.UnraisableHookArgs") -> None:
+    if issubclass(ignored.exc_type, KeyboardInterrupt):
+        _Interrupts.is_lost = True
+    else:
+        sys.__unraisablehook__(ignored)
+
+
+def hear_interrupts() -> None:
+    """Raises an interrupt that was lost. Programs call it where they take results."""
+    if _Interrupts.is_lost:
+        _Interrupts.is_lost = False
+        raise KeyboardInterrupt
 
 
 def interrupted() -> int:
@@ -39,6 +59,7 @@ def interrupted() -> int:
 
 def call(main: Callable[[], int]) -> int:
     """Calls the body of a program. @return its exit code"""
+    sys.unraisablehook = _note_lost
     for number in (signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) != signal.SIG_IGN:  # as nohup sets it
             signal.signal(number, _interrupt)
