@@ -25,7 +25,8 @@ Experiment experiment(const std::string& parameters) {
     <light id="nest"><position>1, 1, 2</position><orientation>0, 0, 0</orientation></light>
     <light id="prey"><position>3.9, 1, 0.5</position><orientation>0, 0, 0</orientation></light>)" +
                              pathFootbot("a", "1.7, 1") + pathFootbot("b", "2.45, 1") + pathFootbot("c", "3.2, 1") +
-                             pathFootbot("d", "1.9, 1.7") + pathFootbot("e", "2.55, 1.9") + pathFootbot("f", "3.2, 1.7") +
+                             pathFootbot("d", "1.9, 1.7") + pathFootbot("e", "2.55, 1.9") +
+                             pathFootbot("f", "3.2, 1.7") +
                              "</arena><rules><path_formation id=\"p\"><reach>0.8</reach>" + parameters +
                              "</path_formation></rules></ahss-config>",
                          "path.xml");
