@@ -41,10 +41,10 @@ void followCommand(Body& robot, double step) {
 }
 
 bool runsAsCommanded(const Body& robot) {
-  constexpr double kRounding = 1e-12;  // m/s
+  constexpr double kAsCommanded = 1e-12;  // m/s
   const double* speed = robot.treels.rim_speed;
-  return std::abs(speed[0] - wantedSpeed(robot, 0)) < kRounding &&
-         std::abs(speed[1] - wantedSpeed(robot, 1)) < kRounding;
+  return std::abs(speed[0] - wantedSpeed(robot, 0)) < kAsCommanded &&
+         std::abs(speed[1] - wantedSpeed(robot, 1)) < kAsCommanded;
 }
 
 void driveContact(const Body& robot, const Solid& solid, const Settings& settings, double step, dContact& contact) {
