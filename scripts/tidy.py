@@ -39,10 +39,11 @@ def fingerprint(unit, checks):
 
 
 def changed_since(date):
-    """Paths that commits have changed since then; of a clone without history its only commit has changed all."""
+    """Paths that commits have changed since then; of a clone without history its only commit has changed all. Nothing where there is
+    no repository."""
     log = subprocess.run(["git", "log", f"--since={date}", "--name-only", "--format="], cwd=ROOT, stdout=subprocess.PIPE, text=True,
-                         check=True)
-    return set(log.stdout.split())
+                         check=False)
+    return set(log.stdout.split()) if log.returncode == 0 else None
 
 
 def main():
@@ -58,7 +59,7 @@ def main():
     units = [unit for unit in commands if sources(unit)]
     if arguments.since:
         changed = changed_since(arguments.since)
-        units = [unit for unit in units if changed.intersection(sources(unit))]
+        units = [unit for unit in units if changed is None or changed.intersection(sources(unit))]
 
     def look(unit):
         """@return what is to be remembered, and what clang-tidy says: nothing if the unit was known"""
