@@ -12,13 +12,18 @@ function(swarmanoid_add_unit_test target)
   endif()
   cmake_parse_arguments(_test "" "" LIBRARIES ${ARGN})
   catkin_add_gtest(${target} ${_test_UNPARSED_ARGUMENTS})
-  swarmanoid_compile_options(${target})
-  target_compile_options(${target} PRIVATE -O1)
-  target_link_libraries(${target} ${_test_LIBRARIES} GTest::gtest_main)
+  _swarmanoid_finish_test(${target} ${_test_LIBRARIES})
 endfunction()
 
-# swarmanoid_add_unit_tests(TARGETS FOLDER [LIBRARIES LIBRARY...] [ALONE NAME...] [PREFIX PREFIX] [GROUPS N]): the tests in all FOLDER/*_test.cpp,
-# so that a new one is built without an entry anywhere. They are linked with the libraries.
+# Options and libraries of a program of tests.
+function(_swarmanoid_finish_test target)
+  swarmanoid_compile_options(${target})
+  target_compile_options(${target} PRIVATE -O1)
+  target_link_libraries(${target} ${ARGN} GTest::gtest_main)
+endfunction()
+
+# swarmanoid_add_unit_tests(TARGETS FOLDER [LIBRARIES LIBRARY...] [ALONE NAME...] [PREFIX PREFIX] [GROUPS N]): the tests in
+# all FOLDER/*_test.cpp, so that a new one is built without an entry anywhere. They are linked with the libraries.
 #
 # They are one program, ${PROJECT_NAME}_unit_tests for the folder `test`, compiled in N groups of files (4), which a new file does
 # not change: most of the time to compile tests goes into headers, which a group reads once. So no two files of a group have a
@@ -42,25 +47,23 @@ function(swarmanoid_add_unit_tests targets folder)
   set(_together)
   foreach(_file ${_files})
     get_filename_component(_name ${_file} NAME_WE)
-    set(_test ${PROJECT_NAME}_${_test_PREFIX}${_name})
+    set(_target ${PROJECT_NAME}_${_test_PREFIX}${_name})
     if(_name IN_LIST _test_ALONE)
-      swarmanoid_add_unit_test(${_test} ${folder}/${_file} LIBRARIES ${_test_LIBRARIES})
-      list(APPEND _targets ${_test})
+      swarmanoid_add_unit_test(${_target} ${folder}/${_file} LIBRARIES ${_test_LIBRARIES})
+      list(APPEND _targets ${_target})
     else()
       list(APPEND _together ${folder}/${_file})
       string(MD5 _hash ${_name})
       string(SUBSTRING ${_hash} 0 4 _hash)
       math(EXPR _group "0x${_hash} % ${_test_GROUPS}")
       set_source_files_properties(${folder}/${_file} PROPERTIES UNITY_GROUP group_${_group})
-      _swarmanoid_run_part_of(${_program} ${_test} ${folder}/${_file})
+      _swarmanoid_run_part_of(${_program} ${_target} ${folder}/${_file})
     endif()
   endforeach()
   catkin_add_executable_with_gtest(${_program} ${_together} EXCLUDE_FROM_ALL)
   set_target_properties(${_program} PROPERTIES UNITY_BUILD_MODE GROUP)
   add_dependencies(tests ${_program})
-  swarmanoid_compile_options(${_program})
-  target_compile_options(${_program} PRIVATE -O1)
-  target_link_libraries(${_program} ${_test_LIBRARIES} GTest::gtest_main)
+  _swarmanoid_finish_test(${_program} ${_test_LIBRARIES})
   set(${targets} ${_targets} PARENT_SCOPE)
 endfunction()
 

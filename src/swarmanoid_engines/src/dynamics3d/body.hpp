@@ -174,6 +174,9 @@ struct Body {
   std::unique_ptr<EntityModel> posed_;  // null: no joint turns a shape
 };
 
+/// Whether one of them grips the other.
+inline bool areJoined(const Body& a, const Body& b) { return a.grip.gripped == &b || b.grip.gripped == &a; }
+
 /// Takes the commands of a tick from the space.
 void readCommands(const Space& space, Body& body);
 

@@ -90,10 +90,8 @@ void Dynamics3d::leaveOutSteady(double tick) {
 
 void Dynamics3d::takeInReached(int steps, double step) {
   for (Body* body : contacts_.findPairs(order_.size())) {
-    if (body->steadiness.is_left_out) {
-      takeIn(*body, steps, step);
-      Contacts::boundsNow(*body);
-    }
+    takeIn(*body, steps, step);
+    Contacts::boundsNow(*body);
   }
 }
 

@@ -19,6 +19,12 @@ constexpr double kStillSpeed = 1e-6;      // m/s, up and down
 constexpr double kStillTurn = 2e-5;       // rad/s, of what tips
 constexpr double kRounding = 1e-6;        // m
 
+/// Whether nothing but the ground acts on it.
+bool isFree(const Body& body) {
+  return body.links.empty() && body.holding == nullptr && !body.turret.isCommanded() &&
+         !body.flight_command.is_driven && dBodyGetNumJoints(body.rigid) == 0;
+}
+
 }  // namespace
 
 void noteStep(Body& body, double step) {
@@ -26,8 +32,7 @@ void noteStep(Body& body, double step) {
   const Vector3d angular = toVector(dBodyGetAngularVel(body.rigid));
   const Vector3d own_linear = toQuaternion(dBodyGetQuaternion(body.rigid)).conjugate() * linear;
   Steadiness& steadiness = body.steadiness;
-  const bool is_same = dBodyGetNumJoints(body.rigid) == 0 && !body.flight_command.is_driven &&
-                       std::abs(linear.z()) < kStillSpeed && angular.head<2>().norm() < kStillTurn &&
+  const bool is_same = isFree(body) && std::abs(linear.z()) < kStillSpeed && angular.head<2>().norm() < kStillTurn &&
                        (own_linear - steadiness.linear).norm() < kSameSpeed * step &&
                        std::abs(angular.z() - steadiness.turn_rate) < kSameTurn * step;
   steadiness.linear = own_linear;
@@ -36,9 +41,7 @@ void noteStep(Body& body, double step) {
 }
 
 bool movesSteadily(const Body& body) {
-  const bool is_free = body.links.empty() && body.holding == nullptr && !body.turret.isCommanded() &&
-                       !body.flight_command.is_driven && dBodyGetNumJoints(body.rigid) == 0;
-  return is_free && body.steadiness.time >= kSameTime && (!body.model->wheels || runsAsCommanded(body));
+  return isFree(body) && body.steadiness.time >= kSameTime && (!body.model->wheels || runsAsCommanded(body));
 }
 
 Eigen::AlignedBox3d boxAroundWay(const Body& body, const Eigen::AlignedBox3d& box, double tick) {

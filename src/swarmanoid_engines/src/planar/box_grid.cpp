@@ -1,6 +1,6 @@
 #include "planar/box_grid.hpp"
 
-#include <cmath>
+#include <algorithm>
 
 #include "swarmanoid_interface/expects.hpp"
 
@@ -12,24 +12,21 @@ constexpr std::int32_t kNone = -1;
 void BoxGrid::configure(const Eigen::Vector2d& size) {
   constexpr double kSmallestCell = 1.0;  // m: robots look around by less
   constexpr double kMostPerAxis = 256.0;
-  const double cell_size = std::max(kSmallestCell, size.maxCoeff() / kMostPerAxis);
-  inverse_cell_size_ = 1.0 / cell_size;
-  columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell_size)));
-  lines_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell_size)));
+  layout_ = CellLayout(size, kSmallestCell, kMostPerAxis);
   clear();
 }
 
 void BoxGrid::clear() {
   entries_.clear();
   entry_of_body_.clear();
-  cells_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(lines_), {});
+  cells_.assign(layout_.count(), {});
 }
 
 template <class Visit>
 void BoxGrid::visitCells(const Cells& cells, Visit visit) {
   for (int line = cells.low_line; line <= cells.high_line; ++line) {
     for (int column = cells.low_column; column <= cells.high_column; ++column) {
-      visit(cells_[flat(column, line)]);
+      visit(cells_[layout_.cell(column, line)]);
     }
   }
 }

@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "planar/cell_layout.hpp"
+
 namespace swarmanoid::planar {
 
 class BoxGrid {
@@ -38,7 +40,7 @@ class BoxGrid {
     const Cells cells = cellsOf({centre - reach, centre + reach});
     for (int line = cells.low_line; line <= cells.high_line; ++line) {
       for (int column = cells.low_column; column <= cells.high_column; ++column) {
-        for (const std::int32_t number : cells_[flat(column, line)]) {
+        for (const std::int32_t number : cells_[layout_.cell(column, line)]) {
           const Entry& entry = entries_[static_cast<std::size_t>(number)];
           // of the cells that it shares with the place, it counts in the first
           const bool is_first = column == std::max(cells.low_column, entry.cells.low_column) &&
@@ -65,24 +67,14 @@ class BoxGrid {
     Cells cells;
   };
 
-  int clamped(double cell, int count) const {
-    // written so that NaN ends in cell 0
-    return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
-  }
   Cells cellsOf(const Eigen::AlignedBox2d& box) const {
-    return {clamped(box.min().x() * inverse_cell_size_, columns_),
-            clamped(box.max().x() * inverse_cell_size_, columns_), clamped(box.min().y() * inverse_cell_size_, lines_),
-            clamped(box.max().y() * inverse_cell_size_, lines_)};
-  }
-  std::size_t flat(int column, int line) const {
-    return static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+    return {layout_.column(box.min().x()), layout_.column(box.max().x()), layout_.line(box.min().y()),
+            layout_.line(box.max().y())};
   }
   template <class Visit>  // visit(list of the cell)
   void visitCells(const Cells& cells, Visit visit);
 
-  double inverse_cell_size_ = 1.0;
-  int columns_ = 1;
-  int lines_ = 1;
+  CellLayout layout_;
   std::vector<Entry> entries_;
   std::vector<std::int32_t> entry_of_body_;       // by body; kNone: it has none
   std::vector<std::vector<std::int32_t>> cells_;  // entries

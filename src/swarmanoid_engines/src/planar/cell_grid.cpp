@@ -1,22 +1,16 @@
 #include "planar/cell_grid.hpp"
 
-#include <algorithm>
-#include <cmath>
-
 namespace swarmanoid::planar {
 
 void CellGrid::configure(const Eigen::Vector2d& size) {
   constexpr double kSmallestCell = 0.3;  // m: a footbot and what surrounds it
   constexpr double kMostPerAxis = 2048.0;
-  const double cell_size = std::max(kSmallestCell, size.maxCoeff() / kMostPerAxis);
-  inverse_cell_size_ = 1.0 / cell_size;
-  columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / cell_size)));
-  lines_ = std::max(1, static_cast<int>(std::ceil(size.y() / cell_size)));
+  layout_ = CellLayout(size, kSmallestCell, kMostPerAxis);
   clear();
 }
 
 void CellGrid::clear() {
-  first_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(lines_), kEnd);
+  first_.assign(layout_.count(), kEnd);
   next_.clear();
   previous_.clear();
   cell_.clear();

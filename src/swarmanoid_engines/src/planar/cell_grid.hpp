@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "planar/cell_layout.hpp"
+
 namespace swarmanoid::planar {
 
 class CellGrid {
@@ -36,15 +38,14 @@ class CellGrid {
   /// Calls visit(body) for all bodies whose centre may be within `radius` of `centre`, until it returns false.
   template <class Visit>
   void visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
-    const int column_low = clamped((centre.x() - radius) * inverse_cell_size_, columns_);
-    const int column_high = clamped((centre.x() + radius) * inverse_cell_size_, columns_);
-    const int line_low = clamped((centre.y() - radius) * inverse_cell_size_, lines_);
-    const int line_high = clamped((centre.y() + radius) * inverse_cell_size_, lines_);
+    const int column_low = layout_.column(centre.x() - radius);
+    const int column_high = layout_.column(centre.x() + radius);
+    const int line_low = layout_.line(centre.y() - radius);
+    const int line_high = layout_.line(centre.y() + radius);
     for (int line = line_low; line <= line_high; ++line) {
       for (int column = column_low; column <= column_high; ++column) {
-        const std::size_t cell =
-            static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
-        for (std::int32_t body = first_[cell]; body != kEnd; body = next_[static_cast<std::size_t>(body)]) {
+        for (std::int32_t body = first_[layout_.cell(column, line)]; body != kEnd;
+             body = next_[static_cast<std::size_t>(body)]) {
           if (!visit(body)) {
             return;
           }
@@ -54,19 +55,13 @@ class CellGrid {
   }
 
  private:
-  static int clamped(double cell, int count) {
-    // written so that NaN ends in cell 0
-    return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
-  }
   std::int32_t cellOf(const Eigen::Vector2d& p) const {
-    return clamped(p.y() * inverse_cell_size_, lines_) * columns_ + clamped(p.x() * inverse_cell_size_, columns_);
+    return static_cast<std::int32_t>(layout_.cell(layout_.column(p.x()), layout_.line(p.y())));
   }
   void link(std::int32_t body, std::int32_t cell);
   void unlink(std::int32_t body);
 
-  double inverse_cell_size_ = 1.0;
-  int columns_ = 1;
-  int lines_ = 1;
+  CellLayout layout_;
   std::vector<std::int32_t> first_{kEnd};  // by cell
   std::vector<std::int32_t> next_;         // by body
   std::vector<std::int32_t> previous_;     // by body

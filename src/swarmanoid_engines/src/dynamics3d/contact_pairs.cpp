@@ -1,0 +1,73 @@
+// Who is near whom.
+#include <algorithm>
+
+#include "dynamics3d/contacts.hpp"
+
+namespace swarmanoid::dynamics3d {
+namespace {
+
+/// Whether a fixed body may meet the box. Of walls aslant the boxes around them say little.
+bool mayMeet(const Body& fixed, const Eigen::AlignedBox3d& box) {
+  const Eigen::Vector3d centre = box.center();
+  const double radius = 0.5 * box.diagonal().norm();
+  return std::any_of(fixed.solids.begin(), fixed.solids.end(), [&](const Solid& solid) {
+    if (!solid.box.intersects(box) || dGeomGetClass(solid.geom) != dBoxClass) {
+      return solid.box.intersects(box);
+    }
+    dVector3 sides;
+    dGeomBoxGetLengths(solid.geom, sides);
+    dQuaternion turn;
+    dGeomGetQuaternion(solid.geom, turn);
+    const Eigen::Vector3d place = toQuaternion(turn).conjugate() * (centre - toVector(dGeomGetPosition(solid.geom)));
+    return (place.cwiseAbs() - 0.5 * toVector(sides)).cwiseMax(0.0).squaredNorm() <= radius * radius;
+  });
+}
+
+/// Whether the other is fixed, and out of the body's way.
+bool passes(const Body& body, const Body& other) {
+  return body.is_dynamic && other.rigid == nullptr && !mayMeet(other, body.steadiness.box);
+}
+
+/// Makes room for so many joints, that crowds which are pressed together ever more closely need no more memory.
+void reserveJoints(dWorldID world, dJointGroupID joints, std::size_t count) {
+  const dContact none = {};
+  for (std::size_t i = 0; i < count; ++i) {
+    dJointCreateContact(world, joints, &none);
+  }
+  dJointGroupEmpty(joints);
+}
+
+}  // namespace
+
+const std::vector<Body*>& Contacts::findPairs(std::size_t bodies) {
+  constexpr std::size_t kContactsOfABody = 24;  // in a crowd, and more
+  if (points_.capacity() < kContactsOfABody * bodies) {
+    points_.reserve(kContactsOfABody * bodies);
+    pairs_.reserve(points_.capacity());
+    reached_.reserve(2 * pairs_.capacity());
+    reserveJoints(world_, joints_, points_.capacity());
+  }
+  near_.update([](Body* body) {
+    if (!body->steadiness.is_left_out) {
+      body->steadiness.box = boundsNow(*body);
+    }
+    return body->steadiness.box;
+  });
+  pairs_.clear();
+  reached_.clear();
+  near_.visitPairs([&](Body* a, Body* b) {
+    if ((a->is_dynamic || b->is_dynamic) && !areJoined(*a, *b) && !passes(*a, *b) && !passes(*b, *a)) {
+      pairs_.emplace_back(std::min(a->rank, b->rank), std::max(a->rank, b->rank));
+      for (Body* body : {a, b}) {
+        body->steadiness.time = 0.0;  // it may lean on what is taken away some day
+        if (body->steadiness.is_left_out) {
+          reached_.push_back(body);
+        }
+      }
+    }
+  });
+  std::sort(pairs_.begin(), pairs_.end());
+  return reached_;
+}
+
+}  // namespace swarmanoid::dynamics3d

@@ -1,0 +1,44 @@
+/// How an area is cut into square cells, for grids over it. What is outside the area belongs to the border cells.
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace swarmanoid::planar {
+
+class CellLayout {
+ public:
+  /// One cell.
+  CellLayout() = default;
+  /// @param size of the area, which spans from 0 to size [m]; @param smallest side of a cell [m], which is longer where
+  /// there would be more than `most_per_axis`
+  CellLayout(const Eigen::Vector2d& size, double smallest, double most_per_axis) {
+    const double side = std::max(smallest, size.maxCoeff() / most_per_axis);
+    inverse_side_ = 1.0 / side;
+    columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / side)));
+    lines_ = std::max(1, static_cast<int>(std::ceil(size.y() / side)));
+  }
+
+  /// Of a coordinate [m].
+  int column(double x) const { return clamped(x * inverse_side_, columns_); }
+  int line(double y) const { return clamped(y * inverse_side_, lines_); }
+  /// From 0 to count() - 1, line by line.
+  std::size_t cell(int column, int line) const {
+    return static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
+  }
+  std::size_t count() const { return cell(0, lines_); }
+
+ private:
+  static int clamped(double cell, int count) {
+    // written so that NaN ends in cell 0
+    return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
+  }
+
+  double inverse_side_ = 1.0;  // 1/m
+  int columns_ = 1;
+  int lines_ = 1;
+};
+
+}  // namespace swarmanoid::planar
