@@ -100,9 +100,9 @@ RawOde::Robot RawOde::makeRobot(const Pose& pose, const EntityModel& model) {
 
 void RawOde::setWheelSpeeds(const Space& space, const std::vector<Row>& robots) {
   for (std::size_t i = 0; i < robots.size(); ++i) {
-    // an axis to the left: what turns about it rolls ahead; ODE counts against the second body of a hinge
-    dJointSetHingeParam(robots_[i].motors[0], dParamVel, -space.wheels[robots[i]].left);
-    dJointSetHingeParam(robots_[i].motors[1], dParamVel, -space.wheels[robots[i]].right);
+    // about axes to the left: what turns about them rolls ahead
+    dJointSetHingeParam(robots_[i].motors[0], dParamVel, space.wheels[robots[i]].left);
+    dJointSetHingeParam(robots_[i].motors[1], dParamVel, space.wheels[robots[i]].right);
   }
 }
 
