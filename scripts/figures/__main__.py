@@ -9,6 +9,7 @@ import pathlib
 import benchmarks
 import build_time
 import classic
+import cost
 import devices
 import engines
 import lockstep
@@ -32,6 +33,7 @@ FIGURES = {
     "lockstep": lambda table, build: lockstep.lockstep(table),
     "robots": robots.robots,
     "benchmark": benchmarks.benchmark,
+    "costs": lambda table, build: cost.costs(table),
     "acting_world": benchmarks.acting_world,
     "sensing": benchmarks.sensing,
     "queries": benchmarks.queries,

@@ -1,7 +1,8 @@
 // Aggregation without computation: Gauci, Chen, Li, Dodd and Gross, "Self-organized aggregation without computation",
 // International Journal of Robotics Research 33 (2014). The robot knows one bit, whether another robot is on the line
-// ahead of it, and drives in one of two ways: round on the spot if so, and else backwards on a circle. It remembers
-// nothing. All robots show the colour that they look for; with black, which no camera sees, the bit is always 0.
+// ahead of it, and drives in one of two ways: round on the spot if so, and else backwards on a circle, if the speeds of
+// the wheels are not set otherwise. It remembers nothing. All robots show the colour that they look for; with black,
+// which no camera sees, the bit is always 0.
 #include <cmath>
 
 #include "blob_search.hpp"
@@ -20,7 +21,10 @@ class Aggregation final : public Controller {
     camera_ = &robot.sensor<FootbotCamera>();
     speed_ = parameters.number("speed", 0.15, {0.01, 0.3});
     color_ = parameters.color("color", colors::kGreen);
-    parameters.refuseUnread({"speed", "color"});
+    turn_ = {parameters.number("turn_left", kTurn.left, kPart), parameters.number("turn_right", kTurn.right, kPart)};
+    circle_ = {parameters.number("circle_left", kCircle.left, kPart),
+               parameters.number("circle_right", kCircle.right, kPart)};
+    parameters.refuseUnread({"speed", "color", "turn_left", "turn_right", "circle_left", "circle_right"});
     reset();
   }
 
@@ -32,7 +36,7 @@ class Aggregation final : public Controller {
 
   void step(Time, Duration) override {
     const bool sees = seesRobotAhead();
-    const Wheels& part = sees ? kSees : kSeesNobody;
+    const Wheels& part = sees ? turn_ : circle_;
     wheels_->left = part.left * speed_ / FootbotWheels::kRadius;
     wheels_->right = part.right * speed_ / FootbotWheels::kRadius;
     robot_->debug("state", sees ? "Turn" : "Circle");
@@ -44,8 +48,9 @@ class Aggregation final : public Controller {
     double left = 0.0;
     double right = 0.0;
   };
-  static constexpr Wheels kSees{1.0, -1.0};         // the paper's best controller
-  static constexpr Wheels kSeesNobody{-0.7, -1.0};  // likewise: a circle of 0.4 m with a footbot's wheels
+  static constexpr Wheels kTurn{1.0, -1.0};     // the paper's best controller
+  static constexpr Wheels kCircle{-0.7, -1.0};  // likewise: a circle of 0.4 m with a footbot's wheels
+  static constexpr Range kPart{-1.0, 1.0};
   /// Half the width of the line, m. LEDs are 44 mm from each other: a line through a robot meets one of them.
   static constexpr double kHalfWidth = 0.025;
 
@@ -64,6 +69,8 @@ class Aggregation final : public Controller {
   FootbotLeds* leds_ = nullptr;
   const FootbotCamera* camera_ = nullptr;
   double speed_ = 0.0;  // m/s, of the faster wheel
+  Wheels turn_;         // while it sees another one
+  Wheels circle_;       // while it sees nobody
   Color color_;
 };
 

@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/devices/differential_drive.hpp"
@@ -39,28 +42,53 @@ struct ObstacleVector {
 
   /// @param half_field sensors farther to the side than this do not count [rad]
   explicit ObstacleVector(const FootbotProximity& proximity, double half_field = M_PI) {
-    bool is_anything_near = false;  // mostly not, and all sensors together are looked at faster than one by one
-    for (const float value : proximity.value) {
-      is_anything_near |= value > 0.0F;
+    if (!isAnythingNear(proximity)) {
+      return;
     }
-    for (std::size_t i = 0; is_anything_near && i < FootbotProximity::kCount; ++i) {
-      add(proximity.value[i], FootbotProximity::angle(i), half_field);
+    static const Directions directions;
+    for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+      const float value = proximity.value[i];
+      if (value > 0.0F && std::abs(FootbotProximity::angle(i)) <= half_field) {
+        x += value * directions.cosine[i];
+        y += value * directions.sine[i];
+      }
     }
   }
   explicit ObstacleVector(const Proximity& proximity, double half_field = M_PI) {
     for (const ProximityReading& reading : proximity.sensors) {
-      add(reading.value, reading.angle, half_field);
+      if (reading.value > 0.0F && std::abs(static_cast<double>(reading.angle)) <= half_field) {
+        x += reading.value * std::cos(static_cast<double>(reading.angle));
+        y += reading.value * std::sin(static_cast<double>(reading.angle));
+      }
     }
   }
   double length() const { return x == 0.0 && y == 0.0 ? 0.0 : std::hypot(x, y); }
   double bearing() const { return std::atan2(y, x); }
 
  private:
-  void add(float value, double angle, double half_field) {
-    if (value > 0.0F && std::abs(angle) <= half_field) {
-      x += value * std::cos(angle);
-      y += value * std::sin(angle);
+  /// Of the sensors of a footbot.
+  struct Directions {
+    std::array<double, FootbotProximity::kCount> cosine;
+    std::array<double, FootbotProximity::kCount> sine;
+
+    Directions() {
+      for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
+        cosine[i] = std::cos(FootbotProximity::angle(i));
+        sine[i] = std::sin(FootbotProximity::angle(i));
+      }
     }
+  };
+
+  /// Mostly not, and all sensors are looked at together, as bits, faster than one by one.
+  static bool isAnythingNear(const FootbotProximity& proximity) {
+    std::array<std::uint32_t, FootbotProximity::kCount> bits;
+    static_assert(sizeof(bits) == sizeof(proximity.value));
+    std::memcpy(bits.data(), &proximity.value, sizeof(bits));
+    std::uint32_t any = 0;
+    for (const std::uint32_t value : bits) {
+      any |= value;
+    }
+    return any != 0;
   }
 };
 

@@ -8,6 +8,7 @@
 #include "light_cone.hpp"
 #include "near_obstacles.hpp"
 #include "swarmanoid_interface/devices/light.hpp"
+#include "swarmanoid_space/index/positional_index_visits.hpp"
 
 namespace swarmanoid::devices {
 
@@ -153,10 +154,13 @@ bool LightSearch::mayStandBetween(const Space& space, const IlluminatedRing& rin
     return true;
   }
   const auto is_other = [&](Row row) { return row != ring.self && row != lights.owner; };
-  for (const PositionalIndex::LargeOutline& large : space.index.large()) {
-    if (is_other(large.row) && large.meets(rays.centre, rays.radius)) {
-      return true;
-    }
+  bool is_large_between = false;
+  space.index.visitLarge(rays.centre, rays.radius, [&](const PositionalIndex::LargeOutline& large) {
+    is_large_between = is_other(large.row);
+    return !is_large_between;
+  });
+  if (is_large_between) {
+    return true;
   }
   near_.clear();
   space.index.collectPlaces(rays.centre, rays.radius + space.index.prismMargin(), near_);

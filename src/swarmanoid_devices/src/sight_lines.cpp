@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "swarmanoid_space/index/positional_index_visits.hpp"
+
 namespace swarmanoid::devices {
 namespace {
 
@@ -60,11 +62,12 @@ void SightLines::begin(const Space& space, Row self, const Eigen::Vector3d& eye,
   prism_reach_ = has_prisms ? kPrismReach : 1.0;
   fillBatches(near, kMargin + kSingleRounding * reach);
   large_.clear();
-  for (const PositionalIndex::LargeOutline& large : space.index.large()) {
-    if (large.row != self && large.meets(eye, reach)) {
+  space.index.visitLarge(eye, reach, [&](const PositionalIndex::LargeOutline& large) {
+    if (large.row != self) {
       large_.push_back(&large);
     }
-  }
+    return true;
+  });
 }
 
 void SightLines::fillBatches(const std::vector<Place>& near, double margin) {

@@ -46,13 +46,14 @@ class DeviceWorld {
     space.size = {10.0, 10.0, 3.0};
     space.clocktick = std::chrono::milliseconds(100);
     space.index.configure(space.size, PositionalIndex::Optimization::k2D, 16);
+    space.entities_without_engine.configure(space.size);
   }
 
   Row add(const std::shared_ptr<const EntityModel>& model, const Eigen::Vector3d& position, double heading = 0.0,
           Color color = colors::kBlack) {
     const Pose pose{position, Eigen::Quaterniond(Eigen::AngleAxisd(heading, Eigen::Vector3d::UnitZ()))};
     const Row row = space.entities.add("e" + std::to_string(++count_), model, pose, color);
-    space.entities_without_engine.push_back(row);
+    space.entities_without_engine.place(space.entities, row);
     return row;
   }
   Row addFootbot(double x, double y, double heading = 0.0) { return add(robotModel("footbot"), {x, y, 0.0}, heading); }
@@ -67,16 +68,25 @@ class DeviceWorld {
     return add(blockModel(size), {centre.x(), centre.y(), 0.5 * size.z()});
   }
   void remove(Row row) {
-    auto& lone = space.entities_without_engine;
-    lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
+    space.entities_without_engine.remove(row);
     space.entities.remove(row);
   }
 
   Pose& pose(Row row) { return space.entities.pose[row]; }
 
+  /// Once poses were changed.
+  void takePoses() {
+    for (const Row row : space.entities.order) {
+      if (space.entities_without_engine.has(row)) {
+        space.entities_without_engine.place(space.entities, row);
+      }
+    }
+    space.index.rebuild(space.entities);
+  }
+
   /// Updates all instances of a sensor from the present state of the space.
   void sense(Sensor& sensor) {
-    space.index.rebuild(space.entities);
+    takePoses();
     sensor.prepare(space);
     sensor.update(space, 0, sensor.instanceCount());
     sensor.report(space);

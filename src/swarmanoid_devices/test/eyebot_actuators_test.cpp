@@ -94,7 +94,7 @@ TEST(EyebotVelocityTest, NoiseHasTheStatedDeviationAndBelongsToTheSeed) {
 class EyebotLaserTest : public testing::Test {
  protected:
   const std::vector<LaserSpot>& spots(ActuatorUnderTest<EyebotLaser>& tested) {
-    world.space.index.rebuild(world.space.entities);
+    world.takePoses();
     world.space.laser_spots.clear();
     tested.actuate();
     tested.actuator->afterMove(world.space);

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include "device_world.hpp"
 
@@ -64,6 +65,44 @@ TEST(FootbotProximityTest, DistancesAreReadByTheLawOfTheDevice) {
     const float expected = Proximity::response(std::min(distance / kRange, 1.0));
     EXPECT_NEAR(expected, ring.sense().value[6], 1e-6) << distance << " m";
   }
+}
+
+/// What stands around a robot, near and far.
+void standAround(DeviceWorld& world, std::mt19937& random) {
+  std::uniform_real_distribution<double> place(4.4, 5.6);
+  std::uniform_real_distribution<double> size(0.02, 0.5);
+  std::uniform_real_distribution<double> heading(-M_PI, M_PI);
+  world.addFootbot(place(random), place(random), heading(random));
+  world.addPrey(place(random), place(random));
+  const Row wall = world.addWall({size(random), 0.03, 0.3}, {place(random), place(random)});
+  world.pose(wall).orientation = Eigen::AngleAxisd(heading(random), Eigen::Vector3d::UnitZ());
+}
+
+TEST(FootbotProximityTest, EachSensorReadsWhatItsOwnRayHitsWhateverStandsAround) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> heading(-M_PI, M_PI);
+  std::uniform_real_distribution<double> tilt(0.0, 0.4);
+  int felt = 0;
+  for (int i = 0; i < 300; ++i) {
+    DeviceWorld world;
+    const Row robot = world.addFootbot(5.0, 5.0, heading(random));
+    standAround(world, random);
+    if (i % 4 == 3) {
+      world.pose(robot).orientation =
+          world.pose(robot).orientation * Eigen::AngleAxisd(tilt(random), Eigen::Vector3d(0.6, 0.8, 0.0));
+    }
+    const FootbotProximity& readings = Ring(world, robot).sense();
+    const Pose& pose = world.pose(robot);
+    for (std::size_t k = 0; k < FootbotProximity::kCount; ++k) {
+      const Mount& mount = world.space.entities.model[robot]->mount("proximity_" + std::to_string(k));
+      const Eigen::Vector3d from = pose.toWorld(mount.position);
+      const Eigen::Vector3d ahead = pose.orientation * (mount.orientation * Eigen::Vector3d::UnitX());
+      const RayHit hit = world.space.castRay({from, from + kRange * ahead}, robot);
+      EXPECT_NEAR(readings.value[k], response(kRange * hit.fraction), 1e-6) << "sensor " << k << " in world " << i;
+      felt += hit.isHit() ? 1 : 0;
+    }
+  }
+  EXPECT_GT(felt, 300);
 }
 
 TEST(FootbotProximityTest, OnlyTheSensorThatFacesAPoleSeesIt) {

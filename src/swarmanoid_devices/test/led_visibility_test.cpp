@@ -179,7 +179,7 @@ TEST(LedVisibilityTest, TheSameIsSeenHoweverTheRobotsAreSharedAmongThreads) {
       light(world, row, static_cast<int>(i));
       cameras.push_back(static_cast<const FootbotCamera*>(sensor->add(world.space, row)));
     }
-    world.space.index.rebuild(world.space.entities);
+    world.takePoses();
     std::vector<std::thread> workers;
     for (std::size_t k = 0; k < threads; ++k) {
       workers.emplace_back([&, k] { sensor->sense(world.space, k * kRobots / threads, (k + 1) * kRobots / threads); });

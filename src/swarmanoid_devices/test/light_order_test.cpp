@@ -43,7 +43,7 @@ using Sums = std::array<double, kSensors>;
 
 /// Of the sensors, when all that shines is asked about.
 Sums sumsIn(DeviceWorld& world) {
-  world.space.index.rebuild(world.space.entities);
+  world.takePoses();
   std::array<devices::IlluminatedSensor, kSensors> sensors;
   for (std::size_t i = 0; i < kSensors; ++i) {
     sensors[i] = sensor(i);

@@ -241,7 +241,7 @@ TEST(RadioTest, InACrowdTheNearestAreHeard) {
     for (const std::size_t threads : {1U, 2U, 3U}) {
       world.actuate(*world.sender);
       ++world.space.tick;
-      world.space.index.rebuild(world.space.entities);
+      world.takePoses();
       world.receiver->prepare(world.space);
       std::vector<std::thread> workers;
       for (std::size_t k = 0; k < threads; ++k) {

@@ -100,7 +100,7 @@ TEST(RfidTest, WritesToTheNearestOrToTheOneItNames) {
   const Row near = world.add(tag("3", "50"), {4.02, 5.01, 0.0});
   const Row named = world.add(tag("4", "60"), {4.0, 4.96, 0.0});
   const Row far = world.add(tag("5", "70"), {4.1, 5.0, 0.0});
-  world.space.index.rebuild(world.space.entities);
+  world.takePoses();
   Writer writer(world, robot);
   writer.actuate();
   EXPECT_EQ(dataOf(world, near), 50.0) << "at rest it writes nothing";
@@ -123,7 +123,7 @@ TEST(RfidTest, ARobotWhoseControllerFailsWritesNoMore) {
   DeviceWorld world;
   const Row robot = world.addFootbot(4.0, 5.0);
   const Row near = world.add(tag("3", "50"), {4.02, 5.01, 0.0});
-  world.space.index.rebuild(world.space.entities);
+  world.takePoses();
   Writer writer(world, robot);
   writer.command.write(71);
   world.space.controllers[robot].status = StepStatus::kFailed;
@@ -139,7 +139,7 @@ TEST(RfidTest, OfSeveralWhoWriteInOneTickTheHighestEntityNumberWins) {
   const Row a = world.addFootbot(4.0, 5.0);
   const Row b = world.addFootbot(4.04, 5.0);
   const Row shared = world.add(tag("3"), {4.02, 5.0, 0.0});
-  world.space.index.rebuild(world.space.entities);
+  world.takePoses();
   auto writers = makeDevice<Actuator>(PluginKind::kActuator, RfidWriter::kType, {});
   static_cast<RfidWriter*>(writers->add(world.space, a))->write(71);
   static_cast<RfidWriter*>(writers->add(world.space, b))->write(72);
@@ -172,7 +172,7 @@ TEST(RfidTest, ATagRefusesWhatItCannotHold) {
   DeviceWorld world;
   const Row robot = world.addFootbot(4.0, 5.0);
   const Row thing = world.add(smallTag(), {4.05, 5.0, 0.0});
-  world.space.index.rebuild(world.space.entities);
+  world.takePoses();
   Writer writer(world, robot);
   writer.command.write(256);
   writer.actuate();

@@ -87,7 +87,7 @@ class SightLinesTest : public testing::Test {
   }
   /// Puts it into the engine, from being in none.
   Row moved(Row row) {
-    world.space.entities_without_engine.pop_back();
+    world.space.entities_without_engine.remove(row);
     engine.add(world.space, row, Role::kMove);
     return row;
   }
@@ -122,7 +122,7 @@ class SightLinesTest : public testing::Test {
   };
   /// Compares lines from the eye to points in a box with rays.
   Count compare(Row self, const Eigen::Vector3d& eye, double low, double high) {
-    world.space.index.rebuild(world.space.entities);
+    world.takePoses();
     devices::SightLines lines;
     lines.begin(world.space, self, eye, 5.0);
     Count count;
@@ -216,7 +216,7 @@ TEST_F(SightLinesTest, AreBlockedByARaisedArm) {
   const Row handbot = addHandbot({5.0, 5.0, 0.0});
   world.space.joints[handbot][static_cast<std::size_t>(robotModel("handbot")->findJoint("left_shoulder"))].angle =
       -M_PI_2;
-  world.space.index.rebuild(world.space.entities);
+  world.takePoses();
   devices::SightLines lines;
   const std::vector<std::pair<double, bool>> cases{{0.28, true}, {0.305, true}, {0.32, true}, {0.326, false}};
   for (const auto& [height, is_blocked] : cases) {

@@ -247,7 +247,7 @@ struct Crowd {
       world.add(loudspeaker(std::to_string(61 + i)), {2.9 + 0.4 * i, 5.9 - 0.2 * i, 0.1 * i});
     }
     world.actuate(*speakers);
-    world.space.index.rebuild(world.space.entities);
+    world.takePoses();
   }
 
   std::shared_ptr<Sensor> ears;

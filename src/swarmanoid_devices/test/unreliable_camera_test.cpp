@@ -132,7 +132,7 @@ TEST(UnreliableCameraTest, BelongsToTheSeedAndNotToThreads) {
       world.space.leds[row][i] = colors::kRed;
       cameras.push_back(static_cast<const FootbotCamera*>(sensor->add(world.space, row)));
     }
-    world.space.index.rebuild(world.space.entities);
+    world.takePoses();
     std::vector<float> seen;
     for (; world.space.tick < 20; ++world.space.tick) {
       std::vector<std::thread> workers;

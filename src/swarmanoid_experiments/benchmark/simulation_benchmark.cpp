@@ -5,8 +5,14 @@
 //
 // Messages: the sparse footbots stand still and send ten bytes by range and bearing in each tick; each has about 18
 // others in range, with lines of sight.
+//
+// Bare: the same diffusion as the shortest program that gives it.
 #include <benchmark/benchmark.h>
 
+#include <random>
+#include <string>
+
+#include "bare_diffusion.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/range_and_bearing.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
@@ -41,7 +47,49 @@ std::string talking(const benchmark::State& state) {
                       "<sensors><range_and_bearing_received/></sensors></talker>");
 }
 
-void run(benchmark::State& state, const std::string& experiment) {
+/// A thousand footbots in an arena of 128 m with walls of 1.2 m strewn over it, whose own four walls are there always.
+/// @param walls of 1.2 m @param are_held whether the engine has them: else they are in the way of sensors alone
+std::string maze(int walls, bool are_held) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> aside(-0.5, 0.5);
+  constexpr int kPerLine = 32;
+  constexpr double kApart = 4.0;  // m
+  std::string blocks;
+  std::string members;
+  for (int i = 0; i < walls; ++i) {
+    const double x = (i % kPerLine + 0.5) * kApart + aside(random);
+    const double y = (i / kPerLine + 0.5) * kApart + aside(random);
+    const std::string name = "id='wall_" + std::to_string(i) + "'";
+    members += are_held ? "<entity " + name + "/>" : "";
+    blocks += "<block " + name + "><size>1.2,0.05,0.3</size><position>" + std::to_string(x) + "," + std::to_string(y) +
+              ",0</position><orientation>" + (random() % 2 == 0 ? "0" : "90") + ",0,0</orientation></block>";
+  }
+  std::string text =
+      diffusionExperiment(1000, kApart * kApart * kPerLine * kPerLine / 1000.0, "<kinematics2d id='ground'/>");
+  text.insert(text.find("<distribute"), blocks);
+  text.insert(text.find("<entity id='fb'/>"), members);
+  return text;
+}
+
+/// Of some more ticks: nanoseconds a robot and tick.
+void reportPhases(benchmark::State& state, Simulation& simulation, std::int64_t robots) {
+  constexpr int kTicks = 50;
+  PhaseTimes sum;
+  for (int i = 0; i < kTicks; ++i) {
+    simulation.tick();
+    sum += simulation.phaseTimes();
+  }
+  const auto report = [&](const char* phase, double seconds) {
+    state.counters[phase] = 1e9 * seconds / static_cast<double>(kTicks * robots);
+  };
+  report("sense_ns", sum.sense);
+  report("control_ns", sum.control);
+  report("actuate_ns", sum.actuate);
+  report("move_ns", sum.move);
+  report("index_ns", sum.index);
+}
+
+void run(benchmark::State& state, const std::string& experiment, std::int64_t robots) {
   loadBuiltInPlugins();
   Simulation simulation(parseExperiment(experiment, "benchmark.xml"));
   simulation.start();
@@ -52,15 +100,45 @@ void run(benchmark::State& state, const std::string& experiment) {
   for (auto _ : state) {
     simulation.tick();
   }
+  state.SetItemsProcessed(state.iterations() * robots);
+  reportPhases(state, simulation, robots);
+}
+
+void runBare(benchmark::State& state, double area_per_robot) {
+  BareDiffusion bare(static_cast<int>(state.range(0)), area_per_robot);
+  constexpr int kWarmUp = 50;
+  for (int i = 0; i < kWarmUp; ++i) {
+    bare.tick();
+  }
+  for (auto _ : state) {
+    bare.tick();
+  }
   state.SetItemsProcessed(state.iterations() * state.range(0));
 }
 
-void BM_DiffusionSparse(benchmark::State& state) { run(state, diffusion(state, kSparse)); }
-void BM_DiffusionDense(benchmark::State& state) { run(state, diffusion(state, kDense)); }
-void BM_MessagesSparse(benchmark::State& state) { run(state, talking(state)); }
+void BM_DiffusionSparse(benchmark::State& state) { run(state, diffusion(state, kSparse), state.range(0)); }
+void BM_DiffusionDense(benchmark::State& state) { run(state, diffusion(state, kDense), state.range(0)); }
+void BM_BareSparse(benchmark::State& state) { runBare(state, kSparse); }
+void BM_BareDense(benchmark::State& state) { runBare(state, kDense); }
+void BM_MessagesSparse(benchmark::State& state) { run(state, talking(state), state.range(0)); }
 
-BENCHMARK(BM_DiffusionSparse)->Arg(10)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
+/// The second argument is how many threads there are.
+void BM_DiffusionThreads(benchmark::State& state) {
+  std::string text = diffusion(state, kSparse);
+  const std::string threads = "<threads>" + std::to_string(state.range(1)) + "</threads>";
+  text.insert(text.find("</framework>"), threads);
+  run(state, text, state.range(0));
+}
+
+/// The first argument is how many walls there are, the second whether the engine has them.
+void BM_Maze(benchmark::State& state) { run(state, maze(static_cast<int>(state.range(0)), state.range(1) != 0), 1000); }
+
+BENCHMARK(BM_Maze)->Args({0, 1})->Args({1000, 0})->Args({1000, 1})->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_DiffusionSparse)->Arg(10)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_BareSparse)->Arg(10)->Arg(1000)->Arg(10000)->Arg(100000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_BareDense)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_DiffusionDense)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
+BENCHMARK(BM_DiffusionThreads)->ArgsProduct({{10000, 100000}, {1, 2}})->UseRealTime()->Unit(benchmark::kMicrosecond);
 BENCHMARK(BM_MessagesSparse)->Arg(1000)->Arg(10000)->Unit(benchmark::kMicrosecond);
 
 }  // namespace

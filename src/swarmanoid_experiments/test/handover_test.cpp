@@ -141,7 +141,7 @@ TEST(HandoverTest, WhatNobodyMovesCanBeTaken) {
   tick(*simulation);
   EXPECT_EQ(eventsIn(*simulation), "intervention fb handover to twin; handed_over fb from no engine to twin; ");
   EXPECT_NE(poseOf(*simulation, "fb").position, Eigen::Vector3d(5, 5, 0));
-  EXPECT_TRUE(simulation->space().entities_without_engine.empty());
+  EXPECT_TRUE(simulation->space().entities_without_engine.isEmpty());
 }
 
 TEST(HandoverDynamicsTest, KinematicsAndRigidBodiesTakeOverFromEachOtherWithWhatIsGripped) {

@@ -1,5 +1,6 @@
 #include "swarmanoid_space/engine.hpp"
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
@@ -13,6 +14,17 @@ std::string Engine::unsupportedStateReason(const Space& space, Row row) const {
     }
   });
   return reason;
+}
+
+void Engine::findObstacles(const RayBundle& rays, Obstacles& found) const {
+  if (mayHit(rays)) {
+    found.addAnywhere();
+  }
+}
+
+void Engine::raycastAt(const Obstacles::Solid& /*solid*/, Span<const Segment> /*segments*/, RayMask /*chosen*/,
+                       Span<RayHit> /*hits*/) const {
+  SWARMANOID_EXPECTS(false);  // outlines are found by engines that override this
 }
 
 bool Engine::blocks(Row /*row*/, const RayBundle& ray) const {

@@ -2,18 +2,7 @@
 
 #include <algorithm>
 
-#include "swarmanoid_space/rays/solid_ray.hpp"
-
 namespace swarmanoid {
-namespace {
-
-bool isInReach(const Space& space, const RayBundle& rays, Row row) {
-  const double reach = rays.radius + space.entities.model[row]->bounding_radius;
-  return row != rays.ignored && row != rays.also_ignored &&
-         (space.entities.pose[row].position - rays.centre).squaredNorm() <= reach * reach;
-}
-
-}  // namespace
 
 std::optional<double> Space::property(Row row, std::string_view name) const {
   const int found = entities.model[row]->findProperty(name);
@@ -27,8 +16,19 @@ Color Space::ownColor(Row row) const {
 bool Space::mayHit(const RayBundle& rays) const {
   return (terrain && terrain->mayHit(rays)) ||
          std::any_of(engines.begin(), engines.end(), [&](const Engine* engine) { return engine->mayHit(rays); }) ||
-         std::any_of(entities_without_engine.begin(), entities_without_engine.end(),
-                     [&](Row row) { return isInReach(*this, rays, row); });
+         entities_without_engine.mayHit(rays);
+}
+
+Obstacles Space::findObstacles(const RayBundle& rays) const {
+  Obstacles found;
+  if (terrain && terrain->mayHit(rays)) {
+    found.addAnywhere();
+  }
+  for (const Engine* engine : engines) {
+    engine->findObstacles(rays, found);
+  }
+  entities_without_engine.findObstacles(rays, found);
+  return found;
 }
 
 void Space::raycast(const RayBundle& rays, Span<RayHit> hits) const {
@@ -41,17 +41,7 @@ void Space::raycast(const RayBundle& rays, Span<RayHit> hits) const {
   for (const Engine* engine : engines) {
     engine->raycast(rays, hits);
   }
-  for (const Row row : entities_without_engine) {
-    if (!isInReach(*this, rays, row)) {
-      continue;
-    }
-    for (std::size_t k = 0; k < rays.segments.size(); ++k) {
-      const double fraction = closestHit(rays.segments[k], *entities.model[row], entities.pose[row]);
-      if (fraction < hits[k].fraction) {
-        hits[k] = {fraction, row};
-      }
-    }
-  }
+  entities_without_engine.raycast(entities, rays, hits);
 }
 
 RayHit Space::castRay(const Segment& segment, Row ignored, Row also_ignored) const {

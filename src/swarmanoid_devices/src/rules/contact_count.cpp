@@ -77,10 +77,8 @@ class ContactCount final : public MeasuringRule {
   void measureReaches(const Space& space) {
     double of_robots = 0.0;
     double of_all = 0.0;
-    const std::vector<PositionalIndex::LargeOutline>& large = space.index.large();
     for (const Row row : space.entities.order) {
-      const bool is_large = std::any_of(large.begin(), large.end(), [&](const auto& item) { return item.row == row; });
-      if (!is_large) {
+      if (!space.index.isLarge(*space.entities.model[row])) {
         const double reach = space.entities.model[row]->moving_reach;
         of_all = std::max(of_all, reach);
         of_robots = isCounted(row) ? std::max(of_robots, reach) : of_robots;

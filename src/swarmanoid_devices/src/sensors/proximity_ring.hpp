@@ -8,7 +8,7 @@
 
 #include "field_numbers.hpp"
 #include "parameters.hpp"
-#include "ring_geometry.hpp"
+#include "ray_ring.hpp"
 #include "sampled_ring.hpp"
 #include "surface_angles.hpp"
 #include "swarmanoid_interface/devices/proximity.hpp"
@@ -20,7 +20,7 @@ static_assert(Proximity::kMostSensors == kMostRingSensors);
 
 template <class Device, int count>
 struct ProximityInstance : BasicSensorInstance<Device> {
-  std::shared_ptr<const RingGeometry<count>> ring;
+  std::shared_ptr<const RayRing<count>> ring;
   bool is_clear = true;  // whether all readings are 0
 };
 
@@ -81,7 +81,7 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
   void prepareInstance(const Space& space, Instance& instance) override {
-    instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"proximity"});
+    instance.ring = rings_.of(space.entities.model[instance.row], Device::kType, {"proximity"}, range_);
   }
 
   void drawOne(const Space& space, const Instance& instance, DeviceDrawing& drawing) const override {
@@ -90,11 +90,7 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
     Segments segments;
     Hits hits;
     RayBundle rays = bundleOf(space, instance);
-    aim(space, instance, segments);
-    if (space.mayHit(rays)) {
-      rays.segments = Span<const Segment>(segments.data(), size);
-      space.raycast(rays, Span<RayHit>(hits.data(), size));
-    }
+    castRays(space, instance, segments, hits, rays);
     for (std::size_t i = 0; i < size; ++i) {
       const auto& [from, to] = segments[i];
       const Eigen::Vector3d end = from + hits[i].fraction * (to - from);
@@ -110,56 +106,64 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
   using Segments = std::array<Segment, RingGeometry<count>::kMost>;
   using Hits = std::array<RayHit, RingGeometry<count>::kMost>;
 
-  /// All but the segments.
   RayBundle bundleOf(const Space& space, const Instance& instance) const {
-    const RingGeometry<count>& ring = *instance.ring;
-    RayBundle rays;
-    rays.centre = space.entities.pose[instance.row].toWorld(ring.centre);
-    rays.radius = ring.radius + range_;
+    RayBundle rays = instance.ring->bundle(space.entities.pose[instance.row]);
     rays.ignored = instance.row;
     return rays;
   }
 
-  void aim(const Space& space, const Instance& instance, Segments& segments) const {
-    const RingGeometry<count>& ring = *instance.ring;
-    const Pose& pose = space.entities.pose[instance.row];
-    const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
-    const typename RingGeometry<count>::Points from = (rotation * ring.from).colwise() + pose.position;
-    const typename RingGeometry<count>::Points to = from + (range_ * rotation) * ring.direction;
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      segments[i] = {from.col(static_cast<Eigen::Index>(i)), to.col(static_cast<Eigen::Index>(i))};
-    }
-  }
-
-  /// @param rays of bundleOf, which get their segments
+  /// @param rays of bundleOf, which get their segments: all of the ring
   void castRays(const Space& space, const Instance& instance, Segments& segments, Hits& hits, RayBundle& rays) const {
     const std::size_t size = instance.ring->size();
-    aim(space, instance, segments);
+    instance.ring->aim(space.entities.pose[instance.row], {segments.data(), size});
     rays.segments = Span<const Segment>(segments.data(), size);
     space.raycast(rays, Span<RayHit>(hits.data(), size));
   }
 
+  /// Casts the few rays that pass by an obstacle. @return which they are
+  RayMask castNear(const Space& space, const Instance& instance, const Obstacles& obstacles, Hits& hits) const {
+    const RayRing<count>& ring = *instance.ring;
+    const UprightPose pose(space.entities.pose[instance.row]);
+    Segments segments;
+    RayMask cast = 0;
+    ring.visitNear(obstacles, pose, [&](const Obstacles::Solid& solid, RayMask near) {
+      visitRays(near & ~cast, [&](std::size_t i) {
+        segments[i] = ring.ray(pose, i);
+        hits[i] = RayHit{};
+      });
+      cast |= near;
+      space.raycastAt(solid, {segments.data(), segments.size()}, near, {hits.data(), hits.size()});
+    });
+    return cast;
+  }
+
   void senseOne(const Space& space, Instance& instance) const {
-    const std::size_t size = instance.ring->size();
+    const RayRing<count>& ring = *instance.ring;
     RayBundle rays = bundleOf(space, instance);
-    if (!space.mayHit(rays)) {
-      for (std::size_t i = 0; !instance.is_clear && i < size; ++i) {
+    const Obstacles obstacles = space.findObstacles(rays);
+    if (!instance.is_clear) {
+      for (std::size_t i = 0; i < ring.size(); ++i) {
         Ring::valueOf(instance, i) = 0.0F;
       }
       instance.is_clear = true;
+    }
+    if (obstacles.isEmpty()) {
       return;
     }
-    instance.is_clear = false;
-    Segments segments;
     Hits hits;
-    castRays(space, instance, segments, hits, rays);
-    for (std::size_t i = 0; i < size; ++i) {
-      Ring::valueOf(instance, i) = Ring::response(hits[i].fraction);
+    RayMask cast = ring.all();
+    if (!obstacles.areAnywhere() && UprightPose::isUpright(space.entities.pose[instance.row])) {
+      cast = castNear(space, instance, obstacles, hits);
+    } else {
+      Segments segments;
+      castRays(space, instance, segments, hits, rays);
     }
+    visitRays(cast, [&](std::size_t i) { Ring::valueOf(instance, i) = Ring::response(hits[i].fraction); });
+    instance.is_clear = cast == 0;
   }
 
   double range_ = Proximity::kUsualRange;
-  Rings<count> rings_;
+  RayRings<count> rings_;
 };
 
 }  // namespace swarmanoid::devices

@@ -91,8 +91,57 @@ double Kinematics2d::readAllCommands(const Space& space) {
   return fastest_squared;
 }
 
+/// Those whose clearance holds no longer look around, before anybody moves: most find that they have room. Not so who
+/// had somebody near when it last looked.
+void Kinematics2d::lookAround(double room) {
+  const double needed = 2.0 * (room - travelled_ + stride_);  // to the nearest, so that the clearance is that [m]
+  forBlocks([&](const Block& block) {
+    for (std::size_t k = block.first; k < block.last; ++k) {
+      const BodyIndex index = movers_[k];
+      const Body& body = bodies_[index];
+      const bool stands = body.turn_rate == 0.0 && body.velocity.isZero(0.0);
+      const Clearance& around = clearance(index);
+      const bool looks = around.free_until < room && around.look_ahead >= lookAheadFor(needed);
+      if (looks && !stands && !body.is_large && motion(index).gripped == kNoBody) {
+        lookAround(index);
+      }
+    }
+  });
+}
+
+void Kinematics2d::lookAround(BodyIndex index) {
+  const Body& body = bodies_[index];
+  const Neighbours* near = neighboursAt(index, body.pose.position);
+  if (near == nullptr) {
+    return;
+  }
+  Clearance& around = clearance(index);
+  around.at_all_heights = true;
+  double nearest = near->gapToOthers(travelled_) + 2.0 * stride_;
+  for (std::size_t i = 0; i < near->count; ++i) {
+    const BodyIndex other = near->bodies[i];
+    if (bodies_.isFartherThan(other, body.pose.position, body.model->radius + nearest)) {
+      continue;
+    }
+    if (isAtOtherHeights(body, bodies_[other])) {
+      around.at_all_heights = false;
+    } else {
+      nearest = std::min(nearest, bodies_.distanceTo(other, body.pose.position) - body.model->radius);
+    }
+  }
+  // both sides have this step's stride still before them, and later come nearer by what is travelled
+  constexpr double kMargin = 1e-6;  // m, for rounding
+  around.free_until = travelled_ + 0.5 * (nearest - 2.0 * stride_ - kMargin);
+  around.look_ahead = lookAheadFor(nearest);
+}
+
 void Kinematics2d::moveFreely(Space& space, double step, double tick) {
-  forBlocks([&](Block& block) { moveFreely(space, step, tick, block); });
+  // In each piece of its way, a body that is pushed out may try poses as far beyond its target as that was away, and
+  // kMostPush more (contact.cpp): all in all a stride and so many pushes beyond the stride that is counted already.
+  const double most_pieces = std::ceil(stride_ / (0.5 * smallest_inner_radius_)) + 1.0;
+  const double room = travelled_ + stride_ + most_pieces * kMostPush;
+  lookAround(room);
+  forBlocks([&](Block& block) { moveFreely(space, step, tick, room, block); });
   // in the order of entity numbers, for the order in which neighbours are found follows from it
   for (const Block& block : blocks_) {
     for (std::size_t k = 0; k < block.stray_count; ++k) {
@@ -101,11 +150,8 @@ void Kinematics2d::moveFreely(Space& space, double step, double tick) {
   }
 }
 
-void Kinematics2d::moveFreely(Space& space, double step, double tick, Block& block) {
-  // In each piece of its way, a body that is pushed out may try poses as far beyond its target as that was away, and
-  // kMostPush more (contact.cpp): all in all a stride and so many pushes beyond the stride that is counted already.
-  const double most_pieces = std::ceil(stride_ / (0.5 * smallest_inner_radius_)) + 1.0;
-  const double room = travelled_ + stride_ + most_pieces * kMostPush;
+/// @param room what a clearance must hold for who moves freely [m]
+void Kinematics2d::moveFreely(Space& space, double step, double tick, double room, Block& block) {
   const bool is_whole_tick = subclock_ == 1;
   block.other_count = 0;
   block.stray_count = 0;

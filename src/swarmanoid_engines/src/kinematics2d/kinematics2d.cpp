@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "planar/body_rays.hpp"
 #include "planar/draw_bodies.hpp"
 
 namespace swarmanoid::kinematics2d {
@@ -21,8 +22,10 @@ void Kinematics2d::add(Space& space, Row row, Role role) {
   const BodyIndex index = bodies_.add(space, row, role);
   motions_.resize(std::max(motions_.size(), static_cast<std::size_t>(index) + 1));
   clearances_.resize(motions_.size());
+  neighbours_.resize(motions_.size());
   motion(index) = Motion{};
   clearance(index) = Clearance{};
+  neighbours(index) = Neighbours{};
   takeOverGrips(space, index);
   is_somebody_new_ = true;
   are_lists_old_ = true;
@@ -32,6 +35,7 @@ void Kinematics2d::remove(Space&, Row row) {
   const BodyIndex index = bodies_.find(row);
   forgetGrips(index);
   bodies_.remove(index);
+  is_somebody_new_ = true;  // lists of neighbours name who is gone
   are_lists_old_ = true;
 }
 
@@ -44,6 +48,23 @@ void Kinematics2d::place(Space& space, Row row) {
 }
 
 bool Kinematics2d::mayHit(const RayBundle& rays) const { return !areAllOutOfReach(rays) && PlanarEngine::mayHit(rays); }
+
+void Kinematics2d::findObstacles(const RayBundle& rays, Obstacles& found) const {
+  const BodyIndex caster = casterOf(rays);
+  const double beyond = caster == kNoBody ? 0.0 : reachBeyond(caster, rays);
+  if (caster == kNoBody || hitsPrisms()) {
+    PlanarEngine::findObstacles(rays, found);
+  } else if (isClear(caster, beyond)) {
+    return;
+  } else if (const Neighbours& near = neighbours(caster); near.gapToOthers(travelled_) > beyond) {
+    const Eigen::Vector2d middle = bodies_.plane().toLocal(rays.centre);
+    for (std::size_t i = 0; i < near.count && !found.areAnywhere(); ++i) {
+      planar::addObstacle(*this, bodies_, near.bodies[i], rays, middle, found);
+    }
+  } else {
+    PlanarEngine::findObstacles(rays, found);
+  }
+}
 
 void Kinematics2d::raycast(const RayBundle& rays, Span<RayHit> hits) const {
   if (!areAllOutOfReach(rays)) {
@@ -61,17 +82,26 @@ void Kinematics2d::draw(EngineDrawing& drawing) const {
   }
 }
 
+/// The robot that casts rays around itself, if what was found while moving it still holds; else none.
+BodyIndex Kinematics2d::casterOf(const RayBundle& rays) const {
+  return rays.ignored == kNoRow || is_somebody_new_ ? kNoBody : bodies_.find(rays.ignored);
+}
+
+/// How far rays go out of the circle around a body, at most [m].
+double Kinematics2d::reachBeyond(BodyIndex index, const RayBundle& rays) const {
+  const planar::Bodies::Circle& body = bodies_.circle(index);
+  return (bodies_.plane().toLocal(rays.centre) - body.centre).norm() + rays.radius - body.radius;
+}
+
+/// Whether the clearance of a body keeps all others, at any height, farther away than that [m].
+bool Kinematics2d::isClear(BodyIndex index, double distance) const {
+  const Clearance& around = clearance(index);
+  return around.at_all_heights && 2.0 * (around.free_until - travelled_) > distance;
+}
+
 bool Kinematics2d::areAllOutOfReach(const RayBundle& rays) const {
-  // the clearance of a robot that casts rays, found while moving it, bounds the distance of all other bodies
-  const BodyIndex caster = rays.ignored == kNoRow || is_somebody_new_ ? kNoBody : bodies_.find(rays.ignored);
-  if (caster == kNoBody) {
-    return false;
-  }
-  const planar::Bodies::Circle& body = bodies_.circle(caster);
-  const Clearance& around = clearance(caster);
-  const double room = body.radius + 2.0 * (around.free_until - travelled_) - rays.radius;
-  const Eigen::Vector2d centre = bodies_.plane().toLocal(rays.centre);
-  return around.at_all_heights && room > 0.0 && (centre - body.centre).squaredNorm() < room * room;
+  const BodyIndex caster = casterOf(rays);
+  return caster != kNoBody && isClear(caster, reachBeyond(caster, rays));
 }
 
 }  // namespace swarmanoid::kinematics2d

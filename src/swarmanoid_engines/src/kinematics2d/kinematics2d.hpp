@@ -25,8 +25,10 @@
 /// answers for it.
 #pragma once
 
+#include <algorithm>
 #include <vector>
 
+#include "kinematics2d/neighbours.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/placed_pose.hpp"
 #include "planar/planar_engine.hpp"
@@ -76,6 +78,7 @@ class Kinematics2d final : public planar::PlanarEngine {
     bodies_.clear();
     motions_.clear();
     clearances_.clear();
+    neighbours_.clear();
     is_somebody_new_ = true;
     are_lists_old_ = true;
   }
@@ -84,6 +87,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
   bool mayHit(const RayBundle& rays) const override;
+  void findObstacles(const RayBundle& rays, Obstacles& found) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
   void draw(EngineDrawing& drawing) const override;
 
@@ -102,8 +106,10 @@ class Kinematics2d final : public planar::PlanarEngine {
   template <class Work>
   void forBlocks(Work work);
   double readAllCommands(const Space& space);
+  void lookAround(double room);
+  void lookAround(BodyIndex index);
   void moveFreely(Space& space, double step, double tick);
-  void moveFreely(Space& space, double step, double tick, Block& block);
+  void moveFreely(Space& space, double step, double tick, double room, Block& block);
   void finishTick(Space& space, double tick);
   void finishBody(Space& space, BodyIndex index, const planar::PlanarPose& before, double tick) const;
   /// Calls visit(index) for those who did not move freely in this step, by entity number.
@@ -124,6 +130,16 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place);
   static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
   bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& around);
+  const Neighbours* neighboursAt(BodyIndex index, const Eigen::Vector2d& position);
+  /// How far to look the next time, if somebody is that near [m].
+  double lookAheadFor(double nearest) const {
+    return std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
+  }
+  /// A mirror that moves may change its height before the body comes.
+  static bool isAtOtherHeights(const Body& body, const Body& other) {
+    const bool keeps_height = other.role == Role::kMove || !other.is_movable;
+    return keeps_height && !body.model->band.overlaps(other.model->band, body.along, other.along);
+  }
   bool isHindering(BodyIndex index, const PlacedPose& pose, const Body& other);
 
   // group.cpp
@@ -149,8 +165,13 @@ class Kinematics2d final : public planar::PlanarEngine {
   void finishTurrets(Space& space, double dt);
 
   bool areAllOutOfReach(const RayBundle& rays) const;
+  BodyIndex casterOf(const RayBundle& rays) const;
+  double reachBeyond(BodyIndex index, const RayBundle& rays) const;
+  bool isClear(BodyIndex index, double distance) const;
   Clearance& clearance(BodyIndex index) { return clearances_[static_cast<std::size_t>(index)]; }
   const Clearance& clearance(BodyIndex index) const { return clearances_[static_cast<std::size_t>(index)]; }
+  Neighbours& neighbours(BodyIndex index) { return neighbours_[static_cast<std::size_t>(index)]; }
+  const Neighbours& neighbours(BodyIndex index) const { return neighbours_[static_cast<std::size_t>(index)]; }
   Motion& motion(BodyIndex index) { return motions_[static_cast<std::size_t>(index)]; }
   const Motion& motion(BodyIndex index) const { return motions_[static_cast<std::size_t>(index)]; }
 
@@ -176,9 +197,10 @@ class Kinematics2d final : public planar::PlanarEngine {
     return gripped != kNoBody && motion(motion(gripped).gripped_by).next_gripper != kNoBody;
   }
 
-  const Parallel* workers_ = nullptr;  // null: there is one thread
-  std::vector<Motion> motions_;        // by body
-  std::vector<Clearance> clearances_;  // by body, apart because all of them are read in every step
+  const Parallel* workers_ = nullptr;   // null: there is one thread
+  std::vector<Motion> motions_;         // by body
+  std::vector<Clearance> clearances_;   // by body, apart because all of them are read in every step
+  std::vector<Neighbours> neighbours_;  // by body
 
   // Bodies by what is to be done with them in a tick, by entity number.
   bool are_lists_old_ = true;

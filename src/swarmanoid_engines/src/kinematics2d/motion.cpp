@@ -71,6 +71,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
   constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
   if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
     std::fill(clearances_.begin(), clearances_.end(), Clearance{});
+    std::fill(neighbours_.begin(), neighbours_.end(), Neighbours{});
     travelled_ = 0.0;
     is_somebody_new_ = false;
   }
@@ -143,20 +144,51 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
   return true;
 }
 
+/// Those that are near a body, which is to be at a position not far from where it is. Null if there are too many for a
+/// list.
+const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vector2d& position) {
+  constexpr double kMargin = 1e-6;     // m, for rounding
+  constexpr double kLeastLeft = 0.25;  // of the look: with less left a body would soon have to look again
+  constexpr float kFewer = 0.7F;
+  constexpr float kMore = 1.1F;
+  Neighbours& near = neighbours(index);
+  const Body& body = bodies_[index];
+  const double away = (position - body.pose.position).norm();
+  if (near.gapToOthers(travelled_) - away > kLeastLeft * near.look) {
+    return &near;
+  }
+  const float look = near.look;
+  near.count = 0;
+  bool has_room = true;
+  bodies_.visitNear(position, body.model->radius + look, [&](BodyIndex other) {
+    has_room = other == index || near.count < Neighbours::kMost;
+    if (other != index && has_room) {
+      near.bodies[near.count++] = other;
+    }
+    return has_room;
+  });
+  near.look = has_room ? std::min(Neighbours::kFarthestLook, kMore * look) : kFewer * look;
+  // from now on both sides come nearer by what is travelled; some have this step's stride and detour still before them
+  near.until = has_room ? travelled_ + 0.5 * (look - away - 2.0 * (stride_ + detour_) - kMargin) : -1.0;
+  return has_room ? &near : nullptr;
+}
+
 /// What it holds, or is held by, is never in its way.
 bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& around) {
   const Body& body = bodies_[index];
   const double radius = body.model->radius;
-  double nearest = around.look_ahead;
+  const Neighbours* near = neighboursAt(index, pose.position);
+  double nearest = near == nullptr
+                       ? around.look_ahead
+                       : std::max(0.0, near->gapToOthers(travelled_) - (pose.position - body.pose.position).norm());
   bool free = true;
   around.at_all_heights = true;
-  bodies_.visitNear(pose.position, radius + nearest, [&](BodyIndex other_index) {
-    if (other_index == index) {
+  const auto look_at = [&](BodyIndex other_index) {
+    if (other_index == index || bodies_.isFartherThan(other_index, pose.position, radius + std::max(0.0, nearest))) {
       return true;
     }
     const Body& other = bodies_[other_index];
-    const bool keeps_height = other.role == Role::kMove || !other.is_movable;
-    if (keeps_height && !body.model->band.overlaps(other.model->band, body.along, other.along)) {
+    if (isAtOtherHeights(body, other)) {
       around.at_all_heights = false;
       return true;
     }
@@ -166,12 +198,19 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
            !planar::modelsOverlap(*body.model, pose, body.along, other, relative_shapes_) ||
            !isHindering(index, pose, other);
     return free;
-  });
+  };
+  if (near == nullptr) {
+    bodies_.visitNear(pose.position, radius + nearest, look_at);
+  } else {
+    for (std::size_t i = 0; free && i < near->count; ++i) {
+      look_at(near->bodies[i]);
+    }
+  }
   // From now on both sides come nearer by what is travelled; some bodies have this step's stride and detour still
   // before them.
   constexpr double kMargin = 1e-6;  // m, for rounding
   around.free_until = travelled_ + 0.5 * (nearest - stride_ - detour_ - kMargin);
-  around.look_ahead = std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
+  around.look_ahead = lookAheadFor(nearest);
   return free;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "planar/bodies.hpp"
+#include "swarmanoid_space/rays/obstacles.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 
 namespace swarmanoid::planar {
@@ -10,8 +11,19 @@ namespace swarmanoid::planar {
 /// Whether a ray of the bundle could hit a body. Thread-safe.
 bool mayHit(const Bodies& bodies, const RayBundle& rays);
 
+/// As Engine::findObstacles, in a plane that lies level. Thread-safe. @param engine of the bodies
+void findObstacles(const Engine& engine, const Bodies& bodies, const RayBundle& rays, Obstacles& found);
+
 /// As Engine::raycast. Thread-safe.
 void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);
+
+/// The same for one body. @param middle of the rays, in the plane's frame
+void addObstacle(const Engine& engine, const Bodies& bodies, BodyIndex index, const RayBundle& rays,
+                 const Eigen::Vector2d& middle, Obstacles& found);
+
+/// As Engine::raycastAt. Thread-safe. Parts are shapes of a body.
+void raycastAt(const Bodies& bodies, const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
+               Span<RayHit> hits);
 
 /// Whether the segment hits that body. Thread-safe.
 bool isHit(const Bodies& bodies, const Segment& segment, BodyIndex index);

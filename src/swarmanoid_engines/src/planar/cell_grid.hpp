@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/cell_layout.hpp"
+#include "swarmanoid_space/index/cell_layout.hpp"
 
 namespace swarmanoid::planar {
 

@@ -6,13 +6,8 @@
 
 namespace swarmanoid::planar {
 
-PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
+PlacedPose integrateTurning(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
   const double turn = turn_rate * dt;
-  if (turn == 0.0) {
-    PlacedPose end = start;
-    end.position += dt * start.rotated(velocity);
-    return end;
-  }
   if (velocity.isZero(0.0)) {
     return PlacedPose::at(start.position, wrapAngle(start.heading + turn));
   }

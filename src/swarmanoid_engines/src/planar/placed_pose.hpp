@@ -31,6 +31,14 @@ struct PlacedPose {
 
 /// Where a velocity, constant in the body's frame while it turns, takes a body: exactly along the arc.
 /// @param velocity [m/s]; @param turn_rate [rad/s]; @param dt [s]
-PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt);
+PlacedPose integrateTurning(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt);
+inline PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velocity, double turn_rate, double dt) {
+  if (turn_rate * dt != 0.0) {
+    return integrateTurning(start, velocity, turn_rate, dt);
+  }
+  PlacedPose end = start;
+  end.position += dt * start.rotated(velocity);
+  return end;
+}
 
 }  // namespace swarmanoid::planar

@@ -106,7 +106,20 @@ Row PlanarEngine::overlap(const EntityModel& model, const Pose& pose, Span<const
 
 bool PlanarEngine::mayHit(const RayBundle& rays) const { return planar::mayHit(bodies_, rays); }
 
+void PlanarEngine::findObstacles(const RayBundle& rays, Obstacles& found) const {
+  if (hitsPrisms()) {
+    Engine::findObstacles(rays, found);  // outlines in the plane say nothing of what is seen from above
+  } else {
+    planar::findObstacles(*this, bodies_, rays, found);
+  }
+}
+
 void PlanarEngine::raycast(const RayBundle& rays, Span<RayHit> hits) const { planar::raycast(bodies_, rays, hits); }
+
+void PlanarEngine::raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
+                             Span<RayHit> hits) const {
+  planar::raycastAt(bodies_, solid, segments, chosen, hits);
+}
 
 bool PlanarEngine::hitsPrisms() const { return bodies_.plane().normal() != Eigen::Vector3d::UnitZ(); }
 
@@ -116,39 +129,5 @@ bool PlanarEngine::blocks(Row row, const RayBundle& ray) const {
 }
 
 void PlanarEngine::draw(EngineDrawing& drawing) const { drawShapes(bodies_, drawing); }
-
-void PlanarEngine::readCommands(const Space& space, Body& body) {
-  SWARMANOID_EXPECTS(body.isDriven());
-  const PlanarModel& model = *body.model;
-  if (body.is_wheeled) {
-    const EntityModel::Wheels& geometry = *body.entity->wheels;
-    const WheelsCommand& wheels = space.wheels[body.row];
-    body.velocity = 0.5 * (wheels.left + wheels.right) * geometry.radius * model.ahead;
-    body.turn_rate = (wheels.right - wheels.left) * geometry.radius / geometry.separation * model.turn;
-  } else {
-    const FlightCommand& flight = space.flight[body.row];
-    const Eigen::Vector3d& linear = flight.linear;
-    body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
-    body.turn_rate = flight.yaw_rate * model.turn;
-  }
-}
-
-void PlanarEngine::turnWheels(Space& space, const Body& body, double tick) {
-  if (body.is_wheeled) {
-    const WheelsCommand& speeds = space.wheels[body.row];
-    WheelTurns& turns = space.wheel_turns[body.row];
-    turns.left += speeds.left * tick;
-    turns.right += speeds.right * tick;
-  }
-}
-
-void PlanarEngine::writePose(Space& space, BodyIndex index, double heading_before) const {
-  const Body& body = bodies_[index];
-  Pose& pose = space.entities.pose[body.row];
-  pose.position = bodies_.plane().toGlobal(body.pose.position, body.along);
-  if (body.pose.heading != heading_before) {
-    pose.orientation = bodies_.plane().orientation(body.pose.heading, bodies_.details(index).base);
-  }
-}
 
 }  // namespace swarmanoid::planar

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "planar/bodies.hpp"
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/engine.hpp"
 
 namespace swarmanoid::planar {
@@ -21,7 +22,10 @@ class PlanarEngine : public Engine {
   using Engine::overlap;
   Row overlap(const EntityModel& model, const Pose& pose, Span<const Row> ignored) const override;
   bool mayHit(const RayBundle& rays) const override;
+  void findObstacles(const RayBundle& rays, Obstacles& found) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
+  void raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
+                 Span<RayHit> hits) const override;
   bool blocks(Row row, const RayBundle& ray) const override;
   /// In a plane that stands upright.
   bool hitsPrisms() const override;
@@ -44,5 +48,41 @@ class PlanarEngine : public Engine {
   Bodies bodies_;
   int subclock_ = 1;
 };
+
+// Inline, since engines call these for each body in each tick.
+
+inline void PlanarEngine::readCommands(const Space& space, Body& body) {
+  SWARMANOID_EXPECTS(body.isDriven());
+  const PlanarModel& model = *body.model;
+  if (body.is_wheeled) {
+    const EntityModel::Wheels& geometry = *body.entity->wheels;
+    const WheelsCommand& wheels = space.wheels[body.row];
+    body.velocity = 0.5 * (wheels.left + wheels.right) * geometry.radius * model.ahead;
+    body.turn_rate = (wheels.right - wheels.left) * geometry.radius / geometry.separation * model.turn;
+  } else {
+    const FlightCommand& flight = space.flight[body.row];
+    const Eigen::Vector3d& linear = flight.linear;
+    body.velocity = linear.x() * model.ahead + linear.y() * model.left + linear.z() * model.up;
+    body.turn_rate = flight.yaw_rate * model.turn;
+  }
+}
+
+inline void PlanarEngine::turnWheels(Space& space, const Body& body, double tick) {
+  if (body.is_wheeled) {
+    const WheelsCommand& speeds = space.wheels[body.row];
+    WheelTurns& turns = space.wheel_turns[body.row];
+    turns.left += speeds.left * tick;
+    turns.right += speeds.right * tick;
+  }
+}
+
+inline void PlanarEngine::writePose(Space& space, BodyIndex index, double heading_before) const {
+  const Body& body = bodies_[index];
+  Pose& pose = space.entities.pose[body.row];
+  pose.position = bodies_.plane().toGlobal(body.pose.position, body.along);
+  if (body.pose.heading != heading_before) {
+    pose.orientation = bodies_.plane().orientation(body.pose.heading, bodies_.details(index).base);
+  }
+}
 
 }  // namespace swarmanoid::planar

@@ -29,14 +29,19 @@ void clipToPolygon(LinePart& inside, const PlanarRay& ray, const PlanarShape& po
 }  // namespace
 
 double closestHit(const PlanarRay& ray, const PlanarShape& shape, double offset) {
-  // the ray's line misses the circle around the shape: so it is most of the time
+  // the ray passes over or under the shape, or its line misses the circle around it: so it is most of the time
+  const double low = shape.band.low + offset;
+  const double high = shape.band.high + offset;
+  if ((ray.height > high && ray.height + ray.climb > high) || (ray.height < low && ray.height + ray.climb < low)) {
+    return kNoHit;
+  }
   const Eigen::Vector2d start = ray.from - shape.centre;
   const double across = start.x() * ray.step.y() - start.y() * ray.step.x();
   if (across * across > shape.radius * shape.radius * ray.step.squaredNorm() && !ray.step.isZero(0.0)) {
     return kNoHit;
   }
   LinePart inside;
-  inside.clipToSlab(ray.height, ray.climb, shape.band.low + offset, shape.band.high + offset);
+  inside.clipToSlab(ray.height, ray.climb, low, high);
   if (inside.isEmpty()) {
     return kNoHit;
   }

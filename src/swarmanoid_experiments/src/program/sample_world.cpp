@@ -51,7 +51,7 @@ SampleWorld::SampleWorld(std::shared_ptr<Sensor> sensor, const std::string& robo
 
 Row SampleWorld::add(const std::string& name, const std::shared_ptr<const EntityModel>& model) {
   const Row row = space_.entities.add(name, model, {middle, Eigen::Quaterniond::Identity()}, colors::kWhite);
-  space_.entities_without_engine.push_back(row);
+  space_.entities_without_engine.place(space_.entities, row);
   return row;
 }
 
@@ -88,6 +88,9 @@ void SampleWorld::place(double distance, double angle) {
 
 double SampleWorld::read(double distance, double angle) {
   place(distance == reach() ? distance - kNearer : distance, angle);
+  for (const Row row : space_.entities.order) {
+    space_.entities_without_engine.place(space_.entities, row);
+  }
   space_.index.rebuild(space_.entities);
   sensor_->prepare(space_);
   sensor_->sense(space_, 0, 1);

@@ -7,8 +7,9 @@
 /// and events (in `connect`).
 ///
 /// Phases   configure, reconfigure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`.
-///          connect: `connect`. mayHit, raycast, draw, health: any time but during `move`.
-/// Threads  engines move at the same time as each other; mayHit and raycast are called from many threads.
+///          connect: `connect`. mayHit, findObstacles, raycast, draw, health: any time but during `move`.
+/// Threads  engines move at the same time as each other; mayHit, findObstacles and raycast are called from
+///          many threads.
 /// Repeats  the same calls give the same bits.
 ///
 /// Handover (thesis chapter 5)
@@ -33,6 +34,7 @@
 #include "swarmanoid_interface/time.hpp"
 #include "swarmanoid_space/engine_drawing.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/rays/obstacles.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 
@@ -131,8 +133,14 @@ class Engine {
   /// Whether a ray of the bundle could hit anything here; in doubt, yes. The segments are not looked at, so a
   /// caller that asks first need not have made them.
   virtual bool mayHit(const RayBundle& rays) const = 0;
+  /// What the bundle could hit here, likewise. An engine that does not say otherwise says that it may be anywhere.
+  virtual void findObstacles(const RayBundle& rays, Obstacles& found) const;
   /// For each segment: if it hits an entity of this engine nearer than `hits` says so far, that hit replaces it.
   virtual void raycast(const RayBundle& rays, Span<RayHit> hits) const = 0;
+  /// The same for one solid that this engine has found (findObstacles), and some of the segments alone. @pre nothing
+  /// has moved since
+  virtual void raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
+                         Span<RayHit> hits) const;
   /// Whether a ray hits that entity, which this engine moves; an engine that does not say otherwise looks at all that
   /// it holds, and says whether anything is hit. For callers who know what could stand in the way: to look at one
   /// entity costs a fraction of a look-up of what is near. @param ray of one segment @pre this engine moves the entity

@@ -22,6 +22,7 @@
 #include "swarmanoid_space/index/positional_index.hpp"
 #include "swarmanoid_space/intervention.hpp"
 #include "swarmanoid_space/metrics.hpp"
+#include "swarmanoid_space/rays/entities_without_engine.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 #include "swarmanoid_space/rays/terrain.hpp"
 #include "swarmanoid_space/state/attachments.hpp"
@@ -159,17 +160,28 @@ class Space {
   /// Whether a ray of the bundle could hit anything; in doubt, yes. Its segments are not looked at. Far cheaper than
   /// casting. Thread-safe outside `move`.
   bool mayHit(const RayBundle& rays) const;
+  /// What the rays of the bundle could hit, likewise: a segment that passes by none of it hits nothing.
+  Obstacles findObstacles(const RayBundle& rays) const;
   /// Casts rays against everything: the terrain, all engines, and entities in no engine. For each segment the nearest
   /// hit.
   /// Thread-safe outside `move`.
   void raycast(const RayBundle& rays, Span<RayHit> hits) const;
+  /// Casts some of the segments against one solid that `findObstacles` has found. Hits that are nearer than those in
+  /// `hits` replace them. Likewise thread-safe.
+  void raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen, Span<RayHit> hits) const {
+    if (solid.engine != nullptr) {
+      solid.engine->raycastAt(solid, segments, chosen, hits);
+    } else {
+      entities_without_engine.raycastAt(entities, solid.row, segments, chosen, hits);
+    }
+  }
   /// One ray, through up to two entities.
   RayHit castRay(const Segment& segment, Row ignored = kNoRow, Row also_ignored = kNoRow) const;
   /// Whether something other than the two stands between the points (thesis 3.4, "physical occlusions").
   bool isOccluded(const Segment& segment, Row from, Row to) const;
 
-  /// Entities in no engine, by row: rays are cast against their models. Kept by add and remove of entities.
-  std::vector<Row> entities_without_engine;
+  /// Kept by those who add, remove and move entities.
+  EntitiesWithoutEngine entities_without_engine;
   /// Robots with a battery, by entity number; likewise.
   std::vector<Row> powered;
 };

@@ -53,10 +53,7 @@ Engine* takeOut(Space& space, const std::vector<Membership>& memberships, Row ro
       membership.engine->remove(space, row);
     }
   }
-  if (memberships.empty()) {
-    auto& lone = space.entities_without_engine;
-    lone.erase(std::remove(lone.begin(), lone.end(), row), lone.end());
-  }
+  space.entities_without_engine.remove(row);
   Engine* former = mover;
   mover = nullptr;
   return former;

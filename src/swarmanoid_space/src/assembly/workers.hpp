@@ -29,12 +29,20 @@ class Workers final : public Parallel {
  private:
   bool isSerial() const override { return arena_ == nullptr; }
   void run(std::size_t count, std::size_t grain, const void* work, Call call) const override {
+    const tbb::blocked_range<std::size_t> all(0, count, grain);
+    const auto body = [&](const tbb::blocked_range<std::size_t>& range) { call(work, range.begin(), range.end()); };
+    // Of many equal parts each thread gets those in each phase and tick that it had in the one before, and has in its
+    // cache. Few parts, such as engines, are unequal: who is done takes another one.
+    constexpr std::size_t kMany = 8;
+    const bool are_many = count >= kMany * grain;
     // isolated: a thread that waits for the end of an engine's own ranges does not begin with another engine meanwhile
     arena_->execute([&] {
       tbb::this_task_arena::isolate([&] {
-        tbb::parallel_for(
-            tbb::blocked_range<std::size_t>(0, count, grain),
-            [&](const tbb::blocked_range<std::size_t>& range) { call(work, range.begin(), range.end()); });
+        if (are_many) {
+          tbb::parallel_for(all, body, tbb::static_partitioner());
+        } else {
+          tbb::parallel_for(all, body);
+        }
       });
     });
   }

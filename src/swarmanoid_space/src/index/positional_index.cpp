@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bounds_of.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/range.hpp"
 #include "swarmanoid_space/index/positional_index_visits.hpp"
@@ -18,25 +19,6 @@ int clampedCell(double coordinate, double inverse_cell_size, int count) {
   // written so that NaN ends in cell 0
   const double cell = coordinate * inverse_cell_size;
   return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
-}
-
-/// Of an entity's shapes, in W, whatever its joints do.
-Eigen::AlignedBox3d boundsOf(const EntityModel& model, const Pose& pose) {
-  Eigen::AlignedBox3d bounds(pose.position);
-  for (const CollisionShape& shape : model.shapes) {
-    const Eigen::Matrix3d turn = (pose.orientation * shape.orientation).toRotationMatrix();
-    const Eigen::Vector3d centre = pose.toWorld(shape.position);
-    const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
-    const Eigen::Vector3d extent = is_sphere ? Eigen::Vector3d(Eigen::Vector3d::Constant(shape.half_extent.x()))
-                                             : Eigen::Vector3d(turn.cwiseAbs() * shape.half_extent);
-    bounds.extend(centre - extent).extend(centre + extent);
-  }
-  if (std::any_of(model.shapes.begin(), model.shapes.end(), [](const CollisionShape& s) { return s.joint >= 0; })) {
-    // even a turret leaves the box around it
-    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(model.moving_reach);
-    bounds.extend(pose.position - reach).extend(pose.position + reach);
-  }
-  return bounds;
 }
 
 /// As Outline::meets, but by all of its comparisons always.
@@ -66,6 +48,7 @@ void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimi
   }
   inverse_cell_size_ = 1.0 / cell_size_;
   first_item_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+  large_grid_.configure(size.head<2>());
   state_ = State::kRebuilt;
 }
 
@@ -121,7 +104,7 @@ void PositionalIndex::sortIn(const Entities& entities) const {
   for (std::size_t k = 0; k < entities.order.size(); ++k) {
     const Row row = entities.order[k];
     const double radius = entities.model[row]->moving_reach;
-    if (radius > cell_size_) {
+    if (isLarge(*entities.model[row])) {
       cell_of_entity_[k] = kLarge;
       large_items_.push_back({boundsOf(*entities.model[row], entities.pose[row]), row});
       continue;
@@ -130,6 +113,7 @@ void PositionalIndex::sortIn(const Entities& entities) const {
     cell_of_entity_[k] = static_cast<std::uint32_t>(flat(cellOf(entities.pose[row].position)));
     ++first_item_[cell_of_entity_[k]];
   }
+  sortLargeIn();
   std::uint32_t sum = 0;
   for (std::uint32_t& first : first_item_) {
     sum += first;
@@ -140,6 +124,23 @@ void PositionalIndex::sortIn(const Entities& entities) const {
     if (cell_of_entity_[k] != kLarge) {
       items_[--first_item_[cell_of_entity_[k]]] = outlineOf(entities, entities.order[k]);
     }
+  }
+}
+
+/// Most large things, such as walls, stay where they are.
+void PositionalIndex::sortLargeIn() const {
+  std::int32_t place = 0;
+  for (; place < static_cast<std::int32_t>(large_items_.size()); ++place) {
+    const Eigen::AlignedBox3d& bounds = large_items_[static_cast<std::size_t>(place)].bounds;
+    const Eigen::AlignedBox2d above(bounds.min().head<2>(), bounds.max().head<2>());
+    const bool is_there = large_grid_.has(place) && large_grid_.bounds(place).min() == above.min() &&
+                          large_grid_.bounds(place).max() == above.max();
+    if (!is_there) {
+      large_grid_.set(place, above);
+    }
+  }
+  for (; large_grid_.has(place); ++place) {
+    large_grid_.remove(place);
   }
 }
 
@@ -156,12 +157,10 @@ PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Ro
 
 template <class Visit>
 void PositionalIndex::visitNear(const Eigen::Vector3d& centre, double radius, Visit visit) const {
-  refresh();
-  for (const LargeOutline& large : large_items_) {
-    if (large.meets(centre, radius)) {
-      visit(large.row);
-    }
-  }
+  visitLarge(centre, radius, [&](const LargeOutline& large) {
+    visit(large.row);
+    return true;
+  });
   visitPlaces(centre, Eigen::Vector3d::Constant(radius), [&](Place place) {
     if (items_[place].meets(centre, radius)) {
       visit(items_[place].row);

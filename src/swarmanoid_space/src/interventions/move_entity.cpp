@@ -33,6 +33,9 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   for (const Membership& membership : world.assembly.memberships[row]) {
     membership.engine->place(world.space, row);
   }
+  if (world.space.entities_without_engine.has(row)) {
+    world.space.entities_without_engine.place(world.space.entities, row);
+  }
   world.space.index.forget(world.space.entities);
   world.pending_events.push_back({Event::Kind::kMoved, name, "", ""});
   return true;

@@ -194,6 +194,7 @@ void build(World& world) {
   world.space.events.reserve(kUsualEvents);
   world.space.index.configure(world.space.size, world.experiment.arena.optimization,
                               entityCount(world.experiment.arena));
+  world.space.entities_without_engine.configure(world.space.size);
   buildControllerGroups(world);
   buildBoundary(world);
   buildEntities(world);

@@ -115,7 +115,7 @@ Row addEntity(World& world, const EntityDescription& entity, const std::vector<M
     throw;
   }
   if (memberships.empty()) {
-    world.space.entities_without_engine.push_back(row);
+    world.space.entities_without_engine.place(world.space.entities, row);
   }
   return row;
 }
@@ -148,9 +148,9 @@ void removeEntity(World& world, Row row) {
     callPlugin("remove", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
                [&] { membership.engine->remove(world.space, row); });
   }
-  for (auto* rows : {&world.space.entities_without_engine, &world.space.powered}) {
-    rows->erase(std::remove(rows->begin(), rows->end(), row), rows->end());
-  }
+  world.space.entities_without_engine.remove(row);
+  auto& powered = world.space.powered;
+  powered.erase(std::remove(powered.begin(), powered.end(), row), powered.end());
   world.space.entities.remove(row);
 }
 

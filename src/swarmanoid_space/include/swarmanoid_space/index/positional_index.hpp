@@ -19,6 +19,7 @@
 #include <mutex>
 #include <vector>
 
+#include "swarmanoid_space/index/box_grid.hpp"
 #include "swarmanoid_space/state/entities.hpp"
 
 namespace swarmanoid {
@@ -50,6 +51,9 @@ class PositionalIndex {
 
   // For questions of many at once, without a list of who is found; defined in index/positional_index_visits.hpp.
 
+  /// Of those that are large: visit(const LargeOutline&) of each whose box meets the sphere, until it returns false.
+  template <class Visit>
+  void visitLarge(const Eigen::Vector3d& centre, double radius, Visit visit) const;
   /// As collectUpright: visit(Row) of each.
   template <class Visit>
   void visitUpright(const Eigen::Vector2d& axis, double radius, Visit visit) const;
@@ -91,6 +95,8 @@ class PositionalIndex {
   /// has neighbouring places mostly: what is kept by place is read faster than what is kept by row.
   using Place = std::uint32_t;
 
+  /// Whether entities of a model are large.
+  bool isLarge(const EntityModel& model) const { return model.moving_reach > cell_size_; }
   /// Large ones have no place.
   std::size_t placeCount() const {
     refresh();
@@ -134,6 +140,7 @@ class PositionalIndex {
   }
   void refreshOnce() const;
   void sortIn(const Entities& entities) const;
+  void sortLargeIn() const;
   static Outline outlineOf(const Entities& entities, Row row);
   Cell cellOf(const Eigen::Vector3d& position) const;
   std::size_t flat(const Cell& cell) const;
@@ -159,7 +166,8 @@ class PositionalIndex {
   mutable std::vector<std::uint32_t> first_item_;  // by cell; one more than there are cells
   mutable std::vector<Outline> items_;             // sorted by cell
   mutable std::vector<std::uint32_t> cell_of_entity_;
-  mutable std::vector<LargeOutline> large_items_;  // kept apart, looked at one by one
+  mutable std::vector<LargeOutline> large_items_;  // kept apart
+  mutable BoxGrid large_grid_;                     // of them, by their place in that list
 };
 
 }  // namespace swarmanoid

@@ -29,14 +29,21 @@ void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Ve
 }
 
 template <class Visit>
+void PositionalIndex::visitLarge(const Eigen::Vector3d& centre, double radius, Visit visit) const {
+  refresh();
+  large_grid_.visitNear(centre.head<2>(), radius, [&](std::int32_t place) {
+    const LargeOutline& large = large_items_[static_cast<std::size_t>(place)];
+    return !large.meets(centre, radius) || visit(large);
+  });
+}
+
+template <class Visit>
 void PositionalIndex::visitUpright(const Eigen::Vector2d& axis, double radius, Visit visit) const {
   refresh();
-  for (const LargeOutline& large : large_items_) {
-    const Eigen::Vector2d nearest = axis.cwiseMax(large.bounds.min().head<2>()).cwiseMin(large.bounds.max().head<2>());
-    if ((nearest - axis).squaredNorm() <= radius * radius) {
-      visit(large.row);
-    }
-  }
+  large_grid_.visitNear(axis, radius, [&](std::int32_t place) {
+    visit(large_items_[static_cast<std::size_t>(place)].row);
+    return true;
+  });
   const Eigen::Vector3d middle(axis.x(), axis.y(), 0.5 * size_.z());
   visitPlaces(middle, {radius, radius, kInfinity}, [&](Place place) {
     const double reach = radius + items_[place].radius;

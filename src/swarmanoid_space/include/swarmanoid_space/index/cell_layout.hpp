@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace swarmanoid::planar {
+namespace swarmanoid {
 
 class CellLayout {
  public:
@@ -41,4 +41,4 @@ class CellLayout {
   int lines_ = 1;
 };
 
-}  // namespace swarmanoid::planar
+}  // namespace swarmanoid

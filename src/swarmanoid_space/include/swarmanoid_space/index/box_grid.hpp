@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "planar/cell_layout.hpp"
+#include "swarmanoid_space/index/cell_layout.hpp"
 
-namespace swarmanoid::planar {
+namespace swarmanoid {
 
 class BoxGrid {
  public:
@@ -23,6 +23,12 @@ class BoxGrid {
   /// @param body its number, from 0; what it was added with before is forgotten
   void set(std::int32_t body, const Eigen::AlignedBox2d& bounds);
   void remove(std::int32_t body);
+
+  bool has(std::int32_t body) const {
+    const auto place = static_cast<std::size_t>(body);
+    return place < entry_of_body_.size() && entry_of_body_[place] != kNone;
+  }
+  bool isEmpty() const { return entries_.empty(); }
 
   /// @pre the body was added
   const Eigen::AlignedBox2d& bounds(std::int32_t body) const {
@@ -55,6 +61,8 @@ class BoxGrid {
   }
 
  private:
+  static constexpr std::int32_t kNone = -1;
+
   struct Cells {
     int low_column;
     int high_column;
@@ -80,4 +88,4 @@ class BoxGrid {
   std::vector<std::vector<std::int32_t>> cells_;  // entries
 };
 
-}  // namespace swarmanoid::planar
+}  // namespace swarmanoid

@@ -1,13 +1,10 @@
-#include "planar/box_grid.hpp"
+#include "swarmanoid_space/index/box_grid.hpp"
 
 #include <algorithm>
 
 #include "swarmanoid_interface/expects.hpp"
 
-namespace swarmanoid::planar {
-namespace {
-constexpr std::int32_t kNone = -1;
-}  // namespace
+namespace swarmanoid {
 
 void BoxGrid::configure(const Eigen::Vector2d& size) {
   constexpr double kSmallestCell = 1.0;  // m: robots look around by less
@@ -33,7 +30,8 @@ void BoxGrid::visitCells(const Cells& cells, Visit visit) {
 
 void BoxGrid::set(std::int32_t body, const Eigen::AlignedBox2d& bounds) {
   const auto place = static_cast<std::size_t>(body);
-  if (place < entry_of_body_.size() && entry_of_body_[place] != kNone) {
+  cells_.resize(layout_.count());  // who has not configured it has one cell
+  if (has(body)) {
     remove(body);
   }
   entry_of_body_.resize(std::max(entry_of_body_.size(), place + 1), kNone);
@@ -61,4 +59,4 @@ void BoxGrid::remove(std::int32_t body) {
   number = kNone;
 }
 
-}  // namespace swarmanoid::planar
+}  // namespace swarmanoid

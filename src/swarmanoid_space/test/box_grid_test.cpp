@@ -1,4 +1,4 @@
-#include "planar/box_grid.hpp"
+#include "swarmanoid_space/index/box_grid.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <random>
 #include <set>
 
-namespace swarmanoid::planar {
+namespace swarmanoid {
 namespace {
 
 using Eigen::AlignedBox2d;
@@ -72,4 +72,4 @@ TEST(BoxGridTest, StopsWhenToldTo) {
 }
 
 }  // namespace
-}  // namespace swarmanoid::planar
+}  // namespace swarmanoid

@@ -1,0 +1,207 @@
+/// A ring of sensors that cast a ray each, as long as each other: which of the rays pass by what stands around the
+/// robot.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ring_geometry.hpp"
+#include "swarmanoid_space/rays/flat_rays.hpp"
+#include "swarmanoid_space/rays/obstacles.hpp"
+#include "swarmanoid_space/rays/ray.hpp"
+
+namespace swarmanoid::devices {
+
+/// A robot that stands upright: the turn about z of its pose. It puts vectors where the rotation matrix of the pose
+/// does, to the last bit.
+class UprightPose {
+ public:
+  static bool isUpright(const Pose& pose) { return pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0; }
+
+  /// @pre isUpright(pose)
+  explicit UprightPose(const Pose& pose)
+      : position_(pose.position),
+        cosine_(1.0 - 2.0 * pose.orientation.z() * pose.orientation.z()),
+        sine_(2.0 * pose.orientation.w() * pose.orientation.z()) {}
+
+  Eigen::Vector2d place() const { return position_.head<2>(); }
+  Eigen::Vector2d toRobot(const Eigen::Vector2d& point) const {
+    const double x = point.x() - position_.x();
+    const double y = point.y() - position_.y();
+    return {cosine_ * x + sine_ * y, cosine_ * y - sine_ * x};
+  }
+  Eigen::Vector3d toWorld(const Eigen::Vector3d& point) const {
+    return {cosine_ * point.x() - sine_ * point.y() + position_.x(),
+            sine_ * point.x() + cosine_ * point.y() + position_.y(), point.z() + position_.z()};
+  }
+  /// @param from in the robot's frame @param direction likewise @param range of the ray [m]
+  Segment ray(const Eigen::Vector3d& from, const Eigen::Vector3d& direction, double range) const {
+    const double cosine = range * cosine_;
+    const double sine = range * sine_;
+    Segment segment;
+    segment.from = toWorld(from);
+    segment.to = {segment.from.x() + (cosine * direction.x() - sine * direction.y()),
+                  segment.from.y() + (sine * direction.x() + cosine * direction.y()),
+                  segment.from.z() + range * direction.z()};
+    return segment;
+  }
+
+ private:
+  const Eigen::Vector3d& position_;
+  double cosine_;
+  double sine_;
+};
+
+/// Which rays pass by an outline is looked up by where that is in the robot's frame: in a table of square cells, with a
+/// mask of rays each.
+template <int count>
+class RayRing : public RingGeometry<count> {
+ public:
+  /// @param range of the rays [m]
+  RayRing(const RingGeometry<count>& geometry, double range) : RingGeometry<count>(geometry), range_(range) {
+    rays_.resize(this->size());
+    double reach = 0.0;
+    for (std::size_t i = 0; i < this->size(); ++i) {
+      const Eigen::Vector3d from = this->from.col(static_cast<Eigen::Index>(i));
+      const Eigen::Vector3d step = range * this->direction.col(static_cast<Eigen::Index>(i));
+      rays_.set(i, from.head<2>(), step.head<2>());
+      reach = std::max({reach, from.head<2>().norm(), (from + step).head<2>().norm()});
+      lowest_ = std::min({lowest_, from.z(), from.z() + step.z()});
+      highest_ = std::max({highest_, from.z(), from.z() + step.z()});
+    }
+    rays_.measure();
+    fillTables(reach);
+  }
+
+  RayMask all() const { return ~RayMask{0} >> (64 - this->size()); }
+
+  /// All but the segments. @param pose of the robot
+  RayBundle bundle(const Pose& pose) const {
+    RayBundle rays;
+    rays.radius = this->radius + range_ + kMargin;
+    if (!UprightPose::isUpright(pose)) {
+      rays.centre = pose.toWorld(this->centre);
+    } else {
+      rays.centre = UprightPose(pose).toWorld(this->centre);
+      rays.lowest = pose.position.z() + lowest_ - kMargin;
+      rays.highest = pose.position.z() + highest_ + kMargin;
+    }
+    return rays;
+  }
+
+  Segment ray(const UprightPose& pose, std::size_t i) const {
+    const auto column = static_cast<Eigen::Index>(i);
+    return pose.ray(this->from.col(column), this->direction.col(column), range_);
+  }
+  /// All of them, whatever the pose. @param segments as many as there are sensors
+  void aim(const Pose& pose, Span<Segment> segments) const {
+    const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
+    const Eigen::Matrix3d ranging_rotation = range_ * rotation;
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      const auto column = static_cast<Eigen::Index>(i);
+      segments[i].from = rotation * this->from.col(column) + pose.position;
+      segments[i].to = segments[i].from + ranging_rotation * this->direction.col(column);
+    }
+  }
+
+  /// Calls visit(solid, the rays that may hit it) for each obstacle that rays may hit.
+  /// @pre the obstacles are not anywhere
+  template <class Visit>
+  void visitNear(const Obstacles& obstacles, const UprightPose& pose, Visit visit) const {
+    const auto visitIfAny = [&](const Obstacles::Solid& solid, RayMask near) {
+      if (near != 0) {
+        visit(solid, near);
+      }
+    };
+    for (const Obstacles::Circle& circle : obstacles.circles()) {
+      const Eigen::Vector2d centre = pose.toRobot(circle.centre);
+      visitIfAny(circle.solid, circle.radius <= usualRadius() ? lookUp(by_circle_, centre)
+                                                              : rays_.nearPoint(centre, circle.radius + kMargin));
+    }
+    for (const Obstacles::Box& box : obstacles.boxes()) {
+      visitIfAny(box.solid, lookUp(by_face_, pose.toRobot(box.nearestTo(pose.place()))));
+    }
+  }
+
+ private:
+  static constexpr int kCells = 40;        // of a table, each way: some 15 mm wide for a footbot
+  static constexpr double kMargin = 1e-6;  // m, for rounding
+
+  using Table = std::array<RayMask, static_cast<std::size_t>(kCells) * kCells>;
+
+  /// Of outlines for which there is a table: those of other robots of that kind are as wide as the ring. [m]
+  double usualRadius() const { return this->radius + kMargin; }
+
+  /// @param reach of the rays from the robot's origin [m]
+  void fillTables(double reach) {
+    half_side_ = reach + usualRadius();
+    const double cell = 2.0 * half_side_ / kCells;
+    inverse_cell_ = 1.0 / cell;
+    const double half_diagonal = M_SQRT1_2 * cell + kMargin;
+    for (int line = 0; line < kCells; ++line) {
+      for (int column = 0; column < kCells; ++column) {
+        const Eigen::Vector2d middle((column + 0.5) * cell - half_side_, (line + 0.5) * cell - half_side_);
+        const std::size_t place = static_cast<std::size_t>(line) * kCells + static_cast<std::size_t>(column);
+        by_circle_[place] = rays_.nearPoint(middle, usualRadius() + half_diagonal);
+        by_face_[place] = beyondFace(middle, half_diagonal);
+      }
+    }
+  }
+
+  /// The rays that may hit something convex, whose point nearest to the robot's origin is at most `margin` from
+  /// `nearest`. All of it is beyond a straight line through that point, across the way to it; a point e is so if the
+  /// nearest point is in the circle from the origin to e (Thales).
+  RayMask beyondFace(const Eigen::Vector2d& nearest, double margin) const {
+    RayMask mask = 0;
+    for (std::size_t i = 0; i < this->size(); ++i) {
+      for (const Eigen::Vector2d& end : {rays_.from(i), Eigen::Vector2d(rays_.from(i) + rays_.step(i))}) {
+        const bool is_beyond = (nearest - 0.5 * end).norm() <= 0.5 * end.norm() + margin;
+        mask |= static_cast<RayMask>(is_beyond) << i;
+      }
+    }
+    return mask;
+  }
+
+  RayMask lookUp(const Table& table, const Eigen::Vector2d& point) const {
+    const double column = (point.x() + half_side_) * inverse_cell_;
+    const double line = (point.y() + half_side_) * inverse_cell_;
+    const bool is_inside = column >= 0.0 && column < kCells && line >= 0.0 && line < kCells;
+    return is_inside ? table[static_cast<std::size_t>(line) * kCells + static_cast<std::size_t>(column)] : 0;
+  }
+
+  double range_;                                                         // m
+  double lowest_ = kInfinity;                                            // of the rays, in the robot's frame, m
+  double highest_ = -kInfinity;                                          // likewise
+  double half_side_ = 0.0;                                               // of the tables, m
+  double inverse_cell_ = 0.0;                                            // 1/m
+  FlatRays<static_cast<std::size_t>(RingGeometry<count>::kMost)> rays_;  // from above, in the robot's frame
+  Table by_circle_;                                                      // of the usual radius, by its middle
+  Table by_face_;  // of a box, by the point that is nearest to the robot's origin
+};
+
+/// As Rings, for rays.
+template <int count>
+class RayRings {
+ public:
+  /// @throws ConfigError as ringOf
+  std::shared_ptr<const RayRing<count>> of(const std::shared_ptr<const EntityModel>& model, const char* device,
+                                           const std::vector<std::string>& names, double range) {
+    std::shared_ptr<const RingGeometry<count>> geometry = rings_.of(model, device, names);
+    if (geometry != geometry_) {
+      geometry_ = std::move(geometry);
+      ring_ = std::make_shared<RayRing<count>>(*geometry_, range);
+    }
+    return ring_;
+  }
+
+ private:
+  Rings<count> rings_;
+  std::shared_ptr<const RingGeometry<count>> geometry_;
+  std::shared_ptr<const RayRing<count>> ring_;
+};
+
+}  // namespace swarmanoid::devices

@@ -1,0 +1,27 @@
+/// Who is near a body, kept over some steps: so that not every look around goes through cells.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "planar/bodies.hpp"
+
+namespace swarmanoid::kinematics2d {
+
+/// The bodies that were near one when it last looked farther than it had to. Whoever is not listed is farther away than
+/// what is left of that look by now. Distances are counted as in Clearance.
+struct alignas(64) Neighbours {
+  static constexpr std::size_t kMost = 11;
+  static constexpr float kFarthestLook = 0.3F;  ///< far enough for many steps, and yet few cells [m]
+
+  double until = -1.0;         ///< up to this distance travelled nobody else can have come near
+  float look = kFarthestLook;  ///< how far to look the next time [m]
+  std::uint32_t count = 0;
+  std::array<planar::BodyIndex, kMost> bodies;
+
+  /// How far away all others are at least, at a distance travelled [m].
+  double gapToOthers(double travelled) const { return 2.0 * (until - travelled); }
+};
+static_assert(sizeof(Neighbours) == 64);
+
+}  // namespace swarmanoid::kinematics2d

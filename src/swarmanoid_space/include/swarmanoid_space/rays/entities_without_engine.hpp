@@ -1,0 +1,43 @@
+/// Entities that no engine holds, such as walls that are in the way of sensors alone: rays are cast against their
+/// models. What is near a ray is looked up in a grid, however many walls a maze has.
+///
+/// Phase   changed between ticks, as entities come, go and are moved; read in all others.
+/// Threads const functions may run at once.
+#pragma once
+
+#include "swarmanoid_space/index/box_grid.hpp"
+#include "swarmanoid_space/rays/obstacles.hpp"
+#include "swarmanoid_space/rays/ray.hpp"
+
+namespace swarmanoid {
+
+class EntitiesWithoutEngine {
+ public:
+  /// @param size of the arena, which spans from 0 to size [m]
+  void configure(const Eigen::Vector3d& size) { grid_.configure(size.head<2>()); }
+
+  /// Adds an entity, or takes its new pose.
+  void place(const Entities& entities, Row row);
+  /// Does nothing if it is not here.
+  void remove(Row row);
+  void clear() { grid_.clear(); }
+
+  bool has(Row row) const { return grid_.has(static_cast<std::int32_t>(row)); }
+  bool isEmpty() const { return grid_.isEmpty(); }
+
+  /// As those of Engine (engine.hpp).
+  bool mayHit(const RayBundle& rays) const;
+  void findObstacles(const RayBundle& rays, Obstacles& found) const;
+  void raycast(const Entities& entities, const RayBundle& rays, Span<RayHit> hits) const;
+  void raycastAt(const Entities& entities, Row row, Span<const Segment> segments, RayMask chosen,
+                 Span<RayHit> hits) const;
+
+ private:
+  void hit(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const;
+  template <class Visit>  // visit(row, bounds) until it returns false
+  void visitNear(const RayBundle& rays, Visit visit) const;
+
+  BoxGrid grid_;  // bodies are rows
+};
+
+}  // namespace swarmanoid
