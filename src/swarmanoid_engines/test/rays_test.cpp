@@ -267,9 +267,9 @@ TEST_P(RandomRaysTest, WhatABundleHitsIsAmongItsObstacles) {
       sum.second += passes;
     }
     EXPECT_GT(sum.first, kRings);
-    // seen from above a wall or a robot leaves most of a ring free
+    // seen from above a wall or a robot leaves part of a ring free
     const bool is_seen_from_above = GetParam() == std::string("z") || space == &reference.space;
-    EXPECT_TRUE(sum.second < 15 * kRings || !is_seen_from_above) << sum.second;
+    EXPECT_TRUE(sum.second < 18 * kRings || !is_seen_from_above) << sum.second;
   }
 }
 
