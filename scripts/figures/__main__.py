@@ -46,6 +46,7 @@ FIGURES = {
     "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
     "climbing": engines.climbing,
+    "threads": lambda table, build: simulation.threads(table),
     "start_up": lambda table, build: simulation.start_up(table),
     "devices": devices.devices,
     "python_at_once": lambda table, build: python_bindings.python_at_once(table),

@@ -51,6 +51,22 @@ def same_bits(table):
               f"equal over {ticks} states: {', '.join(same)}", len(same) == len(variants))
 
 
+def threads(table):
+    """Many more robots than the experiments have, so that all threads get some."""
+    ticks = 300
+    with tempfile.TemporaryDirectory() as folder:
+        for robots in (10000, 100000):
+            file = diffusion_of(folder, robots)
+            found = []
+            for count in (1, 2, 4, 8):
+                hashes = pathlib.Path(folder) / f"{robots}_{count}.txt"
+                run(file, "--ticks", ticks, "--threads", count, "--hashes", hashes)
+                found.append(hashes.read_text())
+            same = sum(text == found[0] for text in found)
+            table.add(f"diffusion, {robots:,} footbots, on 1, 2, 4, 8 threads", "equal state hash each tick",
+                      f"equal over {len(found[0].splitlines())} states: {same} of {len(found)}", same == len(found))
+
+
 def any_processor(table):
     """The long form of a test: all installed experiments, with and without fused multiply-add."""
     test = ROOT / "src/swarmanoid_experiments/test/program_same_bits_test.py"

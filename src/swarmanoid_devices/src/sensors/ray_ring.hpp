@@ -190,18 +190,24 @@ class RayRings {
   /// @throws ConfigError as ringOf
   std::shared_ptr<const RayRing<count>> of(const std::shared_ptr<const EntityModel>& model, const char* device,
                                            const std::vector<std::string>& names, double range) {
-    std::shared_ptr<const RingGeometry<count>> geometry = rings_.of(model, device, names);
-    if (geometry != geometry_) {
-      geometry_ = std::move(geometry);
-      ring_ = std::make_shared<RayRing<count>>(*geometry_, range);
+    const std::shared_ptr<const RingGeometry<count>> geometry = rings_.of(model, device, names);
+    const auto found =
+        std::find_if(ray_rings_.begin(), ray_rings_.end(), [&](const Found& one) { return one.geometry == geometry; });
+    if (found != ray_rings_.end()) {
+      return found->ring;
     }
-    return ring_;
+    ray_rings_.push_back({geometry, std::make_shared<RayRing<count>>(*geometry, range)});
+    return ray_rings_.back().ring;
   }
 
  private:
+  struct Found {
+    std::shared_ptr<const RingGeometry<count>> geometry;
+    std::shared_ptr<const RayRing<count>> ring;
+  };
+
   Rings<count> rings_;
-  std::shared_ptr<const RingGeometry<count>> geometry_;
-  std::shared_ptr<const RayRing<count>> ring_;
+  std::vector<Found> ray_rings_;
 };
 
 }  // namespace swarmanoid::devices

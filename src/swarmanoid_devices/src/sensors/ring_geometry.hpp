@@ -86,23 +86,29 @@ RingGeometry<count> ringOf(const EntityModel& model, const char* device, const s
   return ring;
 }
 
-/// The rings of the robots of one sensor; robots of one type that come one after the other share theirs.
+/// The rings of the robots of one sensor; robots of one type share theirs.
 template <int count>
 class Rings {
  public:
   /// @throws ConfigError as ringOf
   std::shared_ptr<const RingGeometry<count>> of(const std::shared_ptr<const EntityModel>& model, const char* device,
                                                 const std::vector<std::string>& names) {
-    if (model != last_model_) {
-      last_ring_ = std::make_shared<RingGeometry<count>>(ringOf<count>(*model, device, names));
-      last_model_ = model;
+    const auto found =
+        std::find_if(rings_.begin(), rings_.end(), [&](const Ring& ring) { return ring.model == model; });
+    if (found != rings_.end()) {
+      return found->geometry;
     }
-    return last_ring_;
+    rings_.push_back({model, std::make_shared<RingGeometry<count>>(ringOf<count>(*model, device, names))});
+    return rings_.back().geometry;
   }
 
  private:
-  std::shared_ptr<const EntityModel> last_model_;  // kept, so that no other model gets its address
-  std::shared_ptr<const RingGeometry<count>> last_ring_;
+  struct Ring {
+    std::shared_ptr<const EntityModel> model;  // kept, so that no other model gets its address
+    std::shared_ptr<const RingGeometry<count>> geometry;
+  };
+
+  std::vector<Ring> rings_;
 };
 
 }  // namespace swarmanoid::devices
