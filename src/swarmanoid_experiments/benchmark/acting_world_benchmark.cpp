@@ -53,6 +53,7 @@ std::string with(std::string text, const std::string& before, const std::string&
 std::unique_ptr<Simulation> start(const std::string& text) {
   loadBuiltInPlugins();
   auto simulation = std::make_unique<Simulation>(parseExperiment(text, "benchmark.xml"));
+  simulation->timePhases();
   simulation->start();
   constexpr int kWarmUp = 50;
   for (int i = 0; i < kWarmUp; ++i) {

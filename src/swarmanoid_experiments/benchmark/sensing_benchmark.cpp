@@ -95,6 +95,7 @@ std::string experiment(const Devices& devices) {
 void run(benchmark::State& state, const Devices& devices) {
   loadBuiltInPlugins();
   Simulation simulation(parseExperiment(experiment(devices), "benchmark.xml"));
+  simulation.timePhases();
   simulation.start();
   constexpr int kWarmUp = 5;
   for (int i = 0; i < kWarmUp; ++i) {

@@ -75,6 +75,7 @@ std::string maze(int walls, bool are_held) {
 void reportPhases(benchmark::State& state, Simulation& simulation, std::int64_t robots) {
   constexpr int kTicks = 50;
   PhaseTimes sum;
+  simulation.timePhases();
   for (int i = 0; i < kTicks; ++i) {
     simulation.tick();
     sum += simulation.phaseTimes();

@@ -109,10 +109,15 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, RecordFolde
     keepWhatIsThere(simulation, run_end, facts, record, end);
   });
   try {
+    if (options.profile) {
+      simulation.timePhases();
+    }
     simulation.start();
     while (!simulation.isFinished() && !isInterrupted()) {
       simulation.tick();
-      total += simulation.phaseTimes();
+      if (options.profile) {
+        total += simulation.phaseTimes();
+      }
       facts.robot_ticks += static_cast<double>(simulation.robotCount());
       bar.show(simulation.space().tick);
     }

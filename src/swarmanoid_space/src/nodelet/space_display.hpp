@@ -28,8 +28,12 @@ class SpaceDisplay final : public Observer {
   /// @param drawn_robots those whose devices are drawn
   SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& options, DrawnRobots drawn_robots);
 
+  /// Its ticks are timed from now on.
+  void follow(Simulation& simulation) {
+    simulation.timePhases();
+    simulation_ = &simulation;
+  }
   /// @param thread serves new subscribers between its ticks, once it exists
-  void follow(const Simulation& simulation) { simulation_ = &simulation; }
   void serveNewcomers(SimulationThread* thread);
   /// Publishes all topics that are not up to date, independent of the rates.
   void publishAll();

@@ -47,7 +47,7 @@ void refuseWhatIsNotFinite(const Space& space, const Workers& workers) {
 
 }  // namespace
 
-void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
+void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers, bool are_timed,
           std::vector<double>& seconds) {
   space.index.close();
   seconds.resize(engines.size());
@@ -58,7 +58,7 @@ void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers
   });
   workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
-      Stopwatch stopwatch;
+      Stopwatch stopwatch(are_timed);
       callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, space.clocktick); });
       stopwatch.lap(seconds[i]);
     }

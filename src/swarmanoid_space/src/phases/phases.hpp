@@ -51,8 +51,8 @@ void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& 
 /// those whose battery is empty; such as still fly after their safe stop go on coming down.
 void cutPower(Space& space, const std::vector<RobotInstance>& instances);
 
-/// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes.
-void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers,
+/// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes, if they are timed.
+void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers, bool are_timed,
           std::vector<double>& seconds);
 
 /// Grips are made and broken; what depends on the new poses follows.

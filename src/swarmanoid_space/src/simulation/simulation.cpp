@@ -16,7 +16,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   if (isFinished()) {
     return true;
   }
-  Stopwatch stopwatch;
+  Stopwatch stopwatch(are_phases_timed_);
   beginTick();
   stopwatch.lap(phase_times_.rule);
   if (!has_sensed_) {
@@ -52,7 +52,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   }
   phases::cutPower(world.space, world.assembly.robots);
   stopwatch.lap(phase_times_.actuate);
-  phases::move(world.space, world.assembly.engines, world.assembly.workers, phase_times_.engines);
+  phases::move(world.space, world.assembly.engines, world.assembly.workers, are_phases_timed_, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
   phases::connect(world.space, world.assembly.engines, world.assembly.groups);
   phases::handOver(world.space, world.assembly.robots, world.assembly.triggers, world.assembly.memberships);
@@ -79,7 +79,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   phase_times_.rule += seconds;
   finish_asked_ = phases::show(world.space, world.assembly.observers) || finish_asked_;
   stopwatch.lap(phase_times_.show);
-  if (stopwatch.last() >= next_flush_) {
+  if (std::chrono::steady_clock::now() >= next_flush_) {
     flush();
     stopwatch.lap(seconds);
     phase_times_.show += seconds;

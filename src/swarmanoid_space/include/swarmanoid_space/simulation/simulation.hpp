@@ -21,7 +21,7 @@
 
 namespace swarmanoid {
 
-/// Wall time spent in each phase of the last tick [s]; the names are those of the files in src/phases/.
+/// Wall time spent in each phase of a tick [s]; the names are those of the files in src/phases/.
 struct PhaseTimes {
   double sense = 0.0;
   double control = 0.0;
@@ -80,6 +80,9 @@ class Simulation {
 
   const Experiment& experiment() const;
   const Space& space() const;
+  /// From now on ticks are timed, phase by phase: for a swarm of ten that takes as long as what their controllers do.
+  void timePhases() { are_phases_timed_ = true; }
+  /// Of the last tick; all 0 while ticks are not timed.
   const PhaseTimes& phaseTimes() const { return phase_times_; }
   const std::vector<ControllerFailure>& failures() const;
   /// Robots that have a controller.
@@ -144,6 +147,7 @@ class Simulation {
   std::vector<Row> faulty_;       // scratch of `actuate`
   std::vector<Row> fallen_;       // scratch of `fall`
   InterventionPlayer player_;
+  bool are_phases_timed_ = false;
   PhaseTimes phase_times_;
   std::size_t logged_overflows_ = 0;
   std::chrono::steady_clock::time_point next_flush_;
