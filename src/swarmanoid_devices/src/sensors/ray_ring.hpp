@@ -66,12 +66,13 @@ class RayRing : public RingGeometry<count> {
     rays_.resize(this->size());
     double reach = 0.0;
     for (std::size_t i = 0; i < this->size(); ++i) {
-      const Eigen::Vector3d from = this->from.col(static_cast<Eigen::Index>(i));
+      const Eigen::Vector3d start = this->from.col(static_cast<Eigen::Index>(i));
       const Eigen::Vector3d step = range * this->direction.col(static_cast<Eigen::Index>(i));
-      rays_.set(i, from.head<2>(), step.head<2>());
-      reach = std::max({reach, from.head<2>().norm(), (from + step).head<2>().norm()});
-      lowest_ = std::min({lowest_, from.z(), from.z() + step.z()});
-      highest_ = std::max({highest_, from.z(), from.z() + step.z()});
+      const Eigen::Vector3d end = start + step;
+      rays_.set(i, start.head<2>(), step.head<2>());
+      reach = std::max({reach, start.head<2>().norm(), end.head<2>().norm()});
+      lowest_ = std::min({lowest_, start.z(), end.z()});
+      highest_ = std::max({highest_, start.z(), end.z()});
     }
     rays_.measure();
     fillTables(reach);
@@ -118,9 +119,9 @@ class RayRing : public RingGeometry<count> {
       }
     };
     for (const Obstacles::Circle& circle : obstacles.circles()) {
-      const Eigen::Vector2d centre = pose.toRobot(circle.centre);
-      visitIfAny(circle.solid, circle.radius <= usualRadius() ? lookUp(by_circle_, centre)
-                                                              : rays_.nearPoint(centre, circle.radius + kMargin));
+      const Eigen::Vector2d middle = pose.toRobot(circle.centre);
+      visitIfAny(circle.solid, circle.radius <= usualRadius() ? lookUp(by_circle_, middle)
+                                                              : rays_.nearPoint(middle, circle.radius + kMargin));
     }
     for (const Obstacles::Box& box : obstacles.boxes()) {
       visitIfAny(box.solid, lookUp(by_face_, pose.toRobot(box.nearestTo(pose.place()))));
