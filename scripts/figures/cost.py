@@ -85,14 +85,14 @@ def of_sensor(robots, actuators, sensors):
 
 
 def draw(engines, sensors):
-    figure, axes = pyplot.subplots(1, 2, figsize=(11, 4.2), sharey=True)
+    figure, axes = pyplot.subplots(1, 2, figsize=(11, 5.2), sharey=True)
     for place, curves, title in ((axes[0], engines, "a robot of diffusion, by engine"), (axes[1], sensors, "a sensor, on top")):
         for name, points in curves.items():
             place.loglog(points.keys(), points.values(), marker="o", label=name)
         place.set_title(title)
         place.set_xlabel("robots, one per 1.6 m²")
         place.grid(True, which="both", alpha=0.3)
-        place.legend(fontsize=8)
+        place.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncol=2, fontsize=8)
     axes[0].set_ylabel("microseconds a robot and tick, one thread")
     figure.tight_layout()
     figure.savefig(PICTURE, dpi=110, metadata={"Software": None})

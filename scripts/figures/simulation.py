@@ -93,9 +93,9 @@ def first_tick(folder, robots):
     start = time.perf_counter()
     program = subprocess.Popen(["swarmanoid", "run", diffusion_of(folder, robots), "--ticks", "1", "--quiet"],
                                stdout=subprocess.PIPE, text=True)
-    summary = json.loads(program.stdout.read())
-    _, status, usage = os.wait4(program.pid, 0)
+    summary = json.loads(program.stdout.readline())  # what is still to come is the end of the process
     seconds = time.perf_counter() - start
+    _, status, usage = os.wait4(program.pid, 0)
     found = round(summary["robot_ticks_per_s"] * summary["wall_s"])
     if status != 0 or found != robots:
         raise RuntimeError(f"{robots} footbots: status {status}, {found} robots")
