@@ -36,8 +36,6 @@ STUDIES = (
           ("phototaxis", "--set", "framework.maxclock=1601")),
     Study("neural_phototaxis", "a neural network for phototaxis around obstacles", "lamps.distance_before_switch",
           "distance to the lamp", "m", ("neural_phototaxis", "--set", "arena.fb.controller=pc")),
-    Study("aggregation", "four wheel speeds of aggregation without computation", "dispersion.second_moment",
-          "second moment of the swarm", "", ("aggregation", "--set", "framework.maxclock=1000")),
     Study("neural_aggregation", "a recurrent neural network for aggregation", "dispersion.second_moment",
           "second moment of the swarm", "", ("aggregation", "--set", "framework.maxclock=1000"), is_promised=False),
     Study("object_retrieval", "five parameters of object retrieval", "retrieval_ticks", "time until a prey is in the nest", "ticks",

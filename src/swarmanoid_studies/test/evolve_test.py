@@ -180,7 +180,7 @@ class EvolveTest(CommandsTest):
         self.assertTrue((self.folder / "run/best.xml").exists())
 
     def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(self):
-        self.assert_refused("found the study 'studi.xml', allowed: aggregation, neural_aggregation, neural_phototaxis, object_retrieval, "
+        self.assert_refused("found the study 'studi.xml', allowed: neural_aggregation, neural_phototaxis, object_retrieval, "
                             "phototaxis", "evolve", "studi.xml")
         self.assert_refused("--generations: found 0, allowed: 1 to 1000000", "evolve", "study.xml", "--generations", "0")
         self.study.write_text(STUDY.replace("lamps.distance", "lamp.distance"))

@@ -9,7 +9,7 @@ import unittest
 from commands import CommandsTest
 from swarmanoid_studies.study_file import find_study, installed_studies, read_study
 
-NAMES = ["aggregation", "neural_aggregation", "neural_phototaxis", "object_retrieval", "phototaxis"]
+NAMES = ["neural_aggregation", "neural_phototaxis", "object_retrieval", "phototaxis"]
 POPULATION = 5
 
 
