@@ -114,7 +114,7 @@ class CrashTest(MisbehavingTest):
             with self.subTest(deed=deed):
                 code, _, errors = self.misbehave("step", deed)
                 # whoever uses memory next is named: the controller, another plugin, or the simulator
-                self.assertIn(code, (CONTROLLER_FAILED, STOPPED, -signal.SIGABRT, -signal.SIGSEGV))
+                self.assertIn(code, (CONTROLLER_FAILED, STOPPED, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGSEGV))
                 self.assertIn("swarmanoid: crashed: SIG", errors)
 
 
