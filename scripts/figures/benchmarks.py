@@ -10,13 +10,20 @@ sys.path.insert(0, str(ROOT / "scripts"))
 import instruction_counts  # noqa: E402  pylint: disable=wrong-import-position
 
 
-def medians(binary, names):
-    """Items per second of some benchmarks, in turn, in a process of their own: what others leave of the heap would count."""
-    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=5", f"--benchmark_filter=^BM_({names})$",
+def medians(binary, names=".*", repetitions=5, seconds=0.5):
+    """Medians of some benchmarks, made in turn, by name. In a process of their own: what others leave of the heap would count.
+    @param seconds of each repetition"""
+    done = subprocess.run([binary, "--benchmark_format=json", f"--benchmark_filter=^BM_({names})$",
+                           f"--benchmark_repetitions={repetitions}", f"--benchmark_min_time={seconds}",
                            "--benchmark_enable_random_interleaving=true", "--benchmark_report_aggregates_only=true"],
                           capture_output=True, text=True, check=True)
-    return {entry["run_name"].replace("BM_", ""): entry["items_per_second"]
-            for entry in json.loads(done.stdout)["benchmarks"] if entry["aggregate_name"] == "median"}
+    return {entry["run_name"].replace("BM_", "", 1): entry for entry in json.loads(done.stdout)["benchmarks"]
+            if entry["aggregate_name"] == "median"}
+
+
+def speeds(binary, *arguments):
+    """As medians: items per second."""
+    return {name: entry["items_per_second"] for name, entry in medians(binary, *arguments).items()}
 
 
 def benchmark(table, build):
@@ -26,24 +33,24 @@ def benchmark(table, build):
     area = {"Sparse": "1.6 m2", "Dense": "0.1 m2"}
     for name, million in goals.items():
         kind, robots = name.split("/")
-        speed = medians(binary, f"(Diffusion|Bare){name}")
+        speed = speeds(binary, f"(Diffusion|Bare){name}")
         seen, bare = speed[f"Diffusion{name}"], speed[f"Bare{name}"]
         table.add(f"diffusion, one footbot per {area[kind]}, {int(robots):,} footbots, one thread",
                   f"at least {million:g} million robots x ticks/s",
                   f"{seen / 1e6:.2f} million; {seen / bare:.2f} of a bare loop of discs, {bare / 1e6:.1f} million", seen >= 1e6 * million)
     for robots in ("10000", "100000"):
-        speed = medians(binary, f"DiffusionThreads/{robots}/[12]/real_time")
+        speed = speeds(binary, f"DiffusionThreads/{robots}/[12]/real_time")
         one, two = (speed[f"DiffusionThreads/{robots}/{threads}/real_time"] for threads in (1, 2))
         table.add(f"diffusion, one footbot per 1.6 m2, {int(robots):,} footbots, two threads against one, all phases",
                   "at least 1.7 times where two whole cores are free",
                   f"{two / one:.2f} times ({one / 1e6:.2f} and {two / 1e6:.2f} million robots x ticks/s)", two >= 1.7 * one)
-    speed = medians(binary, "Maze/.*")
+    speed = speeds(binary, "Maze/.*")
     walls = {held: speed["Maze/0/1"] / speed[f"Maze/1000/{held}"] for held in (0, 1)}
     table.add("1,000 footbots among 1,000 walls of 1.2 m, 128 m x 128 m, against the four walls of the arena alone: length of a tick",
               "at most 1.5 times", f"{walls[0]:.2f} times if sensors alone meet them, {walls[1]:.2f} if robots do, too",
               max(walls.values()) <= 1.5)
     for robots in ("1000", "10000"):
-        speed = medians(binary, f"MessagesSparse/{robots}")
+        speed = speeds(binary, f"MessagesSparse/{robots}")
         seen = speed[f"MessagesSparse/{robots}"]
         table.add(f"range and bearing, one footbot per 1.6 m2, all send, {int(robots):,} footbots, one thread",
                   "at least 0.6 million robots x ticks/s", f"{seen / 1e6:.2f} million", seen >= 6e5)
@@ -51,18 +58,15 @@ def benchmark(table, build):
 
 def acting_world(table, build):
     binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_acting_world_benchmark"
-    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=5",
-                           "--benchmark_enable_random_interleaving=true", "--benchmark_report_aggregates_only=true"],
-                          capture_output=True, text=True, check=True)
-    medians = {entry["run_name"]: entry for entry in json.loads(done.stdout)["benchmarks"] if entry["aggregate_name"] == "median"}
-    share = medians["BM_Rule/10000"]["rule_share"]
+    found = medians(binary)
+    share = found["Rule/10000"]["rule_share"]
     table.add("a rule that looks at 10,000 robots after each tick of diffusion", "under 3 % of the tick", f"{100 * share:.2f} %",
               share < 0.03)
-    costs = {name.split("/")[1]: entry["rule_us"] for name, entry in medians.items() if name.startswith("BM_Measure")}
+    costs = {name.split("/")[1]: entry["rule_us"] for name, entry in found.items() if name.startswith("Measure")}
     dearest = max(costs, key=costs.get)
     table.add("a rule of the suite that measures 10,000 footbots after each tick", "under 2 ms",
               f"from {1e-3 * min(costs.values()):.3f} to {1e-3 * costs[dearest]:.3f} ms ({dearest})", costs[dearest] < 2000.0)
-    clean, painted, anew = (medians[f"BM_Floor/{i}"]["real_time"] for i in range(3))
+    clean, painted, anew = (found[f"Floor/{i}"]["real_time"] for i in range(3))
     table.add("a painted floor of 1,000 x 1,000 cells that fades, read by 100 footbots: a tick and its hash longer than on a clean floor",
               "under 1 ms", f"{1e-3 * (painted - clean):.3f} ms; {1e-3 * (anew - clean):.3f} ms while 100 discs are painted a tick "
               f"({1e-3 * clean:.3f} ms on a clean floor)", max(painted, anew) - clean < 1000.0)
@@ -71,11 +75,7 @@ def acting_world(table, build):
 def sensing(table, build):
     """Long repetitions: with all devices on a tick takes 0.1 s, and the first ticks would count."""
     binary = build / "devel/lib/swarmanoid_experiments/swarmanoid_experiments_sensing_benchmark"
-    done = subprocess.run([binary, "--benchmark_format=json", "--benchmark_repetitions=3",
-                           "--benchmark_enable_random_interleaving=true", "--benchmark_min_time=3",
-                           "--benchmark_report_aggregates_only=true"], capture_output=True, text=True, check=True)
-    speed = {entry["run_name"].replace("BM_", ""): entry["items_per_second"]
-             for entry in json.loads(done.stdout)["benchmarks"] if entry["aggregate_name"] == "median"}
+    speed = speeds(binary, ".*", 3, 3)
     everybody = "10,000 footbots that turn on the spot, one per 1.6 m2, one thread"
     for name, what, least in (("Messages", "range and bearing (3 m, all send) alone", 0.6e6),
                               ("Light", "light (10 bulbs 2 m high that reach 5 m) alone", 1e6),

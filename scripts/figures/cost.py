@@ -1,4 +1,4 @@
-"""What a robot costs, by engine and by sensor, against how many there are: a picture, and the rows of its ends."""
+"""What a robot costs, by engine and by sensor, against how many there are: a picture, and its points as rows."""
 
 import math
 import time

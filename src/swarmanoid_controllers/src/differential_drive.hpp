@@ -49,16 +49,15 @@ struct ObstacleVector {
     for (std::size_t i = 0; i < FootbotProximity::kCount; ++i) {
       const float value = proximity.value[i];
       if (value > 0.0F && std::abs(FootbotProximity::angle(i)) <= half_field) {
-        x += value * directions.cosine[i];
-        y += value * directions.sine[i];
+        add(value, directions.cosine[i], directions.sine[i]);
       }
     }
   }
   explicit ObstacleVector(const Proximity& proximity, double half_field = M_PI) {
     for (const ProximityReading& reading : proximity.sensors) {
-      if (reading.value > 0.0F && std::abs(static_cast<double>(reading.angle)) <= half_field) {
-        x += reading.value * std::cos(static_cast<double>(reading.angle));
-        y += reading.value * std::sin(static_cast<double>(reading.angle));
+      const double angle = reading.angle;
+      if (reading.value > 0.0F && std::abs(angle) <= half_field) {
+        add(reading.value, std::cos(angle), std::sin(angle));
       }
     }
   }
@@ -66,6 +65,11 @@ struct ObstacleVector {
   double bearing() const { return std::atan2(y, x); }
 
  private:
+  void add(float value, double cosine, double sine) {
+    x += value * cosine;
+    y += value * sine;
+  }
+
   /// Of the sensors of a footbot.
   struct Directions {
     std::array<double, FootbotProximity::kCount> cosine;

@@ -78,7 +78,7 @@ Eigen::Vector3d inBody(const Pose& pose, const Eigen::Vector3d& point) {
 LedShades::Eyes eyesOf(const IlluminatedRing& ring, const Pose& pose) {
   const Eigen::Vector3d centre = inBody(pose, ring.centre);
   LedShades::Eyes eyes{centre.head<2>(), ring.radius, centre.z() - ring.radius, centre.z() + ring.radius};
-  if (pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0) {
+  if (pose.isUpright()) {
     // upright: sensors of a level ring are all at one height
     eyes.lowest = std::max(eyes.lowest, ring.lowest - pose.position.z());
     eyes.highest = std::min(eyes.highest, ring.highest - pose.position.z());

@@ -23,8 +23,7 @@ Eigen::AlignedBox3d boxAround(const EntityModel& model, const Pose& pose) {
     }
     return box;
   }
-  const bool is_upright = pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0;
-  if (is_upright && model.joints_keep_outline) {
+  if (pose.isUpright() && model.joints_keep_outline) {
     const double reach = model.horizontal_radius;
     box.extend(pose.position + Eigen::Vector3d(-reach, -reach, model.lowest));
     box.extend(pose.position + Eigen::Vector3d(reach, reach, model.highest));

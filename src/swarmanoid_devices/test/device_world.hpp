@@ -76,11 +76,7 @@ class DeviceWorld {
 
   /// Once poses were changed.
   void takePoses() {
-    for (const Row row : space.entities.order) {
-      if (space.entities_without_engine.has(row)) {
-        space.entities_without_engine.place(space.entities, row);
-      }
-    }
+    space.entities_without_engine.refresh(space.entities);
     space.index.rebuild(space.entities);
   }
 

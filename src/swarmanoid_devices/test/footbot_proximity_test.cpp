@@ -78,6 +78,33 @@ void standAround(DeviceWorld& world, std::mt19937& random) {
   world.pose(wall).orientation = Eigen::AngleAxisd(heading(random), Eigen::Vector3d::UnitZ());
 }
 
+/// Expects the readings that the rays of the sensors give one by one. @return how many hit something
+int compareWithRays(const DeviceWorld& world, Row robot, const FootbotProximity& readings) {
+  const Pose& pose = world.space.entities.pose[robot];
+  int felt = 0;
+  for (std::size_t k = 0; k < FootbotProximity::kCount; ++k) {
+    const Mount& mount = world.space.entities.model[robot]->mount("proximity_" + std::to_string(k));
+    const Eigen::Vector3d from = pose.toWorld(mount.position);
+    const Eigen::Vector3d ahead = pose.orientation * (mount.orientation * Eigen::Vector3d::UnitX());
+    const RayHit hit = world.space.castRay({from, from + kRange * ahead}, robot);
+    EXPECT_NEAR(readings.value[k], response(kRange * hit.fraction), 1e-6) << "sensor " << k;
+    felt += hit.isHit() ? 1 : 0;
+  }
+  return felt;
+}
+
+TEST(FootbotProximityTest, EachSensorReadsWhatItsOwnRayHitsAmongMoreThanAListOfObstaclesHolds) {
+  DeviceWorld world;
+  const Row robot = world.addFootbot(5.0, 5.0, 0.37);
+  constexpr int kPoles = 19;
+  static_assert(kPoles > static_cast<int>(Obstacles::kMostOfAKind));
+  for (int i = 0; i < kPoles; ++i) {
+    const double angle = 2.0 * M_PI * i / kPoles;
+    world.addPrey(5.0 + 0.13 * std::cos(angle), 5.0 + 0.13 * std::sin(angle), colors::kYellow, 0.01);
+  }
+  EXPECT_GT(compareWithRays(world, robot, Ring(world, robot).sense()), 8);
+}
+
 TEST(FootbotProximityTest, EachSensorReadsWhatItsOwnRayHitsWhateverStandsAround) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> heading(-M_PI, M_PI);
@@ -91,16 +118,8 @@ TEST(FootbotProximityTest, EachSensorReadsWhatItsOwnRayHitsWhateverStandsAround)
       world.pose(robot).orientation =
           world.pose(robot).orientation * Eigen::AngleAxisd(tilt(random), Eigen::Vector3d(0.6, 0.8, 0.0));
     }
-    const FootbotProximity& readings = Ring(world, robot).sense();
-    const Pose& pose = world.pose(robot);
-    for (std::size_t k = 0; k < FootbotProximity::kCount; ++k) {
-      const Mount& mount = world.space.entities.model[robot]->mount("proximity_" + std::to_string(k));
-      const Eigen::Vector3d from = pose.toWorld(mount.position);
-      const Eigen::Vector3d ahead = pose.orientation * (mount.orientation * Eigen::Vector3d::UnitX());
-      const RayHit hit = world.space.castRay({from, from + kRange * ahead}, robot);
-      EXPECT_NEAR(readings.value[k], response(kRange * hit.fraction), 1e-6) << "sensor " << k << " in world " << i;
-      felt += hit.isHit() ? 1 : 0;
-    }
+    SCOPED_TRACE(i);
+    felt += compareWithRays(world, robot, Ring(world, robot).sense());
   }
   EXPECT_GT(felt, 300);
 }

@@ -53,7 +53,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     for (std::size_t k = first; k < last; ++k) {
       Instance& instance = this->instances_[k];
       const Pose& pose = space.entities.pose[instance.row];
-      if (is_level && isUpright(pose) && space.floor.isBareAround(pose.position, reachOf(*instance.ring, level))) {
+      if (is_level && pose.isUpright() && space.floor.isBareAround(pose.position, reachOf(*instance.ring, level))) {
         readLevel(space, pose.position.z(), instance, level);
       } else {
         senseOne(space, instance);
@@ -141,8 +141,6 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     }
     return level.reach;
   }
-
-  static bool isUpright(const Pose& pose) { return pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0; }
 
   /// As senseOne: turns about z leave the z of places and directions as they are, to the bit.
   void readLevel(const Space& space, double height, Instance& instance, LevelReadings& level) const {

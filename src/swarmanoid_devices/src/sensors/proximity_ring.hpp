@@ -152,7 +152,7 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
     }
     Hits hits;
     RayMask cast = ring.all();
-    if (!obstacles.areAnywhere() && UprightPose::isUpright(space.entities.pose[instance.row])) {
+    if (!obstacles.areAnywhere() && space.entities.pose[instance.row].isUpright()) {
       cast = castNear(space, instance, obstacles, hits);
     } else {
       Segments segments;

@@ -20,9 +20,7 @@ namespace swarmanoid::devices {
 /// does, to the last bit.
 class UprightPose {
  public:
-  static bool isUpright(const Pose& pose) { return pose.orientation.x() == 0.0 && pose.orientation.y() == 0.0; }
-
-  /// @pre isUpright(pose)
+  /// @pre pose.isUpright()
   explicit UprightPose(const Pose& pose)
       : position_(pose.position),
         cosine_(1.0 - 2.0 * pose.orientation.z() * pose.orientation.z()),
@@ -57,7 +55,7 @@ class UprightPose {
 };
 
 /// Which rays pass by an outline is looked up by where that is in the robot's frame: in a table of square cells, with a
-/// mask of rays each.
+/// mask of rays each. Threads: const functions may run at once.
 template <int count>
 class RayRing : public RingGeometry<count> {
  public:
@@ -84,7 +82,7 @@ class RayRing : public RingGeometry<count> {
   RayBundle bundle(const Pose& pose) const {
     RayBundle rays;
     rays.radius = this->radius + range_ + kMargin;
-    if (!UprightPose::isUpright(pose)) {
+    if (!pose.isUpright()) {
       rays.centre = pose.toWorld(this->centre);
     } else {
       rays.centre = UprightPose(pose).toWorld(this->centre);

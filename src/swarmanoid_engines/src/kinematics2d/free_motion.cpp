@@ -93,16 +93,15 @@ double Kinematics2d::readAllCommands(const Space& space) {
 
 /// Those whose clearance holds no longer look around, before anybody moves: most find that they have room. Not so who
 /// had somebody near when it last looked.
-void Kinematics2d::lookAround(double room) {
+void Kinematics2d::findRoom(double room) {
   const double needed = 2.0 * (room - travelled_ + stride_);  // to the nearest, so that the clearance is that [m]
   forBlocks([&](const Block& block) {
     for (std::size_t k = block.first; k < block.last; ++k) {
       const BodyIndex index = movers_[k];
       const Body& body = bodies_[index];
-      const bool stands = body.turn_rate == 0.0 && body.velocity.isZero(0.0);
       const Clearance& around = clearance(index);
       const bool looks = around.free_until < room && around.look_ahead >= lookAheadFor(needed);
-      if (looks && !stands && !body.is_large && motion(index).gripped == kNoBody) {
+      if (looks && !body.isCommandedToStand() && !body.is_large && motion(index).gripped == kNoBody) {
         lookAround(index);
       }
     }
@@ -130,8 +129,7 @@ void Kinematics2d::lookAround(BodyIndex index) {
     }
   }
   // both sides have this step's stride still before them, and later come nearer by what is travelled
-  constexpr double kMargin = 1e-6;  // m, for rounding
-  around.free_until = travelled_ + 0.5 * (nearest - 2.0 * stride_ - kMargin);
+  around.free_until = freeUntil(nearest - 2.0 * stride_);
   around.look_ahead = lookAheadFor(nearest);
 }
 
@@ -140,7 +138,7 @@ void Kinematics2d::moveFreely(Space& space, double step, double tick) {
   // kMostPush more (contact.cpp): all in all a stride and so many pushes beyond the stride that is counted already.
   const double most_pieces = std::ceil(stride_ / (0.5 * smallest_inner_radius_)) + 1.0;
   const double room = travelled_ + stride_ + most_pieces * kMostPush;
-  lookAround(room);
+  findRoom(room);
   forBlocks([&](Block& block) { moveFreely(space, step, tick, room, block); });
   // in the order of entity numbers, for the order in which neighbours are found follows from it
   for (const Block& block : blocks_) {
@@ -159,7 +157,7 @@ void Kinematics2d::moveFreely(Space& space, double step, double tick, double roo
     const BodyIndex index = movers_[k];
     Body& body = bodies_[index];
     const planar::PlanarPose before{body.pose.position, body.pose.heading};
-    const bool stands = body.turn_rate == 0.0 && body.velocity.isZero(0.0) && motion(index).gripped == kNoBody;
+    const bool stands = body.isCommandedToStand() && motion(index).gripped == kNoBody;
     const bool has_room = clearance(index).free_until >= room && !body.is_large;  // who grips has none
     if (!body.isDriven() || !(stands || has_room)) {                              // who has no drive may be carried
       others_[block.first + block.other_count++] = index;

@@ -50,20 +50,22 @@ void Kinematics2d::place(Space& space, Row row) {
 bool Kinematics2d::mayHit(const RayBundle& rays) const { return !areAllOutOfReach(rays) && PlanarEngine::mayHit(rays); }
 
 void Kinematics2d::findObstacles(const RayBundle& rays, Obstacles& found) const {
-  const BodyIndex caster = casterOf(rays);
-  const double beyond = caster == kNoBody ? 0.0 : reachBeyond(caster, rays);
-  if (caster == kNoBody || hitsPrisms()) {
-    PlanarEngine::findObstacles(rays, found);
-  } else if (isClear(caster, beyond)) {
-    return;
-  } else if (const Neighbours& near = neighbours(caster); near.gapToOthers(travelled_) > beyond) {
-    const Eigen::Vector2d middle = bodies_.plane().toLocal(rays.centre);
-    for (std::size_t i = 0; i < near.count && !found.areAnywhere(); ++i) {
-      planar::addObstacle(*this, bodies_, near.bodies[i], rays, middle, found);
+  const BodyIndex caster = hitsPrisms() ? kNoBody : casterOf(rays);
+  if (caster != kNoBody) {
+    const double beyond = reachBeyond(caster, rays);
+    if (isClear(caster, beyond)) {
+      return;
     }
-  } else {
-    PlanarEngine::findObstacles(rays, found);
+    const Neighbours& near = neighbours(caster);
+    if (near.gapToOthers(travelled_) > beyond) {
+      const Eigen::Vector2d middle = bodies_.plane().toLocal(rays.centre);
+      for (std::size_t i = 0; i < near.count && !found.areAnywhere(); ++i) {
+        planar::addObstacle(*this, bodies_, near.bodies[i], rays, middle, found);
+      }
+      return;
+    }
   }
+  PlanarEngine::findObstacles(rays, found);
 }
 
 void Kinematics2d::raycast(const RayBundle& rays, Span<RayHit> hits) const {

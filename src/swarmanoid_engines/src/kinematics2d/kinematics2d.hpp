@@ -47,8 +47,6 @@ constexpr double kMostPush = 0.005;  ///< of a body out of what it overlaps, bey
 /// How long a body need not look around, since all were so far away when it last did. Distances are those by which any
 /// body can have moved since the engine began, as Kinematics2d counts them.
 struct Clearance {
-  static constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
-
   double free_until = -1.0;            ///< up to this distance nothing can have come near
   double look_ahead = kMostLookAhead;  ///< how far the next look goes [m]
   bool at_all_heights = false;         ///< also nothing above or below
@@ -106,7 +104,7 @@ class Kinematics2d final : public planar::PlanarEngine {
   template <class Work>
   void forBlocks(Work work);
   double readAllCommands(const Space& space);
-  void lookAround(double room);
+  void findRoom(double room);
   void lookAround(BodyIndex index);
   void moveFreely(Space& space, double step, double tick);
   void moveFreely(Space& space, double step, double tick, double room, Block& block);
@@ -131,9 +129,14 @@ class Kinematics2d final : public planar::PlanarEngine {
   static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
   bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& around);
   const Neighbours* neighboursAt(BodyIndex index, const Eigen::Vector2d& position);
+  /// Up to what distance travelled others leave so wide a gap, into which both sides go [m].
+  double freeUntil(double gap) const {
+    constexpr double kMargin = 1e-6;  // m, for rounding
+    return travelled_ + 0.5 * (gap - kMargin);
+  }
   /// How far to look the next time, if somebody is that near [m].
   double lookAheadFor(double nearest) const {
-    return std::min(Clearance::kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
+    return std::min(kMostLookAhead, 2.0 * (std::max(0.0, nearest) + stride_));
   }
   /// A mirror that moves may change its height before the body comes.
   static bool isAtOtherHeights(const Body& body, const Body& other) {

@@ -79,7 +79,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
 
 void Kinematics2d::moveBody(BodyIndex index, double dt) {
   const Body& body = bodies_[index];
-  if (body.turn_rate == 0.0 && body.velocity.isZero(0.0)) {
+  if (body.isCommandedToStand()) {
     return;
   }
   if (moveUnseen(index, planar::integrate(body.pose, body.velocity, body.turn_rate, dt))) {
@@ -147,7 +147,6 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
 /// Those that are near a body, which is to be at a position not far from where it is. Null if there are too many for a
 /// list.
 const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vector2d& position) {
-  constexpr double kMargin = 1e-6;     // m, for rounding
   constexpr double kLeastLeft = 0.25;  // of the look: with less left a body would soon have to look again
   constexpr float kFewer = 0.7F;
   constexpr float kMore = 1.1F;
@@ -167,9 +166,9 @@ const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vecto
     }
     return has_room;
   });
-  near.look = has_room ? std::min(Neighbours::kFarthestLook, kMore * look) : kFewer * look;
+  near.look = has_room ? std::min(static_cast<float>(kMostLookAhead), kMore * look) : kFewer * look;
   // from now on both sides come nearer by what is travelled; some have this step's stride and detour still before them
-  near.until = has_room ? travelled_ + 0.5 * (look - away - 2.0 * (stride_ + detour_) - kMargin) : -1.0;
+  near.until = has_room ? freeUntil(look - away - 2.0 * (stride_ + detour_)) : -1.0;
   return has_room ? &near : nullptr;
 }
 
@@ -208,8 +207,7 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
   }
   // From now on both sides come nearer by what is travelled; some bodies have this step's stride and detour still
   // before them.
-  constexpr double kMargin = 1e-6;  // m, for rounding
-  around.free_until = travelled_ + 0.5 * (nearest - stride_ - detour_ - kMargin);
+  around.free_until = freeUntil(nearest - stride_ - detour_);
   around.look_ahead = lookAheadFor(nearest);
   return free;
 }

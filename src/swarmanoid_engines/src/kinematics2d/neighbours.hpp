@@ -8,14 +8,15 @@
 
 namespace swarmanoid::kinematics2d {
 
+constexpr double kMostLookAhead = 0.3;  ///< m: far enough for many ticks, and yet few cells
+
 /// The bodies that were near one when it last looked farther than it had to. Whoever is not listed is farther away than
 /// what is left of that look by now. Distances are counted as in Clearance.
 struct alignas(64) Neighbours {
   static constexpr std::size_t kMost = 11;
-  static constexpr float kFarthestLook = 0.3F;  ///< far enough for many steps, and yet few cells [m]
 
-  double until = -1.0;         ///< up to this distance travelled nobody else can have come near
-  float look = kFarthestLook;  ///< how far to look the next time [m]
+  double until = -1.0;          ///< up to this distance travelled nobody else can have come near
+  float look = kMostLookAhead;  ///< how far to look the next time [m]
   std::uint32_t count = 0;
   std::array<planar::BodyIndex, kMost> bodies;
 

@@ -40,6 +40,7 @@ struct alignas(64) Body {
   bool flies = false;
 
   bool isDriven() const { return is_wheeled || flies; }
+  bool isCommandedToStand() const { return turn_rate == 0.0 && velocity.isZero(0.0); }
 
   bool is_movable = false;
   bool is_large = false;   ///< wider than what the grid is for, such as a wall
@@ -135,8 +136,8 @@ class Bodies {
     const Body& body = (*this)[index];
     return body.is_large && !body.is_movable ? &walls_.bounds(index) : nullptr;
   }
-  /// Whether the circle around a body is farther from a point than that. Cheaper than `distanceTo`: what is far is
-  /// sorted out by circles, of which several are in a cache line that few threads write to.
+  /// Whether the circle around a body is farther from a point than that: so what is far is sorted out before the body
+  /// itself is read.
   bool isFartherThan(BodyIndex index, const Eigen::Vector2d& point, double distance) const {
     const Circle& around = circle(index);
     const double reach = around.radius + distance;

@@ -1,7 +1,6 @@
 #include "planar/body_rays.hpp"
 
 #include <algorithm>
-#include <array>
 
 #include "planar/planar_ray.hpp"
 #include "swarmanoid_interface/expects.hpp"
@@ -11,42 +10,37 @@
 namespace swarmanoid::planar {
 namespace {
 
-/// Some rays of a bundle in the plane's frame.
-class PlanarRays {
- public:
+/// A segment in the frame of a body.
+inline PlanarRay relativeTo(const Body& body, const Plane& plane, const Segment& segment) {
+  const Eigen::Vector2d from = plane.toLocal(segment.from);
+  const Eigen::Vector2d step = plane.toLocal(segment.to) - from;
+  const double height = plane.along(segment.from);
+  return {body.pose.unrotated(from - body.pose.position), body.pose.unrotated(step), height,
+          plane.along(segment.to) - height};
+}
+
+/// Some rays of a bundle as the plane sees them, and between which heights they all are.
+struct PlanarRays {
   static constexpr std::size_t kMost = 32;
 
-  bool isEmpty() const { return flat_.isEmpty(); }
+  Span<const Segment> segments;
+  FlatRays<kMost> flat;
+  Band heights;
 
-  void assign(const Plane& plane, Span<const Segment> segments) {
-    flat_.resize(segments.size());
-    heights_ = {kInfinity, -kInfinity};
-    for (std::size_t k = 0; k < segments.size(); ++k) {
-      const Eigen::Vector2d from = plane.toLocal(segments[k].from);
-      flat_.set(k, from, plane.toLocal(segments[k].to) - from);
-      height_[k] = plane.along(segments[k].from);
-      const double end = plane.along(segments[k].to);
-      climb_[k] = end - height_[k];
-      heights_.low = std::min({heights_.low, height_[k], end});
-      heights_.high = std::max({heights_.high, height_[k], end});
+  void assign(const Plane& plane, Span<const Segment> some) {
+    segments = some;
+    flat.resize(some.size());
+    heights = {kInfinity, -kInfinity};
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      const Eigen::Vector2d from = plane.toLocal(some[k].from);
+      flat.set(k, from, plane.toLocal(some[k].to) - from);
+      const double start = plane.along(some[k].from);
+      const double end = plane.along(some[k].to);
+      heights.low = std::min({heights.low, start, end});
+      heights.high = std::max({heights.high, start, end});
     }
-    flat_.measure();
+    flat.measure();
   }
-
-  /// Between which they all are.
-  const Band& heights() const { return heights_; }
-  const FlatRays<kMost>& flat() const { return flat_; }
-
-  /// Ray k in the frame of a body.
-  PlanarRay relativeTo(const PlacedPose& pose, std::size_t k) const {
-    return {pose.unrotated(flat_.from(k) - pose.position), pose.unrotated(flat_.step(k)), height_[k], climb_[k]};
-  }
-
- private:
-  FlatRays<kMost> flat_;
-  std::array<double, kMost> height_;
-  std::array<double, kMost> climb_;
-  Band heights_;
 };
 
 bool isVisibleTo(const RayBundle& rays, const Body& body) {
@@ -57,30 +51,6 @@ bool isVisibleTo(const RayBundle& rays, const Body& body) {
 bool isInReach(const PlanarShape& shape, const Body& body, double lowest, double highest) {
   return shape.band.low + body.along <= highest && lowest <= shape.band.high + body.along;
 }
-
-/// What of a body is as high as rays are: mostly one shape, since most rays are level.
-struct ShapesInReach {
-  const PlanarShape* first = nullptr;
-  bool are_more = false;
-
-  ShapesInReach(const Body& body, double lowest, double highest) {
-    for (const PlanarShape& shape : body.model->shapes) {
-      if (isInReach(shape, body, lowest, highest)) {
-        are_more = first != nullptr;
-        if (are_more) {
-          return;
-        }
-        first = &shape;
-      }
-    }
-  }
-
-  bool isEmpty() const { return first == nullptr; }
-  /// All of the body's if there are more than one.
-  Span<const PlanarShape> list(const Body& body) const {
-    return are_more ? Span<const PlanarShape>(body.model->shapes) : Span<const PlanarShape>(first, 1);
-  }
-};
 
 /// Around a shape, in the plane's frame.
 Bodies::Circle circleAround(const PlanarShape& shape, const Body& body) {
@@ -102,20 +72,17 @@ void hitShape(const Bodies& bodies, const PlanarRay& ray, const Body& body, cons
 /// @param hits of these rays
 void hitBody(const Bodies& bodies, const PlanarRays& rays, BodyIndex index, Span<RayHit> hits) {
   const Body& body = bodies[index];
-  const ShapesInReach shapes(body, rays.heights().low, rays.heights().high);
-  if (shapes.isEmpty()) {
-    return;
-  }
   const Eigen::AlignedBox2d* wall = bodies.boundsOfWall(index);
-  const Bodies::Circle circle = shapes.are_more ? bodies.circle(index) : circleAround(*shapes.first, body);
-  const RayMask near =
-      wall != nullptr ? rays.flat().nearBox(*wall) : rays.flat().nearPoint(circle.centre, circle.radius);
-  visitRays(near, [&](std::size_t k) {
-    const PlanarRay ray = rays.relativeTo(body.pose, k);
-    for (const PlanarShape& shape : shapes.list(body)) {
-      hitShape(bodies, ray, body, shape, hits[k]);
+  for (const PlanarShape& shape : body.model->shapes) {
+    if (!isInReach(shape, body, rays.heights.low, rays.heights.high)) {
+      continue;
     }
-  });
+    const Bodies::Circle circle = circleAround(shape, body);
+    const RayMask near = wall != nullptr ? rays.flat.nearBox(*wall) : rays.flat.nearPoint(circle.centre, circle.radius);
+    visitRays(near, [&](std::size_t k) {
+      hitShape(bodies, relativeTo(body, bodies.plane(), rays.segments[k]), body, shape, hits[k]);
+    });
+  }
 }
 
 }  // namespace
@@ -172,7 +139,7 @@ void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
     PlanarRays planar_rays;
     bodies.visitNear(centre, rays.radius, [&](BodyIndex index) {
       if (isVisibleTo(rays, bodies[index])) {
-        if (planar_rays.isEmpty()) {
+        if (planar_rays.segments.empty()) {
           planar_rays.assign(plane, rays.segments.subspan(first, count));
         }
         hitBody(bodies, planar_rays, index, hits.subspan(first, count));
@@ -186,19 +153,13 @@ void raycastAt(const Bodies& bodies, const Obstacles::Solid& solid, Span<const S
                Span<RayHit> hits) {
   const BodyIndex index = bodies.find(solid.row);
   SWARMANOID_EXPECTS(index != kNoBody);
-  const Plane& plane = bodies.plane();
   const Body& body = bodies[index];
   const std::vector<PlanarShape>& all = body.model->shapes;
   const Span<const PlanarShape> shapes = solid.part == Obstacles::kWhole
                                              ? Span<const PlanarShape>(all)
                                              : Span<const PlanarShape>(&all[static_cast<std::size_t>(solid.part)], 1);
   visitRays(chosen, [&](std::size_t k) {
-    const Segment& segment = segments[k];
-    const Eigen::Vector2d from = plane.toLocal(segment.from);
-    const Eigen::Vector2d step = plane.toLocal(segment.to) - from;
-    const double height = plane.along(segment.from);
-    const PlanarRay ray{body.pose.unrotated(from - body.pose.position), body.pose.unrotated(step), height,
-                        plane.along(segment.to) - height};
+    const PlanarRay ray = relativeTo(body, bodies.plane(), segments[k]);
     for (const PlanarShape& shape : shapes) {
       hitShape(bodies, ray, body, shape, hits[k]);
     }
@@ -206,10 +167,8 @@ void raycastAt(const Bodies& bodies, const Obstacles::Solid& solid, Span<const S
 }
 
 bool isHit(const Bodies& bodies, const Segment& segment, BodyIndex index) {
-  PlanarRays rays;
-  rays.assign(bodies.plane(), Span<const Segment>(&segment, 1));
   const Body& body = bodies[index];
-  const PlanarRay ray = rays.relativeTo(body.pose, 0);
+  const PlanarRay ray = relativeTo(body, bodies.plane(), segment);
   return std::any_of(body.model->shapes.begin(), body.model->shapes.end(),
                      [&](const PlanarShape& shape) { return closestHit(ray, shape, body.along) < 1.0; });
 }

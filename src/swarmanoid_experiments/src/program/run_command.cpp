@@ -115,9 +115,7 @@ ExitCode runToEnd(Simulation& simulation, const RunOptions& options, RecordFolde
     simulation.start();
     while (!simulation.isFinished() && !isInterrupted()) {
       simulation.tick();
-      if (options.profile) {
-        total += simulation.phaseTimes();
-      }
+      total += simulation.phaseTimes();
       facts.robot_ticks += static_cast<double>(simulation.robotCount());
       bar.show(simulation.space().tick);
     }

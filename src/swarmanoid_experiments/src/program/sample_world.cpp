@@ -88,9 +88,7 @@ void SampleWorld::place(double distance, double angle) {
 
 double SampleWorld::read(double distance, double angle) {
   place(distance == reach() ? distance - kNearer : distance, angle);
-  for (const Row row : space_.entities.order) {
-    space_.entities_without_engine.place(space_.entities, row);
-  }
+  space_.entities_without_engine.refresh(space_.entities);
   space_.index.rebuild(space_.entities);
   sensor_->prepare(space_);
   sensor_->sense(space_, 0, 1);

@@ -7,8 +7,8 @@
 /// and events (in `connect`).
 ///
 /// Phases   configure, reconfigure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`.
-///          connect: `connect`. mayHit, findObstacles, raycast, draw, health: any time but during `move`.
-/// Threads  engines move at the same time as each other; mayHit, findObstacles and raycast are called from
+///          connect: `connect`. mayHit, findObstacles, raycast, raycastAt, draw, health: any time but during `move`.
+/// Threads  engines move at the same time as each other; mayHit, findObstacles, raycast and raycastAt are called from
 ///          many threads.
 /// Repeats  the same calls give the same bits.
 ///

@@ -7,7 +7,7 @@ namespace swarmanoid {
 
 class Stopwatch {
  public:
-  /// @param is_running else it never asks for the time, which takes some 50 ns each time
+  /// @param is_running else it never asks for the time, which takes tens of nanoseconds each time
   explicit Stopwatch(bool is_running) : is_running_(is_running) {
     if (is_running) {
       last_ = std::chrono::steady_clock::now();

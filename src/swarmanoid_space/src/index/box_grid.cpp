@@ -15,7 +15,7 @@ void BoxGrid::configure(const Eigen::Vector2d& size) {
 
 void BoxGrid::clear() {
   entries_.clear();
-  entry_of_body_.clear();
+  entry_of_item_.clear();
   cells_.assign(layout_.count(), {});
 }
 
@@ -28,21 +28,20 @@ void BoxGrid::visitCells(const Cells& cells, Visit visit) {
   }
 }
 
-void BoxGrid::set(std::int32_t body, const Eigen::AlignedBox2d& bounds) {
-  const auto place = static_cast<std::size_t>(body);
-  cells_.resize(layout_.count());  // who has not configured it has one cell
-  if (has(body)) {
-    remove(body);
+void BoxGrid::set(std::int32_t item, const Eigen::AlignedBox2d& bounds) {
+  const auto place = static_cast<std::size_t>(item);
+  if (has(item)) {
+    remove(item);
   }
-  entry_of_body_.resize(std::max(entry_of_body_.size(), place + 1), kNone);
+  entry_of_item_.resize(std::max(entry_of_item_.size(), place + 1), kNone);
   const auto number = static_cast<std::int32_t>(entries_.size());
-  entry_of_body_[place] = number;
-  entries_.push_back({body, bounds, cellsOf(bounds)});
+  entry_of_item_[place] = number;
+  entries_.push_back({item, bounds, cellsOf(bounds)});
   visitCells(entries_.back().cells, [&](std::vector<std::int32_t>& cell) { cell.push_back(number); });
 }
 
-void BoxGrid::remove(std::int32_t body) {
-  std::int32_t& number = entry_of_body_[static_cast<std::size_t>(body)];
+void BoxGrid::remove(std::int32_t item) {
+  std::int32_t& number = entry_of_item_[static_cast<std::size_t>(item)];
   SWARMANOID_EXPECTS(number != kNone);
   visitCells(entries_[static_cast<std::size_t>(number)].cells,
              [&](std::vector<std::int32_t>& cell) { cell.erase(std::find(cell.begin(), cell.end(), number)); });
@@ -53,7 +52,7 @@ void BoxGrid::remove(std::int32_t body) {
     visitCells(moved.cells,
                [&](std::vector<std::int32_t>& cell) { *std::find(cell.begin(), cell.end(), last) = number; });
     entries_[static_cast<std::size_t>(number)] = moved;
-    entry_of_body_[static_cast<std::size_t>(moved.body)] = number;
+    entry_of_item_[static_cast<std::size_t>(moved.item)] = number;
   }
   entries_.pop_back();
   number = kNone;

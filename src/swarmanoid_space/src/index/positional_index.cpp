@@ -6,6 +6,7 @@
 #include "bounds_of.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/range.hpp"
+#include "swarmanoid_space/index/cell_layout.hpp"
 #include "swarmanoid_space/index/positional_index_visits.hpp"
 
 namespace swarmanoid {
@@ -14,12 +15,6 @@ namespace {
 constexpr double kSmallestCell = 0.25;  // m: about a robot and what it senses
 constexpr int kMostCellsPerAxis = 1024;
 constexpr double kMostCells = 1U << 20U;
-
-int clampedCell(double coordinate, double inverse_cell_size, int count) {
-  // written so that NaN ends in cell 0
-  const double cell = coordinate * inverse_cell_size;
-  return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
-}
 
 /// As Outline::meets, but by all of its comparisons always.
 bool meetsSphere(const PositionalIndex::Outline& outline, const Eigen::Vector3d& centre, double radius) {
@@ -53,9 +48,9 @@ void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimi
 }
 
 PositionalIndex::Cell PositionalIndex::cellOf(const Eigen::Vector3d& position) const {
-  return {clampedCell(position.x(), inverse_cell_size_, cells_[0]),
-          clampedCell(position.y(), inverse_cell_size_, cells_[1]),
-          clampedCell(position.z(), inverse_cell_size_, cells_[2])};
+  return {clampedCell(position.x() * inverse_cell_size_, cells_[0]),
+          clampedCell(position.y() * inverse_cell_size_, cells_[1]),
+          clampedCell(position.z() * inverse_cell_size_, cells_[2])};
 }
 
 std::size_t PositionalIndex::flat(const Cell& cell) const {
@@ -147,9 +142,7 @@ void PositionalIndex::sortLargeIn() const {
 PositionalIndex::Outline PositionalIndex::outlineOf(const Entities& entities, Row row) {
   const EntityModel& model = *entities.model[row];
   const Eigen::Vector3d& p = entities.pose[row].position;
-  const Eigen::Quaterniond& q = entities.pose[row].orientation;
-  const bool is_upright = q.x() == 0.0 && q.y() == 0.0;
-  if (is_upright && model.joints_keep_outline && !model.shapes.empty()) {
+  if (entities.pose[row].isUpright() && model.joints_keep_outline && !model.shapes.empty()) {
     return {p.head<2>(), model.horizontal_radius, p.z() + model.lowest, p.z() + model.highest, row, true};
   }
   return {p.head<2>(), model.moving_reach, p.z() - model.moving_reach, p.z() + model.moving_reach, row, false};

@@ -17,10 +17,9 @@ struct Inside {
 /// @return whether anybody has come or gone since `outside` was written
 bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, const Inside& inside,
                       const Workers& workers) {
-  constexpr std::size_t kGrain = 16384;  // some 40 microseconds of work: to wake a thread takes nearly as long
   std::atomic<bool> has_crossed{false};
   const auto count = static_cast<std::size_t>(poses.end() - poses.begin());
-  workers.forRanges(count, kGrain, [&](std::size_t first, std::size_t last) {
+  workers.forRanges(count, kGrainOfPoses, [&](std::size_t first, std::size_t last) {
     bool found = false;
     for (std::size_t i = first; i < last; ++i) {
       const bool is_outside = !inside.holds(poses[rowAt(i)].position);

@@ -13,10 +13,9 @@ bool isFinite(const Pose& pose) { return pose.position.allFinite() && pose.orien
 
 /// A sum is finite if all that it sums is, for numbers of this size. Rows without an entity have the default.
 bool areAllFinite(const ByRow<Pose>& poses, const Workers& workers) {
-  constexpr std::size_t kGrain = 16384;  // some 40 microseconds of work: to wake a thread takes nearly as long
   std::atomic<bool> are_finite{true};
   const auto count = static_cast<std::size_t>(poses.end() - poses.begin());
-  workers.forRanges(count, kGrain, [&](std::size_t first, std::size_t last) {
+  workers.forRanges(count, kGrainOfPoses, [&](std::size_t first, std::size_t last) {
     Eigen::Array3d positions = Eigen::Array3d::Zero();
     Eigen::Array4d orientations = Eigen::Array4d::Zero();
     for (std::size_t i = first; i < last; ++i) {

@@ -51,6 +51,9 @@ void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& 
 /// those whose battery is empty; such as still fly after their safe stop go on coming down.
 void cutPower(Space& space, const std::vector<RobotInstance>& instances);
 
+/// So many poses are looked at in some tens of microseconds: for fewer no thread is woken.
+constexpr std::size_t kGrainOfPoses = 16384;
+
 /// Every engine moves what it is in charge of. `seconds` gets the wall time that each of them takes, if they are timed.
 void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers& workers, bool are_timed,
           std::vector<double>& seconds);

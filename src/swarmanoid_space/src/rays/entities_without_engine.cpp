@@ -16,6 +16,14 @@ void EntitiesWithoutEngine::place(const Entities& entities, Row row) {
   grid_.set(static_cast<std::int32_t>(row), fromAbove(boundsOf(*entities.model[row], entities.pose[row])));
 }
 
+void EntitiesWithoutEngine::refresh(const Entities& entities) {
+  for (const Row row : entities.order) {
+    if (has(row)) {
+      place(entities, row);
+    }
+  }
+}
+
 void EntitiesWithoutEngine::remove(Row row) {
   if (has(row)) {
     grid_.remove(static_cast<std::int32_t>(row));
@@ -46,7 +54,7 @@ void EntitiesWithoutEngine::findObstacles(const RayBundle& rays, Obstacles& foun
   });
 }
 
-void EntitiesWithoutEngine::hit(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const {
+void EntitiesWithoutEngine::castAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const {
   const double fraction = closestHit(segment, *entities.model[row], entities.pose[row]);
   // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
   const bool is_older = hit.row != kNoRow && has(hit.row) && entities.number[row] < entities.number[hit.row];
@@ -61,7 +69,7 @@ void EntitiesWithoutEngine::raycast(const Entities& entities, const RayBundle& r
       const Segment& segment = rays.segments[k];
       const Eigen::AlignedBox3d around(segment.from.cwiseMin(segment.to), segment.from.cwiseMax(segment.to));
       if (fromAbove(around).intersects(bounds)) {
-        hit(entities, row, segment, hits[k]);
+        castAt(entities, row, segment, hits[k]);
       }
     }
     return true;
@@ -70,7 +78,7 @@ void EntitiesWithoutEngine::raycast(const Entities& entities, const RayBundle& r
 
 void EntitiesWithoutEngine::raycastAt(const Entities& entities, Row row, Span<const Segment> segments, RayMask chosen,
                                       Span<RayHit> hits) const {
-  visitRays(chosen, [&](std::size_t k) { hit(entities, row, segments[k], hits[k]); });
+  visitRays(chosen, [&](std::size_t k) { castAt(entities, row, segments[k], hits[k]); });
 }
 
 }  // namespace swarmanoid

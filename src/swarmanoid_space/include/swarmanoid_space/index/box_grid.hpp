@@ -16,34 +16,41 @@ namespace swarmanoid {
 
 class BoxGrid {
  public:
-  /// @param size of the area, which spans from 0 to size [m]
+  /// Whoever does not call it has one cell. @param size of the area, which spans from 0 to size [m]
   void configure(const Eigen::Vector2d& size);
   void clear();
 
-  /// @param body its number, from 0; what it was added with before is forgotten
-  void set(std::int32_t body, const Eigen::AlignedBox2d& bounds);
-  void remove(std::int32_t body);
+  /// @param item its number, from 0; what it was added with before is forgotten
+  void set(std::int32_t item, const Eigen::AlignedBox2d& bounds);
+  void remove(std::int32_t item);
 
-  bool has(std::int32_t body) const {
-    const auto place = static_cast<std::size_t>(body);
-    return place < entry_of_body_.size() && entry_of_body_[place] != kNone;
+  bool has(std::int32_t item) const {
+    const auto place = static_cast<std::size_t>(item);
+    return place < entry_of_item_.size() && entry_of_item_[place] != kNone;
   }
   bool isEmpty() const { return entries_.empty(); }
 
-  /// @pre the body was added
-  const Eigen::AlignedBox2d& bounds(std::int32_t body) const {
-    return entries_[static_cast<std::size_t>(entry_of_body_[static_cast<std::size_t>(body)])].bounds;
+  /// @pre the item was added
+  const Eigen::AlignedBox2d& bounds(std::int32_t item) const {
+    return entries_[static_cast<std::size_t>(entry_of_item_[static_cast<std::size_t>(item)])].bounds;
   }
 
-  /// Calls visit(body) once for all whose box is within `radius` of `centre`, until it returns false. @return whether
+  /// Calls visit(item) once for all whose box is within `radius` of `centre`, until it returns false. @return whether
   /// it never did
   template <class Visit>
   bool visitNear(const Eigen::Vector2d& centre, double radius, Visit visit) const {
     if (entries_.empty()) {
       return true;
     }
+    const auto visitIfNear = [&](const Entry& entry) {
+      return entry.bounds.squaredExteriorDistance(centre) > radius * radius || visit(entry.item);
+    };
     const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
     const Cells cells = cellsOf({centre - reach, centre + reach});
+    const int cell_count = (cells.high_column - cells.low_column + 1) * (cells.high_line - cells.low_line + 1);
+    if (static_cast<int>(entries_.size()) < cell_count) {  // such as the walls of an arena, looked for far around
+      return std::all_of(entries_.begin(), entries_.end(), visitIfNear);
+    }
     for (int line = cells.low_line; line <= cells.high_line; ++line) {
       for (int column = cells.low_column; column <= cells.high_column; ++column) {
         for (const std::int32_t number : cells_[layout_.cell(column, line)]) {
@@ -51,7 +58,7 @@ class BoxGrid {
           // of the cells that it shares with the place, it counts in the first
           const bool is_first = column == std::max(cells.low_column, entry.cells.low_column) &&
                                 line == std::max(cells.low_line, entry.cells.low_line);
-          if (is_first && entry.bounds.squaredExteriorDistance(centre) <= radius * radius && !visit(entry.body)) {
+          if (is_first && !visitIfNear(entry)) {
             return false;
           }
         }
@@ -70,7 +77,7 @@ class BoxGrid {
     int high_line;
   };
   struct Entry {
-    std::int32_t body;
+    std::int32_t item;
     Eigen::AlignedBox2d bounds;
     Cells cells;
   };
@@ -84,8 +91,8 @@ class BoxGrid {
 
   CellLayout layout_;
   std::vector<Entry> entries_;
-  std::vector<std::int32_t> entry_of_body_;       // by body; kNone: it has none
-  std::vector<std::vector<std::int32_t>> cells_;  // entries
+  std::vector<std::int32_t> entry_of_item_;          // by item; kNone: it has none
+  std::vector<std::vector<std::int32_t>> cells_{1};  // entries
 };
 
 }  // namespace swarmanoid

@@ -8,6 +8,11 @@
 
 namespace swarmanoid {
 
+/// The cell of a coordinate in widths of cells, of `count` from 0 on; written so that NaN ends in cell 0.
+inline int clampedCell(double cell, int count) {
+  return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
+}
+
 class CellLayout {
  public:
   /// One cell.
@@ -22,8 +27,8 @@ class CellLayout {
   }
 
   /// Of a coordinate [m].
-  int column(double x) const { return clamped(x * inverse_side_, columns_); }
-  int line(double y) const { return clamped(y * inverse_side_, lines_); }
+  int column(double x) const { return clampedCell(x * inverse_side_, columns_); }
+  int line(double y) const { return clampedCell(y * inverse_side_, lines_); }
   /// From 0 to count() - 1, line by line.
   std::size_t cell(int column, int line) const {
     return static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
@@ -31,11 +36,6 @@ class CellLayout {
   std::size_t count() const { return cell(0, lines_); }
 
  private:
-  static int clamped(double cell, int count) {
-    // written so that NaN ends in cell 0
-    return cell >= count ? count - 1 : cell > 0.0 ? static_cast<int>(cell) : 0;
-  }
-
   double inverse_side_ = 1.0;  // 1/m
   int columns_ = 1;
   int lines_ = 1;

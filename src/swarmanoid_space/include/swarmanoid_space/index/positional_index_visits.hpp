@@ -31,15 +31,10 @@ void PositionalIndex::visitPlaces(const Eigen::Vector3d& centre, const Eigen::Ve
 template <class Visit>
 void PositionalIndex::visitLarge(const Eigen::Vector3d& centre, double radius, Visit visit) const {
   refresh();
-  const auto visitIfMet = [&](const LargeOutline& large) { return !large.meets(centre, radius) || visit(large); };
-  constexpr std::size_t kFew = 16;  // such as the walls of an arena: looked at one by one faster than cell by cell
-  if (large_items_.size() <= kFew) {
-    // until it returns false
-    static_cast<void>(std::all_of(large_items_.begin(), large_items_.end(), visitIfMet));
-    return;
-  }
-  large_grid_.visitNear(centre.head<2>(), radius,
-                        [&](std::int32_t place) { return visitIfMet(large_items_[static_cast<std::size_t>(place)]); });
+  large_grid_.visitNear(centre.head<2>(), radius, [&](std::int32_t place) {
+    const LargeOutline& large = large_items_[static_cast<std::size_t>(place)];
+    return !large.meets(centre, radius) || visit(large);
+  });
 }
 
 template <class Visit>

@@ -18,6 +18,8 @@ class EntitiesWithoutEngine {
 
   /// Adds an entity, or takes its new pose.
   void place(const Entities& entities, Row row);
+  /// Takes the poses of all that are here.
+  void refresh(const Entities& entities);
   /// Does nothing if it is not here.
   void remove(Row row);
   void clear() { grid_.clear(); }
@@ -33,7 +35,7 @@ class EntitiesWithoutEngine {
                  Span<RayHit> hits) const;
 
  private:
-  void hit(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const;
+  void castAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const;
   template <class Visit>  // visit(row, bounds) until it returns false
   void visitNear(const RayBundle& rays, Visit visit) const;
 

@@ -21,7 +21,6 @@ class FlatRays {
   FlatRays() {}  // the columns are left as they are: most bundles hit nothing
 
   std::size_t size() const { return count_; }
-  bool isEmpty() const { return count_ == 0; }
   void resize(std::size_t count) { count_ = count; }
   /// Both ends of a ray. @pre k < size(); `measure` follows once all are set
   void set(std::size_t k, const Eigen::Vector2d& from, const Eigen::Vector2d& step) {

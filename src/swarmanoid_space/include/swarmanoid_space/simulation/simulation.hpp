@@ -80,7 +80,7 @@ class Simulation {
 
   const Experiment& experiment() const;
   const Space& space() const;
-  /// From now on ticks are timed, phase by phase: for a swarm of ten that takes as long as what their controllers do.
+  /// From now on ticks are timed, phase by phase: those of ten footbots of diffusion take a tenth longer then.
   void timePhases() { are_phases_timed_ = true; }
   /// Of the last tick; all 0 while ticks are not timed.
   const PhaseTimes& phaseTimes() const { return phase_times_; }

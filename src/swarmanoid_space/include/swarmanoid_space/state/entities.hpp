@@ -27,6 +27,8 @@ struct Pose {
 
   /// A point of the body, in W [m]. @param point in the body's own frame
   Eigen::Vector3d toWorld(const Eigen::Vector3d& point) const { return position + orientation * point; }
+  /// Whether body z is along W's z, exactly.
+  bool isUpright() const { return orientation.x() == 0.0 && orientation.y() == 0.0; }
 };
 
 /// Velocities of the body's origin, expressed in W.
