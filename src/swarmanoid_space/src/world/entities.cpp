@@ -58,38 +58,33 @@ void giveBattery(World& world, Row row, const EntityDescription& entity) {
   world.space.powered.push_back(row);  // entity numbers only grow
 }
 
-}  // namespace
-
-void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
-                    const std::vector<Membership>& memberships) {
-  const std::vector<DeviceUse>& devices = devicesOf(world.assembly.findGroup(entity.controller));
-  for (const Membership& membership : memberships) {
-    const std::string in_engine = "' in engine '" + membership.engine->id() + "': ";
-    std::string problem = membership.engine->invalidPoseReason(model, pose);
-    if (problem.empty() && membership.role == Role::kMove) {
-      problem = unsupportedReasonOf(*membership.engine, model, devices, memberships);
-    }
-    if (!problem.empty()) {
-      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + problem);
-    }
-    const Row other = membership.engine->overlap(model, pose, world.space.entities.find(entity.id));
-    if (other != kNoRow) {
-      throw ConfigError(entity.location, entity.type + " '" + entity.id + in_engine + "overlaps '" +
-                                             world.space.entities.name[other] + "'");
-    }
-  }
+[[noreturn]] void refuseIn(const Engine& engine, const EntityDescription& entity, const std::string& problem) {
+  throw ConfigError(entity.location, entity.type + " '" + entity.id + "' in engine '" + engine.id() + "': " + problem);
 }
 
-Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships) {
+void refuseTaken(const World& world, const EntityDescription& entity) {
   if (world.space.entities.find(entity.id) != kNoRow) {
     throw ConfigError(entity.location, "an entity '" + entity.id + "' exists already");
   }
-  const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, entity.type));
-  const auto model = type->makeModel(entity.parameters);
-  const Pose pose{entity.position, orientationFromAngles(entity.angles)};
-  refuseBadPlace(world, entity, *model, pose, memberships);
+}
 
-  const Row row = world.space.entities.add(entity.id, model, pose, entity.color);
+/// @param membership one of them @throws ConfigError if its engine cannot have the entity at that pose
+void refuseUnsupported(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                       const std::vector<Membership>& memberships, const Membership& membership) {
+  std::string problem = membership.engine->invalidPoseReason(model, pose);
+  if (problem.empty() && membership.role == Role::kMove) {
+    const std::vector<DeviceUse>& devices = devicesOf(world.assembly.findGroup(entity.controller));
+    problem = unsupportedReasonOf(*membership.engine, model, devices, memberships);
+  }
+  if (!problem.empty()) {
+    refuseIn(*membership.engine, entity, problem);
+  }
+}
+
+/// Where all has been decided. @throws ConfigError if its controller does not start; then nothing has changed
+Row add(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
+        const std::vector<Membership>& memberships) {
+  const Row row = world.space.entities.add(entity.id, model, poseOf(entity), entity.color);
   world.space.placed[row] = world.space.tick;
   if (model->battery) {
     giveBattery(world, row, entity);
@@ -118,6 +113,40 @@ Row addEntity(World& world, const EntityDescription& entity, const std::vector<M
     world.space.entities_without_engine.place(world.space.entities, row);
   }
   return row;
+}
+
+}  // namespace
+
+void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
+                    const std::vector<Membership>& memberships) {
+  for (const Membership& membership : memberships) {
+    refuseUnsupported(world, entity, model, pose, memberships, membership);
+    const Row other = membership.engine->overlap(model, pose, world.space.entities.find(entity.id));
+    if (other != kNoRow) {
+      refuseIn(*membership.engine, entity, "overlaps '" + world.space.entities.name[other] + "'");
+    }
+  }
+}
+
+std::shared_ptr<const EntityModel> modelOf(const EntityDescription& entity) {
+  const auto type = makePlugin<EntityType>(*Registry::instance().find(PluginKind::kEntity, entity.type));
+  return type->makeModel(entity.parameters);
+}
+
+Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships) {
+  refuseTaken(world, entity);
+  const auto model = modelOf(entity);
+  refuseBadPlace(world, entity, *model, poseOf(entity), memberships);
+  return add(world, entity, model, memberships);
+}
+
+Row addFreeEntity(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
+                  const std::vector<Membership>& memberships) {
+  refuseTaken(world, entity);
+  for (const Membership& membership : memberships) {
+    refuseUnsupported(world, entity, *model, poseOf(entity), memberships, membership);
+  }
+  return add(world, entity, model, memberships);
 }
 
 void destroyController(World& world, RobotInstance& instance) {

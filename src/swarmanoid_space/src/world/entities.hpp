@@ -1,6 +1,7 @@
 /// Adding entities to a running world and taking them out of it: decide first, then commit.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "world.hpp"
@@ -13,6 +14,13 @@ void refuseBadPlace(const World& world, const EntityDescription& entity, const E
 
 /// @throws ConfigError (a bad place, a name that is taken, a controller that does not start); then nothing has changed
 Row addEntity(World& world, const EntityDescription& entity, const std::vector<Membership>& memberships);
+
+/// The same where it is known that nothing is in its way. @param model of the entity, as modelOf makes it
+Row addFreeEntity(World& world, const EntityDescription& entity, const std::shared_ptr<const EntityModel>& model,
+                  const std::vector<Membership>& memberships);
+
+std::shared_ptr<const EntityModel> modelOf(const EntityDescription& entity);
+inline Pose poseOf(const EntityDescription& entity) { return {entity.position, orientationFromAngles(entity.angles)}; }
 
 void removeEntity(World& world, Row row);
 
