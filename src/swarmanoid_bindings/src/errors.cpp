@@ -29,6 +29,11 @@ void raise(const ConfigError& error, PyObject* type) {
 
 PyObject* ruleError() { return rule_error; }
 
+std::string describe(const py::error_already_set& error) {
+  const py::object trace = error.trace() ? error.trace() : py::none();
+  return py::str(py::module_::import("swarmanoid._scripts").attr("describe")(error.value(), trace));
+}
+
 void bindErrors(py::module_& module) {
   static PyObject* const experiment_error =
       add(module, "ExperimentError", "A mistake in an experiment: `file` and `line` say where.", PyExc_ValueError);

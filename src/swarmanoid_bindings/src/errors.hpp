@@ -18,6 +18,10 @@ class InterventionError : public std::runtime_error {
 /// The class of errors in rules that are written in Python. @pre bindErrors was called
 PyObject* ruleError();
 
+/// What Python has thrown, in one line with the place: "ValueError: found 3 (/home/me/shy.py:7)".
+/// @pre Python's lock is held
+std::string describe(const pybind11::error_already_set& error);
+
 /// Adds the exceptions to the module. ConfigError becomes ExperimentError, with `file` and `line`.
 void bindErrors(pybind11::module_& module);
 

@@ -5,6 +5,7 @@
 #include "errors.hpp"
 #include "field_arrays.hpp"
 #include "interventions.hpp"
+#include "python_scripts.hpp"
 #include "robot_host.hpp"
 #include "robots.hpp"
 #include "rule_world.hpp"
@@ -21,4 +22,7 @@ PYBIND11_MODULE(_core, module) {
   swarmanoid::bindings::bindRuleWorld(module);
   swarmanoid::bindings::bindSimulation(module);
   module.def("installed_experiments", &swarmanoid::installedExperiments, "Names of the installed experiments, sorted.");
+  // for embedding/python_host.cpp: a library of its own, so that a program without Python needs none of this
+  static constexpr swarmanoid::ScriptHostFactory kFactory = &swarmanoid::bindings::makeScriptsOfProgram;
+  module.attr("_script_host_factory") = pybind11::capsule(&kFactory);
 }

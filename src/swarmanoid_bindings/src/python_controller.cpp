@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "errors.hpp"
 #include "python_parameters.hpp"
 
 namespace py = pybind11;
@@ -42,9 +43,16 @@ PythonController::PythonController(py::object controller, std::shared_ptr<Moment
 }
 
 void PythonController::init(const Configuration& parameters) {
+  const py::gil_scoped_acquire lock;
   selection_ = nullptr;
-  if (py::hasattr(controller_, "init")) {
-    controller_.attr("init")(parametersOf(parameters));
+  try {
+    if (py::hasattr(controller_, "init")) {
+      controller_.attr("init")(parametersOf(parameters));
+    }
+  } catch (py::error_already_set& error) {
+    const std::string what = describe(error);
+    thrown_->keep(std::move(error));
+    throw std::runtime_error(what);
   }
 }
 

@@ -18,10 +18,10 @@ class PythonController final : public GroupController {
   /// @throws pybind11::type_error if it is neither
   PythonController(pybind11::object controller, std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
 
-  /// @pre Python's lock is held
+  // Each takes Python's lock.
   void init(const Configuration& parameters) override;
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
-  /// Takes Python's lock. What Python throws stops the robots, and is kept for whoever makes the ticks.
+  /// What Python throws here stops the robots. As in `init`, it is kept for whoever makes the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
  private:

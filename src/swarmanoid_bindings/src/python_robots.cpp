@@ -34,6 +34,7 @@ PythonRobots::PythonRobots(py::object type, const ControllerDescription& descrip
 }
 
 void PythonRobots::init(const Configuration& parameters) {
+  const py::gil_scoped_acquire lock;
   parameters_ = parametersOf(parameters);
   instances_.clear();
   stepped_.clear();

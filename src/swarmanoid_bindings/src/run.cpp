@@ -5,9 +5,8 @@
 #include <stdexcept>
 
 #include "errors.hpp"
-#include "python_controller.hpp"
-#include "python_robots.hpp"
 #include "python_rule.hpp"
+#include "python_scripts.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_space/interventions/intervention_file.hpp"
 
@@ -53,16 +52,12 @@ class Ticking {
 Run::Run(Experiment experiment, RunContext context, const PythonParts& parts) {
   SuppliedParts supplied;
   for (const auto& [id, controller] : parts.controllers) {
-    const ControllerDescription& configuration = configurationOf(experiment, id);
-    if (PyType_Check(controller.ptr()) != 0) {
-      supplied.group_controllers[id] = std::make_shared<PythonRobots>(controller, configuration, moment_, thrown_);
-    } else {
-      supplied.group_controllers[id] = std::make_shared<PythonController>(controller, moment_, thrown_);
-    }
+    supplied.group_controllers[id] = makeController(controller, configurationOf(experiment, id), moment_, thrown_);
   }
   for (const auto& [id, rule] : parts.rules) {
     supplied.rules.emplace_back(id, std::make_shared<PythonRule>(rule, moment_, thrown_));
   }
+  supplied.scripts = makePythonScripts(moment_, thrown_);
   try {
     simulation_ = std::make_unique<Simulation>(std::move(experiment), std::move(context), std::move(supplied));
     simulation_->start();

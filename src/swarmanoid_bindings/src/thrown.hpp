@@ -9,13 +9,15 @@
 namespace swarmanoid::bindings {
 
 struct Thrown {
+  bool is_for_python = true;  ///< else nothing is kept, for nobody in Python has called: all of it is an error
   std::optional<pybind11::error_already_set> error;
   std::string rule_text;  ///< of the RuleError that it becomes the cause of; "": no rule has thrown it
 
-  /// Keeps the first one. @return whether it is an error: Ctrl-C and exits are not, and nobody fails by them
+  /// Keeps the first one. @return whether it is an error: for Python, Ctrl-C and exits are not, and nobody fails by
+  /// them
   bool keep(pybind11::error_already_set&& thrown, const std::string& of_rule = "") {
-    const bool is_error = thrown.matches(PyExc_Exception);
-    if (!error) {
+    const bool is_error = !is_for_python || thrown.matches(PyExc_Exception);
+    if (!error && is_for_python) {
       error.emplace(std::move(thrown));
       rule_text = is_error ? of_rule : "";
     }

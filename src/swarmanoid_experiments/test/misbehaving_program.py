@@ -72,8 +72,8 @@ class MisbehavingTest(ProgramTest):
     def assert_table(self, ticks):
         """The table has the state before the first tick, and after each of these."""
         lines = (self.folder / "table.txt").read_text().splitlines(keepends=True)
-        self.assertEqual(lines[0], HEADER)
-        self.assertEqual(len(lines), 1 + (ticks + 1) * len(ROBOTS))
+        self.assertEqual(lines[1], HEADER)
+        self.assertEqual(len(lines), 2 + (ticks + 1) * len(ROBOTS))
         self.assertTrue(lines[-1].endswith("\n"))
 
     def assert_bag(self, ticks):

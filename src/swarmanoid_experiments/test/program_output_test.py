@@ -14,7 +14,7 @@ import unittest
 
 import rosbag
 
-from program_world import CONTROLLER_FAILED, FINISHED, HEADER, INTERRUPTED, TABLE, WORLD, ProgramTest
+from program_world import CONTROLLER_FAILED, FINISHED, HEADER, INTERRUPTED, TABLE, WORLD, ProgramTest, table_of
 
 # as printed, but for the column in which nothing stands
 FIGURE = (pathlib.Path(__file__).parent / "data" / "figure_3_11.txt").read_text().replace("\t\t", "\t")
@@ -38,7 +38,7 @@ class TextTableTest(ProgramTest):
         done = self.call("run", file, "--quiet")
         self.assertEqual(done.returncode, FINISHED, done.stderr)
         start = "".join("0" + line[2:] + "\n" for line in FIGURE.splitlines())
-        self.assertEqual((self.folder / "t.txt").read_text(), HEADER + start + FIGURE)
+        self.assertEqual(table_of(self.folder / "t.txt", self), HEADER + start + FIGURE)
 
     def test_lines_follow_the_robot(self):
         self.run_world(maxclock=3)
@@ -47,7 +47,18 @@ class TextTableTest(ProgramTest):
         for tick in range(4):
             y = f"{3.0 + tick * 0.1 * WHEEL_RADIUS:.6g}"
             expected += f"{tick}\tFootbot\tfb\t2\t{y}\t0\t0\t0\t90\n{tick}{wall}"
-        self.assertEqual((self.out / "table.txt").read_text(), expected)
+        self.assertEqual(table_of(self.out / "table.txt", self), expected)
+
+    def test_tables_say_of_which_run_they_are(self):
+        tables = ('<text_render id="t"><file>t.txt</file></text_render><debug_render id="d"><file>d.txt</file></debug_render>'
+                  '<metrics_table id="m"><file>m.csv</file></metrics_table>')
+        world = self.world(maxclock=3, visualisations=tables)
+        done = self.call("run", world, "--quiet", "--seed", 9, "--set", "arena.size=11,10,3", "--set", "arena.wall.size=1, 0.2,\n0.5")
+        self.assertEqual(done.returncode, FINISHED, done.stderr)
+        version = self.call("--version").stdout.split()[-1]
+        for name in ("t.txt", "d.txt", "m.csv"):
+            self.assertEqual((self.folder / name).read_text().splitlines()[0],
+                             f"# world, seed 9, swarmanoid {version}, with arena.size=11,10,3, arena.wall.size=1, 0.2, 0.5")
 
 
 class LogTest(ProgramTest):

@@ -30,6 +30,13 @@ WORLD = """<ahss-config>
 TABLE = '<text_render id="table"><file>table.txt</file></text_render>'
 HEADER = "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n"
 
+def table_of(file, test):
+    """@return what stands below the line that says of which run a table is"""
+    first, rest = file.read_text().split("\n", 1)
+    test.assertRegex(first, r"^# \w+, seed \d+, swarmanoid [0-9.]+(\+[0-9a-f]+(\.dirty)?)?$")
+    return rest
+
+
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 
 

@@ -102,6 +102,8 @@ void loadPluginLibrary(const std::string& library, const std::vector<std::string
 
 void allowLibrariesByPath(bool is_allowed) { are_paths_allowed = is_allowed; }
 
+bool areLibrariesByPathAllowed() { return are_paths_allowed; }
+
 std::vector<std::string> shareFolders() {
   std::vector<std::string> result;
   for (const std::string& prefix : prefixes()) {

@@ -19,6 +19,7 @@ void loadPluginLibrary(const std::string& library, const std::vector<std::string
 /// initially they may. Otherwise only installed libraries are loaded. The setting holds for the whole process, from now
 /// on.
 void allowLibrariesByPath(bool is_allowed);
+bool areLibrariesByPathAllowed();
 
 /// Returns the folders that hold `share/` data of this installation, most important first: of the prefix that this
 /// library is in, then of every prefix of CMAKE_PREFIX_PATH. A devel space and an install space have the same layout.

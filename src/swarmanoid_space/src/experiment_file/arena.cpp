@@ -34,17 +34,6 @@ std::vector<std::string> childrenOfArena(const XmlElement& section) {
   return tags;
 }
 
-/// The choice that an attribute makes; without the attribute the choice is `fallback`, if there is one.
-std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
-                       const std::optional<std::string>& fallback) {
-  Parameter choice = makeParameter(name, Parameter::Type::kChoice, "", std::nullopt, {}, "");
-  choice.choices = choices;
-  const auto given = element.attribute(name);
-  std::string text = fallback ? given.value_or(*fallback) : element.requireAttribute(name);
-  checkValue(choice, text, element.attributeLocation(name));
-  return text;
-}
-
 enum class EntityPlace {
   kFixed,        ///< position and orientation stand there
   kDistributed,  ///< no position

@@ -100,6 +100,25 @@ std::vector<DeviceDescription> readDevices(PluginKind kind, const XmlElement& se
   return devices;
 }
 
+/// Completes the label and the library of a controller in C++. @throws ConfigError if there is none of that name
+void findController(const XmlElement& element, ControllerDescription& controller, Reader& reader) {
+  controller.label = withoutAlias(element.name());
+  const Registry& registry = Registry::instance();
+  const bool is_known = registry.find(PluginKind::kController, controller.label) != nullptr;
+  controller.library = withoutAlias(element.attribute("library").value_or(is_known ? "" : controller.label));
+  if (!controller.library.empty()) {
+    reader.needLibrary(controller.library, element.attributeLocation("library"));
+  }
+  const Registry::Entry* entry = registry.find(PluginKind::kController, controller.label);
+  if (entry == nullptr && reader.loads_libraries) {
+    element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
+  }
+  if (entry != nullptr) {
+    refuseSecondLibrary(*entry, element, controller.library);
+    controller.label = entry->description.label;
+  }
+}
+
 }  // namespace
 
 void readControllers(const XmlElement& section, Reader& reader) {
@@ -111,20 +130,10 @@ void readControllers(const XmlElement& section, Reader& reader) {
     controller.location = element.location();
     controller.id = element.requireAttribute("id");
     reader.takeId("controller", controller.id, element);
-    controller.label = withoutAlias(element.name());
-    const Registry& registry = Registry::instance();
-    const bool is_known = registry.find(PluginKind::kController, controller.label) != nullptr;
-    controller.library = withoutAlias(element.attribute("library").value_or(is_known ? "" : controller.label));
-    if (!controller.library.empty()) {
-      reader.needLibrary(controller.library, element.attributeLocation("library"));
-    }
-    const Registry::Entry* entry = registry.find(PluginKind::kController, controller.label);
-    if (entry == nullptr && reader.loads_libraries) {
-      element.refuse(unknownName("controller", element.name(), registry.labels(PluginKind::kController)));
-    }
-    if (entry != nullptr) {
-      refuseSecondLibrary(*entry, element, controller.library);
-      controller.label = entry->description.label;
+    controller.label = element.name();
+    controller.script = readScript(element, reader);
+    if (controller.script.empty()) {
+      findController(element, controller, reader);
     }
     element.allowChildren(tagsIn("controllers/*"));
     if (const auto actuators = element.child("actuators")) {
@@ -135,10 +144,7 @@ void readControllers(const XmlElement& section, Reader& reader) {
     }
     controller.parameters = Configuration("parameters", "", element.location());
     if (const auto parameters = element.child("parameters")) {
-      // whatever the controller likes, but nothing that its reader would pass over in silence
-      parameters->refuseText();
-      parameters->refuseDoubles();
-      controller.parameters = parameters->toConfiguration();
+      controller.parameters = readFreeParameters(*parameters);
     }
     reader.experiment.controllers.push_back(std::move(controller));
   }

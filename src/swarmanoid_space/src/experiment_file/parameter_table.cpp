@@ -47,6 +47,16 @@ void checkValue(const Parameter& parameter, const std::string& text, const Sourc
   }
 }
 
+std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
+                       const std::optional<std::string>& fallback) {
+  Parameter choice = makeParameter(name, Parameter::Type::kChoice, "", std::nullopt, {}, "");
+  choice.choices = choices;
+  const auto given = element.attribute(name);
+  std::string text = fallback ? given.value_or(*fallback) : element.requireAttribute(name);
+  checkValue(choice, text, element.attributeLocation(name));
+  return text;
+}
+
 Configuration readParameters(const XmlElement& element, const std::vector<Parameter>& table,
                              const std::vector<std::string>& others) {
   std::vector<std::string> names;
@@ -188,6 +198,11 @@ const std::vector<std::string>& optimizations() {
 const std::vector<std::string>& roles() {
   static const std::vector<std::string> names{"move", "mirror"};
   return names;
+}
+
+const std::vector<std::string>& codeLanguages() {
+  static const std::vector<std::string> choices{"c++", "python"};
+  return choices;
 }
 
 const std::vector<std::string>& commandSources() {

@@ -1,6 +1,7 @@
 /// Reading the values of an element by a table of parameters, the same tables that the schema is made from.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,11 @@ Configuration readParameters(const XmlElement& element, const std::vector<Parame
 
 /// Checks one value against its parameter. @throws ConfigError
 void checkValue(const Parameter& parameter, const std::string& text, const SourceLocation& location);
+
+/// The choice that an attribute makes; without the attribute the choice is `fallback`, if there is one.
+/// @throws ConfigError for what is none of the choices
+std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
+                       const std::optional<std::string>& fallback);
 
 // The tables of the sections themselves.
 const std::vector<Parameter>& frameworkParameters();
@@ -47,6 +53,8 @@ constexpr Range kQuantityRange{1.0, static_cast<double>(limits::kMostEntities)};
 const std::vector<std::string>& layouts();
 const std::vector<std::string>& optimizations();
 const std::vector<std::string>& roles();
+/// What controllers and rules are written in; the first is meant where nothing is said.
+const std::vector<std::string>& codeLanguages();
 /// Who may command a robot.
 const std::vector<std::string>& commandSources();
 /// What the ends of a grip are called.

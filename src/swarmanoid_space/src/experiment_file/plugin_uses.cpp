@@ -1,22 +1,74 @@
-// <engines>, <rules>, <visualisations>: sections that list plugins by their ids.
+// <engines>, <rules>, <visualisations>: sections that list plugins by their ids; and what of them is in Python.
+#include <filesystem>
+
 #include "reader.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::experiment {
 
+std::string readScript(const XmlElement& element, Reader& reader) {
+  const bool is_python = readChoice(element, "source", codeLanguages(), codeLanguages().front()) == "python";
+  const auto file = element.attribute("file");
+  if (!is_python) {
+    if (file) {
+      throw ConfigError(element.attributeLocation("file"),
+                        "file: found '" + *file + "', allowed: with source=\"python\"");
+    }
+    return "";
+  }
+  if (element.attribute("library")) {
+    throw ConfigError(element.attributeLocation("library"),
+                      "library: found beside source=\"python\", allowed: file, the name of a file in Python");
+  }
+  const SourceLocation location = element.attributeLocation("file");
+  const std::string name = element.requireAttribute("file");
+  if (!areLibrariesByPathAllowed()) {
+    throw ConfigError(location, "file: found '" + name +
+                                    "', allowed, as other computers reach the master: no code in files; or "
+                                    "allow_remote_libraries:=true at start");
+  }
+  std::string script = takeFile(name, reader);
+  std::error_code ignored;
+  if (std::filesystem::path(script).extension() != ".py" || !std::filesystem::is_regular_file(script, ignored)) {
+    throw ConfigError(location, "file: found '" + name + "', allowed: a file that is there and ends in .py");
+  }
+  if (!reader.loads_libraries) {
+    reader.unloaded.insert(name);
+  }
+  return script;
+}
+
+Configuration readFreeParameters(const XmlElement& element) {
+  element.refuseText();
+  element.refuseDoubles();
+  Configuration parameters(element.name(), "", element.location());
+  for (const XmlElement& child : element.children()) {
+    parameters.add(child.toConfiguration());
+  }
+  return parameters;
+}
+
 std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind, Reader& reader) {
+  const std::string path = kind == PluginKind::kRule ? "rules/*" : "engines/*";  // and visualisations have the same
   section.allowAttributes({});
   section.refuseText();
   std::vector<PluginUse> uses;
   for (const XmlElement& element : section.children()) {
-    element.allowAttributes(attributesOf("engines/*"));  // the same in all these sections
+    element.allowAttributes(attributesOf(path));
     PluginUse use;
     use.location = element.location();
     use.id = element.requireAttribute("id");
     use.library = element.attribute("library").value_or("");
+    use.script = kind == PluginKind::kRule ? readScript(element, reader) : "";
     reader.takeId(toString(kind), use.id, element);
-    const Registry::Entry& entry = reader.requirePlugin(kind, element, use.library);
-    use.label = entry.description.label;
-    use.parameters = readPluginParameters(element, entry.description);
+    if (use.script.empty()) {
+      const Registry::Entry& entry = reader.requirePlugin(kind, element, use.library);
+      use.label = entry.description.label;
+      use.parameters = readPluginParameters(element, entry.description);
+    } else {
+      use.label = element.name();
+      use.parameters = readFreeParameters(element);
+    }
     uses.push_back(std::move(use));
   }
   return uses;

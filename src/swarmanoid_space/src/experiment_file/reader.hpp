@@ -69,6 +69,10 @@ struct KnownNames {
 /// @throws ConfigError if it is not the one that has the plugin, for another with that label was first
 void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element, const std::string& library);
 
+/// Of a controller or a rule: the file in Python that has it, from now on one of the experiment's files; "": it is in
+/// C++. @throws ConfigError
+std::string readScript(const XmlElement& element, Reader& reader);
+
 void readFramework(const XmlElement& section, Reader& reader);
 void readControllers(const XmlElement& section, Reader& reader);
 /// All <error> of a sensor or an actuator. @param device its type; "" if that is not known
@@ -106,6 +110,10 @@ void readDocument(const XmlElement& root, Reader& reader);
 /// @param others children that are no parameters
 Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
                                    const std::vector<std::string>& others = {});
+
+/// Whatever elements stand in this one, for code that says itself what it reads; but nothing that its reader would pass
+/// over in silence. @throws ConfigError
+Configuration readFreeParameters(const XmlElement& element);
 
 /// The text of a file that people write. @throws ConfigError if it cannot be read, or has no end in sight
 std::string textOf(const std::string& file);

@@ -41,6 +41,14 @@ Attribute libraryAttribute() {
 
 std::vector<Attribute> pluginAttributes() { return {id("id", true, "Its name in this file."), libraryAttribute()}; }
 
+/// Of what may be in Python instead.
+std::vector<Attribute> scriptAttributes() {
+  std::vector<Attribute> attributes = pluginAttributes();
+  attributes.push_back(choice("source", codeLanguages(), codeLanguages().front(), "What it is written in."));
+  attributes.push_back(text("file", "", "With python: the file that has it, under the name of the tag."));
+  return attributes;
+}
+
 ExperimentTag device(const std::string& section, const std::string& heading) {
   return {"controllers/*/" + section,
           "*",
@@ -181,7 +189,7 @@ std::vector<ExperimentTag> makeTags() {
   std::vector<ExperimentTag> tags{
       {"", "framework", "framework", "The section: what concerns the whole run.", {}, frameworkParameters()},
       {"", "controllers", "controller", "The section: which controllers there are, with their devices.", {}, {}},
-      {"controllers", "*", "controller", "In <controllers>, by its label.", pluginAttributes(), {}},
+      {"controllers", "*", "controller", "In <controllers>, by its label.", scriptAttributes(), {}},
       {"controllers/*", "actuators", "controller", "In a controller: the actuators that it uses.", {}, {}},
       {"controllers/*", "sensors", "controller", "In a controller: the sensors that it uses.", {}, {}},
       {"controllers/*", "parameters", "controller", "In a controller: whatever it reads.", {}, {}},
@@ -196,7 +204,7 @@ std::vector<ExperimentTag> makeTags() {
           {"engines", "*", "engine", "In <engines>.", pluginAttributes(), {}}});
   append(physicsTags());
   append({{"", "rules", "rule", "The section: what acts on the world beside robots and engines.", {}, {}},
-          {"rules", "*", "rule", "In <rules>.", pluginAttributes(), {}}});
+          {"rules", "*", "rule", "In <rules>.", scriptAttributes(), {}}});
   append({{"", "visualisations", "visualisation", "The section: who looks at the run.", {}, {}},
           {"", "visualizations", "visualisation", "The same, in another spelling.", {}, {}},
           {"visualisations", "*", "visualisation", "In <visualisations>.", pluginAttributes(), {}}});

@@ -51,6 +51,9 @@ std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, cons
     parts.push_back({PluginKind::kEngine, engine.id, engine.label, engine.parameters, nullptr});
   }
   for (const ControllerDescription& controller : experiment.controllers) {
+    if (!controller.script.empty()) {
+      continue;  // what is in Python is no nodelet: the space itself runs it
+    }
     parts.push_back({PluginKind::kController, controller.id, controller.label, controller.parameters, nullptr});
   }
   for (const std::string& robot : robots) {

@@ -1,11 +1,14 @@
 #include "swarmanoid_space/output/out_file.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <locale>
 #include <streambuf>
 #include <utility>
 
+#include "../suite_version.hpp"
 #include "swarmanoid_space/output/out_folder.hpp"
+#include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
 
@@ -74,6 +77,22 @@ OutFile::~OutFile() = default;
 
 void OutFile::open(const RunContext& context, const Configuration& parameters, const std::string& id) {
   buffer_->open(openOutFile(context, parameters, id));
+  experiment_ = context.experiment;
+}
+
+void OutFile::describeRun(const Space& space) {
+  if (experiment_ == nullptr) {
+    return;
+  }
+  std::string line = experiment_->name + ", seed " + std::to_string(space.seed) + ", swarmanoid " + suiteVersion();
+  const char* before = ", with ";
+  for (const Override& override : experiment_->overrides) {
+    line += before + override.path + "=" + override.value;
+    before = ", ";
+  }
+  std::replace_if(
+      line.begin(), line.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
+  *this << "# " << line << '\n';
 }
 
 bool OutFile::isOpen() const { return buffer_->isOpen(); }

@@ -4,7 +4,7 @@
 #include <optional>
 #include <sstream>
 
-#include "../records/suite_version.hpp"
+#include "../suite_version.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"

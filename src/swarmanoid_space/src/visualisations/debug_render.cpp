@@ -26,6 +26,7 @@ class DebugRender final : public Observer {
   void draw(const Space& space) override {
     if (!has_header_) {
       has_header_ = true;
+      file_.describeRun(space);
       file_ << "#clock\tEntity id\tKey\tValue\n";
     }
     for (const Event& event : space.events) {

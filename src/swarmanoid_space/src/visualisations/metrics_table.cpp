@@ -11,7 +11,8 @@ class MetricsTable final : public Observer {
   static PluginDescription describe() {
     PluginDescription description;
     description.label = "metrics_table";
-    description.summary = "Writes the metrics of all rules as comma-separated values: a header, then a row a tick.";
+    description.summary =
+        "Writes the metrics of all rules as comma-separated values: the run after a #, a header, then a row a tick.";
     description.parameters = {
         makeParameter("file", Parameter::Type::kText, "", std::nullopt, {}, "Where the table goes."),
         makeParameter("every", Parameter::Type::kInteger, "ticks", "1", {1.0, 1e9}, "Ticks from one row to the next.")};
@@ -44,6 +45,7 @@ class MetricsTable final : public Observer {
 
  private:
   void writeHeader(const Space& space) {
+    file_.describeRun(space);
     file_ << "tick,time";
     for (const Metric* metric : space.metrics) {
       file_ << ',' << metric->name;

@@ -43,6 +43,7 @@ class TextRender final : public Observer {
     std::ostream& out = file_.isOpen() ? static_cast<std::ostream&>(file_) : std::cerr;
     if (!has_header_) {
       has_header_ = true;
+      file_.describeRun(space);
       out << "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n";
     }
     for (const Row row : space.entities.order) {

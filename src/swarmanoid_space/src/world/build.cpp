@@ -67,19 +67,45 @@ void refuseEndlessRun(const FrameworkDescription& framework) {
   }
 }
 
+/// @throws ConfigError for whatever it throws
+void initTogether(const ControllerGroup& group, const ControllerDescription& description) {
+  const UserCode code{"init", group.part, ""};
+  const UserCall call(code);
+  try {
+    group.together->init(description.parameters);
+  } catch (const ConfigError&) {
+    throw;
+  } catch (...) {
+    throw ConfigError(description.location, group.part + " does not start: " + describeException());
+  }
+}
+
+ScriptHost& scriptsOf(World& world, const SourceLocation& location) {
+  if (world.supplied.scripts == nullptr) {
+    world.supplied.scripts = makeScriptHost(location);
+  }
+  return *world.supplied.scripts;
+}
+
 /// What steps the robots of the group: one controller for all of them, or what makes one for each.
-void giveController(const SuppliedParts& supplied, const ControllerDescription& description, ControllerGroup& group) {
+void giveController(World& world, const ControllerDescription& description, ControllerGroup& group) {
+  const SuppliedParts& supplied = world.supplied;
   const auto together = supplied.group_controllers.find(description.id);
   const auto single = supplied.controllers.find(description.id);
   if (together != supplied.group_controllers.end()) {
     group.together = together->second;
-    group.part = "controller '" + description.id + "' of all its robots";
-    callUserCode({"init", group.part, ""}, [&] { group.together->init(description.parameters); });
   } else if (single != supplied.controllers.end()) {
     group.make = single->second;
+  } else if (!description.script.empty()) {
+    callUserCode({"loading", description.script, ""},
+                 [&] { group.together = scriptsOf(world, description.location).makeController(description); });
   } else {
     const auto* entry = Registry::instance().find(PluginKind::kController, description.label);
     group.make = [entry] { return makePlugin<Controller>(*entry); };
+  }
+  if (group.together != nullptr) {
+    group.part = "controller '" + description.id + "' of all its robots";
+    initTogether(group, description);
   }
 }
 
@@ -94,7 +120,7 @@ void buildControllerGroups(World& world) {
       addDevice(PluginKind::kActuator, device, description.id, group->actuators, group->devices);
     }
     group->part = controllerPart(description.id, description.label);
-    giveController(world.supplied, description, *group);
+    giveController(world, description, *group);
     world.assembly.groups.push_back(std::move(group));
   }
 }
@@ -228,6 +254,11 @@ void buildRules(World& world) {
     if (found != supplied.end()) {
       addRule(world, found->second, part, description.id, description.parameters, description.location);
       supplied.erase(found);
+    } else if (!description.script.empty()) {
+      std::shared_ptr<Rule> rule;
+      callUserCode({"loading", description.script, ""},
+                   [&] { rule = scriptsOf(world, description.location).makeRule(description); });
+      addRule(world, rule, part, description.id, description.parameters, description.location);
     } else {
       const auto* entry = Registry::instance().find(PluginKind::kRule, description.label);
       addRule(world, makePlugin<Rule>(*entry), part + " (" + description.label + ")", description.id,

@@ -46,6 +46,7 @@ struct ControllerDescription {
   std::string label;  ///< the tag
   std::string id;
   std::string library;
+  std::string script;  ///< the file in Python that has it, under its label; "": it is in C++
   std::vector<DeviceDescription> actuators;
   std::vector<DeviceDescription> sensors;
   Configuration parameters;  ///< `<parameters>`; the controller itself checks it
@@ -116,7 +117,8 @@ struct PluginUse {
   std::string label;  ///< never an alias
   std::string id;
   std::string library;
-  Configuration parameters;  ///< defaults filled in
+  std::string script;        ///< of a rule: the file in Python that has it, under its label; "": it is in C++
+  Configuration parameters;  ///< defaults filled in; of what is in Python, whatever stands there
   SourceLocation location;
 };
 using EngineDescription = PluginUse;

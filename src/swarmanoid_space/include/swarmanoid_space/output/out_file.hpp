@@ -28,6 +28,9 @@ class OutFile : public std::ostream {
   /// @throws ConfigError if it may not or cannot be written, see OutFolder
   void open(const RunContext& context, const Configuration& parameters, const std::string& id);
   bool isOpen() const;
+  /// Writes a line that says of which run it is: "# diffusion, seed 3, swarmanoid 0.1.0+cf9a54f42c1e, with
+  /// arena.size=9,9,1, framework.threads=2". Nothing if the context had no experiment.
+  void describeRun(const Space& space);
   /// Empties it: what follows is the whole file.
   void restart();
   /// What was written is in the file from here on. @throws std::runtime_error if it is not
@@ -36,6 +39,7 @@ class OutFile : public std::ostream {
  private:
   class Buffer;
   std::unique_ptr<Buffer> buffer_;
+  const Experiment* experiment_ = nullptr;
 };
 
 /// The file that the parameter `file` of an observer names, for those that write no text.

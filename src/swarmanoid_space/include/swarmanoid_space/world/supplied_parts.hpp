@@ -13,6 +13,7 @@
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/group_controller.hpp"
 #include "swarmanoid_space/rule.hpp"
+#include "swarmanoid_space/script_host.hpp"
 
 namespace swarmanoid {
 
@@ -25,6 +26,7 @@ struct SuppliedParts {
   /// Called after those of the experiment file, in this order, and configured without parameters; one that has the id
   /// of a rule of the file stands in its place, and is given its parameters.
   std::vector<std::pair<std::string, std::shared_ptr<Rule>>> rules;
+  std::shared_ptr<ScriptHost> scripts;       ///< null: if anything is in Python, the suite's own is loaded
   std::shared_ptr<CommandMailbox> commands;  ///< for robots commanded over topics; null: there are none
 };
 

@@ -1,6 +1,6 @@
 #include "run_messages.hpp"
 
-#include "../../records/suite_version.hpp"
+#include "../../suite_version.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/ros/metric_text.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"

@@ -1,0 +1,49 @@
+/// Controllers and rules in Python that stand in a file which the experiment names (source="python").
+///
+/// A part is what the file has under the name of its tag: of controllers a function or an object of all robots, or a
+/// class of one; of rules an object, or a class that makes one. A file is read once a run, whoever is in it.
+#pragma once
+
+#include <pybind11/pybind11.h>
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "moment.hpp"
+#include "swarmanoid_space/script_host.hpp"
+#include "thrown.hpp"
+
+namespace swarmanoid::bindings {
+
+class PythonScripts final : public ScriptHost {
+ public:
+  PythonScripts(std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown)
+      : moment_(std::move(moment)), thrown_(std::move(thrown)) {}
+
+  // Both take Python's lock.
+  std::shared_ptr<GroupController> makeController(const ControllerDescription& description) override;
+  std::shared_ptr<Rule> makeRule(const RuleDescription& description) override;
+
+ private:
+  pybind11::object find(const char* what, const std::string& file, const std::string& name,
+                        const SourceLocation& location);
+
+  std::shared_ptr<Moment> moment_;
+  std::shared_ptr<Thrown> thrown_;
+  std::map<std::string, pybind11::object> modules_;  // by file
+};
+
+/// Whatever it holds of Python's is given back under Python's lock.
+std::shared_ptr<ScriptHost> makePythonScripts(std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
+
+/// For a process in which nobody in Python makes the ticks: what scripts throw is the run's, as with C++.
+std::shared_ptr<ScriptHost> makeScriptsOfProgram();
+
+/// A controller of all robots, or one for each if it is a class. @throws pybind11::type_error if it is neither
+std::shared_ptr<GroupController> makeController(const pybind11::object& controller,
+                                                const ControllerDescription& description,
+                                                const std::shared_ptr<Moment>& moment,
+                                                const std::shared_ptr<Thrown>& thrown);
+
+}  // namespace swarmanoid::bindings

@@ -1,0 +1,27 @@
+#include "swarmanoid_space/script_host.hpp"
+
+#include <atomic>
+
+#include "swarmanoid_interface/plugin_library.hpp"
+
+namespace swarmanoid {
+namespace {
+
+std::atomic<ScriptHostFactory> registered{nullptr};
+
+}  // namespace
+
+void registerScriptHost(ScriptHostFactory factory) { registered = factory; }
+
+std::shared_ptr<ScriptHost> makeScriptHost(const SourceLocation& location) {
+  constexpr const char* kLibrary = "swarmanoid_python_host";
+  loadPluginLibrary(kLibrary, {}, location);
+  const ScriptHostFactory factory = registered;
+  if (factory == nullptr) {
+    throw ConfigError(location, std::string("source: found python, allowed: C++ alone, for the library ") + kLibrary +
+                                    " brings nothing that runs Python");
+  }
+  return factory();
+}
+
+}  // namespace swarmanoid
