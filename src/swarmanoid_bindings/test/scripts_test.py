@@ -215,7 +215,7 @@ class ScriptsTest(unittest.TestCase):
             "file: found 'swam.py', allowed: a file that is there and ends in .py": {"replaced": ("swarm.py", "swam.py")},
             "allowed: file, the name of a file in Python": {"replaced": ("file=", "library='x' file=")},
             "file: found 'swarm.py', allowed: with source=\"python\"": {"replaced": ("source=\"python\"", "")},
-            "source: found the value 'lua', allowed: c++, python": {"replaced": ("\"python\"", "\"lua\"")},
+            "source: found the value 'lua', allowed: cpp, python": {"replaced": ("\"python\"", "\"lua\"")},
         }
         for text, options in wrong.items():
             with self.subTest(text):

@@ -129,7 +129,7 @@ class InterruptTest(ProgramTest):
             lines = (self.out / "table.txt").read_text()
             self.assertTrue(lines.endswith("\n"))
             lines = lines.splitlines()
-            self.assertEqual(len(lines), 1 + 2 * (ticks + 1))
+            self.assertEqual(len(lines), 2 + 2 * (ticks + 1))
             self.assertTrue(lines[-1].startswith(f"{ticks}\tBlock\twall\t"))
             with rosbag.Bag(str(self.folder / "run.bag")) as bag:
                 states = [message.tick for _, message, _ in bag.read_messages("/space/world_state")]

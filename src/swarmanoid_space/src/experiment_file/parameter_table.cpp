@@ -201,7 +201,7 @@ const std::vector<std::string>& roles() {
 }
 
 const std::vector<std::string>& codeLanguages() {
-  static const std::vector<std::string> choices{"c++", "python"};
+  static const std::vector<std::string> choices{"cpp", "python"};
   return choices;
 }
 
