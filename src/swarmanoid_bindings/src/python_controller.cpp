@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "errors.hpp"
+#include "python_lock.hpp"
 #include "python_parameters.hpp"
 
 namespace py = pybind11;
@@ -43,7 +44,7 @@ PythonController::PythonController(py::object controller, std::shared_ptr<Moment
 }
 
 void PythonController::init(const Configuration& parameters) {
-  const py::gil_scoped_acquire lock;
+  const PythonLock lock;
   selection_ = nullptr;
   try {
     if (py::hasattr(controller_, "init")) {
@@ -61,9 +62,9 @@ void PythonController::start(const Space& /*space*/, Banks& /*commands*/, Row /*
 }
 
 void PythonController::step(const Space& space, Banks& /*commands*/, Span<const GroupMember> members) {
-  const py::gil_scoped_acquire lock;
-  if (thrown_->error) {
-    return;  // the tick is the last one until somebody has seen what another one threw
+  const PythonLock lock;
+  if (thrown_->isOver()) {
+    return;
   }
   if (selection_ == nullptr || !areSame(*selection_, members)) {
     selection_ = select(members);
@@ -72,7 +73,7 @@ void PythonController::step(const Space& space, Banks& /*commands*/, Span<const 
   try {
     step_(SteppedRobots(space, moment_, selection_));
   } catch (py::error_already_set& error) {
-    const std::string what = error.what();
+    const std::string what = describe(error);
     if (thrown_->keep(std::move(error))) {
       throw std::runtime_error(what);
     }

@@ -7,7 +7,7 @@
 
 namespace swarmanoid::bindings {
 
-/// An element's text, or the dictionary of its children.
+/// An element's text, or the dictionary of its children and attributes, with its text under "" if it has one besides.
 inline pybind11::object toPython(const Configuration& element) {
   if (element.children().empty()) {
     return pybind11::str(element.text());
@@ -15,6 +15,9 @@ inline pybind11::object toPython(const Configuration& element) {
   pybind11::dict children;
   for (const Configuration& child : element.children()) {
     children[pybind11::str(child.name())] = toPython(child);
+  }
+  if (!element.text().empty()) {
+    children[""] = pybind11::str(element.text());
   }
   return children;
 }

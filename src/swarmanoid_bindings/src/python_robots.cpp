@@ -1,8 +1,11 @@
 #include "python_robots.hpp"
 
+#include <stdexcept>
 #include <utility>
 
+#include "errors.hpp"
 #include "python_controller.hpp"
+#include "python_lock.hpp"
 #include "python_parameters.hpp"
 
 namespace py = pybind11;
@@ -34,7 +37,7 @@ PythonRobots::PythonRobots(py::object type, const ControllerDescription& descrip
 }
 
 void PythonRobots::init(const Configuration& parameters) {
-  const py::gil_scoped_acquire lock;
+  const PythonLock lock;
   parameters_ = parametersOf(parameters);
   instances_.clear();
   stepped_.clear();
@@ -46,19 +49,28 @@ std::shared_ptr<RobotHost> PythonRobots::hostOf(const Space& space, Span<const G
 }
 
 void PythonRobots::start(const Space& space, Banks& /*commands*/, Row row, Robot& robot) {
-  const py::gil_scoped_acquire lock;
+  const PythonLock lock;
   host_ = nullptr;
   const GroupMember member{row, &robot, nullptr};
   const Pause pause(*moment_);
   const auto host = hostOf(space, {&member, 1});
   host->begin();
-  const py::object made = py::module_::import("swarmanoid._single").attr("Robot")(host);
-  const py::object controller = type_();
-  if (py::hasattr(controller, "init")) {
-    controller.attr("init")(made, parameters_);
+  try {
+    const py::object made = py::module_::import("swarmanoid._single").attr("Robot")(host);
+    const py::object controller = type_();
+    if (py::hasattr(controller, "init")) {
+      controller.attr("init")(made, parameters_);
+    }
+    instances_[&robot] = {made, controller.attr("step")};
+  } catch (py::error_already_set& error) {
+    host->end();
+    const std::string what = describe(error);
+    if (thrown_->isInterruption(error)) {
+      thrown_->keep(std::move(error));
+    }
+    throw std::runtime_error(what);
   }
   host->end();
-  instances_[&robot] = {made, controller.attr("step")};
 }
 
 void PythonRobots::regroup(const Space& space, Span<const GroupMember> members) {
@@ -75,9 +87,9 @@ void PythonRobots::regroup(const Space& space, Span<const GroupMember> members) 
 }
 
 void PythonRobots::step(const Space& space, Banks& /*commands*/, Span<const GroupMember> members) {
-  const py::gil_scoped_acquire lock;
-  if (thrown_->error) {
-    return;  // the tick is the last one until somebody has seen what another one threw
+  const PythonLock lock;
+  if (thrown_->isOver()) {
+    return;
   }
   if (host_ == nullptr || !areSame(host_->robots(), members)) {
     regroup(space, members);
@@ -88,7 +100,7 @@ void PythonRobots::step(const Space& space, Banks& /*commands*/, Span<const Grou
     try {
       stepped_[i].step(stepped_[i].robot);
     } catch (py::error_already_set& error) {
-      const std::string what = error.what();
+      const std::string what = describe(error);
       if (!thrown_->keep(std::move(error))) {
         break;
       }

@@ -25,7 +25,7 @@ class PythonRobots final : public GroupController {
                std::shared_ptr<Thrown> thrown);
 
   void init(const Configuration& parameters) override;
-  /// Makes the robot's controller. Takes Python's lock, as step does. @throws pybind11::error_already_set
+  /// Makes the robot's controller. Takes Python's lock, as step does. @throws std::runtime_error what Python throws
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
   /// What Python throws stops that robot, and is kept for whoever makes the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;

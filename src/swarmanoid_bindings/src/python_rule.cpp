@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "errors.hpp"
+#include "python_lock.hpp"
 #include "python_parameters.hpp"
 #include "rule_world.hpp"
 
@@ -58,16 +60,15 @@ PythonRule::PythonRule(py::object rule, std::shared_ptr<Moment> moment, std::sha
 /// What it throws is kept, and a std::runtime_error says so to whoever runs rules.
 template <class Action>
 void PythonRule::call(const char* hook, Action action) {
-  const py::gil_scoped_acquire lock;
-  if (thrown_->error) {
-    return;  // the tick is the last one until somebody has seen what another one threw
+  const PythonLock lock;
+  if (thrown_->isOver()) {
+    return;
   }
   const Pause pause(*moment_);
   try {
     action();
   } catch (py::error_already_set& error) {
-    const std::string what = error.what();
-    const std::string text = "rule '" + id() + "', " + hook + ": " + what.substr(0, what.find("\n\nAt:"));
+    const std::string text = "rule '" + id() + "', " + hook + ": " + describe(error);
     if (thrown_->keep(std::move(error), text)) {
       throw std::runtime_error(text);
     }

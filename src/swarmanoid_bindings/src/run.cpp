@@ -57,7 +57,7 @@ Run::Run(Experiment experiment, RunContext context, const PythonParts& parts) {
   for (const auto& [id, rule] : parts.rules) {
     supplied.rules.emplace_back(id, std::make_shared<PythonRule>(rule, moment_, thrown_));
   }
-  supplied.scripts = makePythonScripts(moment_, thrown_);
+  supplied.scripts = makeScriptsOfPython(moment_, thrown_);
   try {
     simulation_ = std::make_unique<Simulation>(std::move(experiment), std::move(context), std::move(supplied));
     simulation_->start();

@@ -1,10 +1,34 @@
 #include "thrown.hpp"
 
+#include <utility>
+
 #include "errors.hpp"
 
 namespace py = pybind11;
 
 namespace swarmanoid::bindings {
+
+bool Thrown::keep(py::error_already_set&& thrown, const std::string& of_rule) {
+  if (keeps == Keeps::kNothing) {
+    return true;
+  }
+  if (keeps == Keeps::kInterruptions) {
+    if (isInterruption(thrown)) {
+      return interrupted->keep(std::move(thrown));
+    }
+    if (!of_rule.empty() && !interrupted->error) {
+      interrupted->error.emplace(std::move(thrown));
+      interrupted->rule_text = of_rule;
+    }
+    return true;
+  }
+  const bool is_failure = thrown.matches(PyExc_Exception);  // which Ctrl-C and exits are not
+  if (!error) {
+    error.emplace(std::move(thrown));
+    rule_text = is_failure ? of_rule : "";
+  }
+  return is_failure;
+}
 
 void Thrown::raise() {
   if (!error) {

@@ -3,26 +3,34 @@
 
 #include <pybind11/pybind11.h>
 
+#include <memory>
 #include <optional>
 #include <string>
 
 namespace swarmanoid::bindings {
 
 struct Thrown {
-  bool is_for_python = true;  ///< else nothing is kept, for nobody in Python has called: all of it is an error
+  enum class Keeps {
+    kAll,            ///< whoever makes the ticks in Python gets it
+    kInterruptions,  ///< Ctrl-C, and what ends the run: all else is a failure of whoever has thrown it, as in C++
+    kNothing         ///< nobody in Python makes the ticks: Ctrl-C is not Python's either
+  };
+
+  Keeps keeps = Keeps::kAll;
+  std::shared_ptr<Thrown> interrupted;  ///< of kInterruptions: who keeps them
   std::optional<pybind11::error_already_set> error;
   std::string rule_text;  ///< of the RuleError that it becomes the cause of; "": no rule has thrown it
 
-  /// Keeps the first one. @return whether it is an error: for Python, Ctrl-C and exits are not, and nobody fails by
-  /// them
-  bool keep(pybind11::error_already_set&& thrown, const std::string& of_rule = "") {
-    const bool is_error = !is_for_python || thrown.matches(PyExc_Exception);
-    if (!error && is_for_python) {
-      error.emplace(std::move(thrown));
-      rule_text = is_error ? of_rule : "";
-    }
-    return is_error;
+  /// Keeps the first one. @return whether it is a failure of who has thrown it
+  bool keep(pybind11::error_already_set&& thrown, const std::string& of_rule = "");
+
+  /// Whether Ctrl-C has been thrown, which is for whoever makes the ticks.
+  bool isInterruption(const pybind11::error_already_set& thrown) const {
+    return keeps != Keeps::kNothing && thrown.matches(PyExc_KeyboardInterrupt);
   }
+
+  /// Nobody is called any more in this tick, which is the last one until somebody has seen what was thrown.
+  bool isOver() const { return error.has_value() || (interrupted != nullptr && interrupted->isOver()); }
 
   /// Nothing is kept any more. @pre Python's lock is held @throws what was kept, if anything was
   void raise();

@@ -1,31 +1,97 @@
 """The files in Python that an experiment names for its controllers and rules (source="python")."""
 
-import importlib.util
-import pathlib
+import importlib
+import itertools
+import os
 import sys
+import threading
 import traceback
 import types
 
-
-def load(file):
-    """The module that a file is, executed anew: runs share nothing by it. It may import what is beside it."""
-    path = pathlib.Path(file).resolve()
-    if str(path.parent) not in sys.path:
-        sys.path.append(str(path.parent))
-    spec = importlib.util.spec_from_file_location(path.stem, path)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module
+_numbers = itertools.count(1)
+_loading = threading.RLock()   # what is found by `import` is the whole process's
 
 
-def names(module):
-    """What may be a part of an experiment."""
-    return [name for name, value in vars(module).items() if not name.startswith("_") and not isinstance(value, types.ModuleType)]
+class Script:
+    """A file, executed once: `module` is what is in it. It may import, at its top, what is beside it: that is its own, too, so
+    that runs in one process share nothing by their files. No byte code is kept, for a file may change within a second."""
+
+    def __init__(self, path):
+        self.module = types.ModuleType(f"swarmanoid_script_{next(_numbers)}")   # a name that nobody imports
+        self.module.__file__ = path
+        self._beside = []
+        with open(path, "rb") as file:
+            code = compile(file.read(), path, "exec", dont_inherit=True)
+        sys.modules[self.module.__name__] = self.module                         # dataclasses and pickle look there
+        with _loading:
+            self._execute(code, os.path.dirname(path))
+
+    def _execute(self, code, folder):
+        others = take_modules_of(folder)
+        others.update(take_modules_named(modules_in(folder)))
+        keeps_byte_code, sys.dont_write_bytecode = sys.dont_write_bytecode, True
+        sys.path.insert(0, folder)
+        importlib.invalidate_caches()
+        try:
+            exec(code, vars(self.module))
+        except BaseException:
+            self.forget()
+            raise
+        finally:
+            sys.path.remove(folder)
+            sys.dont_write_bytecode = keeps_byte_code
+            self._beside += take_modules_of(folder).values()
+            sys.modules.update(others)
+
+    def names(self):
+        """What may be a part of an experiment."""
+        return [name for name, value in vars(self.module).items()
+                if not name.startswith("_") and not isinstance(value, types.ModuleType)]
+
+    def forget(self):
+        """It is not used any more. What it holds, such as open files, is given back at once."""
+        sys.modules.pop(self.module.__name__, None)
+        for module in (self.module, *self._beside):
+            vars(module).clear()
+
+
+def take_modules_of(folder):
+    """Modules that were imported from a folder, and are so no longer, by their names."""
+    found = {name: module for name, module in list(sys.modules.items())
+             if not name.startswith("swarmanoid_script_") and is_in(getattr(module, "__file__", None), folder)}
+    for name in found:
+        del sys.modules[name]
+    return found
+
+
+def take_modules_named(names):
+    """The same of modules, and what is in them, with other names than ours."""
+    found = {name: module for name, module in list(sys.modules.items())
+             if name.partition(".")[0] in names and name.partition(".")[0] != __package__}
+    for name in found:
+        del sys.modules[name]
+    return found
+
+
+def modules_in(folder):
+    """The names of modules and packages that may be imported from a folder."""
+    with os.scandir(folder) as entries:
+        return {os.path.splitext(entry.name)[0] for entry in entries
+                if entry.name.endswith(".py") or os.path.exists(os.path.join(entry.path, "__init__.py"))}
+
+
+def is_in(file, folder):
+    return isinstance(file, str) and os.path.abspath(file).startswith(os.path.join(folder, ""))
 
 
 def describe(error, trace):
     """An exception in one line, with the place in a file that has thrown it."""
-    text = f"{type(error).__name__}: {error}"
+    try:
+        text = str(error)
+    except Exception:
+        text = "(an error without a text)"
+    text = " ".join(f"{type(error).__name__}: {text}".split())
     frames = [] if isinstance(error, SyntaxError) else traceback.extract_tb(trace)
     frames = [frame for frame in frames if not frame.filename.startswith("<frozen")]
-    return text if not frames else f"{text} ({frames[-1].filename}:{frames[-1].lineno})"
+    place = f" ({frames[-1].filename}:{frames[-1].lineno})" if frames else ""
+    return (text + place).encode("utf-8", "backslashreplace").decode()

@@ -2,8 +2,11 @@
 """Controllers and rules in Python that an experiment file names: the same runs in Python and in the program, and what becomes of
 mistakes."""
 
+import csv
 import json
+import os
 import pathlib
+import shutil
 import subprocess
 import tempfile
 import textwrap
@@ -97,9 +100,27 @@ class Refuses:
         pass
 
 
+def remembers(robots):
+    global calls
+    calls += 1
+    robots.commands["footbot_wheels"].left = calls % 7
+
+
+class Instances:
+    def __init__(self):
+        self.seen = 0
+
+    def after_tick(self, world):
+        self.seen += 1
+
+    def metrics(self):
+        return {"seen": self.seen}
+
+
 together = All()
 refuses = Refuses()
 number = 3
+count = Count()
 """
 
 
@@ -166,10 +187,12 @@ class ScriptsTest(unittest.TestCase):
         self.assertEqual([run.metrics["count.calls"] for run in (first, second)], [7, 4])
 
     def test_a_reset_run_is_a_new_one(self):
-        simulation = swarmanoid.Simulation(self.experiment("One"))
-        once = simulation.run()["state_hash"]
-        simulation.reset()
-        self.assertEqual(simulation.run()["state_hash"], once)
+        for controller, rule in (("One", "Count"), ("remembers", "Instances")):
+            with self.subTest(controller):
+                simulation = swarmanoid.Simulation(self.experiment(controller, rule))
+                once = simulation.run()
+                simulation.reset()
+                self.assertEqual(simulation.run(), once)
 
     def test_a_record_has_the_files_and_makes_the_run_again(self):
         self.write("swarm.py", SWARM.replace("import beside\n", "").replace("beside.NEAR", "0.02"))  # what is imported is not kept
@@ -179,25 +202,43 @@ class ScriptsTest(unittest.TestCase):
         self.write("swarm.py", "raise RuntimeError('the record has its own')")
         self.assertIn("each of 60 ticks has the state of the recorded run", self.call("rerun", "record").stdout)
 
-    def test_batches_run_files(self):
-        self.call("batch", self.experiment(), "--seeds", "1..3", "--no-report", "--out", "runs.csv", "--jobs", "1", "--quiet")
-        rows = (self.folder / "runs.csv").read_text().splitlines()
-        self.assertEqual(len(rows), 4)
-        self.assertIn("count.seen", rows[0])
+    def rows_of_batch(self, experiment, code=0):
+        self.call("batch", experiment, "--seeds", "1..3", "--no-report", "--out", "runs.csv", "--force", "--jobs", "1", "--quiet",
+                  code=code)
+        with open(self.folder / "runs.csv", newline="") as file:
+            return sorted(csv.DictReader(file), key=lambda row: int(row["seed"]))
+
+    def test_batches_make_the_runs_of_the_program(self):
+        for controller, rule in (("together", "Count"), ("remembers", "Instances")):
+            with self.subTest(controller):
+                experiment = self.experiment(controller, rule)
+                for row in self.rows_of_batch(experiment):
+                    alone = json.loads(self.call("run", experiment, "--seed", row["seed"]).stdout)
+                    self.assertEqual(row["state_hash"], alone["state_hash"])
+                    for name, value in alone["metrics"].items():
+                        self.assertEqual(float(row[name]), value)
+
+    def test_a_batch_has_what_is_left_of_a_run_whose_controllers_fail(self):
+        row = self.rows_of_batch(self.experiment("breaks"), code=3)[0]
+        self.assertEqual(row["ticks"], "60")
+        self.assertIn("ZeroDivisionError", row["failure"])
 
     def test_what_a_controller_throws_stops_its_robots(self):
         done = self.call("run", self.experiment("breaks"), code=3)
         result = json.loads(done.stdout)
         self.assertEqual(result["ticks"], 60)
         self.assertEqual(len(result["failed_controllers"]), 9)
-        self.assertIn("ZeroDivisionError: division by zero", result["failed_controllers"][0]["reason"])
+        self.assertRegex(result["failed_controllers"][0]["reason"], r"^ZeroDivisionError: division by zero \(.*/swarm.py:\d+\)$")
         self.assertIn("said by Python", done.stderr)
-        with self.assertRaises(ZeroDivisionError):
-            swarmanoid.Simulation(self.experiment("breaks")).run()
+        self.assertEqual(swarmanoid.Simulation(self.experiment("breaks")).run()["failed_controllers"], result["failed_controllers"])
 
-    def test_an_exit_is_a_failure_of_the_program_s_robots(self):
+    def test_an_exit_is_a_failure_as_well(self):
         result = json.loads(self.call("run", self.experiment("leaves"), code=3).stdout)
         self.assertIn("SystemExit: 7", result["failed_controllers"][0]["reason"])
+        self.assertEqual(swarmanoid.Simulation(self.experiment("leaves")).run()["failed_controllers"], result["failed_controllers"])
+        self.write("swarm.py", SWARM + "\n\nclass Exits:\n    def init(self, parameters):\n        raise SystemExit(5)\n")
+        said = self.call("batch", self.experiment(rule="Exits"), "--seeds", "1..3", "--no-report", "--out", "runs.csv", code=2).stderr
+        self.assertIn("rule 'count', init: SystemExit: 5", said)
 
     def test_what_a_rule_throws_stops_the_run(self):
         self.assertIn("rule 'count', after_tick: RuntimeError: no more",
@@ -205,11 +246,88 @@ class ScriptsTest(unittest.TestCase):
         with self.assertRaises(swarmanoid.RuleError):
             swarmanoid.Simulation(self.experiment(rule="Broken")).run()
 
+    def test_what_is_beside_a_file_is_its_own(self):
+        drive = "import queue\n\ndef together(robots):\n    robots.commands['footbot_wheels'].left = queue.SPEED\n" + SWARM.split("calls = 0")[1].replace(
+            "together = All()", "")
+        for folder, speed in (("a", 1), ("b", 4)):
+            (self.folder / folder).mkdir()
+            self.write(f"{folder}/swarm.py", "import beside\nimport numpy\ncalls = 0\n" + drive)
+            self.write(f"{folder}/beside.py", "NEAR = 0.02\n")
+            self.write(f"{folder}/queue.py", f"SPEED = {speed}\n")                  # a name of the library of Python
+            (self.folder / folder / "experiment.xml").write_text(EXPERIMENT.format(controller="together", rule="Count"))
+        import queue
+        for folder, speed in (("a", 1), ("b", 4), ("a", 1)):
+            simulation = swarmanoid.Simulation(str(self.folder / folder / "experiment.xml"))
+            simulation.tick(2)
+            self.assertTrue((simulation.robots.commands["footbot_wheels"].left == speed).all())
+        import queue as same
+        self.assertIs(queue, same)
+        self.assertTrue(hasattr(queue, "Queue"))
+
+    def test_a_file_that_changes_within_a_second_is_read_as_it_is(self):
+        environment = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+        for speed in range(1, 6):
+            self.write("swarm.py", SWARM + f"\n\ndef fixed(robots):\n    robots.commands['footbot_wheels'].left = {speed}\n")
+            self.write("beside.py", f"NEAR = 0.0{speed}\n")
+            hashes = [json.loads(subprocess.run(["swarmanoid", "run", self.experiment("fixed"), "--quiet"], cwd=self.folder, check=True,
+                                                env=environment, capture_output=True, text=True).stdout)["state_hash"],
+                      swarmanoid.Simulation(self.experiment("fixed")).run()["state_hash"]]
+            self.assertEqual(hashes[0], hashes[1])
+            self.assertFalse((self.folder / "__pycache__").exists())
+
+    def test_the_program_finds_python_by_itself(self):
+        program = shutil.which("swarmanoid")
+        (self.folder / "bin").mkdir()
+        (self.folder / "bin/python3").symlink_to("/bin/false")
+        for environment in ({}, {"PATH": str(self.folder / "bin")}, {"PYTHONPATH": str(self.folder)}):
+            done = subprocess.run([program, "run", self.experiment(), "--quiet"], cwd=self.folder, env=environment,
+                                  capture_output=True, text=True, check=False)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_what_a_file_holds_is_given_back(self):
+        self.write("swarm.py", SWARM + "\n\nlog = open('log.txt', 'w')\n\n\ndef writes(robots):\n    print(robots.tick, file=log)\n")
+        self.call("run", self.experiment("writes"))
+        self.assertEqual((self.folder / "log.txt").read_text().split(), [str(tick) for tick in range(60)])
+
+    def test_data_classes_and_odd_errors(self):
+        self.write("swarm.py", "from __future__ import annotations\n" + SWARM + textwrap.dedent("""
+
+            import dataclasses
+            import pickle
+
+
+            @dataclasses.dataclass
+            class State:
+                level: float = 0.5
+
+
+            class Odd(Exception):
+                def __str__(self):
+                    raise ValueError("no text")
+
+
+            def odd(robots):
+                assert pickle.loads(pickle.dumps(State())) == State()
+                raise Odd() if robots.tick else ValueError("two\\nlines \\ud800")
+            """))
+        reasons = {failure["reason"].split(" (")[0] for failure in swarmanoid.Simulation(self.experiment("odd")).run()["failed_controllers"]}
+        self.assertEqual(reasons, {"ValueError: two lines \\ud800"})
+
+    def test_parameters_are_texts_and_dictionaries(self):
+        self.write("swarm.py", SWARM + "\n\nclass Shows(Count):\n    def init(self, parameters):\n        print(parameters)\n        self.seen, self.limit = 0, 1.0\n")
+        experiment = self.experiment(rule="Shows", replaced=("<limit>0.9</limit>", '<limit unit="m">0.9</limit><deep><a>1</a></deep>'))
+        said = self.call("run", experiment, "--quiet").stderr
+        self.assertEqual(said, "{'limit': {'unit': 'm', '': '0.9'}, 'deep': {'a': '1'}}\n")
+
     def test_mistakes_have_a_place(self):
         wrong = {
             "found the controller 'togeth', allowed: ": {"controller": "togeth"},
             "did you mean 'together'?": {"controller": "togeth"},
             "found the rule 'Cont'": {"rule": "Cont"},
+            "experiment.xml:21: found the object 'count' a second time, allowed: once": {"rule": "Rules", "replaced": (
+                '<Rules id="count" source="python" file="swarm.py"><limit>0.9</limit></Rules>',
+                "\n".join(f'<count id="{name}" source="python" file="{file}swarm.py"><limit>1</limit></count>'
+                          for name, file in (("a", ""), ("b", "./"))))},
             "found a controller 3, allowed: a function of the robots": {"controller": "number"},
             "found a rule 3, allowed: an object with functions of init": {"rule": "number"},
             "file: found 'swam.py', allowed: a file that is there and ends in .py": {"replaced": ("swarm.py", "swam.py")},
@@ -222,7 +340,7 @@ class ScriptsTest(unittest.TestCase):
                 self.assertIn(text, self.refusal(**options))
 
     def test_a_controller_that_refuses_its_parameters(self):
-        with self.assertRaisesRegex(ValueError, "^found speed 3.5, allowed: 4$"):
+        with self.assertRaisesRegex(swarmanoid.ExperimentError, "does not start: ValueError: found speed 3.5, allowed: 4 "):
             swarmanoid.Simulation(self.experiment("refuses"))
         self.assertIn("experiment.xml:5: controller 'dc' of all its robots does not start: ValueError: found speed 3.5, allowed: 4 (",
                       self.call("run", self.experiment("refuses"), code=2).stderr)
@@ -237,7 +355,9 @@ class ScriptsTest(unittest.TestCase):
 
     def test_a_check_without_libraries_runs_no_code(self):
         self.write("swarm.py", "raise RuntimeError('run')")
-        self.assertIn("swarm.py", self.call("validate", "--no-libraries", self.experiment()).stdout)
+        # diffusion and dispersion are names of the suite's, too
+        for controller, rule in (("together", "Count"), ("diffusion", "dispersion")):
+            self.assertIn("swarm.py", self.call("validate", "--no-libraries", self.experiment(controller, rule)).stdout)
         self.assertIn("run", self.call("validate", self.experiment(), code=2).stderr)
 
 

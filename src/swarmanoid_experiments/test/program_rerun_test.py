@@ -53,6 +53,8 @@ class RerunTest(ProgramTest):
         files = {file.name for file in (self.folder / "done").iterdir()}
         self.assertEqual(files, {"record.xml", "experiment.xml", "interventions.xml", "hashes.txt", "result.json"})
         self.assertEqual(json.loads((self.folder / "done/result.json").read_text()), summary)
+        table = (self.out / "table.txt").read_text()
+        self.assertIn("with arena.bounded=true\n", table)
         folder = self.forget()
         before = sorted(self.folder.rglob("*"))
         done = self.rerun(folder)
@@ -62,7 +64,7 @@ class RerunTest(ProgramTest):
                           "--save-interventions", "again.xml")
         self.assertEqual((self.folder / "hashes.txt").read_text(), (self.folder / "far/away/hashes.txt").read_text())
         self.assertEqual((self.folder / "again.xml").read_text(), (self.folder / "far/away/interventions.xml").read_text())
-        self.assertTrue((self.folder / "again/table.txt").exists())
+        self.assertEqual((self.folder / "again/table.txt").read_text(), table)
 
     def test_images_come_from_the_record(self):
         self.call("run", "rough_terrain", "--ticks", 12, "--quiet", "--record", "done", "--out", "out")

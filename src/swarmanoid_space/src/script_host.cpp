@@ -3,6 +3,7 @@
 #include <atomic>
 
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -21,7 +22,11 @@ std::shared_ptr<ScriptHost> makeScriptHost(const SourceLocation& location) {
     throw ConfigError(location, std::string("source: found python, allowed: C++ alone, for the library ") + kLibrary +
                                     " brings nothing that runs Python");
   }
-  return factory();
+  try {
+    return factory();
+  } catch (...) {
+    throw ConfigError(location, "source: found python, which does not start: " + describeException());
+  }
 }
 
 }  // namespace swarmanoid

@@ -8,6 +8,7 @@
 
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -131,6 +132,19 @@ TEST_F(RemoteRulesTest, LibrariesThatAreNotInstalledCanBeRefused) {
                     "': found a file, allowed, as other computers reach the master: the name of an "
                     "installed library; or allow_remote_libraries:=true at start");
     }
+  }
+  std::ofstream(folder / "mine/swarm.py") << "raise RuntimeError()";
+  try {
+    parseExperiment(R"(<ahss-config><framework><clocktick>100</clocktick><maxclock>1</maxclock></framework>
+      <controllers><turn id="c" source="python" file="swarm.py"/></controllers>
+      <arena size="1,1,1" optimization="2D"/></ahss-config>)",
+                    (folder / "mine/run.xml").string());
+    FAIL() << "it was read";
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(std::string(error.what()),
+              (folder / "mine/run.xml").string() +
+                  ":2: file: found 'swarm.py', allowed, as other computers reach the master: no code in files; or "
+                  "allow_remote_libraries:=true at start");
   }
   std::ofstream(folder / "mine/libmine.so") << "none";
   try {

@@ -2,8 +2,10 @@
 #include <Python.h>
 #include <dlfcn.h>
 
+#include <filesystem>
 #include <mutex>
 #include <stdexcept>
+#include <string>
 
 #include "swarmanoid_space/script_host.hpp"
 
@@ -39,6 +41,19 @@ void refuseIf(const PyStatus& status) {
   }
 }
 
+/// The package `swarmanoid` of this installation is found first, whatever PYTHONPATH says.
+void findPackage() {
+  Dl_info info;
+  if (dladdr(reinterpret_cast<void*>(&findPackage), &info) == 0) {
+    return;
+  }
+  const std::filesystem::path library = std::filesystem::absolute(info.dli_fname);  // <prefix>/lib/lib....so
+  const std::string folder = (library.parent_path().parent_path() / PYTHON_FOLDER).string();
+  PyObject* const text = PyUnicode_DecodeFSDefault(folder.c_str());
+  PyList_Insert(PySys_GetObject("path"), 0, text);
+  Py_XDECREF(text);
+}
+
 /// It is never ended: its modules have threads of their own, and who destroys them last is not known.
 void startPython() {
   if (Py_IsInitialized() != 0) {
@@ -53,11 +68,15 @@ void startPython() {
   refuseIf(Py_PreInitialize(&before));
   PyConfig config;
   PyConfig_InitPythonConfig(&config);
+  refuseIf(PyConfig_SetBytesString(&config, &config.program_name, PYTHON_EXECUTABLE));  // not the first one in PATH
   config.install_signal_handlers = 0;  // interruptions are the program's
   config.parse_argv = 0;
+  config.use_hash_seed = 1;  // sets of texts have the same order in each run
+  config.hash_seed = 0;
   const PyStatus status = Py_InitializeFromConfig(&config);
   PyConfig_Clear(&config);
   refuseIf(status);
+  findPackage();
   PyRun_SimpleString("import sys; sys.stdout = sys.stderr");  // what programs print there is the run's result
   PyEval_SaveThread();
 }

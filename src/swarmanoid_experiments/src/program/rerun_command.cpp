@@ -197,6 +197,7 @@ ExitCode rerun(const RerunOptions& options) {
   context.is_open = false;
   context.out = openOutFolder(filesOf(options, place, nowhere), experiment);
   context.is_fork = fork.seed.has_value();
+  experiment.overrides = run.record.overrides;  // which its text has already: for the tables that it writes
   Simulation simulation(std::move(experiment), context);
   simulation.play(InterventionPlayer(withoutThoseOfRules(std::move(interventions), simulation.experiment()),
                                      AskedByRules::kPlayed));

@@ -22,7 +22,7 @@ struct ValidateOptions : ExperimentOptions {
   bool end_with_parent = false;
 };
 
-/// Takes the place of a controller whose library is not loaded.
+/// Takes the place of a controller whose library is not loaded, or that is in Python.
 class IdleController final : public Controller {
  public:
   void init(Robot&, const Configuration&) override {}
@@ -44,7 +44,9 @@ bool canBeBuilt(const Experiment& experiment) {
   return std::all_of(experiment.engines.begin(), experiment.engines.end(),
                      [](const EngineDescription& engine) { return isKnown(PluginKind::kEngine, engine.label); }) &&
          std::all_of(experiment.rules.begin(), experiment.rules.end(),
-                     [](const RuleDescription& rule) { return isKnown(PluginKind::kRule, rule.label); }) &&
+                     [](const RuleDescription& rule) {
+                       return rule.script.empty() && isKnown(PluginKind::kRule, rule.label);
+                     }) &&
          std::all_of(experiment.arena.entities.begin(), experiment.arena.entities.end(),
                      [](const EntityDescription& entity) { return isKnown(PluginKind::kEntity, entity.type); }) &&
          std::all_of(experiment.controllers.begin(), experiment.controllers.end(),
@@ -67,7 +69,7 @@ std::string validateWithoutLibraries(const ValidateOptions& options) {
   auto [experiment, libraries] = readWithoutLibraries(options);
   SuppliedParts idle;
   for (const ControllerDescription& controller : experiment.controllers) {
-    if (!isKnown(PluginKind::kController, controller.label)) {
+    if (!controller.script.empty() || !isKnown(PluginKind::kController, controller.label)) {
       idle.controllers[controller.id] = [] { return std::make_shared<IdleController>(); };
     }
   }

@@ -20,6 +20,10 @@ class ScriptHost {
   /// @pre the description has a script @throws ConfigError for what is wrong with the file, or is not in it
   virtual std::shared_ptr<GroupController> makeController(const ControllerDescription& description) = 0;
   virtual std::shared_ptr<Rule> makeRule(const RuleDescription& description) = 0;
+
+  /// A run begins anew: files are read again by whatever is made from now on. What was made before is not called any
+  /// more.
+  virtual void forget() = 0;
 };
 
 using ScriptHostFactory = std::shared_ptr<ScriptHost> (*)();
@@ -27,8 +31,8 @@ using ScriptHostFactory = std::shared_ptr<ScriptHost> (*)();
 /// For the library that has one, to be called while it is loaded.
 void registerScriptHost(ScriptHostFactory factory);
 
-/// A host for one run: files are read anew. @param location of what is in a script
-/// @throws ConfigError if there is none, or it cannot be loaded
+/// A host for one simulation. @param location of what is in a script
+/// @throws ConfigError if there is none, or it does not start
 std::shared_ptr<ScriptHost> makeScriptHost(const SourceLocation& location);
 
 }  // namespace swarmanoid

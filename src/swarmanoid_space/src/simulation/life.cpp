@@ -10,6 +10,7 @@
 #include "../world/build.hpp"
 #include "../world/engines.hpp"
 #include "../world/entities.hpp"
+#include "../world/scripts.hpp"
 #include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_space/interventions/intervention_file.hpp"
@@ -73,7 +74,9 @@ void Simulation::reset(std::optional<std::uint64_t> seed, bool rewind) {
     world.experiment.framework.seed = *seed;
   }
   restoreEngineParameters(world);
+  forgetScripts(world);
   build(world);
+  renewRulesInScripts(world);
   player_.restart();
   resetRules();
   for (ObserverInstance& observer : world.assembly.observers) {

@@ -6,29 +6,17 @@
 #include <unordered_map>
 
 #include "../experiment_file/door.hpp"
+#include "configure.hpp"
 #include "distribute.hpp"
 #include "entities.hpp"
 #include "offers.hpp"
+#include "scripts.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
 namespace {
-
-/// @throws ConfigError for whatever the plugin throws
-template <class Plugin, class... Arguments>
-void configure(const Named<Plugin>& plugin, const SourceLocation& location, const Arguments&... arguments) {
-  const UserCode code{"configure", plugin.part, "", UserCode::kNoTick, false};
-  const UserCall call(code);
-  try {
-    plugin->configure(arguments...);
-  } catch (const ConfigError&) {
-    throw;
-  } catch (...) {
-    throw ConfigError(location, plugin.part + " cannot be configured: " + describeException());
-  }
-}
 
 /// Adds a device to the group, configured.
 template <class Plugin>
@@ -80,13 +68,6 @@ void initTogether(const ControllerGroup& group, const ControllerDescription& des
   }
 }
 
-ScriptHost& scriptsOf(World& world, const SourceLocation& location) {
-  if (world.supplied.scripts == nullptr) {
-    world.supplied.scripts = makeScriptHost(location);
-  }
-  return *world.supplied.scripts;
-}
-
 /// What steps the robots of the group: one controller for all of them, or what makes one for each.
 void giveController(World& world, const ControllerDescription& description, ControllerGroup& group) {
   const SuppliedParts& supplied = world.supplied;
@@ -97,8 +78,7 @@ void giveController(World& world, const ControllerDescription& description, Cont
   } else if (single != supplied.controllers.end()) {
     group.make = single->second;
   } else if (!description.script.empty()) {
-    callUserCode({"loading", description.script, ""},
-                 [&] { group.together = scriptsOf(world, description.location).makeController(description); });
+    group.together = controllerInScript(world, description);
   } else {
     const auto* entry = Registry::instance().find(PluginKind::kController, description.label);
     group.make = [entry] { return makePlugin<Controller>(*entry); };
@@ -227,47 +207,6 @@ void build(World& world) {
   world.space.index.forget(world.space.entities);  // rules ask it when the run begins
   buildTriggers(world);
   offerRobots(world);
-}
-
-namespace {
-
-/// @param part see UserCode
-void addRule(World& world, const std::shared_ptr<Rule>& plugin, const std::string& part, const std::string& id,
-             const Configuration& parameters, const SourceLocation& location) {
-  const RuleInstance rule{{plugin, part}};
-  rule->setId(id);
-  configure(rule, location, parameters);
-  for (const Metric& metric : rule->metrics()) {
-    world.space.metrics.push_back(&metric);
-  }
-  world.assembly.rules.push_back(rule);
-}
-
-}  // namespace
-
-void buildRules(World& world) {
-  auto supplied = world.supplied.rules;
-  for (const RuleDescription& description : world.experiment.rules) {
-    const std::string part = "rule '" + description.id + "'";
-    const auto found =
-        std::find_if(supplied.begin(), supplied.end(), [&](const auto& rule) { return rule.first == description.id; });
-    if (found != supplied.end()) {
-      addRule(world, found->second, part, description.id, description.parameters, description.location);
-      supplied.erase(found);
-    } else if (!description.script.empty()) {
-      std::shared_ptr<Rule> rule;
-      callUserCode({"loading", description.script, ""},
-                   [&] { rule = scriptsOf(world, description.location).makeRule(description); });
-      addRule(world, rule, part, description.id, description.parameters, description.location);
-    } else {
-      const auto* entry = Registry::instance().find(PluginKind::kRule, description.label);
-      addRule(world, makePlugin<Rule>(*entry), part + " (" + description.label + ")", description.id,
-              description.parameters, description.location);
-    }
-  }
-  for (const auto& [id, rule] : supplied) {
-    addRule(world, rule, "rule '" + id + "'", id, {}, {});
-  }
 }
 
 void buildObservers(World& world) {

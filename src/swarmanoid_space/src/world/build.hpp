@@ -14,6 +14,9 @@ void build(World& world);
 /// Once a world, after the engines. @throws ConfigError
 void buildRules(World& world);
 
+/// Those in Python begin as in a new run; those in C++ have a function for that. @throws ConfigError
+void renewRulesInScripts(World& world);
+
 /// Once a world, last. @throws ConfigError
 void buildObservers(World& world);
 

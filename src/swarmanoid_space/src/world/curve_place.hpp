@@ -2,17 +2,18 @@
 /// near in the square, and mostly the other way round.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 
 namespace swarmanoid {
 
 /// How far along the curve a point of the unit square is, in cells of 2^-16.
-/// @pre x and y are from 0 to below 1
+/// @pre x and y are from 0 to 1
 inline std::uint64_t placeOnCurve(double x, double y) {
   constexpr std::uint32_t kCells = 1U << 16U;
-  auto column = static_cast<std::uint32_t>(x * kCells);
-  auto line = static_cast<std::uint32_t>(y * kCells);
+  std::uint32_t column = std::min(kCells - 1, static_cast<std::uint32_t>(x * kCells));
+  std::uint32_t line = std::min(kCells - 1, static_cast<std::uint32_t>(y * kCells));
   std::uint64_t place = 0;
   for (std::uint32_t side = kCells / 2; side > 0; side /= 2) {
     const bool is_right = (column & side) != 0;

@@ -17,6 +17,7 @@ class Placing {
         memberships_(memberships),
         distribution_(*group.distribution),
         extent_(distribution_.maximum - distribution_.minimum),
+        longer_side_(std::max({extent_.x(), extent_.y(), 1e-9})),
         name_(group.id + "_"),
         model_(modelOf(group)),
         random_(world.space.seed, "distribute", group.id),
@@ -56,6 +57,7 @@ class Placing {
   const std::vector<Membership>& memberships_;
   const Distribution& distribution_;
   Eigen::Vector3d extent_;  // m
+  double longer_side_;      // of the ground that they are on, m
   std::string name_;
   std::shared_ptr<const EntityModel> model_;
   RandomStream random_;
@@ -93,7 +95,7 @@ Placing::Draw Placing::nextAtRandom() {
   const double u = random_.uniform();
   const double v = random_.uniform();
   const double w = random_.uniform();
-  draw.place = placeOnCurve(u, v);
+  draw.place = placeOnCurve(u * extent_.x() / longer_side_, v * extent_.y() / longer_side_);
   draw.position = positionAt({u, v, w});
   draw.heading = distribution_.random_heading ? random_.uniform(-M_PI, M_PI) : 0.0;
   return draw;

@@ -3,6 +3,8 @@
 The simulation of the last request is kept: the next one of the same experiment and overrides begins it anew with another
 seed, which reads no file. Runs have one thread each, as many are made at the same time."""
 
+import contextlib
+import sys
 import time
 import warnings
 from typing import List, Optional, Sequence, Tuple
@@ -36,8 +38,9 @@ def make_run(request: RunRequest) -> RunOutcome:
     global _kept
     start = time.perf_counter()
     try:
-        result = begin(request).run()
-    except Exception as error:  # whatever it is, it belongs into the row of this run
+        with contextlib.redirect_stdout(sys.stderr):  # what scripts of experiments print; standard output is the result's
+            result = begin(request).run()
+    except (Exception, SystemExit) as error:  # whatever it is, it belongs into the row of this run
         _kept = None
         return lost(f"{type(error).__name__}: {error}")._replace(wall_s=time.perf_counter() - start)
     failures = result["failed_controllers"]

@@ -18,6 +18,7 @@ from distributed.security import Security
 from .mistakes import RunsStopped
 
 METHOD = multiprocessing.get_context("spawn")  # it takes nothing along from this process, which has threads
+os.environ.setdefault("PYTHONHASHSEED", "0")    # for the processes: scripts of experiments run there as in programs in C++
 MOST_FAILED_STARTS = 10  # one after another, of all processes together
 
 

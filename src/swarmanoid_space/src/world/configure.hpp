@@ -1,0 +1,24 @@
+/// Configuring a plugin, whatever it throws.
+#pragma once
+
+#include "../assembly/named_plugin.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+
+namespace swarmanoid {
+
+/// @throws ConfigError for whatever the plugin throws
+template <class Plugin, class... Arguments>
+void configure(const Named<Plugin>& plugin, const SourceLocation& location, const Arguments&... arguments) {
+  const UserCode code{"configure", plugin.part, "", UserCode::kNoTick, false};
+  const UserCall call(code);
+  try {
+    plugin->configure(arguments...);
+  } catch (const ConfigError&) {
+    throw;
+  } catch (...) {
+    throw ConfigError(location, plugin.part + " cannot be configured: " + describeException());
+  }
+}
+
+}  // namespace swarmanoid
