@@ -27,8 +27,8 @@ class Script:
             self._execute(code, os.path.dirname(path))
 
     def _execute(self, code, folder):
-        others = take_modules_of(folder)
-        others.update(take_modules_named(modules_in(folder)))
+        names = modules_in(folder)
+        others = take_modules(names)   # of somebody else
         keeps_byte_code, sys.dont_write_bytecode = sys.dont_write_bytecode, True
         sys.path.insert(0, folder)
         importlib.invalidate_caches()
@@ -40,7 +40,7 @@ class Script:
         finally:
             sys.path.remove(folder)
             sys.dont_write_bytecode = keeps_byte_code
-            self._beside += take_modules_of(folder).values()
+            self._beside += take_modules(names).values()
             sys.modules.update(others)
 
     def names(self):
@@ -55,33 +55,20 @@ class Script:
             vars(module).clear()
 
 
-def take_modules_of(folder):
-    """Modules that were imported from a folder, and are so no longer, by their names."""
-    found = {name: module for name, module in list(sys.modules.items())
-             if not name.startswith("swarmanoid_script_") and is_in(getattr(module, "__file__", None), folder)}
-    for name in found:
-        del sys.modules[name]
-    return found
-
-
-def take_modules_named(names):
-    """The same of modules, and what is in them, with other names than ours."""
-    found = {name: module for name, module in list(sys.modules.items())
-             if name.partition(".")[0] in names and name.partition(".")[0] != __package__}
+def take_modules(names):
+    """Modules of such names, with what is in them, that were imported, and are so no longer."""
+    found = {name: module for name, module in list(sys.modules.items()) if name.partition(".")[0] in names}
     for name in found:
         del sys.modules[name]
     return found
 
 
 def modules_in(folder):
-    """The names of modules and packages that may be imported from a folder."""
+    """The names of modules and packages that are beside a file. Ours is never one of them."""
     with os.scandir(folder) as entries:
-        return {os.path.splitext(entry.name)[0] for entry in entries
-                if entry.name.endswith(".py") or os.path.exists(os.path.join(entry.path, "__init__.py"))}
-
-
-def is_in(file, folder):
-    return isinstance(file, str) and os.path.abspath(file).startswith(os.path.join(folder, ""))
+        names = {os.path.splitext(entry.name)[0] for entry in entries
+                 if entry.name.endswith(".py") or os.path.exists(os.path.join(entry.path, "__init__.py"))}
+    return names - {__package__}
 
 
 def describe(error, trace):
