@@ -43,6 +43,14 @@ auto forPart(const SourceLocation& location, const Thrown& thrown, Action action
 
 }  // namespace
 
+PythonScripts::~PythonScripts() {
+  try {
+    forget();
+  } catch (const std::exception&) {
+    // the run is over, and its results are there
+  }
+}
+
 py::object PythonScripts::find(const char* what, const std::string& file, const std::string& name,
                                const SourceLocation& location) {
   const std::string place = std::filesystem::absolute(file).lexically_normal().string();

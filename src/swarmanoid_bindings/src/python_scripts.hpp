@@ -22,7 +22,7 @@ class PythonScripts final : public ScriptHost {
  public:
   PythonScripts(std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown)
       : moment_(std::move(moment)), thrown_(std::move(thrown)) {}
-  ~PythonScripts() override { forget(); }
+  ~PythonScripts() override;
   PythonScripts(const PythonScripts&) = delete;
   PythonScripts& operator=(const PythonScripts&) = delete;
 

@@ -192,7 +192,8 @@ Simulation(experiment=None, *, text=None, seed=None, ticks=None, threads=None, o
 experiment: a file, or the name of an installed experiment; text: the same as it would stand in a file.
 seed, ticks, threads: instead of those of the file. overrides: values by path, as of `swarmanoid run --set`.
 controllers: by the id of a configuration, a function or an object of all robots at once, or a class of one robot.
-rules: objects by id, called after those of the file. out: a folder for what observers write; else they write nothing.
+rules: objects by id, called after those of the file. Those that the file names with source="python" need not be given.
+out: a folder for what observers write; else they write nothing.
 
 >>> import swarmanoid
 >>> simulation = swarmanoid.Simulation("diffusion", seed=3, overrides={"arena.distribute.quantity": 5})

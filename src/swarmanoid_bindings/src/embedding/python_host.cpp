@@ -1,28 +1,19 @@
 // Controllers and rules in Python for programs in C++: starts Python in the process once an experiment has any.
-#include <Python.h>
 #include <dlfcn.h>
+#include <pybind11/pybind11.h>
 
 #include <filesystem>
 #include <mutex>
 #include <stdexcept>
 #include <string>
 
+#include "../python_lock.hpp"
 #include "swarmanoid_space/script_host.hpp"
+
+namespace py = pybind11;
 
 namespace swarmanoid {
 namespace {
-
-/// For as long as this thread calls Python.
-class PythonLock {
- public:
-  PythonLock() : state_(PyGILState_Ensure()) {}
-  ~PythonLock() { PyGILState_Release(state_); }
-  PythonLock(const PythonLock&) = delete;
-  PythonLock& operator=(const PythonLock&) = delete;
-
- private:
-  PyGILState_STATE state_;
-};
 
 /// Modules such as NumPy's do not say that they need Python's library: they find it only where everybody sees it, which
 /// the libraries of a plugin are not.
@@ -49,9 +40,13 @@ void findPackage() {
   }
   const std::filesystem::path library = std::filesystem::absolute(info.dli_fname);  // <prefix>/lib/lib....so
   const std::string folder = (library.parent_path().parent_path() / PYTHON_FOLDER).string();
-  PyObject* const text = PyUnicode_DecodeFSDefault(folder.c_str());
-  PyList_Insert(PySys_GetObject("path"), 0, text);
-  Py_XDECREF(text);
+  py::list(py::module_::import("sys").attr("path")).insert(0, folder);
+}
+
+/// What programs print to standard output is the run's result.
+void printToErrors() {
+  const py::module_ sys = py::module_::import("sys");
+  sys.attr("stdout") = sys.attr("stderr");
 }
 
 /// It is never ended: its modules have threads of their own, and who destroys them last is not known.
@@ -77,32 +72,20 @@ void startPython() {
   PyConfig_Clear(&config);
   refuseIf(status);
   findPackage();
-  PyRun_SimpleString("import sys; sys.stdout = sys.stderr");  // what programs print there is the run's result
+  printToErrors();
   PyEval_SaveThread();
-}
-
-/// @throws std::runtime_error with what Python has thrown
-[[noreturn]] void refuse(const std::string& what) {
-  PyErr_Print();  // with the reason, such as the folders that are not in PYTHONPATH
-  throw std::runtime_error(what);
 }
 
 std::shared_ptr<ScriptHost> makeHost() {
   static std::once_flag once;
   std::call_once(once, startPython);
-  const PythonLock lock;
-  PyObject* const core = PyImport_ImportModule("swarmanoid._core");
-  if (core == nullptr) {
-    refuse("the module swarmanoid cannot be imported into Python");
+  const bindings::PythonLock lock;
+  try {
+    const py::capsule factory = py::module_::import("swarmanoid._core").attr("_script_host_factory");
+    return (*factory.get_pointer<const ScriptHostFactory>())();
+  } catch (const py::error_already_set& error) {
+    throw std::runtime_error(error.what());  // while Python is locked
   }
-  PyObject* const capsule = PyObject_GetAttrString(core, "_script_host_factory");
-  void* const factory = capsule == nullptr ? nullptr : PyCapsule_GetPointer(capsule, nullptr);
-  Py_XDECREF(capsule);
-  Py_DECREF(core);
-  if (factory == nullptr) {
-    refuse("the module swarmanoid is of another version");
-  }
-  return (*static_cast<const ScriptHostFactory*>(factory))();
 }
 
 [[maybe_unused]] const bool is_registered = [] {
