@@ -1,4 +1,5 @@
 // <engines>, <rules>, <visualisations>: sections that list plugins by their ids; and what of them is in Python.
+#include <algorithm>
 #include <filesystem>
 
 #include "reader.hpp"
@@ -38,12 +39,16 @@ std::string readScript(const XmlElement& element, Reader& reader) {
   return script;
 }
 
-Configuration readFreeParameters(const XmlElement& element) {
+Configuration readFreeParameters(const XmlElement& element, const std::vector<std::string>& others) {
   element.refuseText();
   element.refuseDoubles();
+  const Configuration all = element.toConfiguration();
   Configuration parameters(element.name(), "", element.location());
-  for (const XmlElement& child : element.children()) {
-    parameters.add(child.toConfiguration());
+  for (const Configuration& value : all.children()) {
+    const bool is_other = std::find(others.begin(), others.end(), value.name()) != others.end();
+    if (!is_other || !element.attribute(value.name().c_str())) {
+      parameters.add(value);
+    }
   }
   return parameters;
 }
@@ -67,7 +72,7 @@ std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind
       use.parameters = readPluginParameters(element, entry.description);
     } else {
       use.label = element.name();
-      use.parameters = readFreeParameters(element);
+      use.parameters = readFreeParameters(element, attributesOf(path));
     }
     uses.push_back(std::move(use));
   }

@@ -111,9 +111,9 @@ void readDocument(const XmlElement& root, Reader& reader);
 Configuration readPluginParameters(const XmlElement& element, const PluginDescription& plugin,
                                    const std::vector<std::string>& others = {});
 
-/// Whatever elements stand in this one, for code that says itself what it reads; but nothing that its reader would pass
-/// over in silence. @throws ConfigError
-Configuration readFreeParameters(const XmlElement& element);
+/// Whatever elements and attributes an element has, for code that says itself what it reads; but nothing that its
+/// reader would pass over in silence. @param others attributes that are no parameters @throws ConfigError
+Configuration readFreeParameters(const XmlElement& element, const std::vector<std::string>& others = {});
 
 /// The text of a file that people write. @throws ConfigError if it cannot be read, or has no end in sight
 std::string textOf(const std::string& file);
