@@ -23,8 +23,12 @@ class Script:
         with open(path, "rb") as file:
             code = compile(file.read(), path, "exec", dont_inherit=True)
         sys.modules[self.module.__name__] = self.module                         # dataclasses and pickle look there
-        with _loading:
-            self._execute(code, os.path.dirname(path))
+        try:
+            with _loading:
+                self._execute(code, os.path.dirname(path))
+        except BaseException:
+            self.forget()
+            raise
 
     def _execute(self, code, folder):
         names = modules_in(folder)
@@ -34,9 +38,6 @@ class Script:
         importlib.invalidate_caches()
         try:
             exec(code, vars(self.module))
-        except BaseException:
-            self.forget()
-            raise
         finally:
             sys.path.remove(folder)
             sys.dont_write_bytecode = keeps_byte_code

@@ -1,11 +1,5 @@
-# Run by each build: writes OUTPUT, the source of version(), unless it says that already, so that only another commit
-# compiles anything. Given: SOURCE (the package's folder), VERSION, GIT (the program, or not found), OUTPUT; and if they
-# are others than here, HEADER (with the declaration), NAMESPACE and FUNCTION.
-if(NOT FUNCTION)
-  set(HEADER version.hpp)
-  set(NAMESPACE swarmanoid::program)
-  set(FUNCTION version)
-endif()
+# Run by each build: writes OUTPUT, the source of suiteVersion(), unless it says that already, so that only another commit
+# compiles anything. Given: SOURCE (the package's folder), VERSION, GIT (the program, or not found), OUTPUT.
 set(_commit unknown)
 if(GIT)
   # a copy of the sources inside somebody else's repository is not of that repository's commit
@@ -23,8 +17,8 @@ if(GIT)
   endif()
 endif()
 
-string(CONCAT _text "// Written by write_version.cmake.\n#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n\n"
-  "std::string ${FUNCTION}() { return \"${VERSION}+${_commit}\"; }\n\n}  // namespace ${NAMESPACE}\n")
+string(CONCAT _text "// Written by write_version.cmake.\n#include \"swarmanoid_space/suite_version.hpp\"\n\nnamespace swarmanoid {\n\n"
+  "std::string suiteVersion() { return \"${VERSION}+${_commit}\"; }\n\n}  // namespace swarmanoid\n")
 set(_old "")
 if(EXISTS ${OUTPUT})
   file(READ ${OUTPUT} _old)

@@ -14,7 +14,7 @@
 #include "swarmanoid_interface/process/last_seconds.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
-#include "version.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -42,7 +42,7 @@ void addExternalCommands(CLI::App& app, int argc, char** argv) {
 ExitCode call(int argc, char** argv) {
   CLI::App app{"Runs experiments of the swarmanoid simulator.", "swarmanoid"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", "swarmanoid " + version());
+  app.set_version_flag("--version", "swarmanoid " + suiteVersion());
   std::vector<std::pair<CLI::App*, Command>> commands;
   for (const auto add : {addRunCommand, addRerunCommand, addLaunchCommand, addDiffCommand, addValidateCommand,
                          addListCommand, addDescribeCommand, addSampleCommand, addSchemaCommand}) {

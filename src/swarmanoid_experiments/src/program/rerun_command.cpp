@@ -13,7 +13,7 @@
 #include "standard_output.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
 #include "swarmanoid_space/simulation/run_files.hpp"
-#include "version.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -183,7 +183,7 @@ ExitCode rerun(const RerunOptions& options) {
   for (const std::string& warning : takeExperimentWarnings()) {
     warn(warning);
   }
-  for (const std::string& difference : differences(run.record, recordOf(experiment, version()))) {
+  for (const std::string& difference : differences(run.record, recordOf(experiment, suiteVersion()))) {
     warn(difference);
   }
   InterventionFile interventions = interventionsOf(run, experiment);

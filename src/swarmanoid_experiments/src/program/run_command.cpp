@@ -17,7 +17,7 @@
 #include "swarmanoid_space/simulation/run_files.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
 #include "swarmanoid_space/simulation/without_ros.hpp"
-#include "version.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -175,7 +175,7 @@ std::unique_ptr<RecordFolder> startRecord(Simulation& simulation, const RunConte
   }
   const std::string place = fullName(*folder);
   auto record = std::make_unique<RecordFolder>(*context.out, place, OutFolder::Writer{"--record", {}, false},
-                                               recordOf(simulation.experiment(), version()));
+                                               recordOf(simulation.experiment(), suiteVersion()));
   addFromCommandLine(simulation, context, "--record", "hash_recorder", place + "/" + record_files::kHashes);
   addFromCommandLine(simulation, context, "--record", "intervention_recorder",
                      place + "/" + record_files::kInterventions);

@@ -2,7 +2,7 @@
 
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
-#include "version.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid::program {
 
@@ -37,7 +37,7 @@ ordered_json summarise(const RunResult& result, const RunFacts& facts) {
   }
 
   ordered_json summary;
-  summary["version"] = version();
+  summary["version"] = suiteVersion();
   summary["math_library"] = mathLibrary();
   summary["experiment"] = result.experiment;
   summary["overrides"] = facts.overrides;

@@ -54,7 +54,7 @@ Configuration readFreeParameters(const XmlElement& element, const std::vector<st
 }
 
 std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind, Reader& reader) {
-  const std::string path = kind == PluginKind::kRule ? "rules/*" : "engines/*";  // and visualisations have the same
+  const std::string path = pathOf(kind);
   section.allowAttributes({});
   section.refuseText();
   std::vector<PluginUse> uses;

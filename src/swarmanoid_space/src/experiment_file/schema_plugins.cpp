@@ -132,8 +132,7 @@ void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry&
     out.parameters(entry.description.parameters);
     out.close();
   }
-  const bool may_be_script = kind == PluginKind::kController || kind == PluginKind::kRule;  // both have the same
-  out.attributes(attributesWithLibrary(may_be_script ? "rules/*" : "engines/*", libraries));
+  out.attributes(attributesWithLibrary(pathOf(kind), libraries));
   out.closeElement();
 }
 

@@ -222,6 +222,8 @@ const ExperimentTag& tagAt(const std::string& path) {
   throw std::logic_error("the table of tags has no " + path);
 }
 
+std::string pathOf(PluginKind kind) { return std::string(toString(kind)) + "s/*"; }
+
 std::vector<std::string> attributesOf(const std::string& path) {
   std::vector<std::string> names;
   for (const Attribute& attribute : tagAt(path).attributes) {

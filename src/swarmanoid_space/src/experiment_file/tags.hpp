@@ -11,6 +11,8 @@ namespace swarmanoid::experiment {
 
 /// @throws std::logic_error if there is none
 const ExperimentTag& tagAt(const std::string& path);
+/// That of plugins that a section lists: "rules/*". @param kind controllers, engines, rules or observers
+std::string pathOf(PluginKind kind);
 /// The names of its attributes.
 std::vector<std::string> attributesOf(const std::string& path);
 /// The names of its values.

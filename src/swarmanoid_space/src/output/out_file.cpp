@@ -6,9 +6,9 @@
 #include <streambuf>
 #include <utility>
 
-#include "../suite_version.hpp"
 #include "swarmanoid_space/output/out_folder.hpp"
 #include "swarmanoid_space/space.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid {
 

@@ -4,11 +4,11 @@
 #include <optional>
 #include <sstream>
 
-#include "../suite_version.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/math_library.hpp"
 #include "swarmanoid_space/output/out_file.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 #include "trajectory_arrays.hpp"
 #include "trajectory_file.hpp"
 

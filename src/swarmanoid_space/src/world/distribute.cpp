@@ -45,11 +45,8 @@ class Placing {
   Eigen::Vector3d positionAt(const Eigen::Vector3d& share) const {
     return distribution_.minimum + extent_.cwiseProduct(share);
   }
-  void turn(double heading) {
-    if (distribution_.random_heading) {
-      entity_.angles.z() = heading;
-    }
-  }
+  /// rad
+  double nextHeading() { return distribution_.random_heading ? random_.uniform(-M_PI, M_PI) : entity_.angles.z(); }
   void nameNext() { entity_.id = name_ + std::to_string(placed_ + 1); }
   [[noreturn]] void refuse() const;
 
@@ -84,7 +81,7 @@ void Placing::placeInRows() {
     nameNext();
     random_.startTick(placed_);
     entity_.position = positionAt({middle(placed_ % columns, columns), middle(placed_ / columns, rows), 0.0});
-    turn(distribution_.random_heading ? random_.uniform(-M_PI, M_PI) : 0.0);
+    entity_.angles.z() = nextHeading();
     addEntity(world_, entity_, memberships_);
     ++placed_;
   }
@@ -97,14 +94,14 @@ Placing::Draw Placing::nextAtRandom() {
   const double w = random_.uniform();
   draw.place = placeOnCurve(u * extent_.x() / longer_side_, v * extent_.y() / longer_side_);
   draw.position = positionAt({u, v, w});
-  draw.heading = distribution_.random_heading ? random_.uniform(-M_PI, M_PI) : 0.0;
+  draw.heading = nextHeading();
   return draw;
 }
 
 /// Adds the entity there if nothing is in its way.
 bool Placing::tryPlace(const Draw& draw) {
   entity_.position = draw.position;
-  turn(draw.heading);
+  entity_.angles.z() = draw.heading;
   const Pose pose = poseOf(entity_);
   const bool is_free = std::none_of(memberships_.begin(), memberships_.end(), [&](const Membership& membership) {
     return membership.engine->overlap(*model_, pose, kNoRow) != kNoRow;

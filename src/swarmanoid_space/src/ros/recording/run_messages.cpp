@@ -1,9 +1,9 @@
 #include "run_messages.hpp"
 
-#include "../../suite_version.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/ros/metric_text.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
+#include "swarmanoid_space/suite_version.hpp"
 
 namespace swarmanoid {
 
