@@ -8,12 +8,13 @@ reason. Ends with 1 if one is above the limit."""
 
 import argparse
 import csv
-import os
 import pathlib
 import re
 import subprocess
 import sys
 import tempfile
+
+from surroundings import outside_of_workspaces
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 EXPERIMENTS = ROOT / "src/swarmanoid_experiments/experiments"
@@ -37,10 +38,8 @@ class Build:
             sys.exit(f"found no {self._setup}, allowed: a folder in which the suite was built")
 
     def call(self, *command, more=None):
-        environment = {name: value for name, value in os.environ.items()
-                       if name not in ("CMAKE_PREFIX_PATH", "ROS_PACKAGE_PATH", "LD_LIBRARY_PATH", "PYTHONPATH")}
         return subprocess.run(["bash", "-c", f'source "{self._setup}" && exec "$@"', "bash", *map(str, command)],
-                              env=dict(environment, **(more or {})), capture_output=True, text=True, check=False)
+                              env=dict(outside_of_workspaces(), **(more or {})), capture_output=True, text=True, check=False)
 
 
 def _count(build, file, arguments, ticks):

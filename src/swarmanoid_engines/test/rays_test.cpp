@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 #include <random>
-#include <utility>
 #include <vector>
 
 #include "swarmanoid_space/rays/flat_rays.hpp"
@@ -229,8 +230,25 @@ bool passesBy(const Segment& segment, const Obstacles& obstacles) {
          });
 }
 
+/// Expects that a ray meets what is exactly a circle where it comes into that. @return how many circles are
+int expectExactCircles(const Space& space, const Segment& segment, const Obstacles& obstacles) {
+  FlatRays<1> ray;
+  ray.resize(1);
+  ray.set(0, segment.from.head<2>(), (segment.to - segment.from).head<2>());
+  int exact = 0;
+  for (const Obstacles::Circle& circle : obstacles.circles()) {
+    if (circle.is_exact) {
+      RayHit hit;
+      space.castRayAt(circle.solid, segment, hit);
+      EXPECT_NEAR(ray.entryInto(circle.centre, circle.radius, 0), hit.fraction, 1e-12);
+      ++exact;
+    }
+  }
+  return exact;
+}
+
 /// What of them hits something, and what passes by an obstacle; expects the former to be among the latter.
-std::pair<int, int> hitsAndPasses(const Space& space, const Vector3d& centre) {
+std::array<int, 3> hitsPassesAndExactCircles(const Space& space, const Vector3d& centre) {
   constexpr double kLength = 0.15;
   const std::vector<Segment> segments = ringAround(centre, kLength);
   RayBundle bundle;
@@ -243,12 +261,13 @@ std::pair<int, int> hitsAndPasses(const Space& space, const Vector3d& centre) {
   space.raycast(bundle, hits);
   const Obstacles obstacles = space.findObstacles(bundle);
   EXPECT_TRUE(obstacles.isEmpty() || space.mayHit(bundle));
-  std::pair<int, int> counts{0, 0};
+  std::array<int, 3> counts{0, 0, 0};
   for (std::size_t k = 0; k < segments.size(); ++k) {
     const bool passes = passesBy(segments[k], obstacles);
     EXPECT_TRUE(passes || !hits[k].isHit()) << "ray " << k << " at " << centre.transpose();
-    counts.first += hits[k].isHit() ? 1 : 0;
-    counts.second += passes ? 1 : 0;
+    counts[0] += hits[k].isHit() ? 1 : 0;
+    counts[1] += passes ? 1 : 0;
+    counts[2] += expectExactCircles(space, segments[k], obstacles);
   }
   return counts;
 }
@@ -260,16 +279,16 @@ TEST_P(RandomRaysTest, WhatABundleHitsIsAmongItsObstacles) {
   std::uniform_real_distribution<double> place(0.0, 3.0);
   constexpr int kRings = 2000;
   for (const Space* space : {&world.space, &reference.space}) {
-    std::pair<int, int> sum{0, 0};
+    std::array<int, 3> sum{0, 0, 0};
     for (int i = 0; i < kRings; ++i) {
-      const auto [hits, passes] = hitsAndPasses(*space, {place(random_), place(random_), place(random_)});
-      sum.first += hits;
-      sum.second += passes;
+      const auto counts = hitsPassesAndExactCircles(*space, {place(random_), place(random_), place(random_)});
+      std::transform(counts.begin(), counts.end(), sum.begin(), sum.begin(), std::plus<>());
     }
-    EXPECT_GT(sum.first, kRings);
+    EXPECT_GT(sum[0], kRings);
     // seen from above a wall or a robot leaves part of a ring free
     const bool is_seen_from_above = GetParam() == std::string("z") || space == &reference.space;
-    EXPECT_TRUE(sum.second < 18 * kRings || !is_seen_from_above) << sum.second;
+    EXPECT_TRUE(sum[1] < 18 * kRings || !is_seen_from_above) << sum[1];
+    EXPECT_EQ(sum[2] > 100, is_seen_from_above && space != &reference.space) << sum[2];
   }
 }
 

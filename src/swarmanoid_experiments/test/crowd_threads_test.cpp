@@ -10,13 +10,18 @@
 namespace swarmanoid::test {
 namespace {
 
-class CrowdThreadsTest : public testing::TestWithParam<double> {};  // m2 a robot
+struct Crowd {
+  double area;       // a robot, m2
+  int clocktick_ms;  // long ones are ways that robots go in pieces if they look around
+};
 
-std::vector<std::uint64_t> hashesOf(double area_per_robot, int threads) {
+class CrowdThreadsTest : public testing::TestWithParam<Crowd> {};
+
+std::vector<std::uint64_t> hashesOf(const Crowd& crowd, int threads) {
   constexpr int kRobots = 2500;  // enough for several ranges in each phase
   loadBuiltInPlugins();
-  Experiment experiment =
-      parseExperiment(diffusionExperiment(kRobots, area_per_robot, "<kinematics2d id='ground'/>"), "crowd.xml");
+  Experiment experiment = parseExperiment(
+      diffusionExperiment(kRobots, crowd.area, "<kinematics2d id='ground'/>", crowd.clocktick_ms), "crowd.xml");
   experiment.framework.threads = threads;
   Simulation simulation(std::move(experiment));
   simulation.start();
@@ -35,7 +40,8 @@ TEST_P(CrowdThreadsTest, AnyNumberOfThreadsGivesTheSameBits) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, CrowdThreadsTest, testing::Values(0.1, 1.6));  // crowded as in the benchmarks, and sparse
+// crowded as in the benchmarks, sparse, and with long ticks
+INSTANTIATE_TEST_SUITE_P(, CrowdThreadsTest, testing::Values(Crowd{0.1, 100}, Crowd{1.6, 100}, Crowd{0.3, 630}));
 
 }  // namespace
 }  // namespace swarmanoid::test

@@ -22,8 +22,7 @@ void Engine::findObstacles(const RayBundle& rays, Obstacles& found) const {
   }
 }
 
-void Engine::raycastAt(const Obstacles::Solid& /*solid*/, Span<const Segment> /*segments*/, RayMask /*chosen*/,
-                       Span<RayHit> /*hits*/) const {
+void Engine::castRayAt(const Obstacles::Solid& /*solid*/, const Segment& /*segment*/, RayHit& /*hit*/) const {
   SWARMANOID_EXPECTS(false);  // outlines are found by engines that override this
 }
 

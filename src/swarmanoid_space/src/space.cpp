@@ -27,7 +27,9 @@ Obstacles Space::findObstacles(const RayBundle& rays) const {
   for (const Engine* engine : engines) {
     engine->findObstacles(rays, found);
   }
-  entities_without_engine.findObstacles(rays, found);
+  if (!entities_without_engine.isEmpty()) {
+    entities_without_engine.findObstacles(rays, found);
+  }
   return found;
 }
 

@@ -2,6 +2,7 @@
 /// contact to 0 at the range, as a cubic polynomial of the distance where an implementation states no other law.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -120,21 +121,42 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
     space.raycast(rays, Span<RayHit>(hits.data(), size));
   }
 
-  /// Casts the few rays that pass by an obstacle. @return which they are
-  RayMask castNear(const Space& space, const Instance& instance, const Obstacles& obstacles, Hits& hits) const {
+  using Fractions = std::array<double, RingGeometry<count>::kMost>;
+
+  /// Casts the few rays that pass by an obstacle. At circles, such as most robots are, they need not leave the robot's
+  /// frame. @param fractions at which they hit something; 1: at nothing @return which rays these are
+  RayMask castNear(const Space& space, const Instance& instance, const Obstacles& obstacles,
+                   Fractions& fractions) const {
     const RayRing<count>& ring = *instance.ring;
     const UprightPose pose(space.entities.pose[instance.row]);
-    Segments segments;
     RayMask cast = 0;
-    ring.visitNear(obstacles, pose, [&](const Obstacles::Solid& solid, RayMask near) {
-      visitRays(near & ~cast, [&](std::size_t i) {
-        segments[i] = ring.ray(pose, i);
-        hits[i] = RayHit{};
-      });
-      cast |= near;
-      space.raycastAt(solid, {segments.data(), segments.size()}, near, {hits.data(), hits.size()});
-    });
+    fractions.fill(1.0);
+    ring.visitNear(
+        obstacles, pose,
+        [&](const Eigen::Vector2d& centre, double radius, RayMask near) {
+          cast |= near;
+          visitRays(near,
+                    [&](std::size_t i) { fractions[i] = std::min(fractions[i], ring.entryInto(centre, radius, i)); });
+        },
+        [&](const Obstacles::Solid& solid, RayMask near) {
+          cast |= near;
+          visitRays(near, [&](std::size_t i) {
+            RayHit hit;
+            hit.fraction = fractions[i];
+            space.castRayAt(solid, ring.ray(pose, i), hit);
+            fractions[i] = hit.fraction;
+          });
+        });
     return cast;
+  }
+
+  /// Casts all rays, as castNear.
+  RayMask castAll(const Space& space, const Instance& instance, RayBundle& rays, Fractions& fractions) const {
+    Segments segments;
+    Hits hits;
+    castRays(space, instance, segments, hits, rays);
+    std::transform(hits.begin(), hits.end(), fractions.begin(), [](const RayHit& hit) { return hit.fraction; });
+    return instance.ring->all();
   }
 
   void senseOne(const Space& space, Instance& instance) const {
@@ -150,15 +172,11 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
     if (obstacles.isEmpty()) {
       return;
     }
-    Hits hits;
-    RayMask cast = ring.all();
-    if (!obstacles.areAnywhere() && space.entities.pose[instance.row].isUpright()) {
-      cast = castNear(space, instance, obstacles, hits);
-    } else {
-      Segments segments;
-      castRays(space, instance, segments, hits, rays);
-    }
-    visitRays(cast, [&](std::size_t i) { Ring::valueOf(instance, i) = Ring::response(hits[i].fraction); });
+    Fractions fractions;
+    const bool is_near = !obstacles.areAnywhere() && space.entities.pose[instance.row].isUpright();
+    const RayMask cast =
+        is_near ? castNear(space, instance, obstacles, fractions) : castAll(space, instance, rays, fractions);
+    visitRays(cast, [&](std::size_t i) { Ring::valueOf(instance, i) = Ring::response(fractions[i]); });
     instance.is_clear = cast == 0;
   }
 

@@ -62,18 +62,20 @@ class RayRing : public RingGeometry<count> {
   /// @param range of the rays [m]
   RayRing(const RingGeometry<count>& geometry, double range) : RingGeometry<count>(geometry), range_(range) {
     rays_.resize(this->size());
-    double reach = 0.0;
+    middle_.z() = this->centre.z();
+    double farthest = 0.0;
     for (std::size_t i = 0; i < this->size(); ++i) {
       const Eigen::Vector3d start = this->from.col(static_cast<Eigen::Index>(i));
       const Eigen::Vector3d step = range * this->direction.col(static_cast<Eigen::Index>(i));
       const Eigen::Vector3d end = start + step;
       rays_.set(i, start.head<2>(), step.head<2>());
-      reach = std::max({reach, start.head<2>().norm(), end.head<2>().norm()});
+      farthest = std::max({farthest, start.head<2>().norm(), end.head<2>().norm()});
+      bundle_radius_ = std::max({bundle_radius_, (start - middle_).norm() + kMargin, (end - middle_).norm() + kMargin});
       lowest_ = std::min({lowest_, start.z(), end.z()});
       highest_ = std::max({highest_, start.z(), end.z()});
     }
     rays_.measure();
-    fillTables(reach);
+    fillTables(farthest);
   }
 
   RayMask all() const { return ~RayMask{0} >> (64 - this->size()); }
@@ -81,11 +83,11 @@ class RayRing : public RingGeometry<count> {
   /// All but the segments. @param pose of the robot
   RayBundle bundle(const Pose& pose) const {
     RayBundle rays;
-    rays.radius = this->radius + range_ + kMargin;
+    rays.radius = bundle_radius_;
     if (!pose.isUpright()) {
-      rays.centre = pose.toWorld(this->centre);
+      rays.centre = pose.toWorld(middle_);
     } else {
-      rays.centre = UprightPose(pose).toWorld(this->centre);
+      rays.centre = pose.position + middle_;  // its place does not depend on where the robot heads
       rays.lowest = pose.position.z() + lowest_ - kMargin;
       rays.highest = pose.position.z() + highest_ + kMargin;
     }
@@ -107,23 +109,31 @@ class RayRing : public RingGeometry<count> {
     }
   }
 
-  /// Calls visit(solid, the rays that may hit it) for each obstacle that rays may hit.
+  /// Calls at_circle(its centre in the robot's frame, its radius, the rays that pass by it) for each obstacle that is
+  /// exactly a circle to them, and at_solid(solid, the rays that may hit it) for each other one.
   /// @pre the obstacles are not anywhere
-  template <class Visit>
-  void visitNear(const Obstacles& obstacles, const UprightPose& pose, Visit visit) const {
-    const auto visitIfAny = [&](const Obstacles::Solid& solid, RayMask near) {
-      if (near != 0) {
-        visit(solid, near);
-      }
-    };
+  template <class AtCircle, class AtSolid>
+  void visitNear(const Obstacles& obstacles, const UprightPose& pose, AtCircle at_circle, AtSolid at_solid) const {
     for (const Obstacles::Circle& circle : obstacles.circles()) {
       const Eigen::Vector2d middle = pose.toRobot(circle.centre);
-      visitIfAny(circle.solid, circle.radius <= usualRadius() ? lookUp(by_circle_, middle)
-                                                              : rays_.nearPoint(middle, circle.radius + kMargin));
+      const RayMask near = nearCircle(middle, circle.radius);
+      if (near != 0 && circle.is_exact) {
+        at_circle(middle, circle.radius, near);
+      } else if (near != 0) {
+        at_solid(circle.solid, near);
+      }
     }
     for (const Obstacles::Box& box : obstacles.boxes()) {
-      visitIfAny(box.solid, lookUp(by_face_, pose.toRobot(box.nearestTo(pose.place()))));
+      const RayMask near = lookUp(by_face_, pose.toRobot(box.nearestTo(pose.place())));
+      if (near != 0) {
+        at_solid(box.solid, near);
+      }
     }
+  }
+
+  /// As FlatRays::entryInto. @param middle in the robot's frame
+  double entryInto(const Eigen::Vector2d& middle, double circle_radius, std::size_t i) const {
+    return rays_.entryInto(middle, circle_radius, i);
   }
 
  private:
@@ -132,12 +142,18 @@ class RayRing : public RingGeometry<count> {
 
   using Table = std::array<RayMask, static_cast<std::size_t>(kCells) * kCells>;
 
-  /// Of outlines for which there is a table: those of other robots of that kind are as wide as the ring. [m]
-  double usualRadius() const { return this->radius + kMargin; }
+  /// Of circles up to a radius, by their middle.
+  struct CircleTable {
+    double radius;  // m
+    Table near;
+  };
 
   /// @param reach of the rays from the robot's origin [m]
   void fillTables(double reach) {
-    half_side_ = reach + usualRadius();
+    const double usual_radius = this->radius + kMargin;  // other robots of that kind are as wide as the ring
+    half_side_ = reach + usual_radius;
+    by_circle_[0].radius = usual_radius / 3.0;  // grippers, legs and the like
+    by_circle_[1].radius = usual_radius;
     const double cell = 2.0 * half_side_ / kCells;
     inverse_cell_ = 1.0 / cell;
     const double half_diagonal = M_SQRT1_2 * cell + kMargin;
@@ -145,7 +161,9 @@ class RayRing : public RingGeometry<count> {
       for (int column = 0; column < kCells; ++column) {
         const Eigen::Vector2d middle((column + 0.5) * cell - half_side_, (line + 0.5) * cell - half_side_);
         const std::size_t place = static_cast<std::size_t>(line) * kCells + static_cast<std::size_t>(column);
-        by_circle_[place] = rays_.nearPoint(middle, usualRadius() + half_diagonal);
+        for (CircleTable& table : by_circle_) {
+          table.near[place] = rays_.nearPoint(middle, table.radius + half_diagonal);
+        }
         by_face_[place] = beyondFace(middle, half_diagonal);
       }
     }
@@ -165,6 +183,15 @@ class RayRing : public RingGeometry<count> {
     return mask;
   }
 
+  RayMask nearCircle(const Eigen::Vector2d& middle, double circle_radius) const {
+    for (const CircleTable& table : by_circle_) {
+      if (circle_radius <= table.radius) {
+        return lookUp(table.near, middle);
+      }
+    }
+    return rays_.nearPoint(middle, circle_radius + kMargin);
+  }
+
   RayMask lookUp(const Table& table, const Eigen::Vector2d& point) const {
     const double column = (point.x() + half_side_) * inverse_cell_;
     const double line = (point.y() + half_side_) * inverse_cell_;
@@ -172,13 +199,15 @@ class RayRing : public RingGeometry<count> {
     return is_inside ? table[static_cast<std::size_t>(line) * kCells + static_cast<std::size_t>(column)] : 0;
   }
 
-  double range_;                                                         // m
-  double lowest_ = kInfinity;                                            // of the rays, in the robot's frame, m
-  double highest_ = -kInfinity;                                          // likewise
-  double half_side_ = 0.0;                                               // of the tables, m
-  double inverse_cell_ = 0.0;                                            // 1/m
+  double range_;                                      // m
+  Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  // on the z axis of the robot, as high as the sensors [m]
+  double bundle_radius_ = 0.0;                        // of a sphere around that point that holds all rays [m]
+  double lowest_ = kInfinity;                         // of the rays, in the robot's frame, m
+  double highest_ = -kInfinity;                       // likewise
+  double half_side_ = 0.0;                            // of the tables, m
+  double inverse_cell_ = 0.0;                         // 1/m
   FlatRays<static_cast<std::size_t>(RingGeometry<count>::kMost)> rays_;  // from above, in the robot's frame
-  Table by_circle_;                                                      // of the usual radius, by its middle
+  std::array<CircleTable, 2> by_circle_;                                 // narrow ones first
   Table by_face_;  // of a box, by the point that is nearest to the robot's origin
 };
 

@@ -27,10 +27,10 @@ Eigen::Vector2d wayOut(const planar::Penetration& contact, const std::optional<E
 }  // namespace
 
 /// As far as it can, in a time in which it does not jump through anything.
-void Kinematics2d::movePiece(BodyIndex index, double dt) {
+void Kinematics2d::movePiece(BodyIndex index, double dt, const Block& block) {
   const Body& body = bodies_[index];
   const PlacedPose target = planar::integrate(body.pose, body.velocity, body.turn_rate, dt);
-  if (tryPose(index, target) || tryPushedOut(index, target)) {
+  if (tryPose(index, target, block) || tryPushedOut(index, target, block)) {
     return;
   }
   const PlacedPose start = body.pose;
@@ -39,19 +39,19 @@ void Kinematics2d::movePiece(BodyIndex index, double dt) {
     tryParts([&](double part) {
       PlacedPose pose = start;
       pose.position += part * way;
-      return tryPose(index, pose);
+      return tryPose(index, pose, block);
     });
   }
-  turnPiece(index, body.turn_rate * dt);
+  turnPiece(index, body.turn_rate * dt, block);
 }
 
 /// The whole turn, or the largest of its halves, quarters and so on that it can make, slipping away if need be.
-void Kinematics2d::turnPiece(BodyIndex index, double turn) {
+void Kinematics2d::turnPiece(BodyIndex index, double turn, const Block& block) {
   constexpr int kParts = 5;
   const PlacedPose& pose = bodies_[index].pose;
   for (int i = 0; i < kParts && turn != 0.0; ++i) {
     const PlacedPose turned = PlacedPose::at(pose.position, wrapAngle(pose.heading + turn));
-    if (tryPose(index, turned) || tryPushedOut(index, turned)) {
+    if (tryPose(index, turned, block) || tryPushedOut(index, turned, block)) {
       return;
     }
     turn *= 0.5;
@@ -59,18 +59,16 @@ void Kinematics2d::turnPiece(BodyIndex index, double turn) {
 }
 
 /// Moves the target out of what it overlaps, one contact after the other. @return whether that has led to a free pose
-bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target) {
+bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const Block& block) {
   constexpr int kPushes = 5;
   const double most = (target.position - bodies_[index].pose.position).norm() + kMostPush;
   PlacedPose pose = target;
   std::optional<Eigen::Vector2d> normal_before;
   for (int i = 0; i < kPushes; ++i) {
-    const std::vector<planar::Penetration>& contacts = findContacts(index, pose);
-    if (contacts.empty()) {
-      return tryPose(index, pose);
+    planar::Penetration deepest = deepestContact(index, pose, block);
+    if (deepest.depth <= planar::kContactTolerance) {
+      return tryPose(index, pose, block);
     }
-    planar::Penetration deepest = *std::max_element(
-        contacts.begin(), contacts.end(), [](const auto& left, const auto& right) { return left.depth < right.depth; });
     constexpr int kExactPushes = 2;
     deepest.depth += i < kExactPushes ? 0.0 : kSkin;
     pose.position += wayOut(deepest, normal_before);
@@ -79,43 +77,41 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target) {
     }
     normal_before = deepest.normal;
   }
-  return tryPose(index, pose);
+  return tryPose(index, pose, block);
 }
 
-/// All that hinders a body, or what it grips, from being there: with each other body the deepest overlap.
-const std::vector<planar::Penetration>& Kinematics2d::findContacts(BodyIndex index, const PlacedPose& pose) {
-  contacts_.clear();
+/// Of all that hinders a body, or what it grips, from being there; no depth: nothing does.
+planar::Penetration Kinematics2d::deepestContact(BodyIndex index, const PlacedPose& pose, const Block& block) {
+  Contact deepest;
+  findDeeper(index, pose, block, deepest);
   const BodyIndex gripped = motion(index).gripped;
-  addContacts(index, pose);
   const planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
   const bool is_trailing = turret != nullptr && turret->command.mode == JointCommand::Mode::kPassive;
   if (gripped != kNoBody && !is_trailing) {  // what trails behind is not where the pose alone would put it
-    addContacts(gripped, carriedPose(pose, motion(index).place_of_gripped));
+    findDeeper(gripped, carriedPose(pose, motion(index).place_of_gripped), block, deepest);
   }
-  return contacts_;
+  return deepest.way_out;
 }
 
-/// What it holds, or is held by, is never in its way.
-void Kinematics2d::addContacts(BodyIndex index, const PlacedPose& pose) {
+/// What it holds, or is held by, is never in its way. Of contacts as deep as each other that with the older body
+/// counts, whatever the order of the look-up.
+void Kinematics2d::findDeeper(BodyIndex index, const PlacedPose& pose, const Block& block, Contact& deepest) {
   const Body& body = bodies_[index];
-  bodies_.visitNear(pose.position, body.model->radius, [&](BodyIndex other_index) {
+  const double radius = body.model->radius;
+  visitNear(neighboursAt(index, pose.position, block), pose.position, radius, block, [&](BodyIndex other_index) {
+    if (other_index == index || bodies_.isFartherThan(other_index, pose.position, radius) ||
+        areConnected(index, other_index)) {
+      return true;
+    }
     const Body& other = bodies_[other_index];
-    if (!areConnected(index, other_index)) {
-      const auto found = planar::deepestPenetration(*body.model, pose, body.along, other, relative_shapes_);
-      if (found.depth > planar::kContactTolerance && isHindering(index, pose, other)) {
-        contacts_.push_back(found);
-      }
+    const planar::Penetration found = planar::deepestPenetration(*body.model, pose, body.along, other);
+    const double depth = deepest.way_out.depth;
+    if (found.depth > planar::kContactTolerance && isHindering(index, pose, other) &&
+        (found.depth > depth || (found.depth == depth && other.number < deepest.with))) {
+      deepest = {found, other.number};
     }
     return true;
   });
-}
-
-/// Clearances assume that no body moves farther than a stride in a step: a body that was pushed out may have.
-void Kinematics2d::countDetour(double detour) {
-  if (detour > detour_) {
-    travelled_ += detour - detour_;
-    detour_ = detour;
-  }
 }
 
 }  // namespace swarmanoid::kinematics2d

@@ -1,9 +1,10 @@
-// Phase `move`: bodies that cannot meet anybody in a step move first, without looking around, on all threads; and what
-// comes of a tick for the space.
+// Phase `move`: bodies that cannot meet anybody in a step move without looking around, on all threads; and what comes
+// of a tick for the space.
 //
-// The others move after them, one by one, and come where they would have come had all moved one after another by entity
-// number: a body moves freely only if it has room for all that others may do in the step, those that are pushed out of
-// each other included, so it is in the way of no pose that any of them tries, be it before or after its own move.
+// The others move one by one, with them or after them (huddles.cpp), and come where they would have come had all moved
+// one after another by entity number: a body moves freely only if it has room for all that others may do in the step,
+// those that are pushed out of each other included, so it is in the way of no pose that any of them tries, be it before
+// or after its own move.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -45,12 +46,24 @@ void Kinematics2d::listBodies() {
   }
   others_.resize(movers_.size());
   strays_.resize(movers_.size());
+  huddles_.resize(movers_.size());
+  listBlocks();
+}
+
+void Kinematics2d::listBlocks() {
+  places_.assign(motions_.size(), kNoPlace);
+  for (std::size_t k = 0; k < movers_.size(); ++k) {
+    places_[static_cast<std::size_t>(movers_[k])] = static_cast<std::int32_t>(k);
+  }
+  all_ = Block{};
+  all_.last = movers_.size();
+  const std::size_t threads = workers_ == nullptr ? 1 : workers_->threads();
+  const std::size_t size = std::max(least_block_, (movers_.size() + threads - 1) / threads);
   blocks_.clear();
-  constexpr std::size_t kBlock = 512;  // some 100 microseconds of work
-  for (std::size_t first = 0; first < movers_.size(); first += kBlock) {
+  for (std::size_t first = 0; first < movers_.size(); first += size) {
     Block block;
     block.first = first;
-    block.last = std::min(first + kBlock, movers_.size());
+    block.last = std::min(first + size, movers_.size());
     blocks_.push_back(block);
   }
 }
@@ -91,82 +104,47 @@ double Kinematics2d::readAllCommands(const Space& space) {
   return fastest_squared;
 }
 
-/// Those whose clearance holds no longer look around, before anybody moves: most find that they have room. Not so who
-/// had somebody near when it last looked.
-void Kinematics2d::findRoom(double room) {
-  const double needed = 2.0 * (room - travelled_ + stride_);  // to the nearest, so that the clearance is that [m]
-  forBlocks([&](const Block& block) {
-    for (std::size_t k = block.first; k < block.last; ++k) {
-      const BodyIndex index = movers_[k];
-      const Body& body = bodies_[index];
-      const Clearance& around = clearance(index);
-      const bool looks = around.free_until < room && around.look_ahead >= lookAheadFor(needed);
-      if (looks && !body.isCommandedToStand() && !body.is_large && motion(index).gripped == kNoBody) {
-        lookAround(index);
-      }
-    }
-  });
-}
-
-void Kinematics2d::lookAround(BodyIndex index) {
-  const Body& body = bodies_[index];
-  const Neighbours* near = neighboursAt(index, body.pose.position);
-  if (near == nullptr) {
-    return;
-  }
-  Clearance& around = clearance(index);
-  around.at_all_heights = true;
-  double nearest = near->gapToOthers(travelled_) + 2.0 * stride_;
-  for (std::size_t i = 0; i < near->count; ++i) {
-    const BodyIndex other = near->bodies[i];
-    if (bodies_.isFartherThan(other, body.pose.position, body.model->radius + nearest)) {
-      continue;
-    }
-    if (isAtOtherHeights(body, bodies_[other])) {
-      around.at_all_heights = false;
-    } else {
-      nearest = std::min(nearest, bodies_.distanceTo(other, body.pose.position) - body.model->radius);
-    }
-  }
-  // both sides have this step's stride still before them, and later come nearer by what is travelled
-  around.free_until = freeUntil(nearest - 2.0 * stride_);
-  around.look_ahead = lookAheadFor(nearest);
-}
-
-void Kinematics2d::moveFreely(Space& space, double step, double tick) {
+void Kinematics2d::moveBlocks(Space& space, double step, double tick) {
   // In each piece of its way, a body that is pushed out may try poses as far beyond its target as that was away, and
   // kMostPush more (contact.cpp): all in all a stride and so many pushes beyond the stride that is counted already.
-  const double most_pieces = std::ceil(stride_ / (0.5 * smallest_inner_radius_)) + 1.0;
-  const double room = travelled_ + stride_ + most_pieces * kMostPush;
-  findRoom(room);
-  forBlocks([&](Block& block) { moveFreely(space, step, tick, room, block); });
-  // in the order of entity numbers, for the order in which neighbours are found follows from it
+  const bool is_in_turn = least_block_ == 0;
+  const double room =
+      is_in_turn ? std::numeric_limits<double>::infinity() : travelled_ + stride_ + most_pieces_ * kMostPush;
+  forBlocks([&](const Block& block) { findRoom(room, block); });
+  forBlocks([&](Block& block) { moveBlock(space, step, tick, room, block); });
   for (const Block& block : blocks_) {
+    all_.detour = std::max(all_.detour, block.detour);
+    // others come into their cells later, when they move: the order within a cell depends on blocks, and nobody may
+    // rely on it
     for (std::size_t k = 0; k < block.stray_count; ++k) {
       bodies_.refreshCell(strays_[block.first + k]);
     }
   }
 }
 
-/// @param room what a clearance must hold for who moves freely [m]
-void Kinematics2d::moveFreely(Space& space, double step, double tick, double room, Block& block) {
+void Kinematics2d::moveBlock(Space& space, double step, double tick, double room, Block& block) {
   const bool is_whole_tick = subclock_ == 1;
+  block.detour = 0.0;
   block.other_count = 0;
   block.stray_count = 0;
   for (std::size_t k = block.first; k < block.last; ++k) {
     const BodyIndex index = movers_[k];
     Body& body = bodies_[index];
     const planar::PlanarPose before{body.pose.position, body.pose.heading};
-    const bool stands = body.isCommandedToStand() && motion(index).gripped == kNoBody;
-    const bool has_room = clearance(index).free_until >= room && !body.is_large;  // who grips has none
-    if (!body.isDriven() || !(stands || has_room)) {                              // who has no drive may be carried
+    const bool moves_freely = hasRoomOrStands(index, room);
+    if (!movesByItself(body) || (!moves_freely && huddles_.isOpen(k))) {
       others_[block.first + block.other_count++] = index;
       if (is_whole_tick) {
         motion(index).pose_at_start = before;
       }
       continue;
     }
-    if (!stands && bodies_.setPoseOnly(index, planar::integrate(body.pose, body.velocity, body.turn_rate, step))) {
+    if (!moves_freely) {
+      moveBody(index, step, block);
+    } else if (!body.isCommandedToStand()) {
+      bodies_.setPoseOnly(index, unhindered(body, step));
+    }
+    if (bodies_.isInOtherCell(index)) {
       strays_[block.first + block.stray_count++] = index;
     }
     if (is_whole_tick) {
@@ -175,7 +153,7 @@ void Kinematics2d::moveFreely(Space& space, double step, double tick, double roo
   }
 }
 
-/// What has moved freely for a whole tick is finished.
+/// What has moved with its block for a whole tick is finished.
 void Kinematics2d::finishTick(Space& space, double tick) {
   const auto finish = [&](BodyIndex index) { finishBody(space, index, motion(index).pose_at_start, tick); };
   if (subclock_ == 1) {

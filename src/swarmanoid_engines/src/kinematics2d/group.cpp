@@ -82,10 +82,10 @@ planar::PlanarPose Kinematics2d::wayOfGroup(BodyIndex gripped, double dt) const 
 bool Kinematics2d::tryGroup(BodyIndex gripped, const PlacedPose& pose) {
   Clearance unused;
   unused.look_ahead = 0.0;
-  bool is_free = isFree(gripped, pose, unused);
+  bool is_free = isFree(gripped, pose, unused, all_);
   for (BodyIndex index = motion(gripped).gripped_by; is_free && index != kNoBody; index = motion(index).next_gripper) {
     unused.look_ahead = 0.0;
-    is_free = isFree(index, gripperPose(pose, motion(index).place_of_gripped), unused);
+    is_free = isFree(index, gripperPose(pose, motion(index).place_of_gripped), unused, all_);
   }
   if (!is_free) {
     return false;

@@ -1,8 +1,8 @@
 /// The two-dimensional kinematic engine (thesis 3.5.1): bodies in a plane go where their velocities take them.
 ///
 /// There are no masses and no forces. Bodies move one after another, in the order of their entity numbers, so results
-/// do not depend on anything else; those that cannot meet anybody in a step do so first, at once on all threads, which
-/// comes to the same. A body that would overlap another advances to contact and slides along it: its new
+/// do not depend on anything else; those that cannot meet in a step do so at once, on all threads, which comes to the
+/// same. A body that would overlap another advances to contact and slides along it: its new
 /// pose is pushed out of what it overlaps by the shortest way, so that a robot with its nose at a wall can turn, and
 /// slips back by as much as its nose needs. Where there is no room for that, it goes as much of its way, and then makes
 /// as much of its turn, as is free. Nothing overlaps after a tick. A mirror (an entity that another engine moves) may
@@ -28,6 +28,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "kinematics2d/huddles.hpp"
 #include "kinematics2d/neighbours.hpp"
 #include "planar/body_overlap.hpp"
 #include "planar/placed_pose.hpp"
@@ -80,7 +81,16 @@ class Kinematics2d final : public planar::PlanarEngine {
     is_somebody_new_ = true;
     are_lists_old_ = true;
   }
-  void takeWorkers(const Parallel& workers) override { workers_ = &workers; }
+  void takeWorkers(const Parallel& workers) override {
+    workers_ = &workers;
+    are_lists_old_ = true;
+  }
+  /// How many bodies a thread moves at least, if there are several; 0: all move one after another. Results do not
+  /// depend on it.
+  void setLeastBlock(std::size_t size) {
+    least_block_ = size;
+    are_lists_old_ = true;
+  }
   void readMirrors(const Space& space) override;
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
@@ -90,27 +100,39 @@ class Kinematics2d final : public planar::PlanarEngine {
   void draw(EngineDrawing& drawing) const override;
 
  private:
-  /// A stretch of movers_, which one thread looks at in a step.
+  /// A stretch of movers_, which one thread looks at, and moves, in a step.
   struct Block {
     std::size_t first = 0;         ///< in movers_
     std::size_t last = 0;          ///< one more than the last
-    std::size_t other_count = 0;   ///< of others_, from `first` on: they move after those who have room
+    std::size_t other_count = 0;   ///< of others_, from `first` on: they move once all blocks have
     std::size_t stray_count = 0;   ///< of strays_, from `first` on: they have come into other cells
     double fastest_squared = 0.0;  ///< [m2/s2]
+    double detour = 0.0;           ///< beyond the stride, by who was pushed out in this step, at most [m]
   };
+  struct Contact {
+    planar::Penetration way_out;
+    EntityNumber with = kNoEntity;  ///< the other one
+  };
+  static constexpr std::int32_t kNoPlace = -1;
 
   // free_motion.cpp
   void listBodies();
+  void listBlocks();
   template <class Work>
   void forBlocks(Work work);
   double readAllCommands(const Space& space);
-  void findRoom(double room);
-  void lookAround(BodyIndex index);
-  void moveFreely(Space& space, double step, double tick);
-  void moveFreely(Space& space, double step, double tick, double room, Block& block);
+  /// Who grips has no clearance. @param room what a clearance must hold for who moves freely [m]
+  bool hasRoomOrStands(BodyIndex index, double room) const {
+    return clearance(index).free_until >= room ||
+           (bodies_[index].isCommandedToStand() && motion(index).gripped == kNoBody);
+  }
+  /// Who may move with its block: who has no drive may be carried, and cells do not hold what is large.
+  static bool movesByItself(const Body& body) { return body.isDriven() && !body.is_large; }
+  void moveBlocks(Space& space, double step, double tick);
+  void moveBlock(Space& space, double step, double tick, double room, Block& block);
   void finishTick(Space& space, double tick);
   void finishBody(Space& space, BodyIndex index, const planar::PlanarPose& before, double tick) const;
-  /// Calls visit(index) for those who did not move freely in this step, by entity number.
+  /// Calls visit(index) for those who did not move with their block in this step, by entity number.
   template <class Visit>
   void visitOthers(Visit visit) const {
     for (const Block& block : blocks_) {
@@ -120,19 +142,61 @@ class Kinematics2d final : public planar::PlanarEngine {
     }
   }
 
-  // motion.cpp
+  // huddles.cpp
+  void findRoom(double room, const Block& block);
+  void lookAround(std::size_t k, double detour, const Block& block);
+  void joinHuddle(std::size_t k, BodyIndex other, const Block& block);
+  bool knowsWhoIsNear(BodyIndex index, double detour);
+  bool isHeldOrHolds(BodyIndex index) const {
+    return motion(index).gripped != kNoBody || motion(index).gripped_by != kNoBody;
+  }
+  /// In movers_.
+  std::int32_t place(BodyIndex index) const { return places_[static_cast<std::size_t>(index)]; }
+  /// Whether a body moves while another block does.
+  bool isOfOtherBlock(BodyIndex index, const Block& block) const {
+    const std::int32_t at = place(index);
+    return at != kNoPlace && (static_cast<std::size_t>(at) < block.first || static_cast<std::size_t>(at) >= block.last);
+  }
+
+  // motion.cpp. Parameters `block`: that of the body, while all blocks move at once; all_, while nobody else moves.
   void startTick(const Space& space, double step);
-  void moveBody(BodyIndex index, double dt);
-  bool moveUnseen(BodyIndex index, const PlacedPose& target);
-  bool tryPose(BodyIndex index, const PlacedPose& pose);
+  void moveBody(BodyIndex index, double dt, Block& block);
+  int piecesOf(const Body& body, double dt) const;
+  /// Where a body comes if nobody is in its way: to the last bit the same whether it looks around, in pieces, or not,
+  /// for that depends on the number of threads.
+  PlacedPose unhindered(const Body& body, double dt) const {
+    return most_pieces_ == 1.0 ? planar::integrate(body.pose, body.velocity, body.turn_rate, dt)
+                               : unhinderedInPieces(body, dt);
+  }
+  PlacedPose unhinderedInPieces(const Body& body, double dt) const;
+  bool moveUnseen(BodyIndex index, double dt, const Block& block);
+  void put(BodyIndex index, const PlacedPose& pose, const Block& block);
+  bool tryPose(BodyIndex index, const PlacedPose& pose, const Block& block);
   bool tryCarry(BodyIndex index, const PlacedPose& pose, const planar::PlanarPose& place);
   static PlacedPose carriedPose(const PlacedPose& gripper, const planar::PlanarPose& place);
-  bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& around);
-  const Neighbours* neighboursAt(BodyIndex index, const Eigen::Vector2d& position);
+  bool isFree(BodyIndex index, const PlacedPose& pose, Clearance& around, const Block& block);
+  const Neighbours* neighboursAt(BodyIndex index, const Eigen::Vector2d& position, const Block& block);
+  /// Calls visit(other) for those that may be so near to a position, until it returns false; while blocks move, for
+  /// those that the body may meet. @param near of a body there; null: there is no list
+  template <class Visit>
+  void visitNear(const Neighbours* near, const Eigen::Vector2d& position, double distance, const Block& block,
+                 Visit visit) const {
+    if (near == nullptr) {
+      bodies_.visitNear(position, distance, visit);
+      return;
+    }
+    std::uint32_t chosen = areAllInOne(block) ? near->all() : near->meeting;
+    while (chosen != 0 && visit(near->bodies[static_cast<std::size_t>(__builtin_ctz(chosen))])) {
+      chosen &= chosen - 1;
+    }
+  }
+  bool areAllInOne(const Block& block) const { return &block == &all_; }
+  /// Up to the end of the step under way, as far as is known while blocks move [m].
+  double travelled(const Block& block) const { return travelled_ + block.detour; }
   /// Up to what distance travelled others leave so wide a gap, into which both sides go [m].
-  double freeUntil(double gap) const {
+  double freeUntil(double gap, const Block& block) const {
     constexpr double kMargin = 1e-6;  // m, for rounding
-    return travelled_ + 0.5 * (gap - kMargin);
+    return travelled(block) + 0.5 * (gap - kMargin);
   }
   /// How far to look the next time, if somebody is that near [m].
   double lookAheadFor(double nearest) const {
@@ -152,12 +216,11 @@ class Kinematics2d final : public planar::PlanarEngine {
   bool tryGroup(BodyIndex gripped, const PlacedPose& pose);
 
   // contact.cpp
-  void movePiece(BodyIndex index, double dt);
-  void turnPiece(BodyIndex index, double turn);
-  bool tryPushedOut(BodyIndex index, const PlacedPose& target);
-  const std::vector<planar::Penetration>& findContacts(BodyIndex index, const PlacedPose& pose);
-  void addContacts(BodyIndex index, const PlacedPose& pose);
-  void countDetour(double detour);
+  void movePiece(BodyIndex index, double dt, const Block& block);
+  void turnPiece(BodyIndex index, double turn, const Block& block);
+  bool tryPushedOut(BodyIndex index, const PlacedPose& target, const Block& block);
+  planar::Penetration deepestContact(BodyIndex index, const PlacedPose& pose, const Block& block);
+  void findDeeper(BodyIndex index, const PlacedPose& pose, const Block& block, Contact& deepest);
 
   // turret.cpp
   double startTurrets(double step);
@@ -213,18 +276,19 @@ class Kinematics2d final : public planar::PlanarEngine {
   std::vector<BodyIndex> grippers_;     // with grippers that are commanded, or that hold something
   double smallest_inner_radius_ = 0.0;  // of those that are driven [m]
 
-  std::vector<Block> blocks_;      // of movers_
-  std::vector<BodyIndex> others_;  // see Block
-  std::vector<BodyIndex> strays_;  // see Block
-
-  std::vector<planar::PlanarShape> relative_shapes_;  // scratch of modelsOverlap
-  std::vector<planar::Penetration> contacts_;         // scratch of findContacts
+  std::size_t least_block_ = 1024;    // some 100 microseconds of work
+  std::vector<Block> blocks_;         // of movers_
+  Block all_;                         // that they move in once all blocks have moved
+  std::vector<BodyIndex> others_;     // see Block
+  std::vector<BodyIndex> strays_;     // see Block
+  std::vector<std::int32_t> places_;  // by body: in movers_
+  Huddles huddles_;                   // of movers_, in the step under way
 
   // Bounds on how far any body moves: most bodies then need not look around in most steps (see Clearance).
   double mirrors_moved_ = 0.0;    // by at most, before this tick [m]
   double stride_ = 0.0;           // in one step of this tick [m]
-  double detour_ = 0.0;           // beyond the stride, by bodies that were pushed out in this step, at most [m]
-  double travelled_ = 0.0;        // up to the end of the step under way [m]
+  double most_pieces_ = 1.0;      // that any way of such a step is gone in
+  double travelled_ = 0.0;        // up to the end of the step under way, but for detours in it [m]
   bool is_somebody_new_ = false;  // clearances hold no longer: a body came, or was put elsewhere
 };
 

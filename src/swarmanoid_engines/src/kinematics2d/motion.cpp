@@ -5,6 +5,7 @@
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar/body_overlap.hpp"
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::kinematics2d {
 
@@ -27,11 +28,11 @@ void Kinematics2d::move(Space& space, Duration dt) {
   startTick(space, step);
   for (int i = 0; i < subclock_; ++i) {
     travelled_ += stride_;
-    detour_ = 0.0;
-    moveFreely(space, step, tick);
+    all_.detour = 0.0;
+    moveBlocks(space, step, tick);
     visitOthers([&](BodyIndex index) {
       if (!isInGroup(index)) {
-        moveBody(index, step);
+        moveBody(index, step, all_);
       } else if (const BodyIndex gripped = motion(index).gripped; motion(gripped).gripped_by == index) {
         moveGroup(gripped, step);
       }
@@ -39,6 +40,7 @@ void Kinematics2d::move(Space& space, Duration dt) {
     for (planar::Turret& turret : bodies_.turrets()) {
       turn(turret, step);
     }
+    travelled_ += all_.detour;
   }
   finishTick(space, tick);
   finishTurrets(space, tick);
@@ -67,6 +69,7 @@ void Kinematics2d::startTick(const Space& space, double step) {
   const double swing = std::max(startTurrets(step), is_anything_gripped ? fastestOfGroups() : 0.0);
   fastest_squared = std::max(fastest_squared, swing * swing);
   stride_ = std::sqrt(fastest_squared) * step;
+  most_pieces_ = std::max(1.0, std::ceil(stride_ / (0.5 * smallest_inner_radius_)));
   travelled_ += mirrors_moved_;
   constexpr double kMostTravelled = 1e6;  // m: beyond, sums would be rounded too much
   if (is_somebody_new_ || !(travelled_ < kMostTravelled)) {
@@ -77,36 +80,56 @@ void Kinematics2d::startTick(const Space& space, double step) {
   }
 }
 
-void Kinematics2d::moveBody(BodyIndex index, double dt) {
-  const Body& body = bodies_[index];
-  if (body.isCommandedToStand()) {
-    return;
+/// In how many pieces a body that looks around goes its way of a step: it jumps through nothing thin.
+int Kinematics2d::piecesOf(const Body& body, double dt) const {
+  const double longest = 0.5 * body.model->inner_radius;
+  return most_pieces_ == 1.0 ? 1 : std::max(1, static_cast<int>(std::ceil(body.velocity.norm() * dt / longest)));
+}
+
+PlacedPose Kinematics2d::unhinderedInPieces(const Body& body, double dt) const {
+  const int pieces = piecesOf(body, dt);
+  PlacedPose pose = body.pose;
+  for (int i = 0; i < pieces; ++i) {
+    pose = planar::integrate(pose, body.velocity, body.turn_rate, dt / pieces);
   }
-  if (moveUnseen(index, planar::integrate(body.pose, body.velocity, body.turn_rate, dt))) {
+  return pose;
+}
+
+void Kinematics2d::moveBody(BodyIndex index, double dt, Block& block) {
+  const Body& body = bodies_[index];
+  if (body.isCommandedToStand() || moveUnseen(index, dt, block)) {
     return;
   }
   const Eigen::Vector2d start = body.pose.position;
-  const double longest = 0.5 * body.model->inner_radius;
-  const int pieces = std::max(1, static_cast<int>(std::ceil(body.velocity.norm() * dt / longest)));
+  const int pieces = piecesOf(body, dt);
   for (int i = 0; i < pieces; ++i) {
-    movePiece(index, dt / pieces);
+    movePiece(index, dt / pieces, block);
   }
   // what it grips swings besides, which is in the stride as well
   const double due = motion(index).gripped == kNoBody ? stride_ : body.velocity.norm() * dt;
-  countDetour((body.pose.position - start).norm() - due);
+  block.detour = std::max(block.detour, (body.pose.position - start).norm() - due);
 }
 
 /// Where nothing can be near, a body need not look around. @return whether it has moved
-bool Kinematics2d::moveUnseen(BodyIndex index, const PlacedPose& target) {
-  if (travelled_ > clearance(index).free_until) {
+bool Kinematics2d::moveUnseen(BodyIndex index, double dt, const Block& block) {
+  if (travelled(block) > clearance(index).free_until) {
     return false;
   }
-  bodies_.setPose(index, target);
+  put(index, unhindered(bodies_[index], dt), block);
   return true;
 }
 
+/// What is near is found by where it was before, until all blocks have moved.
+void Kinematics2d::put(BodyIndex index, const PlacedPose& pose, const Block& block) {
+  if (areAllInOne(block)) {
+    bodies_.setPose(index, pose);
+  } else {
+    bodies_.setPoseOnly(index, pose);
+  }
+}
+
 /// Looks around. @return whether the body, with what it grips, is free there; then it has moved
-bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
+bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose, const Block& block) {
   const Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
   planar::Turret* turret = gripped == kNoBody ? nullptr : bodies_.findTurret(index);
@@ -114,7 +137,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
     return tryTurned(*turret, pose, trailingAngle(*turret, pose));
   }
   Clearance around = clearance(index);
-  if (!isFree(index, pose, around)) {
+  if (!isFree(index, pose, around, block)) {
     return false;
   }
   if (gripped != kNoBody) {
@@ -124,7 +147,7 @@ bool Kinematics2d::tryPose(BodyIndex index, const PlacedPose& pose) {
     around.free_until = -1.0;  // what is gripped was left out, and is near once it is let go
   }
   clearance(index) = around;
-  bodies_.setPose(index, pose);
+  put(index, pose, block);
   return true;
 }
 
@@ -137,7 +160,7 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
   const PlacedPose carried = carriedPose(pose, place);
   Clearance unused;
   unused.look_ahead = 0.0;
-  if (!isFree(gripped, carried, unused)) {
+  if (!isFree(gripped, carried, unused, all_)) {
     return false;
   }
   bodies_.setPose(gripped, carried);
@@ -146,16 +169,16 @@ bool Kinematics2d::tryCarry(BodyIndex index, const PlacedPose& pose, const plana
 
 /// Those that are near a body, which is to be at a position not far from where it is. Null if there are too many for a
 /// list.
-const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vector2d& position) {
-  constexpr double kLeastLeft = 0.25;  // of the look: with less left a body would soon have to look again
+const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vector2d& position, const Block& block) {
   constexpr float kFewer = 0.7F;
   constexpr float kMore = 1.1F;
   Neighbours& near = neighbours(index);
   const Body& body = bodies_[index];
   const double away = (position - body.pose.position).norm();
-  if (near.gapToOthers(travelled_) - away > kLeastLeft * near.look) {
+  if (near.gapToOthers(travelled(block)) - away > near.leastGap()) {
     return &near;
   }
+  SWARMANOID_EXPECTS(areAllInOne(block));  // or else cells are not up to date: see knowsWhoIsNear
   const float look = near.look;
   near.count = 0;
   bool has_room = true;
@@ -166,23 +189,34 @@ const Neighbours* Kinematics2d::neighboursAt(BodyIndex index, const Eigen::Vecto
     }
     return has_room;
   });
+  if (has_room) {
+    // nearest first: most of the others then need no close look
+    std::sort(near.bodies.begin(), near.bodies.begin() + near.count, [&](BodyIndex a, BodyIndex b) {
+      return (bodies_.circle(a).centre - position).squaredNorm() < (bodies_.circle(b).centre - position).squaredNorm();
+    });
+  }
   near.look = has_room ? std::min(static_cast<float>(kMostLookAhead), kMore * look) : kFewer * look;
   // from now on both sides come nearer by what is travelled; some have this step's stride and detour still before them
-  near.until = has_room ? freeUntil(look - away - 2.0 * (stride_ + detour_)) : -1.0;
+  near.until = has_room ? freeUntil(look - away - 2.0 * (stride_ + block.detour), block) : -1.0;
   return has_room ? &near : nullptr;
 }
 
 /// What it holds, or is held by, is never in its way.
-bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& around) {
+bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& around, const Block& block) {
   const Body& body = bodies_[index];
   const double radius = body.model->radius;
-  const Neighbours* near = neighboursAt(index, pose.position);
-  double nearest = near == nullptr
-                       ? around.look_ahead
-                       : std::max(0.0, near->gapToOthers(travelled_) - (pose.position - body.pose.position).norm());
+  const Neighbours* near = neighboursAt(index, pose.position, block);
+  double nearest = around.look_ahead;
+  if (near != nullptr) {
+    const double away = (pose.position - body.pose.position).norm();
+    nearest = std::max(0.0, near->gapToOthers(travelled(block)) - away);
+  }
+  if (!areAllInOne(block)) {
+    nearest = std::min(nearest, stride_);  // other blocks keep away farther than that: see lookAround
+  }
   bool free = true;
-  around.at_all_heights = true;
-  const auto look_at = [&](BodyIndex other_index) {
+  around.at_all_heights = areAllInOne(block);
+  visitNear(near, pose.position, radius + nearest, block, [&](BodyIndex other_index) {
     if (other_index == index || bodies_.isFartherThan(other_index, pose.position, radius + std::max(0.0, nearest))) {
       return true;
     }
@@ -194,20 +228,12 @@ bool Kinematics2d::isFree(BodyIndex index, const PlacedPose& pose, Clearance& ar
     const double gap = bodies_.distanceTo(other_index, pose.position) - radius;
     nearest = std::min(nearest, gap);
     free = gap > 0.0 || areConnected(index, other_index) ||
-           !planar::modelsOverlap(*body.model, pose, body.along, other, relative_shapes_) ||
-           !isHindering(index, pose, other);
+           !planar::modelsOverlap(*body.model, pose, body.along, other) || !isHindering(index, pose, other);
     return free;
-  };
-  if (near == nullptr) {
-    bodies_.visitNear(pose.position, radius + nearest, look_at);
-  } else {
-    for (std::size_t i = 0; free && i < near->count; ++i) {
-      look_at(near->bodies[i]);
-    }
-  }
+  });
   // From now on both sides come nearer by what is travelled; some bodies have this step's stride and detour still
   // before them.
-  around.free_until = freeUntil(nearest - stride_ - detour_);
+  around.free_until = freeUntil(nearest - stride_ - block.detour, block);
   around.look_ahead = lookAheadFor(nearest);
   return free;
 }
@@ -218,7 +244,7 @@ bool Kinematics2d::isHindering(BodyIndex index, const PlacedPose& pose, const Bo
   const bool goes_away =
       (pose.position - other.pose.position).squaredNorm() > (body.pose.position - other.pose.position).squaredNorm();
   return other.role != Role::kMirror || !other.is_movable || !goes_away ||
-         !planar::modelsOverlap(*body.model, body.pose, body.along, other, relative_shapes_);
+         !planar::modelsOverlap(*body.model, body.pose, body.along, other);
 }
 
 }  // namespace swarmanoid::kinematics2d

@@ -17,9 +17,14 @@ struct alignas(64) Neighbours {
 
   double until = -1.0;          ///< up to this distance travelled nobody else can have come near
   float look = kMostLookAhead;  ///< how far to look the next time [m]
-  std::uint32_t count = 0;
+  std::uint16_t count = 0;
+  std::uint16_t meeting = 0;  ///< those that it may meet in the step under way, a bit each
   std::array<planar::BodyIndex, kMost> bodies;
 
+  std::uint32_t all() const { return (1U << count) - 1U; }
+
+  /// With less to all others it is soon time to look again [m].
+  double leastGap() const { return 0.25 * look; }
   /// How far away all others are at least, at a distance travelled [m].
   double gapToOthers(double travelled) const { return 2.0 * (until - travelled); }
 };

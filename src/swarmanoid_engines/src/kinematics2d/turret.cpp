@@ -44,10 +44,10 @@ bool Kinematics2d::tryTurned(Turret& turret, const PlacedPose& pose, double angl
   Motion& record = motion(index);
   const BodyIndex gripped = record.gripped;
   Clearance around = clearance(index);
-  if (gripped != kNoBody || travelled_ > around.free_until) {
+  if (gripped != kNoBody || travelled(all_) > around.free_until) {
     const planar::PlanarModel* now = bodies_[index].model;
     bodies_[index].model = &bodies_.modelAt(turret, angle);
-    const bool is_free = isFree(index, pose, around);
+    const bool is_free = isFree(index, pose, around, all_);
     bodies_[index].model = now;
     if (!is_free) {
       return false;

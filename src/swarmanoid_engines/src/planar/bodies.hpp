@@ -86,14 +86,18 @@ class Bodies {
   /// Takes the pose that the entity has in the space, and its joints. @return whether its shapes are others now
   bool place(const Space& space, BodyIndex index);
   void setPose(BodyIndex index, const PlacedPose& pose);
-  /// The same but for the look-up of what is near, which `refreshCell` brings up to date before anybody looks. Threads:
-  /// may be called at once for different bodies. @pre it is not large @return whether it has to be
-  bool setPoseOnly(BodyIndex index, const PlacedPose& pose) {
+  /// The same but for the look-up of what is near: whoever then isInOtherCell is brought up to date by `refreshCell`
+  /// before anybody looks. Threads: may be called at once for different bodies. @pre it is not large
+  void setPoseOnly(BodyIndex index, const PlacedPose& pose) {
     Body& body = (*this)[index];
     body.pose = pose;
     body.has_moved = true;
     circles_[static_cast<std::size_t>(index)].centre = pose.position;
-    return grid_.isElsewhere(index, pose.position);
+  }
+  /// @pre it is not large
+  bool isInOtherCell(BodyIndex index) const {
+    const Body& body = (*this)[index];
+    return grid_.isElsewhere(index, body.pose.position);
   }
   void refreshCell(BodyIndex index) { grid_.move(index, (*this)[index].pose.position); }
 

@@ -1,6 +1,7 @@
 #include "planar/body_overlap.hpp"
 
 #include <algorithm>
+#include <vector>
 
 namespace swarmanoid::planar {
 
@@ -9,18 +10,18 @@ namespace {
 /// Calls visit(mine, other's) for all pairs of shapes at the same heights, in the other body's frame, in which only one
 /// of the two models has to be placed; until it returns true. @return whether it did
 template <class Visit>
-bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                std::vector<PlanarShape>& scratch, Visit visit) {
+bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other, Visit visit) {
   if (!model.band.overlaps(other.model->band, along, other.along)) {
     return false;
   }
+  thread_local std::vector<PlanarShape> placed;  // kept, for its memory
   const double cosine = other.pose.cosine;
   const double sine = other.pose.sine;
   placeShapes(model, other.pose.unrotated(pose.position - other.pose.position), pose.cosine * cosine + pose.sine * sine,
-              pose.sine * cosine - pose.cosine * sine, scratch);
+              pose.sine * cosine - pose.cosine * sine, placed);
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
     for (const PlanarShape& shape : other.model->shapes) {
-      if (scratch[i].band.overlaps(shape.band, along, other.along) && visit(scratch[i], shape)) {
+      if (placed[i].band.overlaps(shape.band, along, other.along) && visit(placed[i], shape)) {
         return true;
       }
     }
@@ -30,16 +31,14 @@ bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, 
 
 }  // namespace
 
-bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                   std::vector<PlanarShape>& scratch) {
-  return visitPairs(model, pose, along, other, scratch,
+bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other) {
+  return visitPairs(model, pose, along, other,
                     [](const PlanarShape& mine, const PlanarShape& theirs) { return overlap(mine, theirs); });
 }
 
-Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                               std::vector<PlanarShape>& scratch) {
+Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other) {
   Penetration deepest;
-  visitPairs(model, pose, along, other, scratch, [&](const PlanarShape& mine, const PlanarShape& theirs) {
+  visitPairs(model, pose, along, other, [&](const PlanarShape& mine, const PlanarShape& theirs) {
     const Penetration found = overlap(mine, theirs) ? penetration(mine, theirs) : Penetration{};
     if (found.depth > deepest.depth) {
       deepest = found;
@@ -56,13 +55,12 @@ BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose
   projectModel(model, plane, plane.baseOf(pose.orientation), projected);
   const PlacedPose placed = PlacedPose::at(plane.toLocal(pose.position), plane.headingOf(pose.orientation));
   const double along = plane.along(pose.position);
-  std::vector<PlanarShape> scratch;
   BodyIndex found = kNoBody;
   bodies.visitNear(placed.position, projected.radius, [&](BodyIndex index) {
     const Body& body = bodies[index];
     const bool is_older = found == kNoBody || body.number < bodies[found].number;
     const bool is_ignored = std::find(ignored.begin(), ignored.end(), body.row) != ignored.end();
-    if (!is_ignored && is_older && modelsOverlap(projected, placed, along, body, scratch)) {
+    if (!is_ignored && is_older && modelsOverlap(projected, placed, along, body)) {
       found = index;
     }
     return true;

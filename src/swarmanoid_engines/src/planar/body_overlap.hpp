@@ -1,22 +1,19 @@
-/// Whether bodies overlap: the shapes of figure 3.9 against each other, heights considered.
+/// Whether bodies overlap: the shapes of figure 3.9 against each other, heights considered. Threads: the functions may
+/// run at once.
 #pragma once
-
-#include <vector>
 
 #include "planar/bodies.hpp"
 #include "planar/planar_overlap.hpp"
 
 namespace swarmanoid::planar {
 
-/// Whether a model at a pose overlaps a body. `scratch` keeps its memory between calls.
+/// Whether a model at a pose overlaps a body.
 /// @param along of the model's origin, along the plane's normal [m]
-bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                   std::vector<PlanarShape>& scratch);
+bool modelsOverlap(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other);
 
 /// The deepest overlap of any of the model's shapes with one of the body's, and the way out of it, in the plane's
 /// frame. Parameters as above.
-Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other,
-                               std::vector<PlanarShape>& scratch);
+Penetration deepestPenetration(const PlanarModel& model, const PlacedPose& pose, double along, const Body& other);
 
 /// The oldest body that an entity at a pose would overlap; kNoBody if there is none.
 BodyIndex findOverlap(const Bodies& bodies, const EntityModel& model, const Pose& pose, Span<const Row> ignored);

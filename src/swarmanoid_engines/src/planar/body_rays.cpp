@@ -52,6 +52,11 @@ bool isInReach(const PlanarShape& shape, const Body& body, double lowest, double
   return shape.band.low + body.along <= highest && lowest <= shape.band.high + body.along;
 }
 
+/// Whether all that is as high as the rays are meets the shape where it meets the outline.
+bool isCircleToAll(const PlanarShape& shape, const Body& body, const RayBundle& rays) {
+  return shape.isCircle() && shape.band.low + body.along <= rays.lowest && rays.highest <= shape.band.high + body.along;
+}
+
 /// Around a shape, in the plane's frame.
 Bodies::Circle circleAround(const PlanarShape& shape, const Body& body) {
   return {body.pose.position + body.pose.rotated(shape.centre), shape.radius};
@@ -117,7 +122,10 @@ void addObstacle(const Engine& engine, const Bodies& bodies, BodyIndex index, co
       const Bodies::Circle circle = circleAround(shapes[i], body);
       const double reach = rays.radius + circle.radius;
       if ((circle.centre - middle).squaredNorm() <= reach * reach) {
-        found.add(Obstacles::Circle{{&engine, body.row, static_cast<int>(i)}, circle.centre, circle.radius});
+        found.add(Obstacles::Circle{{&engine, body.row, static_cast<int>(i)},
+                                    circle.centre,
+                                    circle.radius,
+                                    isCircleToAll(shapes[i], body, rays)});
       }
     }
   }
@@ -149,21 +157,19 @@ void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
   }
 }
 
-void raycastAt(const Bodies& bodies, const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
-               Span<RayHit> hits) {
+void castRayAt(const Bodies& bodies, const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) {
   const BodyIndex index = bodies.find(solid.row);
   SWARMANOID_EXPECTS(index != kNoBody);
   const Body& body = bodies[index];
-  const std::vector<PlanarShape>& all = body.model->shapes;
-  const Span<const PlanarShape> shapes = solid.part == Obstacles::kWhole
-                                             ? Span<const PlanarShape>(all)
-                                             : Span<const PlanarShape>(&all[static_cast<std::size_t>(solid.part)], 1);
-  visitRays(chosen, [&](std::size_t k) {
-    const PlanarRay ray = relativeTo(body, bodies.plane(), segments[k]);
-    for (const PlanarShape& shape : shapes) {
-      hitShape(bodies, ray, body, shape, hits[k]);
-    }
-  });
+  const PlanarRay ray = relativeTo(body, bodies.plane(), segment);
+  const std::vector<PlanarShape>& shapes = body.model->shapes;
+  if (solid.part != Obstacles::kWhole) {
+    hitShape(bodies, ray, body, shapes[static_cast<std::size_t>(solid.part)], hit);
+    return;
+  }
+  for (const PlanarShape& shape : shapes) {
+    hitShape(bodies, ray, body, shape, hit);
+  }
 }
 
 bool isHit(const Bodies& bodies, const Segment& segment, BodyIndex index) {

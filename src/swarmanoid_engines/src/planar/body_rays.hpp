@@ -21,9 +21,8 @@ void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits);
 void addObstacle(const Engine& engine, const Bodies& bodies, BodyIndex index, const RayBundle& rays,
                  const Eigen::Vector2d& middle, Obstacles& found);
 
-/// As Engine::raycastAt. Thread-safe. Parts are shapes of a body.
-void raycastAt(const Bodies& bodies, const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
-               Span<RayHit> hits);
+/// As Engine::castRayAt. Thread-safe. Parts are shapes of a body.
+void castRayAt(const Bodies& bodies, const Obstacles::Solid& solid, const Segment& segment, RayHit& hit);
 
 /// Whether the segment hits that body. Thread-safe.
 bool isHit(const Bodies& bodies, const Segment& segment, BodyIndex index);

@@ -116,9 +116,8 @@ void PlanarEngine::findObstacles(const RayBundle& rays, Obstacles& found) const 
 
 void PlanarEngine::raycast(const RayBundle& rays, Span<RayHit> hits) const { planar::raycast(bodies_, rays, hits); }
 
-void PlanarEngine::raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
-                             Span<RayHit> hits) const {
-  planar::raycastAt(bodies_, solid, segments, chosen, hits);
+void PlanarEngine::castRayAt(const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) const {
+  planar::castRayAt(bodies_, solid, segment, hit);
 }
 
 bool PlanarEngine::hitsPrisms() const { return bodies_.plane().normal() != Eigen::Vector3d::UnitZ(); }

@@ -24,8 +24,7 @@ class PlanarEngine : public Engine {
   bool mayHit(const RayBundle& rays) const override;
   void findObstacles(const RayBundle& rays, Obstacles& found) const override;
   void raycast(const RayBundle& rays, Span<RayHit> hits) const override;
-  void raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
-                 Span<RayHit> hits) const override;
+  void castRayAt(const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) const override;
   bool blocks(Row row, const RayBundle& ray) const override;
   /// In a plane that stands upright.
   bool hitsPrisms() const override;

@@ -7,8 +7,8 @@
 /// and events (in `connect`).
 ///
 /// Phases   configure, reconfigure, takeTerrain, add, remove, place, clear: between ticks. readMirrors, move: `move`.
-///          connect: `connect`. mayHit, findObstacles, raycast, raycastAt, draw, health: any time but during `move`.
-/// Threads  engines move at the same time as each other; mayHit, findObstacles, raycast and raycastAt are called from
+///          connect: `connect`. mayHit, findObstacles, raycast, castRayAt, draw, health: any time but during `move`.
+/// Threads  engines move at the same time as each other; mayHit, findObstacles, raycast and castRayAt are called from
 ///          many threads.
 /// Repeats  the same calls give the same bits.
 ///
@@ -137,10 +137,8 @@ class Engine {
   virtual void findObstacles(const RayBundle& rays, Obstacles& found) const;
   /// For each segment: if it hits an entity of this engine nearer than `hits` says so far, that hit replaces it.
   virtual void raycast(const RayBundle& rays, Span<RayHit> hits) const = 0;
-  /// The same for one solid that this engine has found (findObstacles), and some of the segments alone. @pre nothing
-  /// has moved since
-  virtual void raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen,
-                         Span<RayHit> hits) const;
+  /// The same for one segment, and one solid that this engine has found (findObstacles). @pre nothing has moved since
+  virtual void castRayAt(const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) const;
   /// Whether a ray hits that entity, which this engine moves; an engine that does not say otherwise looks at all that
   /// it holds, and says whether anything is hit. For callers who know what could stand in the way: to look at one
   /// entity costs a fraction of a look-up of what is near. @param ray of one segment @pre this engine moves the entity

@@ -166,13 +166,13 @@ class Space {
   /// hit.
   /// Thread-safe outside `move`.
   void raycast(const RayBundle& rays, Span<RayHit> hits) const;
-  /// Casts some of the segments against one solid that `findObstacles` has found. Hits that are nearer than those in
-  /// `hits` replace them. Likewise thread-safe.
-  void raycastAt(const Obstacles::Solid& solid, Span<const Segment> segments, RayMask chosen, Span<RayHit> hits) const {
+  /// Casts a segment against one solid that `findObstacles` has found. A hit that is nearer than `hit` replaces it.
+  /// Likewise thread-safe.
+  void castRayAt(const Obstacles::Solid& solid, const Segment& segment, RayHit& hit) const {
     if (solid.engine != nullptr) {
-      solid.engine->raycastAt(solid, segments, chosen, hits);
+      solid.engine->castRayAt(solid, segment, hit);
     } else {
-      entities_without_engine.raycastAt(entities, solid.row, segments, chosen, hits);
+      entities_without_engine.castRayAt(entities, solid.row, segment, hit);
     }
   }
   /// One ray, through up to two entities.

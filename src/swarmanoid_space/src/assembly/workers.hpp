@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
 #include <memory>
 
@@ -26,25 +27,38 @@ class Workers final : public Parallel {
     }
   }
 
+  std::size_t threads() const override {
+    return arena_ == nullptr ? 1 : static_cast<std::size_t>(arena_->max_concurrency());
+  }
+
  private:
-  bool isSerial() const override { return arena_ == nullptr; }
-  void run(std::size_t count, std::size_t grain, const void* work, Call call) const override {
-    const tbb::blocked_range<std::size_t> all(0, count, grain);
-    const auto body = [&](const tbb::blocked_range<std::size_t>& range) { call(work, range.begin(), range.end()); };
-    // Of many equal parts each thread gets those in each phase and tick that it had in the one before, and has in its
-    // cache. Few parts, such as engines, are unequal: who is done takes another one.
-    constexpr std::size_t kMany = 8;
-    const bool are_many = count >= kMany * grain;
-    // isolated: a thread that waits for the end of an engine's own ranges does not begin with another engine meanwhile
-    arena_->execute([&] {
-      tbb::this_task_arena::isolate([&] {
-        if (are_many) {
-          tbb::parallel_for(all, body, tbb::static_partitioner());
-        } else {
-          tbb::parallel_for(all, body);
-        }
-      });
-    });
+  void runRanges(std::size_t count, std::size_t grain, const void* work, Call call) const override {
+    run(tbb::blocked_range<std::size_t>(0, count, grain), work, call, tbb::static_partitioner());
+  }
+  void runEach(std::size_t count, const void* work, Call call) const override {
+    run(tbb::blocked_range<std::size_t>(0, count), work, call, tbb::simple_partitioner());
+  }
+
+  /// What the caller hands over to a range, and it hands back, is also in atomic numbers: ThreadSanitizer does not see
+  /// how TBB waits. No range hands anything to another one.
+  struct Handover {
+    std::atomic<bool> has_begun{false};
+    std::atomic<unsigned> ended{0};
+  };
+
+  /// Isolated: a thread that waits for the end of an engine's own ranges does not begin with another engine meanwhile.
+  template <class Partitioner>
+  void run(const tbb::blocked_range<std::size_t>& all, const void* work, Call call,
+           const Partitioner& partitioner) const {
+    Handover handover;
+    handover.has_begun.store(true, std::memory_order_release);
+    const auto body = [&](const tbb::blocked_range<std::size_t>& range) {
+      handover.has_begun.load(std::memory_order_acquire);
+      call(work, range.begin(), range.end());
+      handover.ended.fetch_add(1, std::memory_order_release);
+    };
+    arena_->execute([&] { tbb::this_task_arena::isolate([&] { tbb::parallel_for(all, body, partitioner); }); });
+    handover.ended.load(std::memory_order_acquire);
   }
 
   std::unique_ptr<tbb::global_control> limit_;

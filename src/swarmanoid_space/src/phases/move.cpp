@@ -50,17 +50,13 @@ void move(Space& space, const std::vector<Named<Engine>>& engines, const Workers
           std::vector<double>& seconds) {
   space.index.close();
   seconds.resize(engines.size());
-  workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      callPlugin("readMirrors", engines[i].part, space.tick, [&] { engines[i]->readMirrors(space); });
-    }
+  workers.forEach(engines.size(), [&](std::size_t i) {
+    callPlugin("readMirrors", engines[i].part, space.tick, [&] { engines[i]->readMirrors(space); });
   });
-  workers.forRanges(engines.size(), 1, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) {
-      Stopwatch stopwatch(are_timed);
-      callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, space.clocktick); });
-      stopwatch.lap(seconds[i]);
-    }
+  workers.forEach(engines.size(), [&](std::size_t i) {
+    Stopwatch stopwatch(are_timed);
+    callPlugin("move", engines[i].part, space.tick, [&] { engines[i]->move(space, space.clocktick); });
+    stopwatch.lap(seconds[i]);
   });
   refuseWhatIsNotFinite(space, workers);
 }

@@ -54,7 +54,7 @@ void EntitiesWithoutEngine::findObstacles(const RayBundle& rays, Obstacles& foun
   });
 }
 
-void EntitiesWithoutEngine::castAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const {
+void EntitiesWithoutEngine::castRayAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const {
   const double fraction = closestHit(segment, *entities.model[row], entities.pose[row]);
   // between surfaces at the same distance the older entity is hit, whatever the order of the look-up
   const bool is_older = hit.row != kNoRow && has(hit.row) && entities.number[row] < entities.number[hit.row];
@@ -69,16 +69,11 @@ void EntitiesWithoutEngine::raycast(const Entities& entities, const RayBundle& r
       const Segment& segment = rays.segments[k];
       const Eigen::AlignedBox3d around(segment.from.cwiseMin(segment.to), segment.from.cwiseMax(segment.to));
       if (fromAbove(around).intersects(bounds)) {
-        castAt(entities, row, segment, hits[k]);
+        castRayAt(entities, row, segment, hits[k]);
       }
     }
     return true;
   });
-}
-
-void EntitiesWithoutEngine::raycastAt(const Entities& entities, Row row, Span<const Segment> segments, RayMask chosen,
-                                      Span<RayHit> hits) const {
-  visitRays(chosen, [&](std::size_t k) { castAt(entities, row, segments[k], hits[k]); });
 }
 
 }  // namespace swarmanoid

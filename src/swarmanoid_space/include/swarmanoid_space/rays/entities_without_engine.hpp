@@ -31,11 +31,9 @@ class EntitiesWithoutEngine {
   bool mayHit(const RayBundle& rays) const;
   void findObstacles(const RayBundle& rays, Obstacles& found) const;
   void raycast(const Entities& entities, const RayBundle& rays, Span<RayHit> hits) const;
-  void raycastAt(const Entities& entities, Row row, Span<const Segment> segments, RayMask chosen,
-                 Span<RayHit> hits) const;
+  void castRayAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const;
 
  private:
-  void castAt(const Entities& entities, Row row, const Segment& segment, RayHit& hit) const;
   template <class Visit>  // visit(row, bounds) until it returns false
   void visitNear(const RayBundle& rays, Visit visit) const;
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cmath>
 
+#include "swarmanoid_space/rays/line_part.hpp"
 #include "swarmanoid_space/rays/ray.hpp"
 
 namespace swarmanoid {
@@ -39,6 +40,13 @@ class FlatRays {
 
   Eigen::Vector2d from(std::size_t k) const { return {from_x_[k], from_y_[k]}; }
   Eigen::Vector2d step(std::size_t k) const { return {step_x_[k], step_y_[k]}; }
+
+  /// The fraction of a ray at which it comes into a circle, 0 if it starts there, 1 if it does not come so far.
+  double entryInto(const Eigen::Vector2d& centre, double radius, std::size_t k) const {
+    LinePart inside;
+    inside.clipToRound(Eigen::Vector2d(from(k) - centre), step(k), radius);
+    return inside.isEmpty() ? 1.0 : inside.from;
+  }
 
   /// The rays that come near a point: within the radius to their side, and as far before or behind them.
   RayMask nearPoint(const Eigen::Vector2d& point, double radius) const {

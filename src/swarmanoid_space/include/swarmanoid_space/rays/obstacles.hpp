@@ -1,5 +1,5 @@
 /// What the rays of a bundle may meet, as outlines seen from above: whoever casts many rays around itself, such as a
-/// ring of sensors, then casts at each the few alone that pass by it (Space::raycastAt).
+/// ring of sensors, then casts at each the few alone that pass by it (Space::castRayAt).
 #pragma once
 
 #include <Eigen/Core>
@@ -30,6 +30,8 @@ class Obstacles {
     Solid solid;
     Eigen::Vector2d centre;  ///< [m]
     double radius;           ///< [m]
+    /// It is as round, and is so at all heights of the rays: they hit it where they come into the circle.
+    bool is_exact;
   };
   /// Likewise a box along the axes of W.
   struct Box {
