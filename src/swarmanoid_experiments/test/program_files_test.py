@@ -31,7 +31,7 @@ class ConfinementTest(ProgramTest):
     def test_one_option_lifts_it(self):
         for name in (self.folder / "table.txt", "../other.txt"):
             self.run_world("--write-anywhere", visualisations=table(name))
-            self.assertEqual(len((self.out / name).read_text().splitlines()), 2 + 21 * 2)
+            self.assertEqual(len((self.out / name).read_text().splitlines()), 3 + 21 * 2)
 
     def test_a_folder_of_the_folder_is_in_it(self):
         (self.out / "deep").mkdir(parents=True)
@@ -63,7 +63,7 @@ class OverwriteTest(ProgramTest):
             (self.folder / name).write_text("old" * 100000)
         done = self.call("run", self.world(), "--quiet", "--force", "--bag", "run.bag", "--hashes", "hashes.txt")
         self.assertEqual(done.returncode, FINISHED, done.stderr)
-        self.assertEqual(len((self.folder / "table.txt").read_text().splitlines()), 2 + 21 * 2)
+        self.assertEqual(len((self.folder / "table.txt").read_text().splitlines()), 3 + 21 * 2)
         self.assertEqual(len((self.folder / "hashes.txt").read_text().splitlines()), 21)
         self.assertEqual(self.ticks_in(self.folder / "run.bag"), list(range(21)))
 

@@ -57,8 +57,9 @@ class TextTableTest(ProgramTest):
         self.assertEqual(done.returncode, FINISHED, done.stderr)
         version = self.call("--version").stdout.split()[-1]
         for name in ("t.txt", "d.txt", "m.csv"):
-            self.assertEqual((self.folder / name).read_text().splitlines()[0],
-                             f"# world, seed 9, swarmanoid {version}, with arena.size=11,10,3, arena.wall.size=1, 0.2, 0.5")
+            first, *_, last = (self.folder / name).read_text().splitlines()
+            self.assertEqual(first, f"# world, seed 9, swarmanoid {version}, with arena.size=11,10,3, arena.wall.size=1, 0.2, 0.5")
+            self.assertEqual(last, f"# ended after 3 ticks, state hash {json.loads(done.stdout)['state_hash']}")
 
 
 class LogTest(ProgramTest):
@@ -129,8 +130,9 @@ class InterruptTest(ProgramTest):
             lines = (self.out / "table.txt").read_text()
             self.assertTrue(lines.endswith("\n"))
             lines = lines.splitlines()
-            self.assertEqual(len(lines), 2 + 2 * (ticks + 1))
-            self.assertTrue(lines[-1].startswith(f"{ticks}\tBlock\twall\t"))
+            self.assertEqual(len(lines), 2 + 2 * (ticks + 1) + 1)
+            self.assertTrue(lines[-2].startswith(f"{ticks}\tBlock\twall\t"))
+            self.assertEqual(lines[-1], f"# ended after {ticks} ticks, state hash {summary['state_hash']}")
             with rosbag.Bag(str(self.folder / "run.bag")) as bag:
                 states = [message.tick for _, message, _ in bag.read_messages("/space/world_state")]
             self.assertEqual(states, list(range(ticks + 1)))

@@ -40,7 +40,7 @@ class StreamsTest(ProgramTest):
                           ["list", "engine"], ["describe"], ["schema"], ["--version"], ["--help"], ["run", "--help"]):
             self.assertEqual(self.shell(*arguments, redirection="> /dev/full"), (STOPPED, FULL), arguments)
         table = (self.folder / "table.txt").read_text()
-        self.assertEqual(len(table.splitlines()), 2 + 21 * 2, "the files of the run are complete")
+        self.assertEqual(len(table.splitlines()), 3 + 21 * 2, "the files of the run are complete")
 
     def test_a_closed_output_is_refused_before_anything_runs(self):
         world = self.world()
@@ -69,7 +69,7 @@ class StreamsTest(ProgramTest):
                                       env=dict(os.environ, MISBEHAVING="load close_output" if by_environment else ""))
                 self.assertEqual(done.returncode, FINISHED)
                 self.assertEqual(json.loads(done.stdout)["ticks"], 20)
-                self.assertEqual((self.folder / "table.txt").read_text().count("\n"), 2 + 21 * len(misbehaving_world.ROBOTS))
+                self.assertEqual((self.folder / "table.txt").read_text().count("\n"), 3 + 21 * len(misbehaving_world.ROBOTS))
                 self.assertEqual((self.folder / "hashes.txt").read_text().count("\n"), 21)
                 self.assertEqual(self.ticks_in(self.folder / "run.bag"), list(range(21)))
 

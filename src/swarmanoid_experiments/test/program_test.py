@@ -43,7 +43,7 @@ class RunTest(ProgramTest):
         summary = self.run_world(fail_at=3, code=CONTROLLER_FAILED)
         self.assertEqual((summary["ticks"], summary["finished"]), (20, True))
         self.assertEqual(summary["failed_controllers"], [{"robot": "fb", "tick": 3, "reason": "told to, \ufffd"}])
-        self.assertEqual(len((self.out / "table.txt").read_text().splitlines()), 2 + 21 * 2)
+        self.assertEqual(len((self.out / "table.txt").read_text().splitlines()), 3 + 21 * 2)
 
     def test_the_seed_is_the_file_s_or_the_option_s(self):
         hashes = []

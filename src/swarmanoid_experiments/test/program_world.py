@@ -31,10 +31,11 @@ TABLE = '<text_render id="table"><file>table.txt</file></text_render>'
 HEADER = "#clock\tEntity type\tEntity id\tX\tY\tZ\tAlpha\tBeta\tGamma\n"
 
 def table_of(file, test):
-    """@return what stands below the line that says of which run a table is"""
-    first, rest = file.read_text().split("\n", 1)
-    test.assertRegex(first, r"^# \w+, seed \d+, swarmanoid [0-9.]+(\+[0-9a-f]+(\.dirty)?)?$")
-    return rest
+    """@return what stands between the lines that say of which run a table is, and how it ended"""
+    first, *lines, last = file.read_text().splitlines(keepends=True)
+    test.assertRegex(first, r"^# \w+, seed \d+, swarmanoid [0-9.]+(\+[0-9a-f]+(\.dirty)?)?\n$")
+    test.assertRegex(last, r"^# ended after \d+ ticks, state hash [0-9a-f]{16}\n$")
+    return "".join(lines)
 
 
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130

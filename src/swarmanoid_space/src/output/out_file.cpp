@@ -6,6 +6,7 @@
 #include <streambuf>
 #include <utility>
 
+#include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/output/out_folder.hpp"
 #include "swarmanoid_space/space.hpp"
 #include "swarmanoid_space/suite_version.hpp"
@@ -93,11 +94,23 @@ void OutFile::describeRun(const Space& space) {
   std::replace_if(
       line.begin(), line.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
   *this << "# " << line << '\n';
+  described_ = &space;
+}
+
+void OutFile::describeEnd() {
+  if (described_ != nullptr) {
+    *this << "# ended after " << described_->tick << " ticks, state hash " << hashText(stateHash(*described_)) << '\n';
+    described_ = nullptr;
+  }
+  flush();
 }
 
 bool OutFile::isOpen() const { return buffer_->isOpen(); }
 
-void OutFile::restart() { buffer_->restart(); }
+void OutFile::restart() {
+  buffer_->restart();
+  described_ = nullptr;
+}
 
 void OutFile::flush() {
   buffer_->write();

@@ -42,7 +42,7 @@ class DebugRender final : public Observer {
   }
 
   void flush() override { file_.flush(); }
-  void finish() override { file_.flush(); }
+  void finish() override { file_.describeEnd(); }
 
   void reset() override {
     file_.restart();

@@ -36,7 +36,7 @@ class MetricsTable final : public Observer {
   }
 
   void flush() override { file_.flush(); }
-  void finish() override { file_.flush(); }
+  void finish() override { file_.describeEnd(); }
 
   void reset() override {
     file_.restart();

@@ -52,7 +52,7 @@ class TextRender final : public Observer {
   }
 
   void flush() override { file_.flush(); }
-  void finish() override { file_.flush(); }
+  void finish() override { file_.describeEnd(); }
 
   void reset() override {
     file_.restart();

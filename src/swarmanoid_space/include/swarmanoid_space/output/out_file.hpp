@@ -31,6 +31,10 @@ class OutFile : public std::ostream {
   /// Writes a line that says of which run it is: "# diffusion, seed 3, swarmanoid 0.1.0+cf9a54f42c1e, with
   /// arena.size=9,9,1, framework.threads=2". Nothing if the context had no experiment.
   void describeRun(const Space& space);
+  /// Writes a line that says to what the run has come, "# ended after 905 ticks, state hash 97bd80301c3615ae", and
+  /// flushes. No line if the run was not described. @pre the space that described it is still there
+  /// @throws std::runtime_error as flush
+  void describeEnd();
   /// Empties it: what follows is the whole file.
   void restart();
   /// What was written is in the file from here on. @throws std::runtime_error if it is not
@@ -40,6 +44,7 @@ class OutFile : public std::ostream {
   class Buffer;
   std::unique_ptr<Buffer> buffer_;
   const Experiment* experiment_ = nullptr;
+  const Space* described_ = nullptr;  // null: no run
 };
 
 /// The file that the parameter `file` of an observer names, for those that write no text.
