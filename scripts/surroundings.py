@@ -24,6 +24,12 @@ def bare(home):
             "ROS_HOSTNAME": "localhost", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
 
 
+def outside_of_workspaces():
+    """This environment without what devel or install spaces have put into it, which would be found instead of what is meant."""
+    ours = ("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "PYTHONPATH", "ROS_PACKAGE_PATH")
+    return {name: value for name, value in os.environ.items() if name not in ours}
+
+
 def sourced(environment, *setups):
     """The environment after `source` of these setup files, one upon the other."""
     commands = [f"source '{setup}'" + (" --extend" if i > 0 else "") for i, setup in enumerate(setups)]

@@ -21,6 +21,7 @@ import simulation
 import studies
 import study_processes
 import under_ros
+import version_before
 from table import ROOT, Table, machine
 
 FIGURES = {
@@ -34,6 +35,7 @@ FIGURES = {
     "robots": robots.robots,
     "benchmark": benchmarks.benchmark,
     "costs": lambda table, build: cost.costs(table),
+    "version_before": version_before.version_before,
     "acting_world": benchmarks.acting_world,
     "sensing": benchmarks.sensing,
     "queries": benchmarks.queries,

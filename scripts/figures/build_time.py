@@ -1,13 +1,16 @@
 """From a fresh clone, or on a fresh machine, to the end of a run or of the tests."""
 
-import os
 import pathlib
 import resource
 import subprocess
+import sys
 import tempfile
 import time
 
 from table import ROOT
+
+sys.path.insert(0, str(ROOT / "scripts"))
+from surroundings import outside_of_workspaces  # noqa: E402  pylint: disable=wrong-import-position
 
 
 def processor_time():
@@ -21,10 +24,7 @@ def in_fresh_clone(*command):
     @return the ended command, minutes, core minutes"""
     with tempfile.TemporaryDirectory() as folder:
         clone = pathlib.Path(folder) / "swarmanoid"
-        # what a devel space put into the environment would be found instead of what is built here
-        ours = ("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "PYTHONPATH", "ROS_PACKAGE_PATH")
-        environment = {name: value for name, value in os.environ.items() if name not in ours}
-        environment["CCACHE_DISABLE"] = "1"
+        environment = dict(outside_of_workspaces(), CCACHE_DISABLE="1")
         start, start_used = time.monotonic(), processor_time()
         subprocess.run(["git", "clone", "--quiet", ROOT, clone], check=True)
         done = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=clone)

@@ -17,6 +17,9 @@ NO_SIGNALS = "handle_segv=0:handle_sigbus=0:handle_abort=0:handle_sigill=0:handl
 SANITIZERS = {"address,undefined": {"ASAN_OPTIONS": f"detect_leaks=0:{NO_SIGNALS}", "UBSAN_OPTIONS": "print_stacktrace=1"},
               "thread": {"TSAN_OPTIONS": f"suppressions={ROOT / 'scripts/figures/thread_sanitizer.supp'}:{NO_SIGNALS}"}}
 TICKS = 100  # of each experiment under a sanitizer
+# experiments have few robots: a crowd that fills several blocks of what threads do
+CROWD, CROWD_TICKS = 4000, 25
+CROWDED = ("--set", f"arena.distribute.quantity={CROWD}", "--set", "arena.size=20,20,1", "--set", "arena.distribute.maximum=19.8,19.8,0")
 REPORT = re.compile(r"ERROR: \w+Sanitizer|WARNING: ThreadSanitizer|runtime error: ")
 
 
@@ -85,20 +88,22 @@ class InstrumentedBuild:
 def sanitizers(table):
     experiments = [*sorted((EXPERIMENTS / "experiments").glob("*.xml")), EXPERIMENTS / "rostest/turret.xml",
                    EXPERIMENTS / "test/data/good.xml"]
+    runs = [*((experiment, TICKS) for experiment in experiments), (EXPERIMENTS / "experiments/diffusion.xml", CROWD_TICKS, *CROWDED)]
     for kind, environment in SANITIZERS.items():
         # -O1 -g1: less than half as long to compile as with all optimisations, and assertions hold
         with InstrumentedBuild(f"-DSWARMANOID_SANITIZE={kind}", "-DCMAKE_BUILD_TYPE=None", "-DCMAKE_CXX_FLAGS=-O1 -g1") as build:
             words, output = build.unit_tests(environment)
             failed = 0
-            for experiment in experiments:
-                code, text = build.run("swarmanoid", "run", experiment, "--ticks", TICKS, "--threads", 2, "--quiet",
+            for experiment, ticks, *options in runs:
+                code, text = build.run("swarmanoid", "run", experiment, "--ticks", ticks, "--threads", 2, "--quiet", *options,
                                        environment=environment)
                 failed += code != 0
                 output += text
         reports = REPORT.findall(output)
         if reports or failed:
             print("\n".join(line for line in output.splitlines() if REPORT.search(line) or "SUMMARY" in line)[-8000:], file=sys.stderr)
-        table.add(f"unit tests, and {len(experiments)} experiments of {TICKS} ticks with two threads, under the sanitizers {kind}",
+        table.add(f"unit tests, {len(experiments)} experiments of {TICKS} ticks and {CROWD:,} crowded footbots of {CROWD_TICKS}, with two "
+                  f"threads, under the sanitizers {kind}",
                   "no report", f"{words}; {failed} experiments failed; {len(reports)} reports",
                   not reports and failed == 0 and words.startswith("100%"))
 

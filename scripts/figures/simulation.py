@@ -74,9 +74,9 @@ def any_processor(table):
               "equal state hash", *last_words_of([test], SWARMANOID_LONG_TESTS="1"))
 
 
-def diffusion_of(folder, robots):
-    """The experiment `diffusion` with another number of robots, on as much floor each. @return its file"""
-    text = (ROOT / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()
+def diffusion_of(folder, robots, source=ROOT):
+    """The experiment `diffusion` of a source tree with another number of robots, on as much floor each. @return its file"""
+    text = (source / "src/swarmanoid_experiments/experiments/diffusion.xml").read_text()
     side = 1.265 * robots ** 0.5
     for old, new in (("12.65,12.65,1", f"{side:.4f},{side:.4f},1"), ('quantity="100"', f'quantity="{robots}"'),
                      ("12.45, 12.45", f"{side - 0.2:.4f}, {side - 0.2:.4f}")):
