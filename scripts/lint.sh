@@ -1,8 +1,7 @@
 #!/usr/bin/env bash
-# lint.sh BUILD_FOLDER: layout (clang-format), packages (catkin_lint), which package may include which (check_layers),
-# file lengths, and mistakes (clang-tidy: what has changed since it passed; where CI is set, what commits of two days have changed).
+# lint.sh: what is seen without a build: layout (clang-format), which package may include which and file lengths (check_layers),
+# packages (catkin_lint). tidy.py looks for mistakes in what has been built.
 set -euo pipefail
-build=$(cd "$1" && pwd)
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 mapfile -t sources < <(git ls-files 'src/*.cpp' 'src/*.hpp' 'examples/*.cpp' 'examples/*.hpp')
@@ -14,5 +13,3 @@ echo "== catkin_lint" >&2
 # liburdfdom-dev and TBB have no rosdep names here, which is all that the ignored checks are about
 ROS_DISTRO=noetic catkin_lint -W1 --strict --offline --ignore unknown_depend --ignore uninstalled_target \
   --ignore missing_depend --ignore missing_cmake_modules --ignore uninstalled_script --ignore order_violation src
-echo "== clang-tidy" >&2
-scripts/tidy.py "$build" ${CI:+--since "2 days ago"}

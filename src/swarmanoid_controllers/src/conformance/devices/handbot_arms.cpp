@@ -10,12 +10,12 @@
 namespace swarmanoid::conformance {
 namespace {
 
-using Angles = std::array<double, HandbotArmsState::kJoints>;
+using JointAngles = std::array<double, HandbotArmsState::kJoints>;
 
 /// What the encoders have said while the arms moved.
 struct Motion {
-  Angles before{};
-  Angles speeds{};  // sums [rad/s]
+  JointAngles before{};
+  JointAngles speeds{};  // sums [rad/s]
   double ticks = 0.0;
 
   void begin(const HandbotArmsState& state) {
@@ -32,22 +32,24 @@ struct Motion {
   }
 };
 
-/// The mean of the speeds times the time is about the way: a speed that has the wrong sign or unit is found.
+/// The mean of the speeds times the time is about the way: a speed that has the wrong sign or unit is found, or none.
 void judgeSpeeds(Bench& bench, const Motion& motion, double took) {
-  constexpr double kLeastWay = 0.25;  // rad, allowed error: speeds are those of moments
+  // Speeds are those of moments, and over topics a busy machine misses some: three readings of 0.1 s at full speed.
+  constexpr double kAllowed = 0.3 * HandbotArms::kFastest;  // rad
   for (std::size_t i = 0; i < motion.speeds.size(); ++i) {
     bench.expectNear("way by the speeds of " + std::string(HandbotArmsState::kNames[i]),
                      motion.speeds[i] / motion.ticks * took,
-                     bench.sensor<HandbotArmsState>()->joints[i].angle - motion.before[i], kLeastWay, "rad");
+                     bench.sensor<HandbotArmsState>()->joints[i].angle - motion.before[i], kAllowed, "rad");
   }
 }
 
-/// Moves each joint to an angle of its own, so that no two can be confused.
+/// Moves each joint to an angle of its own, so that no two can be confused; first so far that the speeds tell.
 Check arms(Bench& bench) {
   Check check{HandbotArms::kType, {HandbotArms::kType, HandbotArmsState::kType}, "", {}, {}};
   const auto motion = std::make_shared<Motion>();
-  for (const Angles& angles : {Angles{-0.6, 0.3, 0.5, -0.9, -0.4, -0.7}, Angles{-0.9, -0.1, -0.2, -0.5, 0.15, 0.1},
-                               Angles{-0.3, 0.0, 0.0, -0.3, 0.0, 0.0}}) {
+  for (const JointAngles& angles :
+       {JointAngles{-1.4, 0.9, 1.35, -1.2, -0.8, -1.6}, JointAngles{-0.9, -0.1, -0.2, -0.5, 0.15, 0.1},
+        JointAngles{-0.3, 0.0, 0.0, -0.3, 0.0, 0.0}}) {
     constexpr double kClose = 0.08;  // rad
     check.stages.push_back({"moving both arms", 2.0,
                             [&bench, angles, motion] {
