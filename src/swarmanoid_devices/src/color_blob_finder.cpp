@@ -24,15 +24,12 @@ class Finder {
     if (model.led_positions.empty()) {
       return;
     }
+    LedSet lit = litOf(model, row);
+    if (lit.none()) {
+      return;
+    }
     const Pose& pose = space_.entities.pose[row];
     const LedPoints points(model, pose);
-    const Span<const Color> leds = space_.leds[row];
-    const Color own = model.is_robot ? colors::kBlack : space_.ownColor(row);
-    const auto color_of = [&](std::size_t led) { return model.is_robot ? leds[led] : own; };
-    LedSet lit;
-    for (std::size_t k = 0; k < points.count; ++k) {
-      lit[k] = color_of(k).isLit();
-    }
     lit = view_.inView(points, lit);
     if (lit.none() || !lightConeOf(space_, row).holds(view_.eye.position - pose.position)) {
       return;
@@ -43,7 +40,7 @@ class Finder {
     seen &= ~obstacles_.hidden(points, seen, row);
     // what has no body is a lamp
     const double radius = model.is_robot || model.shapes.empty() ? ColorBlob::kPointRadius : model.horizontal_radius;
-    visitLeds(seen, [&](std::size_t k) { note(points[k], color_of(k), radius); });
+    visitLeds(seen, [&](std::size_t k) { note(points[k], colorOf(model, row, k), radius); });
   }
 
   /// @return whether the point is in sight
@@ -56,6 +53,23 @@ class Finder {
   }
 
  private:
+  Color colorOf(const EntityModel& model, Row row, std::size_t led) const {
+    return model.is_robot ? space_.leds[row][led] : space_.ownColor(row);
+  }
+
+  LedSet litOf(const EntityModel& model, Row row) const {
+    const std::size_t count = std::min(model.led_positions.size(), EntityModel::kMaxLeds);
+    if (!model.is_robot) {
+      return space_.ownColor(row).isLit() ? LedSet((~std::uint64_t{0}) >> (64 - count)) : LedSet();
+    }
+    const Span<const Color> leds = space_.leds[row];
+    std::uint64_t lit = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      lit |= static_cast<std::uint64_t>(leds[k].isLit()) << k;
+    }
+    return LedSet(lit);
+  }
+
   void note(const Eigen::Vector3d& point, Color color, double radius) {
     found_.push_back(sightingOf(view_.eye, point, color, radius, found_.size()));
   }

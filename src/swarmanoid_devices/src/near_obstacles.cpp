@@ -7,27 +7,35 @@
 namespace swarmanoid::devices {
 namespace {
 
+/// Whether an upright cylinder around the thing is hardly wider than the thing: robots are about as long as wide.
+bool isRound(const EntityModel& model) {
+  return model.is_robot || (model.silhouettes.size() == 1 && model.silhouettes.front().is_whole);
+}
+
+Eigen::AlignedBox3d boxAroundShapes(const EntityModel& model, const Pose& pose) {
+  Eigen::AlignedBox3d box;
+  const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
+  for (const CollisionShape& shape : model.shapes) {
+    const Eigen::Vector3d centre = pose.position + turn * shape.position;
+    const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
+    const Eigen::Matrix3d axes = (turn * shape.orientation.toRotationMatrix()).cwiseAbs();
+    const Eigen::Vector3d extent =
+        is_sphere ? Eigen::Vector3d::Constant(shape.half_extent.x()) : Eigen::Vector3d(axes * shape.half_extent);
+    box.extend(centre - extent).extend(centre + extent);
+  }
+  return box;
+}
+
 /// The box around a thing, in W. Engines whose plane is across an axis of W cast rays against prisms: the outline of a
 /// solid in the plane, as long as the solid is across it. They are within such a box, and so is the solid itself.
 Eigen::AlignedBox3d boxAround(const EntityModel& model, const Pose& pose) {
-  Eigen::AlignedBox3d box;
-  if (model.joints.empty()) {
-    const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
-    for (const CollisionShape& shape : model.shapes) {
-      const Eigen::Vector3d centre = pose.position + turn * shape.position;
-      const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
-      const Eigen::Matrix3d axes = (turn * shape.orientation.toRotationMatrix()).cwiseAbs();
-      const Eigen::Vector3d extent =
-          is_sphere ? Eigen::Vector3d::Constant(shape.half_extent.x()) : Eigen::Vector3d(axes * shape.half_extent);
-      box.extend(centre - extent).extend(centre + extent);
-    }
-    return box;
-  }
-  if (pose.isUpright() && model.joints_keep_outline) {
+  if (model.joints_keep_outline && pose.isUpright() && isRound(model)) {
     const double reach = model.horizontal_radius;
-    box.extend(pose.position + Eigen::Vector3d(-reach, -reach, model.lowest));
-    box.extend(pose.position + Eigen::Vector3d(reach, reach, model.highest));
-    return box;
+    return {pose.position + Eigen::Vector3d(-reach, -reach, model.lowest),
+            pose.position + Eigen::Vector3d(reach, reach, model.highest)};
+  }
+  if (model.joints.empty()) {
+    return boxAroundShapes(model, pose);
   }
   const Eigen::Vector3d reach = Eigen::Vector3d::Constant(model.moving_reach);
   return {pose.position - reach, pose.position + reach};

@@ -97,7 +97,10 @@ TEST(ConformanceBodiesTest, FindsArmsAndHandsWhoseSpeedsAndForcesAreWrong) {
                       joint.speed *= -1.0;
                     }
                   }),
-                  "handbot_arms (handbot_arms: way by the speeds of left_shoulder: 0.4");
+                  "handbot_arms (handbot_arms: way by the speeds of left_shoulder: 1.2");
+  expectOnHandbot(
+      wire<HandbotArmsState>([](HandbotArmsState& arms) { arms.joints[4].speed = 0.0; }),
+      "handbot_arms (handbot_arms: way by the speeds of right_elbow: 0.000 rad, expected -0.800 rad +- 0.600 rad)");
   expectOnHandbot(wire<HandbotHandsState>([](HandbotHandsState& hands) { hands.right.force = 5.0; }),
                   "handbot_hands (handbot_hands: not true: the right hand, which holds nothing, feels no force");
 }

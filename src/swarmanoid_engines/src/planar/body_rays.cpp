@@ -43,6 +43,23 @@ struct PlanarRays {
   }
 };
 
+struct Disc {
+  Eigen::Vector2d centre;
+  double radius;  // m
+};
+
+/// What holds all rays of a bundle, seen along the plane's axis.
+Disc discAround(const Plane& plane, const RayBundle& rays) {
+  if (rays.segments.size() != 1) {
+    return {plane.toLocal(rays.centre), rays.radius};
+  }
+  // a single ray is often a steep one, which goes to the ground and is much shorter in the plane
+  constexpr double kMargin = 1e-6;  // m, for rounding
+  const Eigen::Vector2d from = plane.toLocal(rays.segments[0].from);
+  const Eigen::Vector2d to = plane.toLocal(rays.segments[0].to);
+  return {0.5 * (from + to), 0.5 * (to - from).norm() + kMargin};
+}
+
 bool isVisibleTo(const RayBundle& rays, const Body& body) {
   return body.row != rays.ignored && body.row != rays.also_ignored && !body.is_seen_elsewhere;
 }
@@ -141,11 +158,11 @@ void findObstacles(const Engine& engine, const Bodies& bodies, const RayBundle& 
 
 void raycast(const Bodies& bodies, const RayBundle& rays, Span<RayHit> hits) {
   const Plane& plane = bodies.plane();
-  const Eigen::Vector2d centre = plane.toLocal(rays.centre);
+  const Disc around = discAround(plane, rays);
   for (std::size_t first = 0; first < rays.segments.size(); first += PlanarRays::kMost) {
     const std::size_t count = std::min(PlanarRays::kMost, rays.segments.size() - first);
     PlanarRays planar_rays;
-    bodies.visitNear(centre, rays.radius, [&](BodyIndex index) {
+    bodies.visitNear(around.centre, around.radius, [&](BodyIndex index) {
       if (isVisibleTo(rays, bodies[index])) {
         if (planar_rays.segments.empty()) {
           planar_rays.assign(plane, rays.segments.subspan(first, count));

@@ -27,6 +27,7 @@ struct NumberPlace {
   Range range;
 
   std::size_t size() const;  ///< [byte]
+  bool isReal() const { return type == NumberType::kF4 || type == NumberType::kF8; }
   /// Whether there are numbers that `limit` changes.
   bool isBounded() const { return range.minimum > -kInfinity || range.maximum < kInfinity; }
 
@@ -49,6 +50,9 @@ struct NumberPlace {
       if (value < range.minimum || value > range.maximum) {
         store(fields, value < range.minimum ? -kInfinity : kInfinity);
       }
+    } else if (isReal() && !wraps) {
+      // stored in any case: whether noise around a bound is beyond it is a branch that no processor predicts
+      store(fields, std::clamp(value, range.minimum, range.maximum));
     } else if (!range.contains(value)) {
       // the type has what lies within the bounds, so nothing can become infinite
       store(fields, std::clamp(wraps ? wrapAngle(value) : value, range.minimum, range.maximum));
