@@ -5,6 +5,7 @@ Times are of the machine that ran it; the table says which."""
 
 import argparse
 import pathlib
+import signal
 
 import benchmarks
 import build_time
@@ -77,6 +78,8 @@ def main():
     parser.add_argument("--out", type=pathlib.Path, required=True, help="the page; rows that are not made anew stay")
     parser.add_argument("--only", nargs="+", choices=FIGURES, default=list(FIGURES), help="some of them")
     arguments = parser.parse_args()
+    # a shell that starts this in the background has it ignore the interrupt with which tests end what they start
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     table = Table(arguments.out.read_text() if arguments.out.exists() else "")
     for name in arguments.only:
         FIGURES[name](table, arguments.build)
