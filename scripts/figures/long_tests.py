@@ -10,6 +10,9 @@ from table import ROOT
 
 
 def last_word(output):
+    """Of a gtest. What failed is printed whole: after twenty minutes nobody wants to run it again to see why."""
+    if "FAILED" in output:
+        print(output, file=sys.stderr)
     last = [line for line in output.splitlines() if "PASSED" in line or "FAILED" in line]
     return last[0].strip("[ ]").replace("]", ":") if last else "did not run"
 
