@@ -1,10 +1,11 @@
-/// Which pairs of bodies may touch, and which bodies touch another.
+/// Which pairs of bodies may touch, which bodies touch another, and how hard mirrors push.
 #pragma once
 
 #include <box2d/b2_contact.h>
 #include <box2d/b2_fixture.h>
 #include <box2d/b2_world_callbacks.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "dynamics2d/rigid_body.hpp"
@@ -18,6 +19,12 @@ class Contacts final : public b2ContactFilter, public b2ContactListener {
   Contacts(const planar::Bodies& bodies, std::vector<RigidBody>& rigid_bodies)
       : bodies_(bodies), rigid_bodies_(rigid_bodies) {}
 
+  /// Before the steps of a tick. @param step that they have [s]
+  void setStep(double step) {
+    constexpr double kFastestOut = 0.3;  // m/s: what a mirror is put upon leaves it
+    deepest_ = std::max(toUnits(kFastestOut * step), 3.0F * b2_linearSlop);
+  }
+
   bool ShouldCollide(b2Fixture* a, b2Fixture* b) override {
     const Body& body_a = bodies_[indexOf(a)];
     const Body& body_b = bodies_[indexOf(b)];
@@ -25,6 +32,8 @@ class Contacts final : public b2ContactFilter, public b2ContactListener {
   }
   void BeginContact(b2Contact* contact) override { count(*contact, 1); }
   void EndContact(b2Contact* contact) override { count(*contact, -1); }
+  /// Before each step, of what touches.
+  void PreSolve(b2Contact* contact, const b2Manifold* before) override;
 
  private:
   static BodyIndex indexOf(b2Fixture* fixture) {
@@ -41,6 +50,7 @@ class Contacts final : public b2ContactFilter, public b2ContactListener {
 
   const planar::Bodies& bodies_;
   std::vector<RigidBody>& rigid_bodies_;
+  float deepest_ = 0.0F;  // that contacts with mirrors look, in Box2D's units
 };
 
 }  // namespace swarmanoid::dynamics2d

@@ -38,6 +38,7 @@ void Dynamics2d::choosePieces(double step) {
   }
   pieces_ = static_cast<int>(std::ceil(std::clamp(rate * step, 1.0, kMostPieces)));
   last_step_ = step / pieces_;
+  contacts_.setStep(last_step_);
   world_->SetContinuousPhysics(fastest * last_step_ > kSlop);
 }
 

@@ -74,6 +74,9 @@ struct Grip {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on the gripper, in B, without the noise of single steps [N]
   bool is_broken = false;                           ///< in this tick; `connect` reports it
   bool must_open = false;                           ///< it broke, and was not opened since
+
+  /// Not if it has broken in this tick.
+  bool holds(const Body& object) const { return gripped == &object && joint != nullptr; }
 };
 
 /// A rope. See rope.hpp.
@@ -175,7 +178,7 @@ struct Body {
 };
 
 /// Whether one of them grips the other.
-inline bool areJoined(const Body& a, const Body& b) { return a.grip.gripped == &b || b.grip.gripped == &a; }
+inline bool areJoined(const Body& a, const Body& b) { return a.grip.holds(b) || b.grip.holds(a); }
 
 /// Takes the commands of a tick from the space.
 void readCommands(const Space& space, Body& body);

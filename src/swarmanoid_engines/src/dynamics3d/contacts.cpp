@@ -49,9 +49,7 @@ bool areApart(dGeomID a, dGeomID b) {
 
 /// Whether a hand or a magnet of `robot`, of which `solid` is part, holds the object.
 bool isHeldWith(const Body& robot, const Solid& solid, const Body& object) {
-  const auto holds = [&](const Grip& grip) {
-    return grip.gripped == &object && grip.holder == dGeomGetBody(solid.geom);
-  };
+  const auto holds = [&](const Grip& grip) { return grip.holds(object) && grip.holder == dGeomGetBody(solid.geom); };
   return robot.holding != nullptr && std::any_of(robot.holding->grips.begin(), robot.holding->grips.end(), holds);
 }
 

@@ -71,7 +71,7 @@ TEST(CrowdTest, StaysInItsBoxAtBoundedSpeeds) {
       torn += event.text == "torn off: pulled with more than 15 N" ? 1 : 0;
     }
   }
-  EXPECT_LT(fastest, 2.0);
+  EXPECT_LT(fastest, 1.0) << "one that drives and turns swings what it holds with 0.3 m/s + 2 rad/s * 0.21 m";
   EXPECT_GT(grips, ticks / 200);
   EXPECT_GT(torn, ticks / 2000);
 }

@@ -112,8 +112,8 @@ TEST(EnduranceTest, EverybodyStaysInTheBoxAtBoundedSpeeds) {
   std::cout << "fastest " << fastest << " m/s and " << fastest_turn << " rad/s; " << grips << " grips, " << torn
             << " torn; " << box.falls << " falls; " << counts.steps << " steps, " << counts.redone << " redone, "
             << counts.iterative << " by the iterative solver\n";
-  EXPECT_LT(fastest, 5.0);
-  EXPECT_LT(fastest_turn, 100.0);
+  EXPECT_LT(fastest, 2.0) << "eyebots fly with 0.7 m/s, and who falls over falls by some 0.1 m";
+  EXPECT_LT(fastest_turn, 20.0);
   EXPECT_GT(grips, ticks / 200);
   EXPECT_GT(torn, ticks / 2000);
 }

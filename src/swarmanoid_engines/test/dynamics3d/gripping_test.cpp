@@ -1,6 +1,7 @@
 // Grips as rigid joints: who can be gripped, how hard, and what many grippers do together.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "world.hpp"
@@ -173,6 +174,24 @@ TEST(GrippingTest, AGripBreaksBeyondItsStrengthAndMustBeOpenedFirst) {
   world.setGripper(pair.footbot, true);
   world.step();
   EXPECT_EQ(pair.gripped(), pair.prey);
+}
+
+TEST(GrippingTest, WhatPushesOnAfterTheGripBrokeDoesNotComeIn) {
+  for (const char* strength : {"4", "5.5", "7"}) {
+    Pair pair(0.007, 20.0, {{"grip_strength", strength}});
+    World& world = pair.world;
+    world.setGripper(pair.footbot, true);
+    world.step();
+    ASSERT_EQ(pair.gripped(), pair.prey);
+    world.drive(pair.footbot, 0.3);
+    double nearest = 1.0;
+    for (int i = 0; i < 10; ++i) {
+      world.step();
+      nearest = std::min(nearest, (world.pose(pair.prey).position - world.pose(pair.footbot).position).norm());
+    }
+    EXPECT_EQ(pair.gripped(), kNoRow);
+    EXPECT_GT(nearest, kTip + 0.1 - 1e-3) << "torn off at " << strength << " N";
+  }
 }
 
 /// A footbot and a prey of its weight that turn around each other without weight, the one gripping the other.
