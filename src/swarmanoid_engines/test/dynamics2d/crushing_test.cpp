@@ -18,6 +18,7 @@ struct Case {
   double wall_heading;  // rad
   double skew;          // of the footbot's axle against the way across the wall [rad]
   double thickness;     // m
+  bool is_mirror_square = false;
 };
 
 /// A footbot that touches a wall with a treel, and a mirror elsewhere.
@@ -28,7 +29,8 @@ struct AtWall {
     world.addBlock({1.4, which.thickness, 0.5}, {2.7, 3.1, 0.25}, which.wall_heading);
     const Vector3d place = side + kHalfWidth * across;
     footbot = world.addFootbot(flatPose(place.x(), place.y(), which.wall_heading + which.skew));
-    mirror = world.add(cylindricPreyModel(0.05, 0.1), flatPose(5.0, 5.0), Role::kMirror);
+    const auto model = which.is_mirror_square ? blockModel({0.1, 0.1, 0.1}, 1.0) : cylindricPreyModel(0.05, 0.1);
+    mirror = world.add(model, flatPose(5.0, 5.0, which.wall_heading + 0.3), Role::kMirror);
   }
 
   /// Of the footbot's middle from the wall's side [m].
@@ -106,7 +108,7 @@ TEST_P(CrushingTest, LikewiseIfTheMirrorComesFast) {
 
 INSTANTIATE_TEST_SUITE_P(Walls, CrushingTest,
                          ::testing::Values(Case{0.0, 0.03, 0.02}, Case{0.7, -0.11, 0.02}, Case{2.3, 0.05, 0.005},
-                                           Case{-1.9, -0.02, 0.03}));
+                                           Case{-1.9, -0.02, 0.03}, Case{1.2, 0.04, 0.02, true}));
 
 }  // namespace
 }  // namespace swarmanoid::dynamics2d
