@@ -2,6 +2,7 @@
 
 import os
 import subprocess
+import sys
 
 from long_tests import last_word, rostest
 from table import ROOT
@@ -36,13 +37,13 @@ def stops(table):
 
 def workspace(table):
     table.add("robot-only workspace: four packages built, controllers of the experiments against mock drivers",
-              "builds and runs; no ODE, Box2D, simulator package", *last_words_of([ROOT / "scripts/robot_test.py"]))
+              "builds and runs; no ODE, Box2D, simulator package", *last_words_of([sys.executable, ROOT / "scripts/robot_test.py"]))
 
 
 def replay(table):
     table.add("a retrieval run recorded and replayed, all four robots; a changed parameter; bad bags",
               "all ticks equal; the first that differs is named",
-              *last_words_of([ROOT / "src/swarmanoid_experiments/test/replay_test.py"]))
+              *last_words_of([sys.executable, ROOT / "src/swarmanoid_experiments/test/replay_test.py"]))
     table.add("the same, recorded with controllers in other processes", "all ticks equal", *rostest("replay"))
     table.add("a controller in Python, in lockstep, against the same in C++; robots commanded over topics",
               "equal state hash each tick", *rostest("topics"))

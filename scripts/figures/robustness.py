@@ -32,7 +32,7 @@ def fuzzers(table, build):
     for subject, cases, what in (("files", FILES, f"{FILES:,} fuzzed files"), ("images", IMAGES, f"{IMAGES:,} fuzzed images"),
                                  ("controllers", None, "all kinds of misbehaving controllers"),
                                  ("launched_controllers", None, "all kinds of misbehaving controllers, under roslaunch")):
-        done = subprocess.run([EXPERIMENTS / "fuzz/fuzz.py", subject, *(["--cases", str(cases)] if cases else [])],
+        done = subprocess.run([sys.executable, EXPERIMENTS / "fuzz/fuzz.py", subject, *(["--cases", str(cases)] if cases else [])],
                               capture_output=True, text=True, check=False)
         if done.returncode != 0:
             print(done.stderr[-8000:], file=sys.stderr)
@@ -42,7 +42,7 @@ def fuzzers(table, build):
     done = subprocess.run([program], capture_output=True, text=True, env=dict(os.environ, FUZZED_FRAMES=str(FRAMES)), check=False)
     table.add(f"{FRAMES:,} fuzzed frames each way", "the space goes on, robots stop with a reason", _last_line(done.stdout),
               done.returncode == 0)
-    done = subprocess.run([EXPERIMENTS / "rostest/service_fuzz_test.py"], capture_output=True, text=True, check=False,
+    done = subprocess.run([sys.executable, EXPERIMENTS / "rostest/service_fuzz_test.py"], capture_output=True, text=True, check=False,
                           env=dict(os.environ, FUZZED_CALLS=str(CALLS)))
     if done.returncode != 0:
         print(done.stdout[-4000:], done.stderr[-8000:], file=sys.stderr)
