@@ -48,7 +48,8 @@ class Controllers:
         if not summary.strip():
             return ""
         ticks = json.loads(summary)["ticks"]
-        lines = table.read_bytes().count(b"\n") - 1
+        whole = table.read_bytes().split(b"\n")[:-1]
+        lines = sum(not line.startswith(b"#") for line in whole)
         return "" if lines == (ticks + 1) * len(ROBOTS) else f"{ticks} ticks were run, and {lines} lines are in the table"
 
     @staticmethod
