@@ -33,6 +33,10 @@ class FuzzTest(unittest.TestCase):
         self.assertGreater(codes[0], 10, "hardly anything is run")
         self.assertGreater(codes[2], 10, "hardly anything is refused")
 
+    def test_controllers(self):
+        codes = self.fuzz("controllers", int(os.environ.get("FUZZED_CONTROLLERS", 60)))
+        self.assertGreater(codes[3], 10, "hardly any fails")
+
     def test_launched_controllers(self):
         self.fuzz("launched_controllers", int(os.environ.get("FUZZED_LAUNCHES", 6)))
 

@@ -1,6 +1,6 @@
 // A mirror cannot be held back, and may be put upon others. Box2D would push them out of it by decimetres within a
 // step, through walls too, or so far into one that they hang on it, to be shot away later. So whatever is in a mirror
-// looks to Box2D as if it were in it by no more than it shall come out in a step.
+// looks to Box2D as if it were in it by no more than it may come out in a step.
 #include "dynamics2d/contacts.hpp"
 
 #include <algorithm>

@@ -21,7 +21,8 @@ class Contacts final : public b2ContactFilter, public b2ContactListener {
 
   /// Before the steps of a tick. @param step that they have [s]
   void setStep(double step) {
-    constexpr double kFastestOut = 0.3;  // m/s: what a mirror is put upon leaves it
+    // m/s: what a mirror is put upon leaves it with half of that, since Box2D takes away no more of a depth in a step
+    constexpr double kFastestOut = 0.3;
     deepest_ = std::max(toUnits(kFastestOut * step), 3.0F * b2_linearSlop);
   }
 
@@ -50,7 +51,7 @@ class Contacts final : public b2ContactFilter, public b2ContactListener {
 
   const planar::Bodies& bodies_;
   std::vector<RigidBody>& rigid_bodies_;
-  float deepest_ = 0.0F;  // that contacts with mirrors look, in Box2D's units
+  float deepest_ = 0.0F;  // what contacts with mirrors look like at most, in Box2D's units
 };
 
 }  // namespace swarmanoid::dynamics2d

@@ -142,11 +142,15 @@ TEST(CollisionTest, AMirrorThatIsPutUponAFootbotPushesItGentlyAway) {
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.1), flatPose(3.0, 1.0), Role::kMirror);
   world.pose(mirror).position.x() = 1.1;
   double fastest = 0.0;
+  double longest_way = 0.0;  // in a tick
   for (int i = 0; i < 50; ++i) {
+    const Vector3d before = world.pose(footbot).position;
     world.step();
     fastest = std::max(fastest, world.twist(footbot).linear.norm());
+    longest_way = std::max(longest_way, (world.pose(footbot).position - before).norm());
   }
   EXPECT_LT(fastest, 0.5);
+  EXPECT_LT(longest_way, 0.3 * 0.1) << "0.3 m/s";
   EXPECT_GT((world.pose(footbot).position - world.pose(mirror).position).norm(), 0.18);
   EXPECT_EQ(world.pose(mirror).position.x(), 1.1);
 }

@@ -85,7 +85,7 @@ class CrushingTest : public ::testing::TestWithParam<Case> {
 };
 
 TEST_P(CrushingTest, BetweenAWallAndAMirrorThatIsPutUponItAFootbotStaysOnItsSide) {
-  // what is put upon another pushes with 0.3 m/s, so the wall is no deeper in it than that makes in a step
+  // a mirror pushes what it is put upon with at most 0.3 m/s, so the wall is no deeper in it than that makes in a step
   EXPECT_GT(crushed.press(std::vector<double>(30, 0.09)), 0.085 - 0.3 * kStep - 1e-3);
   expectFreedom();
 }
