@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <random>
 
 namespace swarmanoid::planar {
 namespace {
@@ -26,6 +30,48 @@ PlanarShape square(const Vector2d& centre, double angle = 0.0) {
     shape.vertices.push_back(centre + std::sqrt(2.0) * Vector2d(std::cos(corner), std::sin(corner)));
   }
   return shape;
+}
+
+/// 3 to 8 corners on an ellipse of half axes from 0.2 to 1, turned anyhow.
+PlanarShape anyPolygon(std::mt19937& random) {
+  std::uniform_real_distribution<double> part(0.0, 1.0);
+  std::array<double, 8> angles;
+  const std::size_t count = 3 + random() % 6;
+  std::generate_n(angles.begin(), count, [&] { return 2.0 * M_PI * part(random); });
+  std::sort(angles.begin(), angles.begin() + count);
+  const Vector2d half_axes(0.2 + 0.8 * part(random), 0.2 + 0.8 * part(random));
+  const Eigen::Rotation2Dd turn(2.0 * M_PI * part(random));
+  PlanarShape shape;
+  shape.radius = 1.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    shape.vertices.push_back(turn * Vector2d(half_axes.x() * std::cos(angles[i]), half_axes.y() * std::sin(angles[i])));
+  }
+  return shape;
+}
+
+/// The nearest of many points along the outline: at most 2 / kPoints^2 / distance too far.
+double distanceToOutline(const PlanarShape& polygon, const Vector2d& point) {
+  constexpr int kPoints = 4000;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+    const Vector2d& from = polygon.vertices[i];
+    const Vector2d& to = polygon.vertices[(i + 1) % polygon.vertices.size()];
+    for (int k = 0; k <= kPoints; ++k) {
+      nearest = std::min(nearest, (from + k * (to - from) / kPoints - point).norm());
+    }
+  }
+  return nearest;
+}
+
+/// How often the outline goes around a point, by the angles at which its corners are seen from there.
+bool isInside(const PlanarShape& polygon, const Vector2d& point) {
+  double turns = 0.0;
+  for (std::size_t i = 0; i < polygon.vertices.size(); ++i) {
+    const Vector2d a = polygon.vertices[i] - point;
+    const Vector2d b = polygon.vertices[(i + 1) % polygon.vertices.size()] - point;
+    turns += std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)) / (2.0 * M_PI);
+  }
+  return turns > 0.5;
 }
 
 /// Overlap does not depend on who is asked.
@@ -61,6 +107,29 @@ TEST(PlanarOverlapTest, CircleAtACorner) {
 TEST(PlanarOverlapTest, CircleInsideAndAround) {
   EXPECT_TRUE(areOverlapping(circle({0.2, 0.1}, 0.1), square({0.0, 0.0})));
   EXPECT_TRUE(areOverlapping(circle({0.2, 0.1}, 5.0), square({0.0, 0.0})));
+}
+
+TEST(PlanarOverlapTest, CirclesAnywhereAtPolygonsOfAnyForm) {
+  constexpr double kNearly = 1e-4;  // m: by how much the nearest of the points may be too far, and more
+  std::mt19937 random(20261128);
+  std::uniform_real_distribution<double> coordinate(-1.2, 1.2);
+  std::array<int, 3> cases{};
+  for (int i = 0; i < 600; ++i) {
+    const PlanarShape polygon = anyPolygon(random);
+    const Vector2d centre(coordinate(random), coordinate(random));
+    const double distance = distanceToOutline(polygon, centre);
+    const bool is_inside = isInside(polygon, centre);
+    ++cases[is_inside ? 0 : distance < 0.4 ? 1 : 2];
+    if (distance > 0.02) {  // nearer, the points are too far apart
+      EXPECT_EQ(areOverlapping(circle(centre, distance - kNearly), polygon), is_inside) << "polygon " << i;
+    }
+    EXPECT_TRUE(areOverlapping(circle(centre, distance + kNearly), polygon)) << "polygon " << i;
+    const double depth = penetration(circle(centre, distance + kNearly), polygon).depth;
+    EXPECT_NEAR(depth, kNearly + (is_inside ? 2.0 * distance : 0.0), kNearly) << "polygon " << i;
+  }
+  for (const int count : cases) {
+    EXPECT_GT(count, 40);
+  }
 }
 
 TEST(PlanarOverlapTest, SquaresSideBySide) {

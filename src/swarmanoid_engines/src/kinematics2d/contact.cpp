@@ -58,7 +58,8 @@ void Kinematics2d::turnPiece(BodyIndex index, double turn, const Block& block) {
   }
 }
 
-/// Moves the target out of what it overlaps, one contact after the other. @return whether that has led to a free pose
+/// Moves a target that is not free out of what it overlaps, one contact after the other. @return whether that has led
+/// to a free pose
 bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const Block& block) {
   constexpr int kPushes = 5;
   const double most = (target.position - bodies_[index].pose.position).norm() + kMostPush;
@@ -67,7 +68,7 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const
   for (int i = 0; i < kPushes; ++i) {
     planar::Penetration deepest = deepestContact(index, pose, block);
     if (deepest.depth <= planar::kContactTolerance) {
-      return tryPose(index, pose, block);
+      return false;  // something else than a contact is in the way
     }
     constexpr int kExactPushes = 2;
     deepest.depth += i < kExactPushes ? 0.0 : kSkin;
@@ -75,9 +76,12 @@ bool Kinematics2d::tryPushedOut(BodyIndex index, const PlacedPose& target, const
     if ((pose.position - target.position).norm() > most) {
       return false;
     }
+    if (tryPose(index, pose, block)) {
+      return true;
+    }
     normal_before = deepest.normal;
   }
-  return tryPose(index, pose, block);
+  return false;
 }
 
 /// Of all that hinders a body, or what it grips, from being there; no depth: nothing does.

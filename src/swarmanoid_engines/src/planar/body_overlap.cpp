@@ -1,7 +1,6 @@
 #include "planar/body_overlap.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace swarmanoid::planar {
 
@@ -14,14 +13,14 @@ bool visitPairs(const PlanarModel& model, const PlacedPose& pose, double along, 
   if (!model.band.overlaps(other.model->band, along, other.along)) {
     return false;
   }
-  thread_local std::vector<PlanarShape> placed;  // kept, for its memory
-  const double cosine = other.pose.cosine;
-  const double sine = other.pose.sine;
-  placeShapes(model, other.pose.unrotated(pose.position - other.pose.position), pose.cosine * cosine + pose.sine * sine,
-              pose.sine * cosine - pose.cosine * sine, placed);
-  for (std::size_t i = 0; i < model.shapes.size(); ++i) {
-    for (const PlanarShape& shape : other.model->shapes) {
-      if (placed[i].band.overlaps(shape.band, along, other.along) && visit(placed[i], shape)) {
+  thread_local PlanarShape placed;  // kept, for its memory
+  const Eigen::Vector2d position = other.pose.unrotated(pose.position - other.pose.position);
+  const double cosine = pose.cosine * other.pose.cosine + pose.sine * other.pose.sine;
+  const double sine = pose.sine * other.pose.cosine - pose.cosine * other.pose.sine;
+  for (const PlanarShape& mine : model.shapes) {
+    placeShape(mine, position, cosine, sine, placed);
+    for (const PlanarShape& theirs : other.model->shapes) {
+      if (placed.band.overlaps(theirs.band, along, other.along) && visit(placed, theirs)) {
         return true;
       }
     }

@@ -125,21 +125,23 @@ void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Qua
   }
 }
 
-void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,
-                 std::vector<PlanarShape>& placed) {
+void placeShape(const PlanarShape& shape, const Eigen::Vector2d& position, double cosine, double sine,
+                PlanarShape& placed) {
   const auto place = [&](const Eigen::Vector2d& p) {
     return Eigen::Vector2d(position.x() + cosine * p.x() - sine * p.y(), position.y() + sine * p.x() + cosine * p.y());
   };
+  placed.centre = place(shape.centre);
+  placed.radius = shape.radius;
+  placed.band = shape.band;
+  placed.vertices.resize(shape.vertices.size());
+  std::transform(shape.vertices.begin(), shape.vertices.end(), placed.vertices.begin(), place);
+}
+
+void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,
+                 std::vector<PlanarShape>& placed) {
   placed.resize(std::max(placed.size(), model.shapes.size()));
   for (std::size_t i = 0; i < model.shapes.size(); ++i) {
-    const PlanarShape& shape = model.shapes[i];
-    placed[i].centre = place(shape.centre);
-    placed[i].radius = shape.radius;
-    placed[i].band = shape.band;
-    placed[i].vertices.resize(shape.vertices.size());
-    for (std::size_t k = 0; k < shape.vertices.size(); ++k) {
-      placed[i].vertices[k] = place(shape.vertices[k]);
-    }
+    placeShape(model.shapes[i], position, cosine, sine, placed[i]);
   }
 }
 

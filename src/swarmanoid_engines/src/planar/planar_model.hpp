@@ -56,7 +56,11 @@ struct PlanarModel {
 void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
                   Span<const JointState> joints = {});
 
-/// Puts a model's shapes where a body is. `placed` is of the model's shape count and keeps its memory.
+/// Puts a shape of a model where a body is. `placed` keeps its memory.
+void placeShape(const PlanarShape& shape, const Eigen::Vector2d& position, double cosine, double sine,
+                PlanarShape& placed);
+
+/// All of a model's shapes. `placed` is of the model's shape count or longer, and keeps its memory.
 void placeShapes(const PlanarModel& model, const Eigen::Vector2d& position, double cosine, double sine,
                  std::vector<PlanarShape>& placed);
 

@@ -6,21 +6,33 @@
 namespace swarmanoid::planar {
 namespace {
 
-/// Distance from the polygon to a point outside it; negative inside.
-double distanceTo(const PlanarShape& polygon, const Eigen::Vector2d& point) {
-  double deepest = -std::numeric_limits<double>::infinity();
-  double nearest_squared = std::numeric_limits<double>::infinity();
-  const std::size_t count = polygon.vertices.size();
-  for (std::size_t i = 0; i < count; ++i) {
-    const Eigen::Vector2d& from = polygon.vertices[i];
-    const Eigen::Vector2d edge = polygon.vertices[(i + 1) % count] - from;
-    const Eigen::Vector2d way = point - from;
+/// Whether a polygon has a point nearer than a distance to a point, or has it inside. Most pairs are apart by one edge:
+/// no root and no division is needed.
+bool isNearer(const PlanarShape& polygon, const Eigen::Vector2d& point, double distance) {
+  const double distance_squared = distance * distance;
+  bool is_inside = true;
+  const Eigen::Vector2d* corner = &polygon.vertices.back();
+  for (const Eigen::Vector2d& next : polygon.vertices) {
+    const Eigen::Vector2d edge = next - *corner;
+    const Eigen::Vector2d way = point - *corner;
+    corner = &next;
+    const double outside = edge.y() * way.x() - edge.x() * way.y();  // by how much, times the edge's length
+    if (outside <= 0.0) {
+      continue;
+    }
+    is_inside = false;
     const double length_squared = edge.squaredNorm();
-    deepest = std::max(deepest, (edge.y() * way.x() - edge.x() * way.y()) / std::sqrt(length_squared));
-    const double t = std::clamp(way.dot(edge) / length_squared, 0.0, 1.0);
-    nearest_squared = std::min(nearest_squared, (way - t * edge).squaredNorm());
+    if (outside * outside >= distance_squared * length_squared) {
+      return false;
+    }
+    const double along = way.dot(edge);
+    const bool is_beside = along >= 0.0 && along <= length_squared;
+    const Eigen::Vector2d from_end = along < 0.0 ? way : way - edge;
+    if (is_beside || from_end.squaredNorm() < distance_squared) {
+      return true;
+    }
   }
-  return deepest <= 0.0 ? deepest : std::sqrt(nearest_squared);
+  return is_inside;
 }
 
 /// Whether an edge of `a` has all of `b` on its outer side (separating axis theorem).
@@ -101,7 +113,7 @@ bool overlap(const PlanarShape& a, const PlanarShape& b) {
   if (a.isCircle() || b.isCircle()) {
     const PlanarShape& circle = a.isCircle() ? a : b;
     const PlanarShape& polygon = a.isCircle() ? b : a;
-    return distanceTo(polygon, circle.centre) < circle.radius - kContactTolerance;
+    return isNearer(polygon, circle.centre, circle.radius - kContactTolerance);
   }
   return !hasSeparatingEdge(a, b) && !hasSeparatingEdge(b, a);
 }

@@ -6,6 +6,14 @@
 #include "inside_of.hpp"
 
 namespace swarmanoid {
+namespace {
+
+/// Most solids stand in their entity's frame as in their own.
+Eigen::Vector3d rotated(const Eigen::Quaterniond& rotation, const Eigen::Vector3d& vector) {
+  return rotation.vec().isZero(0.0) ? vector : rotation * vector;
+}
+
+}  // namespace
 
 double closestHit(const Segment& segment, const EntityModel& model, const Pose& pose) {
   const Eigen::Quaterniond to_body = pose.orientation.conjugate();
@@ -15,7 +23,7 @@ double closestHit(const Segment& segment, const EntityModel& model, const Pose& 
   for (const CollisionShape& shape : model.shapes) {
     const Eigen::Quaterniond to_shape = shape.orientation.conjugate();
     const LinePart inside =
-        insideOf(shape.kind, shape.half_extent, to_shape * (start - shape.position), to_shape * step);
+        insideOf(shape.kind, shape.half_extent, rotated(to_shape, start - shape.position), rotated(to_shape, step));
     if (!inside.isEmpty() && inside.to >= 0.0 && inside.from <= 1.0) {
       first = std::min(first, std::max(inside.from, 0.0));
     }
