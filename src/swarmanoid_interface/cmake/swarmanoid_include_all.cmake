@@ -3,7 +3,7 @@
 function(swarmanoid_include_all source folder)
   file(GLOB _headers RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include CONFIGURE_DEPENDS
     ${CMAKE_CURRENT_SOURCE_DIR}/include/${folder}/*.hpp)
-  set(_text "")
+  set(_text "#define SWARMANOID_INCLUDES_ALL\n")
   foreach(_header ${_headers})
     string(APPEND _text "#include \"${_header}\"\n")
   endforeach()

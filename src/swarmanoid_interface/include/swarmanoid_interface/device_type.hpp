@@ -177,3 +177,11 @@ struct DeviceRegistration {
 #define REGISTER_DEVICE(Device, kind, summary)                                           \
   inline const ::swarmanoid::DeviceRegistration<Device> device_registration_of_##Device{ \
       ::swarmanoid::DeviceKind::kind, summary, #Device, __FILE__};
+
+/// Does the same in the headers of swarmanoid_interface/devices/, in the library of the interface alone, which
+/// everybody loads: what a description takes is not compiled by all who include a device.
+#ifdef SWARMANOID_INCLUDES_ALL  // by the source that the build writes
+#define REGISTER_DEVICE_OF_SUITE(Device, kind, summary) REGISTER_DEVICE(Device, kind, summary)
+#else
+#define REGISTER_DEVICE_OF_SUITE(Device, kind, summary) static_assert(::swarmanoid::kHasFields<Device>);
+#endif

@@ -33,6 +33,6 @@ void fields(Visitor& visit, Battery& battery) {
   visit(battery.on_capacitor,
         {"on_capacitor", "", "a super-capacitor alone keeps the robot alive; its wheels are off"});
 }
-REGISTER_DEVICE(Battery, kSensor, "What is left in the robot's battery.")
+REGISTER_DEVICE_OF_SUITE(Battery, kSensor, "What is left in the robot's battery.")
 
 }  // namespace swarmanoid

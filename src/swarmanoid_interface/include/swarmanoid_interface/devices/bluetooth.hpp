@@ -13,7 +13,8 @@ struct Bluetooth : RadioCommand<27> {
   static constexpr const char* kType = "bluetooth";
   static constexpr const char* kLink = "bluetooth";
 };
-REGISTER_DEVICE(Bluetooth, kActuator, "Bluetooth that sends a short message to all robots near, or to one of them.")
+REGISTER_DEVICE_OF_SUITE(Bluetooth, kActuator,
+                         "Bluetooth that sends a short message to all robots near, or to one of them.")
 
 using BluetoothMessage = RadioMessage<Bluetooth::kBytes>;
 
@@ -27,6 +28,7 @@ struct BluetoothReceived : ReceivedMessages<BluetoothMessage> {
   /// same, part A, 4.1): 1 - 0.999^240.
   static constexpr double kUsualLossAtRange = 0.2;
 };
-REGISTER_DEVICE(BluetoothReceived, kSensor, "Messages that came by Bluetooth, with the address of each sender.")
+REGISTER_DEVICE_OF_SUITE(BluetoothReceived, kSensor,
+                         "Messages that came by Bluetooth, with the address of each sender.")
 
 }  // namespace swarmanoid

@@ -70,7 +70,7 @@ struct FootbotCamera : ColorBlobs {
   static constexpr double kMount = 0.28;      ///< height of the camera in the robot's frame [m]
 };
 
-REGISTER_DEVICE(FootbotCamera, kSensor, "An omnidirectional camera that reports blobs of colour.")
+REGISTER_DEVICE_OF_SUITE(FootbotCamera, kSensor, "An omnidirectional camera that reports blobs of colour.")
 
 /// The eyebot's camera, which looks down: its field of view is a circle on the ground under the robot.
 struct EyebotCamera : ColorBlobs {
@@ -81,7 +81,7 @@ struct EyebotCamera : ColorBlobs {
   static constexpr double kMount = 0.15;                ///< height of the camera in the robot's frame [m]
 };
 
-REGISTER_DEVICE(EyebotCamera, kSensor, "A camera that looks down into a cone and reports blobs of colour.")
+REGISTER_DEVICE_OF_SUITE(EyebotCamera, kSensor, "A camera that looks down into a cone and reports blobs of colour.")
 
 /// The eyebot's omnidirectional camera, on its mast: it sees all around, also other eyebots, at any height.
 struct EyebotOmnidirectionalCamera : ColorBlobs {
@@ -91,8 +91,8 @@ struct EyebotOmnidirectionalCamera : ColorBlobs {
   static constexpr double kMount = 0.42;       ///< height of the camera in the robot's frame [m]
 };
 
-REGISTER_DEVICE(EyebotOmnidirectionalCamera, kSensor,
-                "A camera that sees all around at any height and reports blobs of colour.")
+REGISTER_DEVICE_OF_SUITE(EyebotOmnidirectionalCamera, kSensor,
+                         "A camera that sees all around at any height and reports blobs of colour.")
 
 /// What a camera with a lens shows: a pyramid around the axis that it looks along.
 class Picture {
@@ -127,7 +127,8 @@ struct EyebotPanTiltCamera : ColorBlobs {
   static constexpr std::array<double, 3> kMount{0.085, 0.0, 0.17};  ///< in the robot's frame [m]
 };
 
-REGISTER_DEVICE(EyebotPanTiltCamera, kSensor, "A camera that is panned and tilted and reports blobs of colour.")
+REGISTER_DEVICE_OF_SUITE(EyebotPanTiltCamera, kSensor,
+                         "A camera that is panned and tilted and reports blobs of colour.")
 
 /// The footbot's camera that looks ahead, for what is near its gripper. Its blobs have no distance.
 struct FootbotFrontCamera : ColorBlobs {
@@ -137,7 +138,7 @@ struct FootbotFrontCamera : ColorBlobs {
   static constexpr std::array<double, 3> kMount{0.08, 0.0, 0.09};  ///< in the robot's frame [m]
 };
 
-REGISTER_DEVICE(FootbotFrontCamera, kSensor, "A camera that looks ahead and reports blobs of colour.")
+REGISTER_DEVICE_OF_SUITE(FootbotFrontCamera, kSensor, "A camera that looks ahead and reports blobs of colour.")
 
 /// The handbot's camera, in its head, which looks ahead. Its blobs have no distance.
 struct HandbotCamera : ColorBlobs {
@@ -147,6 +148,6 @@ struct HandbotCamera : ColorBlobs {
   static constexpr std::array<double, 3> kMount{0.105, 0.0, 0.16};  ///< in the robot's frame [m]
 };
 
-REGISTER_DEVICE(HandbotCamera, kSensor, "A camera in the head that looks ahead and reports blobs of colour.")
+REGISTER_DEVICE_OF_SUITE(HandbotCamera, kSensor, "A camera in the head that looks ahead and reports blobs of colour.")
 
 }  // namespace swarmanoid

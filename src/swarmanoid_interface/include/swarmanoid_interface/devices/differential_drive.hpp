@@ -23,6 +23,6 @@ void fields(Visitor& visit, DifferentialDrive& drive) {
   visit(drive.speed, {"speed", "m/s", "along the robot's x axis; cut by what the wheels can do"});
   visit(drive.turn_rate, {"turn_rate", "rad/s", "counter-clockwise; cut likewise"});
 }
-REGISTER_DEVICE(DifferentialDrive, kActuator, "Two wheels on one axle, by speed and turn rate.")
+REGISTER_DEVICE_OF_SUITE(DifferentialDrive, kActuator, "Two wheels on one axle, by speed and turn rate.")
 
 }  // namespace swarmanoid

@@ -69,6 +69,6 @@ void fields(Visitor& visit, Distance& distance) {
   visit(distance.sensors, {"sensors"});
   rangeFields(visit, distance);
 }
-REGISTER_DEVICE(Distance, kSensor, "Infrared distance sensors, as many as the robot has, wherever they look.")
+REGISTER_DEVICE_OF_SUITE(Distance, kSensor, "Infrared distance sensors, as many as the robot has, wherever they look.")
 
 }  // namespace swarmanoid

@@ -31,6 +31,6 @@ void fields(Visitor& visit, EyebotAltitude& altitude) {
   visit(altitude.range_min, {"range_min", "m", "what is nearer is too close", kAny});
   visit(altitude.range_max, {"range_max", "m", "what is farther is out of range", kAny});
 }
-REGISTER_DEVICE(EyebotAltitude, kSensor, "Distance to the ground straight below.")
+REGISTER_DEVICE_OF_SUITE(EyebotAltitude, kSensor, "Distance to the ground straight below.")
 
 }  // namespace swarmanoid

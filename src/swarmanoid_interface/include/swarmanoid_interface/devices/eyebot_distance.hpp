@@ -44,6 +44,7 @@ void fields(Visitor& visit, EyebotDistance& distance) {
   visit(distance.down, distanceField("down", "likewise", kAny));
   rangeFields(visit, distance);
 }
-REGISTER_DEVICE(EyebotDistance, kSensor, "16 infrared distance sensors around the body, one upwards, one downwards.")
+REGISTER_DEVICE_OF_SUITE(EyebotDistance, kSensor,
+                         "16 infrared distance sensors around the body, one upwards, one downwards.")
 
 }  // namespace swarmanoid

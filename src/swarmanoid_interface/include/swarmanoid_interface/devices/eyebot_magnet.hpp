@@ -23,7 +23,7 @@ void fields(Visitor& visit, EyebotMagnet& magnet) {
 }
 /// The command stays, so that a hanging eyebot does not fall.
 inline bool stopSafely(EyebotMagnet& /*magnet*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(EyebotMagnet, kActuator, "The magnet on top, by which the robot hangs under a ceiling.")
+REGISTER_DEVICE_OF_SUITE(EyebotMagnet, kActuator, "The magnet on top, by which the robot hangs under a ceiling.")
 
 /// The state at the end of the last tick.
 struct EyebotMagnetState {
@@ -37,6 +37,6 @@ template <class Visitor>
 void fields(Visitor& visit, EyebotMagnetState& magnet) {
   visit(magnet.attached, {"attached", "", "whether the magnet holds something"});
 }
-REGISTER_DEVICE(EyebotMagnetState, kSensor, "The magnet's contact switch.")
+REGISTER_DEVICE_OF_SUITE(EyebotMagnetState, kSensor, "The magnet's contact switch.")
 
 }  // namespace swarmanoid

@@ -37,6 +37,6 @@ void fields(Visitor& visit, EyebotPanTilt& mounting) {
 }
 /// The camera goes on looking where it was last commanded to.
 inline bool stopSafely(EyebotPanTilt& /*mounting*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(EyebotPanTilt, kActuator, "Pans and tilts the camera of eyebot_pan_tilt_camera.")
+REGISTER_DEVICE_OF_SUITE(EyebotPanTilt, kActuator, "Pans and tilts the camera of eyebot_pan_tilt_camera.")
 
 }  // namespace swarmanoid

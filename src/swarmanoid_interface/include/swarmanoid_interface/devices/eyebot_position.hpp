@@ -54,6 +54,6 @@ inline bool stopSafely(EyebotPosition& command, const SafeStopMoment& moment) {
   command.mode = lands ? EyebotPosition::Mode::kLand : EyebotPosition::Mode::kHover;
   return stop == FlightStop::kHangs || stop == FlightStop::kIsOver;
 }
-REGISTER_DEVICE(EyebotPosition, kActuator, "The flight controller: flies to a place, takes off, lands.")
+REGISTER_DEVICE_OF_SUITE(EyebotPosition, kActuator, "The flight controller: flies to a place, takes off, lands.")
 
 }  // namespace swarmanoid

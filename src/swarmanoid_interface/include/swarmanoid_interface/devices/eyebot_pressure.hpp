@@ -33,6 +33,6 @@ template <class Visitor>
 void fields(Visitor& visit, EyebotPressure& pressure) {
   visit(pressure.difference, {"difference", "Pa", "to that at the start; less than 0 above it"});
 }
-REGISTER_DEVICE(EyebotPressure, kSensor, "Pressure of the air against that where it took off.")
+REGISTER_DEVICE_OF_SUITE(EyebotPressure, kSensor, "Pressure of the air against that where it took off.")
 
 }  // namespace swarmanoid

@@ -35,6 +35,6 @@ inline bool stopSafely(EyebotVelocity& velocity, const SafeStopMoment& moment) {
   }
   return stop == FlightStop::kHangs || stop == FlightStop::kIsOver;
 }
-REGISTER_DEVICE(EyebotVelocity, kActuator, "The flight controller: flies a velocity, hovers at zero.")
+REGISTER_DEVICE_OF_SUITE(EyebotVelocity, kActuator, "The flight controller: flies a velocity, hovers at zero.")
 
 }  // namespace swarmanoid

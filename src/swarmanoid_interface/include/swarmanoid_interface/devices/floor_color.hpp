@@ -22,6 +22,6 @@ template <class Visitor>
 void fields(Visitor& visit, FloorColor& floor) {
   visit(floor.color, {"color", "", "of the floor; black with no ground in range"});
 }
-REGISTER_DEVICE(FloorColor, kSensor, "The colour of the floor under the robot.")
+REGISTER_DEVICE_OF_SUITE(FloorColor, kSensor, "The colour of the floor under the robot.")
 
 }  // namespace swarmanoid

@@ -20,6 +20,6 @@ void fields(Visitor& visit, FootbotBeacon& beacon) {
 }
 /// The LEDs keep their colour.
 inline bool stopSafely(FootbotBeacon& /*beacon*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(FootbotBeacon, kActuator, "The ring of LEDs, all in one colour.")
+REGISTER_DEVICE_OF_SUITE(FootbotBeacon, kActuator, "The ring of LEDs, all in one colour.")
 
 }  // namespace swarmanoid

@@ -24,7 +24,7 @@ void fields(Visitor& visit, FootbotGripper& gripper) {
 }
 /// The command stays, so that a held object is not dropped.
 inline bool stopSafely(FootbotGripper& /*gripper*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(FootbotGripper, kActuator, "The rigid gripper at the front, which turns with the turret.")
+REGISTER_DEVICE_OF_SUITE(FootbotGripper, kActuator, "The rigid gripper at the front, which turns with the turret.")
 
 /// The reading of the gripper's contact switch.
 struct FootbotGripperState {
@@ -38,6 +38,6 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotGripperState& gripper) {
   visit(gripper.gripping, {"gripping", "", "whether the gripper holds something"});
 }
-REGISTER_DEVICE(FootbotGripperState, kSensor, "The gripper's contact switch.")
+REGISTER_DEVICE_OF_SUITE(FootbotGripperState, kSensor, "The gripper's contact switch.")
 
 }  // namespace swarmanoid

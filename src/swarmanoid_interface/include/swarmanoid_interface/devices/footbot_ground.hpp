@@ -33,7 +33,7 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotGround& ground) {
   visit(ground.value, {"value", "", "0 over black or with no ground in range, 1 over white", {0.0, 1.0}});
 }
-REGISTER_DEVICE(FootbotGround, kSensor, "8 infrared spots around the body, which read the floor.")
+REGISTER_DEVICE_OF_SUITE(FootbotGround, kSensor, "8 infrared spots around the body, which read the floor.")
 
 /// Readings of the 4 spots between the wheels, likewise. Spot 0 is ahead on the left, the others follow
 /// counter-clockwise.
@@ -57,6 +57,6 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotBaseGround& ground) {
   visit(ground.value, {"value", "", "0 over black or with no ground in range, 1 over white", {0.0, 1.0}});
 }
-REGISTER_DEVICE(FootbotBaseGround, kSensor, "4 infrared spots between the wheels, which read the floor.")
+REGISTER_DEVICE_OF_SUITE(FootbotBaseGround, kSensor, "4 infrared spots between the wheels, which read the floor.")
 
 }  // namespace swarmanoid

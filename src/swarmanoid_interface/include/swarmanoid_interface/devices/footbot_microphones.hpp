@@ -34,6 +34,6 @@ void fields(Visitor& visit, FootbotMicrophones& sensor) {
   visit(sensor.level, {"level", "dB", "sound pressure level, re 20 uPa"});
   visit(sensor.loudest, {"loudest"});
 }
-REGISTER_DEVICE(FootbotMicrophones, kSensor, "Four microphones around the body.")
+REGISTER_DEVICE_OF_SUITE(FootbotMicrophones, kSensor, "Four microphones around the body.")
 
 }  // namespace swarmanoid

@@ -43,6 +43,6 @@ void fields(Visitor& visit, FootbotPreferentialDirection& shown) {
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(FootbotPreferentialDirection& /*shown*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(FootbotPreferentialDirection, kActuator, "A direction, shown by the ring of LEDs.")
+REGISTER_DEVICE_OF_SUITE(FootbotPreferentialDirection, kActuator, "A direction, shown by the ring of LEDs.")
 
 }  // namespace swarmanoid

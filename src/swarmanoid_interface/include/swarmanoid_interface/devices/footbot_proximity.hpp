@@ -28,6 +28,6 @@ template <class Visitor>
 void fields(Visitor& visit, FootbotProximity& proximity) {
   visit(proximity.value, {"value", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
 }
-REGISTER_DEVICE(FootbotProximity, kSensor, "24 infrared sensors around the body.")
+REGISTER_DEVICE_OF_SUITE(FootbotProximity, kSensor, "24 infrared sensors around the body.")
 
 }  // namespace swarmanoid

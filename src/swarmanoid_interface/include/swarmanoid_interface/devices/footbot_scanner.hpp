@@ -56,7 +56,7 @@ void fields(Visitor& visit, FootbotScanner& scanner) {
   visit(scanner.angle, {"angle", "rad", "to turn to in mode 2, in the robot's frame; modulo a turn"});
   visit(scanner.speed, {"speed", "rad/s", "to turn at in mode 1; cut to the range", {-kFastest, kFastest}});
 }
-REGISTER_DEVICE(FootbotScanner, kActuator, "The motor of the rotating distance scanner.")
+REGISTER_DEVICE_OF_SUITE(FootbotScanner, kActuator, "The motor of the rotating distance scanner.")
 
 /// What the four beams have measured while the head turned in the last tick.
 struct FootbotScannerReadings {
@@ -112,6 +112,7 @@ void fields(Visitor& visit, FootbotScannerReadings& scanner) {
   visit(scanner.short_behind, distanceField("short_behind", "likewise, half a turn further", kShort));
   visit(scanner.long_right, distanceField("long_right", "likewise, a quarter of a turn further right", kLong));
 }
-REGISTER_DEVICE(FootbotScannerReadings, kSensor, "What the beams of the rotating distance scanner have measured.")
+REGISTER_DEVICE_OF_SUITE(FootbotScannerReadings, kSensor,
+                         "What the beams of the rotating distance scanner have measured.")
 
 }  // namespace swarmanoid

@@ -46,7 +46,7 @@ inline bool stopSafely(FootbotTurret& turret, const SafeStopMoment& /*moment*/) 
   }
   return true;
 }
-REGISTER_DEVICE(FootbotTurret, kActuator, "The ring that carries the gripper and turns against the chassis.")
+REGISTER_DEVICE_OF_SUITE(FootbotTurret, kActuator, "The ring that carries the gripper and turns against the chassis.")
 
 /// The readings of the turret's encoder and motor, as of the end of the last tick.
 struct FootbotTurretState {
@@ -64,6 +64,6 @@ void fields(Visitor& visit, FootbotTurretState& turret) {
   visit(turret.speed, {"speed", "rad/s", "how fast it turns against the chassis"});
   visit(turret.torque, {"torque", "N m", "of the motor on the turret; 0 without load, and in engines without forces"});
 }
-REGISTER_DEVICE(FootbotTurretState, kSensor, "The turret's encoder, and the torque of its motor.")
+REGISTER_DEVICE_OF_SUITE(FootbotTurretState, kSensor, "The turret's encoder, and the torque of its motor.")
 
 }  // namespace swarmanoid

@@ -37,6 +37,6 @@ void fields(Visitor& visit, FootbotWheels& wheels) {
         {"left", "rad/s", "angular velocity of the left wheel, positive drives ahead; cut to the motor's maximum"});
   visit(wheels.right, {"right", "rad/s", "angular velocity of the right wheel, positive drives ahead; cut likewise"});
 }
-REGISTER_DEVICE(FootbotWheels, kActuator, "Two treels: tracks and wheels on one axle, left and right.")
+REGISTER_DEVICE_OF_SUITE(FootbotWheels, kActuator, "Two treels: tracks and wheels on one axle, left and right.")
 
 }  // namespace swarmanoid

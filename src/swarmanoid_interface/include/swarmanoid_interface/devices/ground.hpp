@@ -38,6 +38,6 @@ template <class Visitor>
 void fields(Visitor& visit, Ground& ground) {
   visit(ground.spots, {"spots"});
 }
-REGISTER_DEVICE(Ground, kSensor, "Infrared spots that read the floor under the robot, as many as it has.")
+REGISTER_DEVICE_OF_SUITE(Ground, kSensor, "Infrared spots that read the floor under the robot, as many as it has.")
 
 }  // namespace swarmanoid

@@ -42,7 +42,7 @@ void fields(Visitor& visit, HandbotArms& arms) {
 }
 /// The command stays, so that a held object is not dropped.
 inline bool stopSafely(HandbotArms& /*arms*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(HandbotArms, kActuator, "Two arms, each with shoulder, elbow and wrist.")
+REGISTER_DEVICE_OF_SUITE(HandbotArms, kActuator, "Two arms, each with shoulder, elbow and wrist.")
 
 /// The angles of the joints at the end of the last tick, and the torques of their motors.
 struct HandbotArmsState {
@@ -71,6 +71,6 @@ template <class Visitor>
 void fields(Visitor& visit, HandbotArmsState& arms) {
   visit(arms.joints, {"joints"});
 }
-REGISTER_DEVICE(HandbotArmsState, kSensor, "Encoders and torque sensors of the arms' joints.")
+REGISTER_DEVICE_OF_SUITE(HandbotArmsState, kSensor, "Encoders and torque sensors of the arms' joints.")
 
 }  // namespace swarmanoid

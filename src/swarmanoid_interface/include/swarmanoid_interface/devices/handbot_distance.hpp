@@ -34,6 +34,6 @@ void fields(Visitor& visit, HandbotDistance& distance) {
   visit(distance.distance, distanceField("distance", kDistanceMeaning, {0.0, Distance::kFarthest}));
   rangeFields(visit, distance);
 }
-REGISTER_DEVICE(HandbotDistance, kSensor, "12 infrared distance sensors around the body.")
+REGISTER_DEVICE_OF_SUITE(HandbotDistance, kSensor, "12 infrared distance sensors around the body.")
 
 }  // namespace swarmanoid

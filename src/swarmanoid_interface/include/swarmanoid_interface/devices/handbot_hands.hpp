@@ -22,7 +22,8 @@ void fields(Visitor& visit, HandbotHands& hands) {
 }
 /// The command stays, so that a held object is not dropped.
 inline bool stopSafely(HandbotHands& /*hands*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(HandbotHands, kActuator, "The suction cups of the hands, which grip objects and hold on to walls.")
+REGISTER_DEVICE_OF_SUITE(HandbotHands, kActuator,
+                         "The suction cups of the hands, which grip objects and hold on to walls.")
 
 /// The readings of each hand's docking sensor, as of the end of the last tick.
 struct HandbotHandsState {
@@ -47,6 +48,6 @@ void fields(Visitor& visit, HandbotHandsState& hands) {
   visit(hands.left, {"left"});
   visit(hands.right, {"right"});
 }
-REGISTER_DEVICE(HandbotHandsState, kSensor, "The docking sensors of the hands.")
+REGISTER_DEVICE_OF_SUITE(HandbotHandsState, kSensor, "The docking sensors of the hands.")
 
 }  // namespace swarmanoid

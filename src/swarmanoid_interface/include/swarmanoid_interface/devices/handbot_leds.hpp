@@ -27,6 +27,6 @@ void fields(Visitor& visit, HandbotLeds& leds) {
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(HandbotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(HandbotLeds, kActuator, "The ring of coloured LEDs.")
+REGISTER_DEVICE_OF_SUITE(HandbotLeds, kActuator, "The ring of coloured LEDs.")
 
 }  // namespace swarmanoid

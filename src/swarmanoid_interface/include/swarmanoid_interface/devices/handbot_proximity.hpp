@@ -21,6 +21,6 @@ void fields(Visitor& visit, HandbotProximity& proximity) {
   visit(proximity.left, {"left", "", "0 with nothing in range, 1 at contact", {0.0, 1.0}});
   visit(proximity.right, {"right", "", "the same of the right hand", {0.0, 1.0}});
 }
-REGISTER_DEVICE(HandbotProximity, kSensor, "Infrared proximity sensors in the palms.")
+REGISTER_DEVICE_OF_SUITE(HandbotProximity, kSensor, "Infrared proximity sensors in the palms.")
 
 }  // namespace swarmanoid

@@ -30,7 +30,8 @@ inline bool stopSafely(HandbotRope& rope, const SafeStopMoment& /*moment*/) {
   rope.winding_speed = 0.0;
   return true;
 }
-REGISTER_DEVICE(HandbotRope, kActuator, "The rope with a magnet at its end, shot straight up along the robot's z axis.")
+REGISTER_DEVICE_OF_SUITE(HandbotRope, kActuator,
+                         "The rope with a magnet at its end, shot straight up along the robot's z axis.")
 
 /// The state at the end of the last tick.
 struct HandbotRopeState {
@@ -48,6 +49,6 @@ void fields(Visitor& visit, HandbotRopeState& rope) {
   visit(rope.length, {"length", "m", "of the rope that is out; 0 when it is not attached", {0.0, kInfinity}});
   visit(rope.tension, {"tension", "N", "smoothed; a slack rope has none", {0.0, kInfinity}});
 }
-REGISTER_DEVICE(HandbotRopeState, kSensor, "The rope's encoder and tension sensor.")
+REGISTER_DEVICE_OF_SUITE(HandbotRopeState, kSensor, "The rope's encoder and tension sensor.")
 
 }  // namespace swarmanoid

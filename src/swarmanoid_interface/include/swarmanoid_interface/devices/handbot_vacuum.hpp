@@ -30,6 +30,6 @@ void fields(Visitor& visit, HandbotVacuum& vacuum) {
         {"left", "", "of each cup: 1 where it lies on a surface all round, 0 with suction off", {0.0, 1.0}});
   visit(vacuum.right, {"right", "", "the same of the right hand", {0.0, 1.0}});
 }
-REGISTER_DEVICE(HandbotVacuum, kSensor, "The vacuum in each suction cup of the hands.")
+REGISTER_DEVICE_OF_SUITE(HandbotVacuum, kSensor, "The vacuum in each suction cup of the hands.")
 
 }  // namespace swarmanoid

@@ -43,7 +43,7 @@ inline bool stopSafely(Holders& holders, const SafeStopMoment& /*moment*/) {
   }
   return true;
 }
-REGISTER_DEVICE(Holders, kActuator, "Gripper, suction, magnets and ropes, as many as the robot has.")
+REGISTER_DEVICE_OF_SUITE(Holders, kActuator, "Gripper, suction, magnets and ropes, as many as the robot has.")
 
 /// The state at the end of the last tick. The span is valid until the next tick.
 struct HolderStates {
@@ -69,6 +69,6 @@ template <class Visitor>
 void fields(Visitor& visit, HolderStates& states) {
   visit(states.holders, {"holders"});
 }
-REGISTER_DEVICE(HolderStates, kSensor, "Contact, length and force of what the robot holds with.")
+REGISTER_DEVICE_OF_SUITE(HolderStates, kSensor, "Contact, length and force of what the robot holds with.")
 
 }  // namespace swarmanoid

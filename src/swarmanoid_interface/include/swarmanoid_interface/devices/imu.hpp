@@ -45,6 +45,6 @@ void fields(Visitor& visit, Imu& imu) {
   visit(imu.angular_velocity, {"angular_velocity", "rad/s", "right-handed about the robot's axes"});
   visit(imu.linear_acceleration, {"linear_acceleration", "m/s2", "as accelerometers measure it: 9.81 upwards at rest"});
 }
-REGISTER_DEVICE(Imu, kSensor, "Gyroscopes and accelerometers.")
+REGISTER_DEVICE_OF_SUITE(Imu, kSensor, "Gyroscopes and accelerometers.")
 
 }  // namespace swarmanoid

@@ -57,7 +57,7 @@ inline bool stopSafely(Joints& joints, const SafeStopMoment& /*moment*/) {
   }
   return true;
 }
-REGISTER_DEVICE(Joints, kActuator, "Joints that turn links of the robot, as many as it has.")
+REGISTER_DEVICE_OF_SUITE(Joints, kActuator, "Joints that turn links of the robot, as many as it has.")
 
 /// The readings of the joints' encoders and motors, as of the end of the last tick. The span is valid until the next
 /// tick.
@@ -84,6 +84,6 @@ template <class Visitor>
 void fields(Visitor& visit, JointStates& states) {
   visit(states.joints, {"joints"});
 }
-REGISTER_DEVICE(JointStates, kSensor, "Encoders and torque sensors of the joints, as many as the robot has.")
+REGISTER_DEVICE_OF_SUITE(JointStates, kSensor, "Encoders and torque sensors of the joints, as many as the robot has.")
 
 }  // namespace swarmanoid

@@ -27,6 +27,6 @@ void fields(Visitor& visit, Leds& leds) {
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(Leds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(Leds, kActuator, "Coloured LEDs, as many as the robot has.")
+REGISTER_DEVICE_OF_SUITE(Leds, kActuator, "Coloured LEDs, as many as the robot has.")
 
 }  // namespace swarmanoid

@@ -29,7 +29,7 @@ void fields(Visitor& visit, FootbotLeds& leds) {
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(FootbotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(FootbotLeds, kActuator, "The ring of coloured LEDs.")
+REGISTER_DEVICE_OF_SUITE(FootbotLeds, kActuator, "The ring of coloured LEDs.")
 
 struct EyebotLeds {
   static constexpr const char* kType = "eyebot_leds";
@@ -48,6 +48,6 @@ void fields(Visitor& visit, EyebotLeds& leds) {
 }
 /// The LEDs keep their colours.
 inline bool stopSafely(EyebotLeds& /*leds*/, const SafeStopMoment& /*moment*/) { return true; }
-REGISTER_DEVICE(EyebotLeds, kActuator, "The ring of coloured LEDs.")
+REGISTER_DEVICE_OF_SUITE(EyebotLeds, kActuator, "The ring of coloured LEDs.")
 
 }  // namespace swarmanoid

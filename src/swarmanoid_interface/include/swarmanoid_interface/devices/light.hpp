@@ -60,6 +60,6 @@ template <class Visitor>
 void fields(Visitor& visit, Light& light) {
   visit(light.sensors, {"sensors"});
 }
-REGISTER_DEVICE(Light, kSensor, "Light sensors around the body, as many as the robot has.")
+REGISTER_DEVICE_OF_SUITE(Light, kSensor, "Light sensors around the body, as many as the robot has.")
 
 }  // namespace swarmanoid

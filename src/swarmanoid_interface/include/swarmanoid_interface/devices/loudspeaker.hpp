@@ -27,6 +27,6 @@ void fields(Visitor& visit, Loudspeaker& loudspeaker) {
   visit(loudspeaker.level, {"level", "dB", "sound pressure level at 1 m, re 20 uPa; 0: silent", Sound::kLevels});
   visit(loudspeaker.frequency, {"frequency", "Hz", "of the tone", Sound::kFrequencies});
 }
-REGISTER_DEVICE(Loudspeaker, kActuator, "A loudspeaker that sounds a tone.")
+REGISTER_DEVICE_OF_SUITE(Loudspeaker, kActuator, "A loudspeaker that sounds a tone.")
 
 }  // namespace swarmanoid

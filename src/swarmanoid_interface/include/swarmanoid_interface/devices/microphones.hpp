@@ -75,6 +75,6 @@ void fields(Visitor& visit, Microphones& sensor) {
   visit(sensor.microphones, {"microphones"});
   visit(sensor.loudest, {"loudest"});
 }
-REGISTER_DEVICE(Microphones, kSensor, "Microphones, as many as the robot has.")
+REGISTER_DEVICE_OF_SUITE(Microphones, kSensor, "Microphones, as many as the robot has.")
 
 }  // namespace swarmanoid

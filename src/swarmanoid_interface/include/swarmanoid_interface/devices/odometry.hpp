@@ -89,6 +89,6 @@ void fields(Visitor& visit, Odometry& odometry) {
   visit(odometry.turn_rate, {"turn_rate", "rad/s", "counter-clockwise, mean of the last tick"});
   visit(odometry.covariance, {"covariance", "", "of x, y and heading, row by row, in m and rad"});
 }
-REGISTER_DEVICE(Odometry, kSensor, "Position and heading by the turns of the wheels.")
+REGISTER_DEVICE_OF_SUITE(Odometry, kSensor, "Position and heading by the turns of the wheels.")
 
 }  // namespace swarmanoid

@@ -41,6 +41,6 @@ template <class Visitor>
 void fields(Visitor& visit, Proximity& proximity) {
   visit(proximity.sensors, {"sensors"});
 }
-REGISTER_DEVICE(Proximity, kSensor, "Infrared sensors around the body, as many as the robot has.")
+REGISTER_DEVICE_OF_SUITE(Proximity, kSensor, "Infrared sensors around the body, as many as the robot has.")
 
 }  // namespace swarmanoid

@@ -16,7 +16,8 @@ struct RangeAndBearing : MessageCommand<10> {
   static constexpr const char* kType = "range_and_bearing";
   static constexpr const char* kLink = "range_and_bearing";
 };
-REGISTER_DEVICE(RangeAndBearing, kActuator, "An infrared board that sends short messages to all robots in sight.")
+REGISTER_DEVICE_OF_SUITE(RangeAndBearing, kActuator,
+                         "An infrared board that sends short messages to all robots in sight.")
 
 /// One message, with the place of the sender's transmitter as the receiver's own measures it.
 struct RangeAndBearingMessage {
@@ -54,7 +55,7 @@ struct RangeAndBearingReceived : ReceivedMessages<RangeAndBearingMessage> {
   static constexpr double kUsualRange = 3.0;  ///< between transmitters, beyond which it hears nothing [m]
   static constexpr bool kNeedsSight = true;   ///< what stands between transmitters hides them
 };
-REGISTER_DEVICE(RangeAndBearingReceived, kSensor,
-                "Messages of the robots in sight, with the distance and direction of each.")
+REGISTER_DEVICE_OF_SUITE(RangeAndBearingReceived, kSensor,
+                         "Messages of the robots in sight, with the distance and direction of each.")
 
 }  // namespace swarmanoid

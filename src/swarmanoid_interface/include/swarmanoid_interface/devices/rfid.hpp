@@ -49,7 +49,7 @@ void fields(Visitor& visit, RfidReader& reader) {
   visit(reader.overflowed,
         {"overflowed", "", "more were within reach than there are slots; the farthest are left out"});
 }
-REGISTER_DEVICE(RfidReader, kSensor, "Reads the radio tags within reach, the nearest first.")
+REGISTER_DEVICE_OF_SUITE(RfidReader, kSensor, "Reads the radio tags within reach, the nearest first.")
 
 /// Writes to one tag, in each tick until this changes: readers read it from the next tick on. At rest, which is its
 /// safe stop too, it writes nothing.
@@ -74,6 +74,6 @@ void fields(Visitor& visit, RfidWriter& writer) {
   visit(writer.id, {"id", "", "of the tag; 0: the nearest within reach"});
   visit(writer.data, {"data", "", "what the tag is to hold"});
 }
-REGISTER_DEVICE(RfidWriter, kActuator, "Writes a number to a radio tag within reach.")
+REGISTER_DEVICE_OF_SUITE(RfidWriter, kActuator, "Writes a number to a radio tag within reach.")
 
 }  // namespace swarmanoid

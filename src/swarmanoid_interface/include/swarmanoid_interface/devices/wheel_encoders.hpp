@@ -43,6 +43,6 @@ void fields(Visitor& visit, WheelEncoders& encoders) {
   visit(encoders.left, {"left"});
   visit(encoders.right, {"right"});
 }
-REGISTER_DEVICE(WheelEncoders, kSensor, "Encoders of the two wheels.")
+REGISTER_DEVICE_OF_SUITE(WheelEncoders, kSensor, "Encoders of the two wheels.")
 
 }  // namespace swarmanoid

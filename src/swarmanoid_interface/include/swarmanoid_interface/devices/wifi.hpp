@@ -12,7 +12,7 @@ struct Wifi : RadioCommand<128> {
   static constexpr const char* kType = "wifi";
   static constexpr const char* kLink = "wifi";
 };
-REGISTER_DEVICE(Wifi, kActuator, "WiFi that sends a message to all robots around, or to one of them.")
+REGISTER_DEVICE_OF_SUITE(Wifi, kActuator, "WiFi that sends a message to all robots around, or to one of them.")
 
 using WifiMessage = RadioMessage<Wifi::kBytes>;
 
@@ -25,6 +25,6 @@ struct WifiReceived : ReceivedMessages<WifiMessage> {
   /// What a receiver may lose where signals are as weak as it takes them (IEEE Std 802.11-2016, 17.3.10.2).
   static constexpr double kUsualLossAtRange = 0.1;
 };
-REGISTER_DEVICE(WifiReceived, kSensor, "Messages that came by WiFi, with the address of each sender.")
+REGISTER_DEVICE_OF_SUITE(WifiReceived, kSensor, "Messages that came by WiFi, with the address of each sender.")
 
 }  // namespace swarmanoid
