@@ -1,13 +1,15 @@
 # swarmanoid_include_all(SOURCE FOLDER): writes a source, whose path SOURCE gets, that includes all headers of include/FOLDER, so
-# that what they register is in the library. A header that comes or goes is noticed when the package is built.
+# that what they register is in the library. For headers that register only there, it defines INCLUDES_ALL_OF_FOLDER, in capitals
+# and with underscores. A header that comes or goes is noticed when the package is built.
 function(swarmanoid_include_all source folder)
   file(GLOB _headers RELATIVE ${CMAKE_CURRENT_SOURCE_DIR}/include CONFIGURE_DEPENDS
     ${CMAKE_CURRENT_SOURCE_DIR}/include/${folder}/*.hpp)
-  set(_text "#define SWARMANOID_INCLUDES_ALL\n")
+  string(MAKE_C_IDENTIFIER ${folder} _name)
+  string(TOUPPER ${_name} _capitals)
+  set(_text "#define INCLUDES_ALL_OF_${_capitals}\n")
   foreach(_header ${_headers})
     string(APPEND _text "#include \"${_header}\"\n")
   endforeach()
-  string(MAKE_C_IDENTIFIER ${folder} _name)
   set(_file ${CMAKE_CURRENT_BINARY_DIR}/${_name}.cpp)
   file(GENERATE OUTPUT ${_file} CONTENT "${_text}")
   # alone, so that clang-tidy finds the sources of the package as they are compiled

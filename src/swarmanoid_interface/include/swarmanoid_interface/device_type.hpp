@@ -180,7 +180,7 @@ struct DeviceRegistration {
 
 /// Does the same in the headers of swarmanoid_interface/devices/, in the library of the interface alone, which
 /// everybody loads: what a description takes is not compiled by all who include a device.
-#ifdef SWARMANOID_INCLUDES_ALL  // by the source that the build writes
+#ifdef INCLUDES_ALL_OF_SWARMANOID_INTERFACE_DEVICES  // by the source that the build writes
 #define REGISTER_DEVICE_OF_SUITE(Device, kind, summary) REGISTER_DEVICE(Device, kind, summary)
 #else
 #define REGISTER_DEVICE_OF_SUITE(Device, kind, summary) static_assert(::swarmanoid::kHasFields<Device>);
