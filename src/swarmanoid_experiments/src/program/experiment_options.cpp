@@ -5,6 +5,7 @@
 
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/experiment_file/override_text.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -55,7 +56,7 @@ void addExperimentOptions(CLI::App& command, ExperimentOptions& options) {
   command.add_option("--set", options.settings, "path=value: replaces what the file says (can be given again)");
   command.add_option("--seed", options.seed, "random seed, instead of the file's")->check(refuseWrappedNumber);
   command.add_option("--ticks", options.ticks, "ticks at the most, instead of maxclock")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62U));
+      ->check(CLI::Range(std::uint64_t{1}, static_cast<std::uint64_t>(limits::kTicks.maximum)));
   command
       .add_option("--watchdog", options.watchdog,
                   "end when one call of a controller or another plugin takes longer [s]")

@@ -17,7 +17,7 @@ constexpr const char* kBeginOfBags = "#ROSBAG ";
 
 RecordPlace unpack(const std::string& bag, std::vector<std::string> options) {
   RecordPlace place;
-  place.owner = std::make_unique<TemporaryFolder>("swarmanoid_record");
+  place.owner = std::make_unique<TemporaryFolder>("record");
   place.folder = place.owner->path().string();
   // not taken for an option
   options.insert(options.begin(), {bag.rfind('-', 0) == 0 ? "./" + bag : bag, place.folder});

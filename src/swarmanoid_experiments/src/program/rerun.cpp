@@ -9,6 +9,7 @@
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment_file/override_text.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -63,7 +64,8 @@ SetCommandSource commandSource(const Override& setting, const std::string& robot
 }
 
 std::uint64_t maxClock(const Override& setting) {
-  return static_cast<std::uint64_t>(parseInteger(setting.value, "maxclock", {"--set " + setting.path, 0}, {1.0, 1e15}));
+  return static_cast<std::uint64_t>(
+      parseInteger(setting.value, "maxclock", {"--set " + setting.path, 0}, limits::kTicks));
 }
 
 /// As diff names them.

@@ -192,7 +192,7 @@ ExitCode rerun(const RerunOptions& options) {
   const Fork fork = parseFork(options.settings, options.seed, experiment);
   changeLength(experiment, fork, until);
   experiment.framework.threads = options.threads.value_or(experiment.framework.threads);
-  const TemporaryFolder nowhere("swarmanoid_rerun");
+  const TemporaryFolder nowhere("rerun");
   RunContext context;
   context.is_open = false;
   context.out = openOutFolder(filesOf(options, place, nowhere), experiment);

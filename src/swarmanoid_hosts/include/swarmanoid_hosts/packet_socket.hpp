@@ -5,8 +5,8 @@
 /// way. Processes of other users are refused.
 ///
 /// Threads  one may send while another receives; not two of a kind.
-/// Errors   what the system refuses is thrown as std::system_error; that the other side is gone or does not read is
-/// told.
+/// Errors   what the system refuses is thrown as std::system_error. That the other side is gone or does not read is no
+///          error: `send` returns false, `receive` kEnd.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +37,8 @@ class PacketSocket {
   /// For poll(2).
   int descriptor() const { return descriptor_; }
 
-  /// Does not wait for a receiver that is behind: a packet that finds no room is lost.
+  /// Does not wait for a receiver that is behind: a packet that finds no room is lost. One of more than 64 KiB travels
+  /// in pieces; once the first has found room, the others wait for theirs, each 1 s at most.
   /// @return whether it was sent
   bool send(const Bytes& packet) const;
   /// Does not wait. @return kPacket if one has come in whole: `packet`

@@ -1,8 +1,7 @@
 /// The base class of every controller (thesis 3.3, "Controller Common Interface").
 ///
-/// One object controls one robot. The framework makes it, calls init once, step at every control period, reset when the
-/// experiment is put back to its start, and destroy before it is deleted. The interface is the same for simulated and
-/// real robots.
+/// One object controls one robot. The framework makes it, calls init once, step at every control period, and destroy
+/// before it is deleted. The interface is the same for simulated and real robots.
 #pragma once
 
 #include "swarmanoid_interface/configuration.hpp"
@@ -25,9 +24,11 @@ class Controller {
   /// @param time of this tick; @param dt time since the last step
   virtual void step(Time time, Duration dt) = 0;
 
-  /// Returns to the state after init.
+  /// Returns to the state after init. For code that steps a controller itself, such as its tests: when an experiment is
+  /// reset the framework destroys the controller and makes another one, so nothing can be forgotten here.
   virtual void reset() {}
 
+  /// Ends what init began. An exception is reported, and the robot's end goes on.
   virtual void destroy() {}
 };
 

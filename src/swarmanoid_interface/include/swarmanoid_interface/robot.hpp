@@ -32,7 +32,7 @@ class alignas(64) Robot {
   using DebugValue = std::pair<std::string, std::string>;
 
   /// @param name unique, such as "fb_1"
-  /// @param type "footbot", "eyebot" or "handbot"
+  /// @param type the name of its description, as in the experiment file: "footbot", or one of the user's own
   Robot(std::string name, std::string type, std::uint64_t seed);
   Robot(const Robot&) = delete;
   Robot& operator=(const Robot&) = delete;

@@ -3,9 +3,10 @@
 /// (supplied_parts.hpp), as the bindings to Python do; robots on hardware have no such controller.
 ///
 /// Threads  all functions are called on the simulation's own thread.
-/// Errors   an exception of `init` refuses the experiment, one of `start` whatever would have the robot start. One of
-///          `step` stops the robots of this step, each with the safe stop, and only these; a failure that `step` writes
-///          down stops that robot alone. They are not stepped again.
+/// Errors   an exception of `init` refuses the experiment; one of `start` refuses what would start the robot: the
+///          experiment, a spawn, a change of the command source. One of `step` stops the robots of this step, each with
+///          the safe stop, and only these; a failure that `step` writes down stops that robot alone. They are not
+///          stepped again.
 #pragma once
 
 #include <string>

@@ -34,7 +34,7 @@ struct RunOutcome {
 
 /// The run that an observer looks at.
 struct RunContext {
-  std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: all, as code that has none likes
+  std::shared_ptr<OutFolder> out;  ///< which files may be written, for OutFile; null: any
   std::string asked_by;            ///< the option that asks for the observer, "--bag"; "": the experiment file
   bool headless = true;
   bool is_open = true;   ///< other processes can command robots, over topics or as participants of lockstep

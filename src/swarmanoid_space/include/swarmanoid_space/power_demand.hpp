@@ -1,5 +1,5 @@
-/// What a robot draws, by the law of docs/reference/battery.md: of who runs on a battery, and of who does not, what it
-/// would be.
+/// The power that a robot draws, by the law of docs/reference/battery.md. For a robot without a battery it is what it
+/// would draw from one.
 #pragma once
 
 #include "swarmanoid_space/space.hpp"

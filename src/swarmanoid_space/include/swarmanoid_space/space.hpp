@@ -54,8 +54,8 @@ struct ControllerState {
       StepStatus::kNothing;  ///< kNothing: not asked, or late; the commands are those of an earlier tick
 };
 
-/// Two runs that differ only in who moves an entity go apart later: their hashes differ in the tick in which they begin
-/// to. Walls may be in several engines, and none of them moves them.
+/// The engine that moves an entity is part of the state hash, by its name: two runs that differ only in it have
+/// different hashes at once, before their poses differ. Walls may be in several engines, and none moves them.
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Engine* mover);
 
 class Space {

@@ -40,7 +40,7 @@ void readFramework(const XmlElement& section, Reader& reader) {
   if (!limits::isRealTimeFactor(framework.real_time_factor)) {
     section.child("real_time_factor")
         ->refuse("real_time_factor: found '" + values.text("real_time_factor") +
-                 "', allowed: 0, or a number from 1e-06 to 1000000");
+                 "', allowed: " + limits::kRealTimeFactors);
   }
   framework.controller_path = splitPath(values.text("controller_path"));
   for (const std::string& folder : framework.controller_path) {

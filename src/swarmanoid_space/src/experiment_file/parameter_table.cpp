@@ -86,12 +86,12 @@ const std::vector<Parameter>& frameworkParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{
       makeParameter("clocktick", Type::kNumber, "ms", std::nullopt, {0.001, 1e6}, "Duration of a tick."),
-      makeParameter("maxclock", Type::kInteger, "ticks", std::nullopt, {1.0, 1e15},
+      makeParameter("maxclock", Type::kInteger, "ticks", std::nullopt, limits::kTicks,
                     "Ticks after which the run is finished."),
       makeParameter("controller_path", Type::kText, "", "", {},
                     "Folders, separated by colons, that libraries are looked for in first."),
-      makeParameter("random_seed", Type::kInteger, "", "1", {0.0, 9e15}, "Seed of all random numbers."),
-      makeParameter("threads", Type::kInteger, "", "1", {1.0, 1024.0},
+      makeParameter("random_seed", Type::kInteger, "", "1", limits::kSeed, "Seed of all random numbers."),
+      makeParameter("threads", Type::kInteger, "", "1", limits::kThreads,
                     "Threads that the run may use; results do not depend on it."),
       makeParameter("real_time_factor", Type::kNumber, "", "0", {0.0, 1e6},
                     "Simulated seconds for each real one; 0: as fast as possible. Headless runs ignore it.")};

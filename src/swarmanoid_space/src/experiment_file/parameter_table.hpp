@@ -48,7 +48,7 @@ const std::vector<Parameter>& boxParameters();
 
 // What attributes may be.
 constexpr Range kCommandTimeoutRange{0.001, 3600.0};  // s
-constexpr Range kTickRange{0.0, 1e15};
+constexpr Range kTickRange{0.0, limits::kTicks.maximum};
 constexpr Range kQuantityRange{1.0, static_cast<double>(limits::kMostEntities)};
 const std::vector<std::string>& layouts();
 const std::vector<std::string>& optimizations();

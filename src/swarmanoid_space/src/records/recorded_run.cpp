@@ -34,9 +34,8 @@ std::uint64_t countOf(const XmlElement& element, const char* name) {
 }
 
 std::uint64_t ticksOf(const XmlElement& element, const char* name) {
-  constexpr Range kTicks{1.0, 1e15};
   return static_cast<std::uint64_t>(
-      parseInteger(element.requireAttribute(name), name, element.attributeLocation(name), kTicks));
+      parseInteger(element.requireAttribute(name), name, element.attributeLocation(name), limits::kTicks));
 }
 
 std::uint64_t hashOf(const XmlElement& element) {

@@ -55,11 +55,19 @@ constexpr std::size_t kMostEngines = 100;
 /// Characters of an experiment file; one with a million entities spelled out has half of them.
 constexpr std::size_t kLongestText = std::size_t{1} << 28U;
 
+/// Ticks of a run, as files, options and parameters may ask for them: a double, as which they travel, counts them all.
+constexpr Range kTicks{1.0, 1e15};
+/// Seeds in files and parameters, likewise. `--seed` takes any number of 64 bits.
+constexpr Range kSeed{0.0, 9e15};
+/// Threads of a run.
+constexpr Range kThreads{1.0, 1024.0};
+
 /// How long a run may be, in simulated time: a hundred years of 365 days. Nanoseconds fit 292 years, ROS time 136.
 constexpr std::chrono::hours kLongestRun{24 * 365 * 100};
 
 /// Whether simulated time may go so many times as fast as real time: 0 stands for as fast as possible, and a factor
 /// below 1e-6 would wait for days between ticks.
 constexpr bool isRealTimeFactor(double factor) { return factor == 0.0 || (factor >= 1e-6 && factor <= 1e6); }
+constexpr const char* kRealTimeFactors = "0, or a number from 1e-06 to 1000000";
 
 }  // namespace swarmanoid::limits
