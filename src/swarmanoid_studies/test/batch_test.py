@@ -5,13 +5,15 @@ import contextlib
 import json
 import os
 import random
+import resource
 import signal
 import socket
 import subprocess
 import time
 import unittest
 
-from commands import CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, CommandsTest, workers_of
+import psutil
+from commands import CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, STOPPED, CommandsTest, workers_of
 
 EXPERIMENT = "phototaxis"
 SPEED = "controllers.pc.parameters.speed"
@@ -95,6 +97,20 @@ class BatchTest(CommandsTest):
         self.assertEqual((program.returncode, errors), (FINISHED, ""))
         self.assertEqual(json.loads(output)["made"], RUNS)
         self.assertEqual(self.rows("killed.csv"), self.uninterrupted())
+
+    def test_a_worker_that_cannot_be_started_again_ends_the_batch_and_rows_are_kept(self):
+        options = ("--jobs", "2", "--out", "stopped.csv", "--quiet")
+        program = self.start("batch", *GRID, *options)
+        self.wait_for_lines("stopped.csv", 10, program)
+        workers = workers_of(program)
+        resource.prlimit(program.pid, resource.RLIMIT_NOFILE, (3, 3))  # it may open no file more
+        workers[0].kill()
+        output, errors = program.communicate(timeout=PATIENCE_S)
+        self.assertEqual(errors, "swarmanoid: process 2 of 2 that makes runs cannot be started: Too many open files\n")
+        self.assertEqual((program.returncode, output), (STOPPED, ""))
+        self.assertEqual(psutil.wait_procs(workers, timeout=20)[1], [], "workers outlive the program")
+        self.assertLess(self.call("batch", *GRID, *options, "--resume")["made"], RUNS - 8)
+        self.assertEqual(self.rows("stopped.csv"), self.uninterrupted())
 
     def test_an_interrupt_keeps_what_is_done(self):
         program = self.start("batch", *GRID, "--jobs", "2", "--out", "runs.csv", "--quiet", start_new_session=True)

@@ -1,7 +1,9 @@
 #!/usr/bin/python3
 """Processes that make runs, and those that cannot be started."""
 
+import errno
 import multiprocessing
+import os
 import threading
 import time
 import unittest
@@ -17,6 +19,32 @@ PATIENCE_S = 60
 
 def processes():
     return {child.pid for child in psutil.Process().children(recursive=True) if any("spawn_main" in word for word in child.cmdline())}
+
+
+def refused_from(number):
+    """@return what stands for a process, up at once, until the system has no more files; those begun; those ended"""
+    begun, ended = [], []
+
+    class Process:
+        is_up = True
+
+        def __init__(self, *_):
+            if len(begun) + 1 >= number:
+                raise OSError(errno.EMFILE, os.strerror(errno.EMFILE))
+            begun.append(self)
+            self.listens, self.lives = multiprocessing.Pipe(duplex=False)
+            self.lives.send(True)
+
+        def is_alive(self):
+            try:
+                return self.listens.recv()
+            except EOFError:
+                return False
+
+        def end(self):
+            ended.append(self)
+
+    return Process, begun, ended
 
 
 class WorkerProcessesTest(unittest.TestCase):
@@ -58,6 +86,28 @@ class WorkerProcessesTest(unittest.TestCase):
             self.assertTrue(given_up.wait(PATIENCE_S))
         self.assertEqual(str(caught.exception), "processes that make runs cannot be started: 10 ended as they began")
         self.assertLessEqual(len(begun), 3 + 12)  # each that ended once more, though several may end at the same time
+
+    def test_one_that_the_system_refuses_is_told_and_others_end(self):
+        process, begun, ended = refused_from(3)
+        given_up = threading.Event()
+        with mock.patch.object(worker_processes, "_Process", process), self.assertRaises(RunsStopped) as caught, \
+                worker_processes.WorkerProcesses(4, "tcp://127.0.0.1:1", None, given_up.set) as some:
+            self.assertTrue(given_up.wait(PATIENCE_S))
+            some.wait_until_up()
+        self.assertEqual(str(caught.exception), "process 3 of 4 that makes runs cannot be started: Too many open files")
+        self.assertEqual((len(begun), ended), (2, begun))
+
+    def test_one_that_cannot_be_started_again_is_told_instead_of_what_follows(self):
+        process, begun, ended = refused_from(3)
+        given_up = threading.Event()
+        with mock.patch.object(worker_processes, "_Process", process), self.assertRaises(RunsStopped) as caught, \
+                worker_processes.WorkerProcesses(2, "tcp://127.0.0.1:1", None, given_up.set) as some:
+            some.wait_until_up()
+            begun[0].lives.close()
+            self.assertTrue(given_up.wait(PATIENCE_S))
+            raise RunsStopped("the workers are lost: CancelledError: runs")
+        self.assertEqual(str(caught.exception), "process 2 of 2 that makes runs cannot be started: Too many open files")
+        self.assertEqual(ended, begun)
 
 
 if __name__ == "__main__":

@@ -9,7 +9,7 @@ import os
 import signal
 import threading
 from multiprocessing.connection import Connection, wait
-from typing import Callable, Dict
+from typing import Callable, Dict, Optional
 
 from . import dask_settings  # noqa: F401
 from distributed import Worker
@@ -70,19 +70,33 @@ class WorkerProcesses:
 
     def __init__(self, count: int, scheduler: str, security: Security, give_up: Callable[[], object]) -> None:
         """@param give_up is called in another thread if processes cannot be started any more"""
-        self._begin = lambda: _Process(scheduler, security)
+        self._count = count
+        self._make = lambda: _Process(scheduler, security)
         self._give_up = give_up
         self._failed_starts = 0
+        self._problem = ""  # why there are no processes any more
         self._are_settled = threading.Event()
         self._end, self._ends = METHOD.Pipe(duplex=False)
-        self._keeper = threading.Thread(target=self._keep, args=(count,), daemon=True)
+        self._keeper = threading.Thread(target=self._keep, daemon=True)
 
-    def _keep(self, count: int) -> None:
+    def _keep(self) -> None:
         # processes inherit it: they are ended here, not by the Ctrl-C that goes to all processes of a terminal
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP})
-        begun = [self._begin() for _ in range(count)]
-        processes: Dict[object, _Process] = {process.listens: process for process in begun}
-        while self._failed_starts < MOST_FAILED_STARTS:
+        processes: Dict[object, _Process] = {}
+        try:
+            self._tend(processes)
+        except RunsStopped as stopped:
+            self._problem = str(stopped)
+            self._are_settled.set()
+            self._give_up()
+        for process in processes.values():
+            process.end()
+
+    def _tend(self, processes: Dict[object, _Process]) -> None:
+        """Until the context ends. @raise RunsStopped if processes cannot be started"""
+        for _ in range(self._count):
+            self._begin(processes)
+        while True:
             ready = wait([self._end, *processes])
             if self._end in ready:
                 break
@@ -91,29 +105,36 @@ class WorkerProcesses:
                     self._begin_anew(processes, connection)
             if all(process.is_up for process in processes.values()):
                 self._are_settled.set()
-        else:
-            self._are_settled.set()
-            self._give_up()
-        for process in processes.values():
-            process.end()
+
+    def _begin(self, processes: Dict[object, _Process]) -> None:
+        try:
+            process = self._make()
+        except OSError as problem:  # the system has no more files, processes or memory for it
+            raise RunsStopped(f"process {len(processes) + 1} of {self._count} that makes runs cannot be started: "
+                              f"{problem.strerror or problem}") from None
+        processes[process.listens] = process
 
     def _begin_anew(self, processes: Dict[object, _Process], connection: object) -> None:
         dead = processes.pop(connection)
         self._failed_starts = 0 if dead.is_up else self._failed_starts + 1
         dead.end()
-        process = self._begin()
-        processes[process.listens] = process
+        if self._failed_starts >= MOST_FAILED_STARTS:
+            raise RunsStopped(f"processes that make runs cannot be started: {MOST_FAILED_STARTS} ended as they began")
+        self._begin(processes)
 
     def wait_until_up(self) -> None:
         """@raise RunsStopped if they cannot be started"""
         self._are_settled.wait()
-        if self._failed_starts >= MOST_FAILED_STARTS:
-            raise RunsStopped(f"processes that make runs cannot be started: {MOST_FAILED_STARTS} ended as they began")
+        if self._problem:
+            raise RunsStopped(self._problem)
 
     def __enter__(self) -> "WorkerProcesses":
         self._keeper.start()
         return self
 
-    def __exit__(self, *_: object) -> None:
+    def __exit__(self, _kind: object, error: Optional[BaseException], _trace: object) -> None:
+        """@raise RunsStopped instead of an error that only follows from processes that cannot be started"""
         self._ends.close()
         self._keeper.join()
+        if self._problem and isinstance(error, Exception):
+            raise RunsStopped(self._problem) from error

@@ -26,7 +26,7 @@ def default_jobs() -> int:
 @contextlib.contextmanager
 def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
     """@param jobs processes of this computer, if there is no scheduler @param scheduler its address, tcp://host:port
-    @raise BadInput if the scheduler does not answer"""
+    @raise BadInput if the scheduler does not answer, RunsStopped if processes cannot be started"""
     if scheduler is not None:
         try:
             client = Client(scheduler, timeout=SCHEDULER_S)
@@ -40,12 +40,17 @@ def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
     # 8787, which Dask would take though it has no dashboard, and which others may have
     with LocalCluster(n_workers=0, host="127.0.0.1", security=True, dashboard_address=None,
                       scheduler_kwargs={"dashboard_address": "127.0.0.1:0"}, silence_logs=None) as cluster:
-        def give_up() -> None:
-            cluster.loop.add_callback(cluster.scheduler.close)  # whoever waits for a result is told that there will be none
+        async def end_scheduler() -> None:
+            await cluster.scheduler_comm.close_rpc()  # or the cluster, as it ends, would try for half a minute to reach it
+            await cluster.scheduler.close()           # whoever waits for a result is told that there will be none
 
-        with WorkerProcesses(jobs, cluster.scheduler_address, cluster.security, give_up) as processes, Client(cluster) as client:
-            processes.wait_until_up()
-            yield client
+        def give_up() -> None:
+            cluster.loop.add_callback(end_scheduler)
+
+        with WorkerProcesses(jobs, cluster.scheduler_address, cluster.security, give_up) as processes:
+            processes.wait_until_up()  # before a client: it would wait long for a scheduler that closes meanwhile
+            with Client(cluster) as client:
+                yield client
 
 
 def refuse_others(client: Client, experiment: str, overrides: Mapping[str, str], own: Identity) -> None:
