@@ -16,6 +16,7 @@
 #include "run.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/simulation/run_files.hpp"
 #include "swarmanoid_space/simulation/run_result.hpp"
 #include "swarmanoid_space/simulation/without_ros.hpp"
@@ -31,11 +32,12 @@ struct Options {
   std::optional<std::string> experiment;
   std::optional<std::string> text;
   std::optional<std::uint64_t> seed;
-  std::optional<std::uint64_t> ticks;
-  std::optional<int> threads;
+  std::optional<std::int64_t> ticks;
+  std::optional<std::int64_t> threads;
   std::map<std::string, py::object> overrides;
   PythonParts parts;
   std::optional<std::string> out;
+  OutFolder::Rules rules;  // of that folder
 };
 
 std::vector<Override> overridesOf(const Options& options) {
@@ -53,6 +55,11 @@ void leaveOutWriters(Experiment& experiment) {
   observers.erase(std::remove_if(observers.begin(), observers.end(), writes), observers.end());
 }
 
+/// @throws ConfigError if it is out of bounds
+std::int64_t argument(const char* name, std::int64_t value, Range range) {
+  return parseInteger(std::to_string(value), name, {}, range);
+}
+
 Experiment read(const Options& options) {
   if (options.experiment.has_value() == options.text.has_value()) {
     throw py::type_error("allowed: either an experiment (a file or a name) or a text");
@@ -66,8 +73,12 @@ Experiment read(const Options& options) {
   }
   FrameworkDescription& framework = experiment.framework;
   framework.seed = options.seed.value_or(framework.seed);
-  framework.max_clock = options.ticks.value_or(framework.max_clock);
-  framework.threads = options.threads.value_or(framework.threads);
+  if (options.ticks) {
+    framework.max_clock = static_cast<std::uint64_t>(argument("ticks", *options.ticks, limits::kTicks));
+  }
+  if (options.threads) {
+    framework.threads = static_cast<int>(argument("threads", *options.threads, limits::kThreads));
+  }
   refuseRobotsOfOthers(experiment);
   if (!options.out) {
     leaveOutWriters(experiment);
@@ -92,6 +103,7 @@ std::unique_ptr<Run> makeRun(const Options& options) {
     RunFiles files;
     files.prefix = "";
     files.folder = *options.out;
+    files.rules = options.rules;
     context.out = openOutFolder(files, experiment);
   }
   auto run = std::make_unique<Run>(std::move(experiment), context, options.parts);
@@ -187,13 +199,14 @@ void bindState(py::class_<Run>& simulation) {
 constexpr const char* kSimulationText = R"(A run of an experiment.
 
 Simulation(experiment=None, *, text=None, seed=None, ticks=None, threads=None, overrides={}, controllers={}, rules={},
-           out=None)
+           out=None, force=False, write_anywhere=False)
 
 experiment: a file, or the name of an installed experiment; text: the same as it would stand in a file.
 seed, ticks, threads: instead of those of the file. overrides: values by path, as of `swarmanoid run --set`.
 controllers: by the id of a configuration, a function or an object of all robots at once, or a class of one robot.
 rules: objects by id, called after those of the file. Those that the file names with source="python" need not be given.
-out: a folder for what observers write; else they write nothing.
+out: a folder for what observers write; else they write nothing. force: files that are there already are replaced.
+write_anywhere: the experiment may name files outside the folder.
 
 >>> import swarmanoid
 >>> simulation = swarmanoid.Simulation("diffusion", seed=3, overrides={"arena.distribute.quantity": 5})
@@ -210,23 +223,25 @@ dtype('float32')
 void bindSimulation(py::module_& module) {
   py::class_<Run> simulation(module, "Simulation", kSimulationText);
   simulation
-      .def(
-          py::init([](std::optional<std::string> experiment, std::optional<std::string> text,
-                      std::optional<std::uint64_t> seed, std::optional<std::uint64_t> ticks, std::optional<int> threads,
-                      std::map<std::string, py::object> overrides, std::map<std::string, py::object> controllers,
-                      const py::dict& rules, std::optional<std::string> out) {
-            return makeRun({std::move(experiment),
-                            std::move(text),
-                            seed,
-                            ticks,
-                            threads,
-                            std::move(overrides),
-                            {std::move(controllers), rulesIn(rules)},
-                            std::move(out)});
-          }),
-          py::arg("experiment") = py::none(), py::kw_only(), py::arg("text") = py::none(), py::arg("seed") = py::none(),
-          py::arg("ticks") = py::none(), py::arg("threads") = py::none(), py::arg("overrides") = py::dict(),
-          py::arg("controllers") = py::dict(), py::arg("rules") = py::dict(), py::arg("out") = py::none())
+      .def(py::init([](std::optional<std::string> experiment, std::optional<std::string> text,
+                       std::optional<std::uint64_t> seed, std::optional<std::int64_t> ticks,
+                       std::optional<std::int64_t> threads, std::map<std::string, py::object> overrides,
+                       std::map<std::string, py::object> controllers, const py::dict& rules,
+                       std::optional<std::string> out, bool force, bool write_anywhere) {
+             return makeRun({std::move(experiment),
+                             std::move(text),
+                             seed,
+                             ticks,
+                             threads,
+                             std::move(overrides),
+                             {std::move(controllers), rulesIn(rules)},
+                             std::move(out),
+                             {write_anywhere, force}});
+           }),
+           py::arg("experiment") = py::none(), py::kw_only(), py::arg("text") = py::none(),
+           py::arg("seed") = py::none(), py::arg("ticks") = py::none(), py::arg("threads") = py::none(),
+           py::arg("overrides") = py::dict(), py::arg("controllers") = py::dict(), py::arg("rules") = py::dict(),
+           py::arg("out") = py::none(), py::arg("force") = false, py::arg("write_anywhere") = false)
       .def("tick", &Run::tick, py::arg("count") = 1,
            "Makes up to so many ticks, fewer if the run is over. Returns how many.")
       .def(

@@ -14,6 +14,7 @@ from .recording import RecordedEvent, Recording, RecordingError
 STATES, EVENTS = "/space/world_state", "/space/events"
 ABOUT = ("/space/experiment", "/space/math_library", "/space/record", "/space/result")
 EPOCH_NS = 1_000_000_000  # stamps of ROS begin there
+NUMBER = re.compile(r"[-+]?(inf|nan|([0-9]+\.?[0-9]*|\.[0-9]+)(e[-+]?[0-9]+)?)")
 
 
 class BagError(RecordingError):
@@ -144,7 +145,7 @@ def _value(text: str) -> Any:
     """Of a metric in a message, which is a text."""
     if text in ("true", "false"):
         return text == "true"
-    return float(text) if re.fullmatch(r"[-+]?(inf|nan|[0-9.]+(e[-+]?[0-9]+)?)", text) else text
+    return float(text) if NUMBER.fullmatch(text) else text
 
 
 def load_bag(file: Any) -> Recording:
@@ -162,6 +163,8 @@ def load_bag(file: Any) -> Recording:
                                         message.entity, message.other, message.text))
         else:
             rows.add(run, message, columns)
+    if not rows.runs and not events:
+        raise BagError(f"{file}: found neither {STATES} nor {EVENTS}, expected a bag of `swarmanoid run --bag`")
     return _recording(str(file), columns, rows, about, events)
 
 

@@ -154,7 +154,8 @@ class Env:
 
     @staticmethod
     def _only_controller(experiment, options):
-        known = sorted(set(Simulation(experiment, **options).robots.controllers) - {""})
+        # without a folder: files would be there already when the run itself begins
+        known = sorted(set(Simulation(experiment, **{**options, "out": None}).robots.controllers) - {""})
         if len(known) != 1:
             raise ValueError(f"controller: found none, allowed: {', '.join(known)}")
         return known[0]

@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Swarms as environments: the shapes of Gymnasium and PettingZoo, and the bits of controllers."""
 
+import os
+import tempfile
 import unittest
 
 import numpy
@@ -10,6 +12,20 @@ from swarmanoid.environments import Box, Env, ParallelEnv
 
 WHEELS = {"footbot_wheels.left": (-6, 6), "footbot_wheels.right": (-6, 6)}
 FEW = {"arena.distribute.quantity": 30}
+WRITES_A_TABLE = """<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>20</maxclock></framework>
+  <controllers>
+    <diffusion id="dc" library="diffusion">
+      <actuators><footbot_wheels/></actuators><sensors><footbot_proximity/></sensors><parameters><speed>0.1</speed></parameters>
+    </diffusion>
+  </controllers>
+  <arena size="3,3,1" optimization="2D">
+    <footbot id="fb"><position>1, 1, 0</position><orientation>0, 0, 0</orientation><controller>dc</controller></footbot>
+  </arena>
+  <engines><kinematics2d id="ground"/></engines>
+  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
+  <visualisations><text_render id="table"><file>poses.txt</file></text_render></visualisations>
+</ahss-config>"""
 
 
 def policy(observations):
@@ -127,6 +143,17 @@ class EnvironmentsTest(unittest.TestCase):
         self.assertEqual([env.step(numpy.zeros((30, 2)))[2:4] for _ in range(3)], [(False, False)] * 2 + [(True, False)])
         info = env.step(numpy.zeros((30, 2)))[4]
         self.assertEqual((info["ticks"], info["enough.ticks"]), (3, 3.0))
+
+    def test_observers_write_into_the_folder_of_the_run(self):
+        for kind in (Env, ParallelEnv):
+            with self.subTest(kind.__name__), tempfile.TemporaryDirectory() as folder:
+                env = kind(text=WRITES_A_TABLE, out=folder, **options(overrides={}))
+                env.simulation.tick(3)
+                env.close()
+                with open(os.path.join(folder, "poses.txt")) as table:
+                    self.assertEqual(sum(not line.startswith("#") for line in table), 4)
+                with self.assertRaisesRegex(swarmanoid.ExperimentError, "poses.txt.* which is there already"):
+                    kind(text=WRITES_A_TABLE, out=folder, **options(overrides={}))
 
     def test_mistakes_are_refused(self):
         with self.assertRaisesRegex(ValueError, "found the field 'footbot_wheels.lft', allowed: footbot_wheels.left, footbot_wheels.right"):

@@ -122,12 +122,28 @@ class SimulationTest(unittest.TestCase):
                 self.assertEqual(os.listdir(folder), [])
                 with swarmanoid.Simulation(text=WRITES_A_TABLE, out="results") as simulation:
                     simulation.run()
-                with self.assertRaisesRegex(swarmanoid.ExperimentError, "poses.txt"):
+                with self.assertRaisesRegex(swarmanoid.ExperimentError, "poses.txt.* or force to replace it"):
                     swarmanoid.Simulation(text=WRITES_A_TABLE, out="results")
+                with swarmanoid.Simulation(text=WRITES_A_TABLE, out="results", force=True) as simulation:
+                    simulation.run()
+                outside = WRITES_A_TABLE.replace("poses.txt", "../poses.txt")
+                with self.assertRaisesRegex(swarmanoid.ExperimentError, "allowed: a file in .*, or write_anywhere"):
+                    swarmanoid.Simulation(text=outside, out="results")
+                swarmanoid.Simulation(text=outside, out="results", write_anywhere=True).close()
+                self.assertEqual(sorted(os.listdir(folder)), ["poses.txt", "results"])
             finally:
                 os.chdir(before)
             with open(os.path.join(folder, "results", "poses.txt")) as table:
                 self.assertEqual(sum(not line.startswith("#") for line in table), 4)
+
+    def test_arguments_are_held_to_the_bounds_of_the_file(self):
+        for arguments, message in (({"threads": 0}, "threads: found '0', allowed: a whole number from 1 to 1024"),
+                                   ({"threads": -5}, "threads: found '-5', allowed: a whole number from 1 to 1024"),
+                                   ({"threads": 100_000}, "threads: found '100000', allowed: a whole number from 1 to 1024"),
+                                   ({"ticks": 0}, "ticks: found '0', allowed: a whole number from 1 to "),
+                                   ({"ticks": -1}, "ticks: found '-1', allowed: a whole number from 1 to ")):
+            with self.subTest(arguments=arguments), self.assertRaisesRegex(swarmanoid.ExperimentError, f"^{message}"):
+                swarmanoid.Simulation("diffusion", **arguments)
 
     def test_threads_make_the_same_runs_at_the_same_time(self):
         def state_hash(run):
