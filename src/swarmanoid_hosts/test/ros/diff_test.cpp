@@ -57,7 +57,7 @@ class DiffTest : public testing::Test {
     }
   }
 
-  const TemporaryFolder folder_{"swarmanoid_diff_test"};
+  const TemporaryFolder folder_{"diff_test"};
 };
 
 TEST_F(DiffTest, OneBitIsADifferenceAndTheSignOfZeroIsNone) {
@@ -78,6 +78,30 @@ TEST_F(DiffTest, WhatIsNoNumberEqualsItself) {
   const std::string first = bag("a.bag", {state(0, {"x"}, {none}, {})});
   EXPECT_EQ(Names{}, differences(first, bag("b.bag", {state(0, {"x"}, {-none}, {})})));
   EXPECT_EQ(Names{"x: nan | 0"}, differences(first, bag("c.bag", {state(0, {"x"}, {0.0}, {})})));
+}
+
+TEST_F(DiffTest, AWorldStateThatLacksValuesIsRefused) {
+  swarmanoid_msgs::WorldState world;
+  world.tick = 3;
+  world.names = {"fb_1", "fb_2"};
+  world.poses.resize(2);
+  world.twists.resize(2);
+  world.colors.resize(2);
+  world.gripped.resize(1);
+  world.engines.resize(2);
+  {
+    rosbag::Bag bag(file("short.bag"), rosbag::bagmode::Write);
+    bag.write("/space/world_state", ros::Time(1.3), world);
+  }
+  BagReader reader(file("short.bag"));
+  reader.choose(StateSource::kWorldState);
+  try {
+    reader.next();
+    ADD_FAILURE() << "it has one value for two entities";
+  } catch (const ConfigError& error) {
+    EXPECT_EQ(file("short.bag") + ": found 1 gripped of 2 entities in the world state after tick 3; expected as many",
+              std::string(error.what()));
+  }
 }
 
 TEST_F(DiffTest, FieldsThatOnlyOneHasAreNamed) {

@@ -93,7 +93,7 @@ void BagReader::read(const rosbag::MessageInstance& instance) {
     tickOf(message->run, message->tick).state = fieldsOf(*message);
   } else if (source_ == StateSource::kWorldState && isOf<swarmanoid_msgs::WorldState>(instance)) {
     const auto message = instantiate<swarmanoid_msgs::WorldState>(instance);
-    tickOf(message->run, message->tick).state = worldFields(*message);
+    tickOf(message->run, message->tick).state = worldFields(*message, file_);
   }
 }
 

@@ -7,11 +7,10 @@
 #include "bag_reader.hpp"
 #include "compare.hpp"
 #include "swarmanoid_interface/configuration.hpp"
+#include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid::diff {
 namespace {
-
-enum DiffCode { kEqual = 0, kDiffers = 1, kBadInput = 2 };
 
 struct Options {
   std::string first;
@@ -83,7 +82,7 @@ void hint(StateSource source, bool has_frames) {
   }
 }
 
-int diff(const Options& options) {
+ExitCode diff(const Options& options) {
   BagReader first(bagOf(options.first));
   BagReader second(bagOf(options.second));
   const StateSource source =
@@ -97,20 +96,20 @@ int diff(const Options& options) {
     if (!a && !b) {
       std::cout << "equal: " << describe(count, source) << '\n';
       hint(source, count.bytes > 0);
-      return kEqual;
+      return ExitCode::kFinished;
     }
     if (!a || !b || a->key < b->key || b->key < a->key) {
       const bool is_in_first = a && (!b || a->key < b->key);
       const TickKey& key = is_in_first ? a->key : b->key;
       std::cout << "first difference: " << nameOf(key) << " is in " << (is_in_first ? options.first : options.second)
                 << " alone; before it all is equal\n";
-      return kDiffers;
+      return ExitCode::kDiffers;
     }
     const std::vector<Difference> differences = compare({*a, first.robots()}, {*b, second.robots()});
     if (!differences.empty()) {
       print(a->key, differences, options);
       hint(source, count.bytes > 0 || !a->controllers.empty());
-      return kDiffers;
+      return ExitCode::kDiffers;
     }
     count.add(*a);
   }
@@ -121,6 +120,7 @@ int diff(const Options& options) {
 
 int main(int argc, char** argv) {
   using namespace swarmanoid::diff;
+  using swarmanoid::ExitCode;
   Options options;
   CLI::App app{"Names the first tick in which two recorded runs differ, and the fields that differ in it.",
                "swarmanoid diff"};
@@ -130,11 +130,11 @@ int main(int argc, char** argv) {
   app.add_option("--fields", options.most_fields, "how many of the fields that differ are named");
   try {
     app.parse(argc, argv);
-    return diff(options);
+    return toNumber(diff(options));
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? kEqual : kBadInput;
+    return toNumber(app.exit(error) == 0 ? ExitCode::kFinished : ExitCode::kBadInput);
   } catch (const std::exception& error) {
     std::cerr << "swarmanoid: " << error.what() << '\n';
-    return kBadInput;
+    return toNumber(ExitCode::kBadInput);
   }
 }

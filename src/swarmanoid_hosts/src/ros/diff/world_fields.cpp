@@ -1,5 +1,9 @@
 #include "world_fields.hpp"
 
+#include <utility>
+
+#include "swarmanoid_interface/configuration.hpp"
+
 namespace swarmanoid::diff {
 namespace {
 
@@ -30,9 +34,25 @@ class Collector {
   std::vector<std::string> text_names_;
 };
 
+void refuseUnequalLengths(const swarmanoid_msgs::WorldState& state, const std::string& file) {
+  const std::pair<const char*, std::size_t> lengths[] = {{"poses", state.poses.size()},
+                                                         {"twists", state.twists.size()},
+                                                         {"colors", state.colors.size()},
+                                                         {"gripped", state.gripped.size()},
+                                                         {"engines", state.engines.size()}};
+  for (const auto& [field, length] : lengths) {
+    if (length != state.names.size()) {
+      throw ConfigError({file, 0}, "found " + std::to_string(length) + " " + field + " of " +
+                                       std::to_string(state.names.size()) + " entities in the world state after tick " +
+                                       std::to_string(state.tick) + "; expected as many");
+    }
+  }
+}
+
 }  // namespace
 
-StateFields worldFields(const swarmanoid_msgs::WorldState& state) {
+StateFields worldFields(const swarmanoid_msgs::WorldState& state, const std::string& file) {
+  refuseUnequalLengths(state, file);
   Collector fields;
   for (std::size_t i = 0; i < state.names.size(); ++i) {
     const std::string& name = state.names[i];

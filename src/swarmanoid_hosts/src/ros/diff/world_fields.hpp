@@ -3,11 +3,14 @@
 
 #include <swarmanoid_msgs/WorldState.h>
 
+#include <string>
+
 #include "recorded_tick.hpp"
 
 namespace swarmanoid::diff {
 
 /// Fields have the names of swarmanoid_msgs/NamedState.
-StateFields worldFields(const swarmanoid_msgs::WorldState& state);
+/// @param file of the bag @throws ConfigError if there are not as many poses, colours, ... as names
+StateFields worldFields(const swarmanoid_msgs::WorldState& state, const std::string& file);
 
 }  // namespace swarmanoid::diff

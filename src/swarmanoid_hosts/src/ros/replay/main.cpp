@@ -15,8 +15,6 @@
 namespace swarmanoid::replay {
 namespace {
 
-constexpr int kDiffers = 1;  // in addition to the other exit codes
-
 struct Options {
   std::string bag;
   std::vector<std::string> robots;
@@ -118,7 +116,7 @@ int replay(const Options& options) {
       }
     }
   }
-  return are_equal ? toNumber(ExitCode::kFinished) : kDiffers;
+  return toNumber(are_equal ? ExitCode::kFinished : ExitCode::kDiffers);
 }
 
 }  // namespace
