@@ -41,12 +41,15 @@ class RobotHostTest(unittest.TestCase):
                 self.assertEqual([], wheels.all())
 
     def test_drivers_refuse_bad_parameters(self):
-        for name, value, text in (("rate", "0", "found 0, allowed: from 1 to 1000"),
-                                  ("watchdog", "-1", "found -1, allowed: from 0.01 to 3600")):
-            robot = "bad_" + name  # the master keeps the parameters of the previous one
+        for name, value, text in (("rate", "0", "~rate: found '0', allowed: a number from 1 to 1000"),
+                                  ("rate", "fast", "~rate: found 'fast', allowed: a number from 1 to 1000"),
+                                  ("watchdog", "-1", "~watchdog: found '-1', allowed: a number from 0.01 to 3600"),
+                                  ("wachdog", "1", "found the parameter 'wachdog', allowed: robot, type, devices, without, "
+                                                   "rate, watchdog; did you mean 'watchdog'?")):
+            robot = f"bad_{name}_{value.strip('-')}"  # the master keeps the parameters of the previous one
             self.processes.append(Drivers(robot, "footbot", **{name: value}))
             self.assertEqual(2, self.processes[-1].wait())
-            self.assertIn(f"/{robot}_drivers/{name}: {text}", self.processes[-1].output())
+            self.assertIn(f"/{robot}_drivers: {text}", self.processes[-1].output())
 
     def test_it_waits_for_drivers(self):
         self.processes.append(Host("early", configuration("footbot")))
@@ -114,6 +117,10 @@ class RobotHostTest(unittest.TestCase):
                  "/g_controller/parameters: found values, allowed: none with provider:=topics"),
                 ("h", configuration("footbot"), {"provider": "lockstep"},
                  "/h_controller/configuration: found values, allowed: none with provider:=lockstep"),
+                ("i", configuration("footbot"), {"timeout": "2s"},
+                 "/i_controller: ~timeout: found '2s', allowed: a number from 0 to 3600"),
+                ("j", configuration("footbot"), {"use_topic": True}, "found the parameter 'use_topic', allowed: "),
+                ("k", configuration("footbot"), {"use_topic": True}, "did you mean 'use_topics'?"),
                 ("f", configuration("footbot"), {"robots": "f g"}, "found 'f g', allowed with provider:=topics: the name "
                                                                   "of one robot")):
             with self.subTest(text):

@@ -33,21 +33,23 @@ bool ControllerNodelet::runAlone() {
   }
   const std::string& name = getName();
   const bool is_standalone = process::isStandalone(name);
-  const auto provider = own.param("provider", std::string("lockstep"));
   UserCodeWatch::Options options;
   options.report = [](const std::string& text) { ROS_WARN("%s", text.c_str()); };
   watch_ = std::make_unique<UserCodeWatch>(options);
   try {
+    ParameterReader reader(own);
+    const std::string provider = reader.choice("provider", {"lockstep", "topics"});
+    Participant::Options options_of_participant = Participant::readOptions(reader);
+    reader.text("controller", "");
+    reader.text("library", "");  // who reads them is as strict, and comes later
+    reader.refuseUnread({"parameters", "configuration"});
     if (provider == "topics") {
       refuse(own, "parameters", "none with provider:=topics; the configuration has those of the controller");
       robot_host_ = std::make_unique<RobotHost>(own, label_, is_standalone);
-    } else if (provider == "lockstep") {
-      refuse(own, "configuration", "none with provider:=lockstep; the experiment says what a robot has");
-      participant_ =
-          std::make_unique<Participant>(own, name.substr(name.find_first_not_of('/')), label_, is_standalone);
     } else {
-      throw std::runtime_error("provider: found '" + provider + "', allowed: lockstep, topics" +
-                               didYouMean(provider, {"lockstep", "topics"}));
+      refuse(own, "configuration", "none with provider:=lockstep; the experiment says what a robot has");
+      participant_ = std::make_unique<Participant>(own, std::move(options_of_participant),
+                                                   name.substr(name.find_first_not_of('/')), label_, is_standalone);
     }
   } catch (...) {
     const std::string reason = describeException();

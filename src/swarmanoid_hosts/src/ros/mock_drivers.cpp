@@ -11,32 +11,53 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <iterator>
-#include <sstream>
 
 #include "../mock/mock_robot.hpp"
 #include "swarmanoid_hosts/period_clock.hpp"
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/parameter_reader.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
 #include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid::mock {
 namespace {
 
+struct Options {
+  std::string robot;
+  std::vector<std::string> devices;
+  Configuration world;
+  double rate;      // [Hz]
+  double watchdog;  // [s]
+};
+
 /// @throws ConfigError
-double readNumber(const ros::NodeHandle& own, const std::string& name, double usual, Range range) {
-  const double value = own.param(name, usual);
-  if (!range.contains(value)) {
-    throw ConfigError({own.getNamespace() + "/" + name, 0},
-                      "found " + numberText(value) + ", allowed: " + range.toString());
+std::vector<std::string> readDevices(ParameterReader& reader) {
+  const std::string type = reader.text("type", "");
+  std::vector<std::string> devices = devicesOf(type, reader.words("devices"), reader.location());
+  for (const std::string& left_out : reader.words("without")) {
+    if (std::find(devices.begin(), devices.end(), left_out) == devices.end()) {
+      throw ConfigError({reader.location().file + "/without", 0},
+                        "found '" + left_out + "', allowed: " + joinNames(devices) + didYouMean(left_out, devices));
+    }
+    devices.erase(std::remove(devices.begin(), devices.end(), left_out), devices.end());
   }
-  return value;
+  return devices;
 }
 
-/// Reads names that are separated by spaces.
-std::vector<std::string> readNames(const ros::NodeHandle& own, const std::string& name) {
-  std::istringstream words(own.param(name, std::string()));
-  return {std::istream_iterator<std::string>(words), {}};
+Configuration readWorldOf(const ros::NodeHandle& own) {
+  XmlRpc::XmlRpcValue values;
+  const std::string path = own.getNamespace() + "/world";
+  return own.getParam("world", values) ? configurationFrom(values, "world", path)
+                                       : Configuration("world", "", {path, 0});
+}
+
+/// @throws ConfigError
+Options readOptions(const ros::NodeHandle& own) {
+  ParameterReader reader(own);
+  Options options{reader.text("robot", "robot"), readDevices(reader), readWorldOf(own),
+                  reader.number("rate", 50.0, {1.0, 1000.0}), reader.number("watchdog", 0.5, {0.01, 3600.0})};
+  reader.refuseUnread({"world"});
+  return options;
 }
 
 /// Returns the topic on which people see the state of what a topic commands: leds/state for leds/command.
@@ -49,12 +70,12 @@ DeviceTopic stateTopicOf(const DeviceTopic& command) {
 
 class Drivers {
  public:
-  explicit Drivers(const ros::NodeHandle& own)
-      : name_(own.param("robot", std::string("robot"))),
+  explicit Drivers(const Options& options)
+      : name_(options.robot),
         robot_handle_(name_),
-        rate_(readNumber(own, "rate", 50.0, {1.0, 1000.0})),
-        robot_(makeMockRobot(readDevices(own), readWorldOf(own))),
-        watchdog_(*robot_, readNumber(own, "watchdog", 0.5, {0.01, 3600.0})) {
+        rate_(options.rate),
+        robot_(makeMockRobot(options.devices, options.world)),
+        watchdog_(*robot_, options.watchdog) {
     for (std::size_t i = 0; i < robot_->devices().size(); ++i) {
       if (robot_->devices()[i].type->kind == DeviceKind::kSensor) {
         advertiseReadings(robot_->devices()[i]);
@@ -97,27 +118,6 @@ class Drivers {
     ros::Publisher publisher;
     Bytes last;  ///< what was published last
   };
-
-  /// @throws ConfigError
-  static std::vector<std::string> readDevices(const ros::NodeHandle& own) {
-    std::vector<std::string> devices =
-        devicesOf(own.param("type", std::string()), readNames(own, "devices"), {own.getNamespace(), 0});
-    for (const std::string& left_out : readNames(own, "without")) {
-      if (std::find(devices.begin(), devices.end(), left_out) == devices.end()) {
-        throw ConfigError({own.getNamespace() + "/without", 0},
-                          "found '" + left_out + "', allowed: " + joinNames(devices) + didYouMean(left_out, devices));
-      }
-      devices.erase(std::remove(devices.begin(), devices.end(), left_out), devices.end());
-    }
-    return devices;
-  }
-
-  static Configuration readWorldOf(const ros::NodeHandle& own) {
-    XmlRpc::XmlRpcValue values;
-    const std::string path = own.getNamespace() + "/world";
-    return own.getParam("world", values) ? configurationFrom(values, "world", path)
-                                         : Configuration("world", "", {path, 0});
-  }
 
   void advertiseReadings(const MockRobot::Device& sensor) {
     for (const DeviceTopic* topic : topicsOf(sensor.type->type)) {
@@ -206,7 +206,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "mock_drivers");
   const ros::NodeHandle own("~");  // outlives the drivers: without any handle a node loses its log as well
   try {
-    swarmanoid::mock::Drivers(own).run();
+    swarmanoid::mock::Drivers(swarmanoid::mock::readOptions(own)).run();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     return toNumber(swarmanoid::ExitCode::kBadInput);

@@ -3,7 +3,6 @@
 #include <poll.h>
 #include <ros/ros.h>
 
-#include <sstream>
 #include <stdexcept>
 
 #include "robot_parameters.hpp"
@@ -23,8 +22,24 @@ bool waitFor(const PacketSocket& socket, int time) {
 
 }  // namespace
 
-Participant::Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone)
-    : own_(own), name_(std::move(name)), label_(std::move(label)), is_standalone_(is_standalone) {
+Participant::Options Participant::readOptions(ParameterReader& reader) {
+  constexpr Range kWaiting{0.0, 3600.0};  // [s]
+  Options options;
+  options.robots = reader.words("robots");
+  options.space = reader.text("space", options.space);
+  options.timeout = reader.number("timeout", options.timeout, kWaiting);
+  options.policy = reader.text("policy", "");
+  options.uses_topics = reader.boolean("use_topics", options.uses_topics);
+  return options;
+}
+
+Participant::Participant(const ros::NodeHandle& own, Options options, std::string name, std::string label,
+                         bool is_standalone)
+    : own_(own),
+      options_(std::move(options)),
+      name_(std::move(name)),
+      label_(std::move(label)),
+      is_standalone_(is_standalone) {
   own_.setCallbackQueue(&queue_);
   thread_ = std::thread([this] { run(); });
 }
@@ -45,14 +60,15 @@ void Participant::run() {
     const Registry::Entry& entry = findController(own_, label_);
     host_ = std::make_unique<ControllerHost>(
         registration, [&entry] { return makePlugin<Controller>(entry); }, logRobot);
-    ROS_INFO("commanding %zu robot(s) of %s with %s", registration.robots.size(), space_.c_str(), label_.c_str());
+    ROS_INFO("commanding %zu robot(s) of %s with %s", registration.robots.size(), options_.space.c_str(),
+             label_.c_str());
     if (socket_.isOpen()) {
       answerPackets();
     } else {
       answerMessages();
     }
     if (!isOver()) {
-      ROS_INFO("%s is gone", space_.c_str());
+      ROS_INFO("%s is gone", options_.space.c_str());
     }
   } catch (...) {
     if (!isOver()) {
@@ -70,17 +86,11 @@ void Participant::run() {
 
 bool Participant::registerWithSpace(swarmanoid_msgs::Register::Response& response) {
   swarmanoid_msgs::Register::Request request;
-  std::string robots;
-  own_.getParam("robots", robots);
-  std::istringstream words(robots);
-  for (std::string word; words >> word;) {
-    request.robots.push_back(word);
-  }
+  request.robots = options_.robots;
   request.participant = name_;
-  request.timeout = own_.param("timeout", 0.0);
-  request.policy = own_.param("policy", std::string());
-  space_ = own_.param("space", std::string("/space"));
-  const std::string service = space_ + "/register";
+  request.timeout = options_.timeout;
+  request.policy = options_.policy;
+  const std::string service = options_.space + "/register";
   bool is_reported = false;
   while (!isOver()) {
     const bool is_there = ros::service::exists(service, false);
@@ -123,7 +133,7 @@ Registration Participant::adapt(Registration registration) {
 std::uint64_t Participant::connect() {
   socket_ = PacketSocket();
   std::string name;
-  if (own_.param("use_topics", false) || !ros::param::get(space_ + "/lockstep_socket", name)) {
+  if (options_.uses_topics || !ros::param::get(options_.space + "/lockstep_socket", name)) {
     return 0;
   }
   socket_ = PacketSocket::connect(name);
@@ -136,7 +146,7 @@ std::uint64_t Participant::connect() {
 }
 
 void Participant::answerMessages() {
-  const std::string topics = space_ + "/participants/" + name_;
+  const std::string topics = options_.space + "/participants/" + name_;
   constexpr bool kLatched = true;  // a latched message arrives whichever side connects first
   ros::Publisher commands = own_.advertise<swarmanoid_msgs::CommandFrame>(topics + "/commands", 1, kLatched);
   const ros::Subscriber sensors = own_.subscribe<swarmanoid_msgs::SensorFrame>(

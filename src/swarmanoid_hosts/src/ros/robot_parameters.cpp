@@ -1,6 +1,7 @@
 #include "robot_parameters.hpp"
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_hosts/ros/parameter_reader.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
 #include "swarmanoid_interface/device_type.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -24,8 +25,7 @@ std::vector<KnownDevice> knownDevices() {
 }  // namespace
 
 std::string readRobotName(const ros::NodeHandle& own) {
-  std::string name;
-  own.getParam("robots", name);
+  std::string name = ParameterReader(own).text("robots", "");
   if (name.empty() || name.find_first_of(" /") != std::string::npos) {
     throw ConfigError({own.getNamespace() + "/robots", 0},
                       "found '" + name + "', allowed with provider:=topics: the name of one robot");
@@ -43,12 +43,13 @@ RobotConfiguration readRobotConfiguration(const ros::NodeHandle& own) {
 }
 
 const Registry::Entry& findController(const ros::NodeHandle& own, const std::string& given_label) {
-  std::string label = given_label;
-  if (label.empty() && !own.getParam("controller", label)) {
+  ParameterReader reader(own);
+  const std::string label = given_label.empty() ? reader.text("controller", "") : given_label;
+  if (label.empty()) {
     throw ConfigError({own.getNamespace() + "/controller", 0}, "found nothing, allowed: the label of a controller");
   }
   if (Registry::instance().find(PluginKind::kController, label) == nullptr) {
-    loadPluginLibrary(own.param("library", label), {}, {own.getNamespace() + "/library", 0});
+    loadPluginLibrary(reader.text("library", label), {}, {own.getNamespace() + "/library", 0});
   }
   return Registry::instance().require(PluginKind::kController, label);
 }

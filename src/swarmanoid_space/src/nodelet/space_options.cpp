@@ -5,7 +5,7 @@
 #include <ctime>
 #include <filesystem>
 
-#include "parameter_reader.hpp"
+#include "swarmanoid_hosts/ros/parameter_reader.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/experiment_file/override_text.hpp"
@@ -46,13 +46,13 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
                       "experiment: " +
                           joinNames(installedExperiments()));
   }
-  options.seed = reader.count("seed", {0.0, 9e15});
-  options.max_ticks = reader.count("max_ticks", {1.0, 1e15});
+  options.seed = reader.count("seed", limits::kSeed);
+  options.max_ticks = reader.count("max_ticks", limits::kTicks);
   const double factor = reader.number("real_time_factor", -1.0, {0.0, 1e6});
   if (factor >= 0.0) {
     if (!limits::isRealTimeFactor(factor)) {
-      throw ConfigError(reader.location(), "~real_time_factor: found " + numberText(factor) +
-                                               ", allowed: 0, or a number from 1e-06 to 1000000");
+      throw ConfigError(reader.location(),
+                        "~real_time_factor: found " + numberText(factor) + ", allowed: " + limits::kRealTimeFactors);
     }
     options.real_time_factor = factor;
   }
@@ -99,7 +99,7 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
       Lockstep::Seconds(reader.number("lockstep/timeout", options.lockstep.timeout.count(), waiting));
   options.lockstep.join_timeout =
       Lockstep::Seconds(reader.number("lockstep/join_timeout", options.lockstep.join_timeout.count(), waiting));
-  reader.refuseUnread();
+  reader.refuseUnread({"engines", "controllers"});
   return options;
 }
 

@@ -20,18 +20,31 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "swarmanoid_hosts/controller_host.hpp"
 #include "swarmanoid_hosts/packet_socket.hpp"
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
+#include "swarmanoid_hosts/ros/parameter_reader.hpp"
 
 namespace swarmanoid {
 
 class Participant {
  public:
+  /// Those of the private parameters that only a participant reads.
+  struct Options {
+    std::vector<std::string> robots;
+    std::string space = "/space";
+    double timeout = 0.0;  ///< [s] of wall time; 0: the space's
+    std::string policy;    ///< "": the space's
+    bool uses_topics = false;
+  };
+  /// @throws ConfigError
+  static Options readOptions(ParameterReader& reader);
+
   /// @param own with the private parameters; @param name of the participant, without a leading slash
   /// @param label of the controller; "": that of the first robot in the experiment file
-  Participant(const ros::NodeHandle& own, std::string name, std::string label, bool is_standalone);
+  Participant(const ros::NodeHandle& own, Options options, std::string name, std::string label, bool is_standalone);
   ~Participant();
   Participant(const Participant&) = delete;
   Participant& operator=(const Participant&) = delete;
@@ -52,9 +65,9 @@ class Participant {
 
   ros::CallbackQueue queue_;
   ros::NodeHandle own_;
+  Options options_;
   std::string name_;
   std::string label_;
-  std::string space_;
   bool is_standalone_;
   std::uint64_t session_ = 0;
   std::unique_ptr<ControllerHost> host_;

@@ -1,0 +1,43 @@
+/// Reads the private parameters of a node or nodelet, strictly: a value of another type, one out of bounds and a name
+/// that nobody reads are refused, where ros::NodeHandle::param would go on with what it takes for usual.
+///
+/// Threads  of one thread; it waits for the master.
+/// Errors   ConfigError with the namespace, the parameter, what was found and what is allowed
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_interface/configuration.hpp"
+
+namespace swarmanoid {
+
+/// Converts parameters of any scalar type to text first, so that launch files may pass "" for "not given".
+class ParameterReader {
+ public:
+  explicit ParameterReader(const ros::NodeHandle& own) : own_(own) {}
+
+  std::string text(const std::string& name, const std::string& fallback);
+  double number(const std::string& name, double fallback, Range range);
+  /// A whole number; nothing if it is not given.
+  std::optional<std::uint64_t> count(const std::string& name, Range range);
+  bool boolean(const std::string& name, bool fallback);
+  /// @param allowed the first one is meant if it is not given
+  std::string choice(const std::string& name, const std::vector<std::string>& allowed);
+  /// What spaces separate.
+  std::vector<std::string> words(const std::string& name);
+
+  /// To be called when all has been read. @param parts that others read: "engines" stands for ~engines/ground/id, too
+  void refuseUnread(const std::vector<std::string>& parts) const;
+
+  SourceLocation location() const { return {own_.getNamespace(), 0}; }
+
+ private:
+  const ros::NodeHandle own_;
+  std::vector<std::string> known_;
+};
+
+}  // namespace swarmanoid
