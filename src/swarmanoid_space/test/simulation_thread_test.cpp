@@ -4,6 +4,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
+#include <future>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -28,6 +31,15 @@ std::uint64_t tickOf(SimulationThread& thread) {
   std::uint64_t tick = 0;
   thread.look([&](const Simulation& simulation) { tick = simulation.space().tick; });
   return tick;
+}
+
+/// @return whether it does so in a time that no machine needs
+bool comesTrue(const std::function<bool()>& condition) {
+  const auto deadline = Clock::now() + std::chrono::minutes(1);
+  while (!condition() && Clock::now() < deadline) {
+    std::this_thread::yield();
+  }
+  return condition();
 }
 
 std::string messageOf(const std::function<void()>& call) {
@@ -152,7 +164,6 @@ TEST(SimulationThreadTest, NobodyWaitsForAStoppedRun) {
   EXPECT_EQ("engine 'ground': its nodelet was unloaded", thread.stopReason());
 }
 
-/// Throws in a given tick.
 /// Counts how often it is asked to hand over what it has written, and at which tick it was last.
 class Flushed final : public Observer {
  public:
@@ -177,9 +188,7 @@ TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhenItPauses) {
   simulation->addObserver(flushed);
   SimulationThread thread(std::move(simulation), pausedAtFirst());
   thread.step(7);
-  while (flushed->flushed() != 7U) {  // for ever, if it does not
-    std::this_thread::yield();
-  }
+  EXPECT_TRUE(comesTrue([&] { return flushed->flushed() == 7U; })) << "it is of tick " << flushed->flushed();
 }
 
 TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhileItRuns) {
@@ -187,12 +196,11 @@ TEST(SimulationThreadTest, WhatIsWrittenIsHandedOverWhileItRuns) {
   const auto flushed = std::make_shared<Flushed>();
   simulation->addObserver(flushed);
   SimulationThread thread(std::move(simulation), {});
-  while (flushed->times() < 3) {
-    std::this_thread::yield();
-  }
+  ASSERT_TRUE(comesTrue([&] { return flushed->times() >= 3; }));
   EXPECT_LT(static_cast<std::uint64_t>(flushed->times()), tickOf(thread)) << "not after each tick";
 }
 
+/// Throws in a given tick.
 class Thrower final : public Observer {
  public:
   void configure(const std::string&, const Configuration&, const RunContext&) override {}
@@ -241,6 +249,48 @@ TEST(SimulationThreadTest, WhoWaitsForUsersCodeThatIsLateIsToldSo) {
   EXPECT_EQ(0U, tickOf(thread));
   EXPECT_FALSE(has_acted);
   EXPECT_TRUE(thread.step(1).is_complete);
+}
+
+/// Its first drawing and its end each take until they are let go.
+class Slow final : public Observer {
+ public:
+  void configure(const std::string&, const Configuration&, const RunContext&) override {}
+  void draw(const Space& space) override {
+    if (space.tick == 0) {
+      drawing.set_value();
+      may_draw.get_future().wait();
+    }
+  }
+  void finish() override {
+    if (!has_finished_) {
+      has_finished_ = true;
+      finishing.set_value();
+      may_finish.get_future().wait();
+    }
+  }
+  std::promise<void> drawing, may_draw, finishing, may_finish;
+
+ private:
+  bool has_finished_ = false;
+};
+
+TEST(SimulationThreadTest, WhoAsksWhileAnObserverIsSlowIsAnswered) {
+  UserCodeWatch::Options quiet;
+  quiet.report = [](const std::string&) {};
+  const UserCodeWatch watch(quiet);
+  auto simulation = test::smallWorld(50);
+  const auto slow = std::make_shared<Slow>();
+  simulation->addObserver(slow);
+  SimulationThread thread(std::move(simulation), {});
+  slow->drawing.get_future().wait();
+  EXPECT_EQ(State::kRunning, thread.state());
+  EXPECT_EQ(0U, messageOf([&] { thread.pause(); }).rfind("busy in draw of visualisation", 0));
+  slow->may_draw.set_value();
+  slow->finishing.get_future().wait();
+  EXPECT_EQ(State::kFinished, thread.state());
+  EXPECT_EQ(0U, messageOf([&] { thread.pause(); }).rfind("busy in finish of visualisation", 0));
+  slow->may_finish.set_value();
+  EXPECT_EQ(50U, tickOf(thread));
 }
 
 TEST(SimulationThreadTest, WhateverATickThrowsStopsTheRun) {

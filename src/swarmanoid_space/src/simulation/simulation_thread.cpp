@@ -25,6 +25,18 @@ Result waitUnlessLate(std::future<Result>& result, LetGo let_go) {
   return result.get();
 }
 
+/// Users' code and observers may take long; whoever calls is answered meanwhile.
+class Unlocked {
+ public:
+  explicit Unlocked(std::unique_lock<std::mutex>& lock) : lock_(lock) { lock_.unlock(); }
+  ~Unlocked() { lock_.lock(); }
+  Unlocked(const Unlocked&) = delete;
+  Unlocked& operator=(const Unlocked&) = delete;
+
+ private:
+  std::unique_lock<std::mutex>& lock_;
+};
+
 }  // namespace
 
 SimulationThread::SimulationThread(std::unique_ptr<Simulation> simulation, Options options)
@@ -187,19 +199,8 @@ void SimulationThread::stop(const std::string& reason) {
 
 void SimulationThread::run() {
   std::unique_lock<std::mutex> lock(mutex_);
-  const auto stopOn = [&](const std::string& why) {
-    // a job or a tick threw on this thread; the lock may be held or not
-    if (!lock.owns_lock()) {
-      lock.lock();
-    }
-    if (stop_reason_) {
-      return;  // stopped meanwhile, which may be why it threw
-    }
-    stop_reason_ = "tick " + std::to_string(simulation_->space().tick) + ": " + why;
-  };
   try {
-    simulation_->start();
-    announce();
+    start(lock);
     while (!stop_reason_) {
       runJobs(lock);
       if (!stop_reason_ && waitUntilDue(lock)) {
@@ -207,12 +208,14 @@ void SimulationThread::run() {
       }
     }
   } catch (...) {
-    stopOn(describeException());
+    if (!stop_reason_) {  // else stopped meanwhile, which may be why it threw
+      stop_reason_ = "tick " + std::to_string(simulation_->space().tick) + ": " + describeException();
+    }
   }
   state_ = State::kStopped;
   endStep("the run has stopped: " + *stop_reason_);
   try {
-    complete();
+    complete(lock);
   } catch (...) {
     *stop_reason_ += "; " + describeException();
   }
@@ -225,26 +228,34 @@ void SimulationThread::run() {
   wake_.notify_all();
 }
 
+void SimulationThread::start(std::unique_lock<std::mutex>& lock) {
+  {
+    const Unlocked unlocked(lock);
+    simulation_->start();
+  }
+  announce();
+}
+
+void SimulationThread::act(const Job& job, std::unique_lock<std::mutex>& lock) {
+  {
+    const Unlocked unlocked(lock);
+    job.action();
+  }
+  if (job.kind.is_change) {
+    announce();
+  }
+}
+
 void SimulationThread::runJobs(std::unique_lock<std::mutex>& lock) {
   while (!jobs_.empty() && !stop_reason_) {
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
-    lock.unlock();  // users' code may take long, and state() must answer meanwhile
     try {
-      job.action();
-      if (job.kind.is_change) {
-        lock.lock();
-        announce();
-        lock.unlock();
-      }
+      act(job, lock);
       job.done.set_value();
     } catch (...) {
-      if (lock.owns_lock()) {
-        lock.unlock();
-      }
       job.done.set_exception(std::current_exception());
     }
-    lock.lock();
   }
   has_jobs_ = !jobs_.empty();
 }
@@ -255,9 +266,10 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
     return true;
   }
   if (state_ != State::kRunning) {
-    lock.unlock();
-    simulation_->flush();
-    lock.lock();
+    {
+      const Unlocked unlocked(lock);
+      simulation_->flush();
+    }
     wake_.wait(lock, isDisturbed);
     return false;
   }
@@ -282,16 +294,17 @@ bool SimulationThread::waitUntilDue(std::unique_lock<std::mutex>& lock) {
 }
 
 void SimulationThread::makeTick(std::unique_lock<std::mutex>& lock) {
-  lock.unlock();
-  is_tick_given_up_ = !simulation_->tick([this] { return has_jobs_.load(); });
-  lock.lock();
+  {
+    const Unlocked unlocked(lock);
+    is_tick_given_up_ = !simulation_->tick([this] { return has_jobs_.load(); });
+  }
   if (is_tick_given_up_) {
     return;
   }
   const bool is_step_done = step_ && --step_->left == 0;
   if (simulation_->isFinished()) {
     state_ = State::kFinished;
-    complete();
+    complete(lock);
     endStep(is_step_done ? "" : "the run finished before all of them were made");
   } else if (is_step_done) {
     state_ = State::kPaused;
@@ -308,8 +321,9 @@ void SimulationThread::endStep(const std::string& problem) {
   }
 }
 
-void SimulationThread::complete() {
+void SimulationThread::complete(std::unique_lock<std::mutex>& lock) {
   announce();
+  const Unlocked unlocked(lock);
   simulation_->finish();
 }
 

@@ -38,8 +38,8 @@ class SimulationThread {
     kPaused,
     kRunning,
     kStepping,  ///< paused, with ticks of a step under way
-    kFinished,  ///< only a reset goes on from here
-    kStopped    ///< for good: stop() was called, or a tick threw
+    kFinished,  ///< only a reset goes on from here; observers may still be completing what they write
+    kStopped    ///< for good: stop() was called, or a tick threw; likewise
   };
 
   struct Options {
@@ -111,11 +111,13 @@ class SimulationThread {
   };
 
   void run();
+  void start(std::unique_lock<std::mutex>& lock);
+  void act(const Job& job, std::unique_lock<std::mutex>& lock);
   void runJobs(std::unique_lock<std::mutex>& lock);
   void makeTick(std::unique_lock<std::mutex>& lock);
   bool waitUntilDue(std::unique_lock<std::mutex>& lock);
   void endStep(const std::string& problem);
-  void complete();
+  void complete(std::unique_lock<std::mutex>& lock);
   void announce();
   void enqueueAndWait(std::function<void()> action, JobKind kind) const;
   bool letGo(std::uint64_t job, JobKind kind) const;
