@@ -42,6 +42,11 @@ class PluginTest(MisbehavingTest):
             with self.subTest(deed=deed):
                 self.assert_ended(self.misbehave("move", deed, who=ENGINE), f"{what} in move of {ENGINE}, tick 3", 3)
 
+    def test_a_crash_while_somebody_is_handed_over(self):
+        (self.folder / "done.xml").write_text('<interventions><handover tick="3" entity="fb_4" engine="bad"/></interventions>')
+        outcome = self.misbehave("invalidPoseReason", "segv_read", "--interventions", "done.xml", who=ENGINE)
+        self.assert_ended(outcome, f"crashed: SIGSEGV in handover of {ENGINE}, tick 3", 3)
+
     def test_what_an_assertion_says_is_kept(self):
         outcome = self.misbehave("move", "assert", who=ENGINE)
         self.assert_ended(outcome, f"crashed: SIGABRT in move of {ENGINE}, tick 3", 3)

@@ -97,6 +97,28 @@ TEST_F(RuleRunTest, ARuleEndsTheRunAndTheRulesAfterItAreCalled) {
   EXPECT_EQ(simulation->space().tick, 1U);
 }
 
+TEST_F(RuleRunTest, TheFailureOfARuleIsToldAlthoughTheTickCannotBeShown) {
+  class FullDisk final : public Observer {
+   public:
+    void configure(const std::string&, const Configuration&, const RunContext&) override {}
+    void draw(const Space& space) override {
+      if (space.tick == 1) {
+        throw std::runtime_error("the disk is full");
+      }
+    }
+  };
+  b.after = [](ScriptedRule&, const Space&, InterventionQueue&) { throw std::runtime_error("no power"); };
+  const auto simulation = ruledWorld();
+  simulation->addObserver(std::make_shared<FullDisk>());
+  simulation->start();
+  try {
+    simulation->tick();
+    ADD_FAILURE() << "both failed";
+  } catch (const std::exception& error) {
+    EXPECT_STREQ("rule 'b' (scripted_rule): no power; the disk is full", error.what());
+  }
+}
+
 TEST_F(RuleRunTest, TheRunIsASuccessIfAllWhoJudgeItSayThat) {
   struct Case {
     std::optional<bool> rule;

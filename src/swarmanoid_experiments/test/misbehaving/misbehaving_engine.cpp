@@ -1,4 +1,5 @@
-// The same for an engine, which need not hold anything. phase: configure; readMirrors, move, connect (in tick 3).
+// The same for an engine, which need not hold anything. phase: configure; readMirrors, move, connect (in tick 3);
+// invalidPoseReason, which is called when somebody is to be handed over to it.
 #include "../glide_engine.hpp"
 #include "deeds.hpp"
 
@@ -14,6 +15,10 @@ class MisbehavingEngine final : public GlideEngine {
     misdeed_.configure(parameters);
   }
 
+  std::string invalidPoseReason(const EntityModel&, const Pose&) const override {
+    misdeed_.tryIn("invalidPoseReason");
+    return "";
+  }
   void readMirrors(const Space& space) override { misdeed_.tryIn("readMirrors", space.tick); }
   void move(Space& space, Duration dt) override {
     GlideEngine::move(space, dt);

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "swarmanoid_interface/expects.hpp"
-
 namespace swarmanoid {
 
 Engine* Assembly::findEngine(const std::string& id) const {
@@ -15,12 +13,7 @@ Engine* Assembly::findEngine(const std::string& id) const {
   return nullptr;
 }
 
-const std::string& Assembly::partOf(const Engine& engine) const {
-  const auto found =
-      std::find_if(engines.begin(), engines.end(), [&](const auto& known) { return known.get() == &engine; });
-  SWARMANOID_EXPECTS(found != engines.end());
-  return found->part;
-}
+const std::string& Assembly::partOf(const Engine& engine) const { return swarmanoid::partOf(engines, engine); }
 
 ControllerGroup* Assembly::findGroup(const std::string& id) const {
   for (const auto& group : groups) {

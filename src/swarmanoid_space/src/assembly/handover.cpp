@@ -14,49 +14,9 @@ const ControllerGroup* groupOf(const std::vector<RobotInstance>& instances, Row 
   return instance == instances.end() ? nullptr : instance->group;
 }
 
-std::string problemOf(const Space& space, const std::vector<RobotInstance>& instances,
-                      const std::vector<Membership>& memberships, const std::vector<Row>& members, Row row,
-                      const Engine& engine) {
-  const EntityModel& model = *space.entities.model[row];
-  const Pose& pose = space.entities.pose[row];
-  if (!model.is_movable) {
-    return "is fixed, no engine moves it";
-  }
-  const auto posed = posedModel(space.entities.model[row], space.joints[row]);
-  std::string problem = engine.invalidPoseReason(*posed, pose);
-  if (problem.empty()) {
-    problem = unsupportedReasonOf(engine, model, devicesOf(groupOf(instances, row)), memberships);
-  }
-  if (problem.empty() && space.structure.grippedBy(row) != kNoRow) {
-    problem = engine.unsupportedGripReason(space, row);
-  }
-  if (problem.empty()) {
-    problem = engine.unsupportedStateReason(space, row);
-  }
-  if (problem.empty()) {
-    const Row other = engine.overlap(*posed, pose, members);
-    problem = other == kNoRow ? "" : "overlaps '" + space.entities.name[other] + "'";
-  }
-  return problem;
-}
-
 /// Whether the device would stand idle in the engine.
 bool isIdle(const Engine& engine, const EntityModel& model, const DeviceUse& device) {
   return engine.mayStandIdle(model, device) && !engine.unsupportedReason(model, {device}).empty();
-}
-
-/// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
-Engine* takeOut(Space& space, const std::vector<Membership>& memberships, Row row, const Engine& target) {
-  Engine*& mover = space.mover[row];
-  for (const Membership& membership : memberships) {
-    if (membership.engine == mover || membership.engine == &target) {
-      membership.engine->remove(space, row);
-    }
-  }
-  space.entities_without_engine.remove(row);
-  Engine* former = mover;
-  mover = nullptr;
-  return former;
 }
 
 /// The roles in which the engines hold the entity from now on.
@@ -82,16 +42,6 @@ void changeMemberships(std::vector<Membership>& memberships, const Engine* forme
 
 }  // namespace
 
-void refreshMirrors(Space& space, const ByRow<std::vector<Membership>>& memberships, Engine& engine) {
-  for (const Row row : space.entities.order) {
-    for (const Membership& membership : memberships[row]) {
-      if (membership.engine == &engine && membership.role == Role::kMirror && space.entities.model[row]->is_movable) {
-        engine.place(space, row);
-      }
-    }
-  }
-}
-
 std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, const std::vector<DeviceUse>& devices,
                                 const std::vector<Membership>& memberships) {
   std::vector<DeviceUse> needed;
@@ -115,43 +65,104 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
   return idle;
 }
 
-std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
-                            const ByRow<std::vector<Membership>>& memberships, const std::vector<Row>& members, Row row,
-                            const Engine& engine) {
-  for (const Row member : members) {
-    const std::string problem = problemOf(space, instances, memberships[member], members, member, engine);
+template <class Action>
+auto Handover::call(const char* phase, const Engine& engine, Action action) const {
+  return callPlugin(phase, partOf(engines_, engine), space_.tick, action);
+}
+
+Handover::Handover(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+                   ByRow<std::vector<Membership>>& memberships, Row row, Engine& target)
+    : space_(space),
+      engines_(engines),
+      instances_(instances),
+      memberships_(memberships),
+      row_(row),
+      target_(target),
+      members_(connectedTo(space.entities, space.structure, space.attachments, row)) {
+  for (const Row other : space.entities.order) {
+    for (const Membership& membership : memberships[other]) {
+      if (membership.engine == &target && membership.role == Role::kMirror && space.entities.model[other]->is_movable) {
+        call("place", target, [&] { target_.place(space_, other); });
+      }
+    }
+  }
+}
+
+std::string Handover::problem() const {
+  for (const Row member : members_) {
+    const std::string problem = call("handover", target_, [&] { return problemOf(member); });
     if (!problem.empty()) {
-      const std::string who = space.entities.model[member]->type + " '" + space.entities.name[member] + "': ";
-      return member == row ? problem : "connected " + who + problem;
+      const std::string who = space_.entities.model[member]->type + " '" + space_.entities.name[member] + "': ";
+      return member == row_ ? problem : "connected " + who + problem;
     }
   }
   return "";
 }
 
-void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
-                    ByRow<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
-                    std::vector<Event>& events) {
-  SWARMANOID_EXPECTS(handoverProblem(space, instances, memberships, members, members.front(), engine).empty());
-  std::vector<Engine*> former;
-  former.reserve(members.size());
-  for (const Row row : members) {
-    former.push_back(takeOut(space, memberships[row], row, engine));
+std::string Handover::problemOf(Row member) const {
+  const EntityModel& model = *space_.entities.model[member];
+  const Pose& pose = space_.entities.pose[member];
+  if (!model.is_movable) {
+    return "is fixed, no engine moves it";
   }
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    const Row row = members[k];
-    changeMemberships(memberships[row], former[k], engine);
-    space.mover[row] = &engine;
-    engine.add(space, row, Role::kMove);
-    std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + engine.id();
-    const auto idle = idleDevices(engine, *space.entities.model[row], devicesOf(groupOf(instances, row)));
+  const auto posed = posedModel(space_.entities.model[member], space_.joints[member]);
+  std::string problem = target_.invalidPoseReason(*posed, pose);
+  if (problem.empty()) {
+    problem = unsupportedReasonOf(target_, model, devicesOf(groupOf(instances_, member)), memberships_[member]);
+  }
+  if (problem.empty() && space_.structure.grippedBy(member) != kNoRow) {
+    problem = target_.unsupportedGripReason(space_, member);
+  }
+  if (problem.empty()) {
+    problem = target_.unsupportedStateReason(space_, member);
+  }
+  if (problem.empty()) {
+    const Row other = target_.overlap(*posed, pose, members_);
+    problem = other == kNoRow ? "" : "overlaps '" + space_.entities.name[other] + "'";
+  }
+  return problem;
+}
+
+/// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
+Engine* Handover::takeOut(Row member) {
+  Engine*& mover = space_.mover[member];
+  for (const Membership& membership : memberships_[member]) {
+    if (membership.engine == mover || membership.engine == &target_) {
+      call("remove", *membership.engine, [&] { membership.engine->remove(space_, member); });
+    }
+  }
+  space_.entities_without_engine.remove(member);
+  Engine* former = mover;
+  mover = nullptr;
+  return former;
+}
+
+void Handover::add(Row member, Engine& engine, Role role) {
+  call("add", engine, [&] { engine.add(space_, member, role); });
+}
+
+void Handover::commit(std::vector<Event>& events) {
+  SWARMANOID_EXPECTS(problem().empty());
+  std::vector<Engine*> former;
+  former.reserve(members_.size());
+  for (const Row member : members_) {
+    former.push_back(takeOut(member));
+  }
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const Row member = members_[k];
+    changeMemberships(memberships_[member], former[k], target_);
+    space_.mover[member] = &target_;
+    add(member, target_, Role::kMove);
+    std::string text = "from " + (former[k] == nullptr ? "no engine" : former[k]->id()) + " to " + target_.id();
+    const auto idle = idleDevices(target_, *space_.entities.model[member], devicesOf(groupOf(instances_, member)));
     text += idle.empty() ? "" : "; idle there: " + joinNames(idle);
-    events.push_back({Event::Kind::kHandedOver, space.entities.name[row], "", text});
+    events.push_back({Event::Kind::kHandedOver, space_.entities.name[member], "", text});
   }
   // only now, so that no engine has half a structure as mirrors and moves the other half
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    for (const Membership& membership : memberships[members[k]]) {
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    for (const Membership& membership : memberships_[members_[k]]) {
       if (membership.engine == former[k]) {
-        former[k]->add(space, members[k], Role::kMirror);
+        add(members_[k], *former[k], Role::kMirror);
       }
     }
   }

@@ -5,12 +5,10 @@
 #include <vector>
 
 #include "membership.hpp"
+#include "named_plugin.hpp"
 #include "robot_instance.hpp"
 
 namespace swarmanoid {
-
-/// Puts the engine's mirrors where their entities are now, else it would decide by where they were a tick ago.
-void refreshMirrors(Space& space, const ByRow<std::vector<Membership>>& memberships, Engine& engine);
 
 /// Why the engine cannot move such an entity with these devices; "" if it can. A device that it cannot simulate, but
 /// that may stand idle, is no reason if another of the engines that hold the entity can simulate it.
@@ -22,19 +20,38 @@ std::string unsupportedReasonOf(const Engine& engine, const EntityModel& model, 
 std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& model,
                                      const std::vector<DeviceUse>& devices);
 
-/// Why the engine cannot take charge of the members of a structure where they stand; "" if it can. Whether the members
-/// overlap each other is not looked at: they stood like this, and grip each other, in the engine that they come from.
-/// @pre its mirrors are refreshed
-/// @param row the member that it is about; what hinders another one is reported with that one's name
-std::string handoverProblem(const Space& space, const std::vector<RobotInstance>& instances,
-                            const ByRow<std::vector<Membership>>& memberships, const std::vector<Row>& members, Row row,
-                            const Engine& engine);
+/// The handover of a structure to an engine, between two ticks or at the end of one: first `problem`, then `commit`. A
+/// call that does not return is reported with the name of its engine (UserCode).
+class Handover {
+ public:
+  /// Puts the engine's mirrors where their entities are now, else it would decide by where they were a tick ago.
+  /// @param row the member of the structure that it is about
+  Handover(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+           ByRow<std::vector<Membership>>& memberships, Row row, Engine& target);
 
-/// Lets the engine take charge of them. @param members parents before children @param events get one for each of them
-/// @pre no problem
-void commitHandover(Space& space, const std::vector<RobotInstance>& instances,
-                    ByRow<std::vector<Membership>>& memberships, const std::vector<Row>& members, Engine& engine,
-                    std::vector<Event>& events);
+  /// Why the engine cannot take charge of all members where they stand; "" if it can. What hinders another member than
+  /// the one that it is about has that one's name. Whether the members overlap each other is not looked at: they stood
+  /// like this, and grip each other, in the engine that they come from.
+  std::string problem() const;
+
+  /// Lets the engine take charge of them. @param events get one for each of them @pre no problem
+  void commit(std::vector<Event>& events);
+
+ private:
+  std::string problemOf(Row member) const;
+  Engine* takeOut(Row member);
+  void add(Row member, Engine& engine, Role role);
+  template <class Action>
+  auto call(const char* phase, const Engine& engine, Action action) const;
+
+  Space& space_;
+  const std::vector<Named<Engine>>& engines_;
+  const std::vector<RobotInstance>& instances_;
+  ByRow<std::vector<Membership>>& memberships_;
+  Row row_;
+  Engine& target_;
+  std::vector<Row> members_;  // parents before children
+};
 
 /// A rule for one entity, and how far it has come.
 struct HandoverTrigger {

@@ -1,9 +1,12 @@
 /// Plugins as a simulation holds them.
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_space/observer.hpp"
 #include "swarmanoid_space/rule.hpp"
 
@@ -19,6 +22,15 @@ struct Named {
   Plugin* operator->() const { return plugin.get(); }
   Plugin& operator*() const { return *plugin; }
 };
+
+/// The description of one of them. @pre it is among them
+template <class Plugin>
+const std::string& partOf(const std::vector<Named<Plugin>>& plugins, const Plugin& plugin) {
+  const auto found =
+      std::find_if(plugins.begin(), plugins.end(), [&](const auto& known) { return known.get() == &plugin; });
+  SWARMANOID_EXPECTS(found != plugins.end());
+  return found->part;
+}
 
 /// A rule, and whether it is still to be asked.
 struct RuleInstance : Named<Rule> {

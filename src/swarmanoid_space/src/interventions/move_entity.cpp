@@ -1,18 +1,14 @@
 #include "../experiment_file/door.hpp"
 #include "../world/entities.hpp"
-#include "../world/offers.hpp"
 #include "carry_out.hpp"
-#include "swarmanoid_space/models/limits.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 
 bool carryOut(World& world, const MoveEntity& intervention) {
   const std::string& name = intervention.entity;
   const Pose& pose = intervention.pose;
-  const Row row = world.space.entities.find(name);
-  if (row == kNoRow) {
-    throw ConfigError({}, "there is no entity '" + name + "'");
-  }
+  const Row row = requireEntity(world, name);
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
     throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
   }
@@ -31,7 +27,8 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   world.space.entities.twist[row] = Twist{};
   world.space.placed[row] = world.space.tick;
   for (const Membership& membership : world.assembly.memberships[row]) {
-    membership.engine->place(world.space, row);
+    callPlugin("place", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+               [&] { membership.engine->place(world.space, row); });
   }
   if (world.space.entities_without_engine.has(row)) {
     world.space.entities_without_engine.place(world.space.entities, row);

@@ -72,8 +72,7 @@ bool carryOut(World& world, const SetEngineParameters& intervention) {
   if (events.empty()) {
     return false;
   }
-  world.assembly.engines[index]->reconfigure(parameters);
-  world.engine_parameters[index] = std::move(parameters);
+  reconfigureEngine(world, index, std::move(parameters));
   world.pending_events.insert(world.pending_events.end(), events.begin(), events.end());
   return true;
 }

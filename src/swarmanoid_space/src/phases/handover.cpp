@@ -5,17 +5,16 @@
 namespace swarmanoid::phases {
 namespace {
 
-void attempt(Space& space, const std::vector<RobotInstance>& instances, HandoverTrigger& trigger,
-             ByRow<std::vector<Membership>>& memberships) {
+void attempt(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+             HandoverTrigger& trigger, ByRow<std::vector<Membership>>& memberships) {
   if (space.mover[trigger.row] == trigger.engine) {
     trigger.is_due = false;
     return;
   }
-  const std::vector<Row> members = connectedTo(space.entities, space.structure, space.attachments, trigger.row);
-  refreshMirrors(space, memberships, *trigger.engine);
-  const std::string problem = handoverProblem(space, instances, memberships, members, trigger.row, *trigger.engine);
+  Handover handover(space, engines, instances, memberships, trigger.row, *trigger.engine);
+  const std::string problem = handover.problem();
   if (problem.empty()) {
-    commitHandover(space, instances, memberships, members, *trigger.engine, space.events);
+    handover.commit(space.events);
     trigger.is_due = false;
   } else if (!trigger.is_refused) {
     trigger.is_refused = true;  // reported once; tried again each tick, for what is in the way may go
@@ -26,8 +25,8 @@ void attempt(Space& space, const std::vector<RobotInstance>& instances, Handover
 
 }  // namespace
 
-void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
-              ByRow<std::vector<Membership>>& memberships) {
+void handOver(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+              std::vector<HandoverTrigger>& triggers, ByRow<std::vector<Membership>>& memberships) {
   for (HandoverTrigger& trigger : triggers) {
     if (space.entities.number[trigger.row] != trigger.number) {
       continue;  // deleted; another entity may have its row now
@@ -39,7 +38,7 @@ void handOver(Space& space, const std::vector<RobotInstance>& instances, std::ve
     }
     trigger.was_true = is_true;
     if (trigger.is_due) {
-      attempt(space, instances, trigger, memberships);
+      attempt(space, engines, instances, trigger, memberships);
     }
   }
 }

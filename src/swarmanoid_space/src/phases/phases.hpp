@@ -48,7 +48,7 @@ void actuate(Space& space, const std::vector<std::unique_ptr<ControllerGroup>>& 
              const Workers& workers);
 
 /// Whatever is commanded: wheels of robots that only their super-capacitor keeps alive are off, and so are the LEDs of
-/// those whose battery is empty; such as still fly after their safe stop go on coming down.
+/// those whose battery is empty; those that still fly after their safe stop continue to descend.
 void cutPower(Space& space, const std::vector<RobotInstance>& instances);
 
 /// So many poses are looked at in some tens of microseconds: for fewer no thread is woken.
@@ -63,8 +63,8 @@ void connect(Space& space, const std::vector<Named<Engine>>& engines,
              const std::vector<std::unique_ptr<ControllerGroup>>& groups);
 
 /// Rules for handover: an entity that enters, leaves, is attached ... may change the engine that moves it.
-void handOver(Space& space, const std::vector<RobotInstance>& instances, std::vector<HandoverTrigger>& triggers,
-              ByRow<std::vector<Membership>>& memberships);
+void handOver(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
+              std::vector<HandoverTrigger>& triggers, ByRow<std::vector<Membership>>& memberships);
 
 /// Who has lost the ground falls into a hole, which is an event. @param fallen gets them; they are still there
 void fall(const Space& space, std::vector<Row>& fallen, std::vector<Event>& events);

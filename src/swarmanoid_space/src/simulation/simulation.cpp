@@ -2,11 +2,13 @@
 #include "swarmanoid_space/simulation/simulation.hpp"
 
 #include <chrono>
+#include <stdexcept>
 
 #include "../assembly/stopwatch.hpp"
 #include "../phases/phases.hpp"
 #include "../world/world.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
 
 namespace swarmanoid {
@@ -29,10 +31,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     return false;
   }
   rules_have_begun_ = false;
-  world.space.events.assign(world.pending_events.begin(), world.pending_events.end());
-  world.pending_events.clear();
-  world.space.interventions.assign(world.pending_interventions.begin(), world.pending_interventions.end());
-  world.pending_interventions.clear();
+  showPending();
   phases::report(world.space, world.assembly.groups);
   if (world.supplied.commands != nullptr) {
     phases::applyTopics(world.space, world.space.commands, world.space.events, world.assembly.robots,
@@ -43,19 +42,14 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   restoreLocale();
   stopwatch.lap(phase_times_.control);
   phases::actuate(world.space, world.assembly.groups, faulty_, world.assembly.workers);
-  const bool is_failure = found.is_failure || !faulty_.empty();
-  if (is_failure) {
-    noteFailures();
-  }
-  if (is_failure || found.is_stop) {
-    phases::stopSafely(world.space, world.assembly.robots);
-  }
+  stopWhoMust(found.is_failure || !faulty_.empty(), found.is_stop);
   phases::cutPower(world.space, world.assembly.robots);
   stopwatch.lap(phase_times_.actuate);
   phases::move(world.space, world.assembly.engines, world.assembly.workers, are_phases_timed_, phase_times_.engines);
   stopwatch.lap(phase_times_.move);
   phases::connect(world.space, world.assembly.engines, world.assembly.groups);
-  phases::handOver(world.space, world.assembly.robots, world.assembly.triggers, world.assembly.memberships);
+  phases::handOver(world.space, world.assembly.engines, world.assembly.robots, world.assembly.triggers,
+                   world.assembly.memberships);
   takeOutFallen();
   stopwatch.lap(phase_times_.connect);
   phases::index(world.space, world.space.index, world.space.outside, world.space.events, world.assembly.workers);
@@ -69,12 +63,7 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
     world.space.events.push_back({Event::Kind::kFinished, "", "", "maxclock is reached"});
   }
   double seconds = 0.0;
-  try {
-    finish_asked_ = phases::rule(world.space, world.assembly.rules, world.queue);
-  } catch (...) {
-    phases::show(world.space, world.assembly.observers);  // the tick is whole, and counts
-    throw;
-  }
+  finish_asked_ = askRules();
   stopwatch.lap(seconds);
   phase_times_.rule += seconds;
   finish_asked_ = phases::show(world.space, world.assembly.observers) || finish_asked_;
@@ -87,11 +76,45 @@ bool Simulation::tick(const std::function<bool()>& is_disturbed) {
   return true;
 }
 
+/// What has been done since the last tick is seen from now on.
+void Simulation::showPending() {
+  World& world = *world_;
+  world.space.events.assign(world.pending_events.begin(), world.pending_events.end());
+  world.pending_events.clear();
+  world.space.interventions.assign(world.pending_interventions.begin(), world.pending_interventions.end());
+  world.pending_interventions.clear();
+}
+
+/// @return whether one asks for the end. One that fails ends the run; its tick is whole all the same, and is shown.
+bool Simulation::askRules() {
+  World& world = *world_;
+  try {
+    return phases::rule(world.space, world.assembly.rules, world.queue);
+  } catch (...) {
+    const std::string failure = describeException();
+    try {
+      phases::show(world.space, world.assembly.observers);
+    } catch (...) {
+      throw std::runtime_error(failure + "; " + describeException());
+    }
+    throw;
+  }
+}
+
 void Simulation::sense() {
   if (!isFinished() && !has_sensed_) {
     beginTick();
     phases::sense(world_->space, world_->assembly.groups, world_->assembly.workers);
     has_sensed_ = true;
+  }
+}
+
+void Simulation::stopWhoMust(bool have_failed, bool have_been_told) {
+  if (have_failed) {
+    noteFailures();
+  }
+  if (have_failed || have_been_told) {
+    phases::stopSafely(world_->space, world_->assembly.robots);
   }
 }
 

@@ -1,6 +1,9 @@
 #include "engines.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "swarmanoid_interface/process/user_code.hpp"
 
 namespace swarmanoid {
 
@@ -15,10 +18,15 @@ std::size_t engineIndex(const World& world, const std::string& id) {
   throw ConfigError({}, "engine '" + id + "' does not exist; there are: " + joinNames(known) + didYouMean(id, known));
 }
 
+void reconfigureEngine(World& world, std::size_t index, Configuration parameters) {
+  const Named<Engine>& engine = world.assembly.engines[index];
+  callPlugin("reconfigure", engine.part, UserCode::kNoTick, [&] { engine->reconfigure(parameters); });
+  world.engine_parameters[index] = std::move(parameters);
+}
+
 void restoreEngineParameters(World& world) {
   for (std::size_t i = 0; i < world.engine_parameters.size(); ++i) {
-    world.engine_parameters[i] = world.experiment.engines[i].parameters;
-    world.assembly.engines[i]->reconfigure(world.engine_parameters[i]);
+    reconfigureEngine(world, i, world.experiment.engines[i].parameters);
   }
 }
 

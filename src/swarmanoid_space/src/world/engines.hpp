@@ -12,6 +12,9 @@ namespace swarmanoid {
 /// Its place in the experiment. @throws ConfigError if there is none
 std::size_t engineIndex(const World& world, const std::string& id);
 
+/// @param index as above @param parameters what the engine works with from now on
+void reconfigureEngine(World& world, std::size_t index, Configuration parameters);
+
 /// The parameters of all engines are those of the file again.
 void restoreEngineParameters(World& world);
 

@@ -117,7 +117,7 @@ class Simulation {
   void setLogSink(Robot::LogSink sink);
 
   /// Between ticks: does what an intervention asks for, at once. It stands in Space::interventions, and what happens is
-  /// an event, from the next tick on; so does one that changes nothing not.
+  /// an event, from the next tick on. One that changes nothing is neither.
   /// @throws ConfigError why it is refused; then nothing has changed
   void apply(const Intervention& intervention);
   /// In this run, and after each reset again, these interventions are carried out too, each before its tick. One that
@@ -139,6 +139,9 @@ class Simulation {
   void beginTick();
   void switchPower();
   void playInterventions(bool after_rules);
+  void showPending();
+  bool askRules();
+  void stopWhoMust(bool have_failed, bool have_been_told);
   void noteFailures();
   void takeOutFallen();
   void logNewOverflows();
