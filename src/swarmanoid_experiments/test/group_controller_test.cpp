@@ -141,6 +141,27 @@ TEST_F(GroupControllerTest, AFailureThatItWritesDownStopsThatRobotOnly) {
   EXPECT_EQ(Names{"c"}, convoy_->names);
 }
 
+TEST_F(GroupControllerTest, NobodyCommandsWhoHasFailedUntilAReset) {
+  Simulation& simulation = start();
+  convoy_->first_fails_in = 2;
+  tick(simulation, 4);
+  EXPECT_TRUE(simulation.space().interventions.empty());
+  simulation.apply(SetCommandSource{"a", CommandSource::kNone});
+  try {
+    simulation.apply(SetCommandSource{"a", CommandSource::kController});
+    ADD_FAILURE() << "it would never be stepped";
+  } catch (const ConfigError& error) {
+    EXPECT_STREQ("'a' cannot be commanded by controller: it has failed, and stays stopped until a reset", error.what());
+  }
+  tick(simulation);
+  EXPECT_EQ(1U, simulation.space().interventions.size()) << "what is refused is none";
+  EXPECT_EQ((Names{"a", "c"}), convoy_->started);
+  convoy_->first_fails_in = ~std::uint64_t{0};
+  simulation.reset();
+  tick(simulation);
+  EXPECT_EQ((Names{"a", "c"}), convoy_->names);
+}
+
 TEST_F(GroupControllerTest, HearsWhichRobotsStart) {
   Simulation& simulation = start();
   EXPECT_EQ((Names{"a", "c"}), convoy_->started);

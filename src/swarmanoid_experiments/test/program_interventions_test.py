@@ -66,6 +66,17 @@ class InterventionsTest(ProgramTest):
         self.assertEqual(done.returncode, STOPPED, done.stderr)
         self.assertIn("'fb' cannot be commanded by remote: no process elsewhere can answer here, that needs ROS\n", done.stderr)
 
+    def test_nobody_is_spawned_whom_nobody_can_command(self):
+        for source, reason in (("remote", "no process elsewhere can answer here"), ("topics", "nobody listens to topics here")):
+            file = self.write(f'''<interventions>
+<spawn tick="2">
+<footbot id="late"><position>4, 3.1, 0</position><orientation>0, 0, 0</orientation><controller source="{source}">fc</controller></footbot>
+</spawn>
+</interventions>''')
+            done = self.call("run", self.world(visualisations=""), "--quiet", "--interventions", file)
+            self.assertEqual(done.returncode, STOPPED, done.stderr)
+            self.assertIn(f"{file}:3: 'late' cannot be commanded by {source}: {reason}, that needs ROS\n", done.stderr)
+
     def test_mistakes_in_the_file_are_bad_input(self):
         file = self.write('<interventions>\n<delte tick="2" entity="wall"/>\n</interventions>')
         self.assert_refused(f"{file}:2: found tag 'delte', allowed: spawn, delete, move, handover, engine_parameters, "

@@ -17,16 +17,14 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
   std::shared_ptr<Controller> controller;
   const bool is_off = instance->source_when_charged.has_value();
   try {
+    if (instance->has_failed && source != CommandSource::kNone) {
+      throw std::runtime_error("it has failed, and stays stopped until a reset");
+    }
     if (source == CommandSource::kController && !is_off) {
       controller = startControllerOf(*instance, world.space);
     }
     refuseUnlessReachable(*instance, source);
-    if (source == CommandSource::kRemote && !world.context.is_open) {
-      throw std::runtime_error("no process elsewhere can answer here, that needs ROS");
-    }
-    if (source == CommandSource::kTopics && world.supplied.commands == nullptr) {
-      throw std::runtime_error("nobody listens to topics here, that needs ROS");
-    }
+    refuseUnlessServed(world, source);
     if (source == CommandSource::kTopics && !world.supplied.commands->isOpen(robot)) {
       throw std::runtime_error("its devices have no topics; name it in ~device_topics");
     }

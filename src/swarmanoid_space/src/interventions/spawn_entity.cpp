@@ -5,6 +5,18 @@
 #include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
+namespace {
+
+void refuseIfNobodyCommands(const World& world, const EntityDescription& entity) {
+  try {
+    refuseUnlessServed(world, entity.source);
+  } catch (const std::runtime_error& error) {
+    throw ConfigError(entity.location,
+                      "'" + entity.id + "' cannot be commanded by " + toString(entity.source) + ": " + error.what());
+  }
+}
+
+}  // namespace
 
 bool carryOut(World& world, const SpawnEntity& intervention) {
   const EntityDescription& entity = intervention.entity;
@@ -12,6 +24,7 @@ bool carryOut(World& world, const SpawnEntity& intervention) {
     throw ConfigError(entity.location, "found a distribution of '" + entity.id + "', allowed: one entity");
   }
   door::check(entity, world.experiment);
+  refuseIfNobodyCommands(world, entity);
   std::vector<Claim> claims;
   for (const std::string& engine : intervention.engines) {
     claims.push_back({engine, std::nullopt, entity.location});

@@ -18,9 +18,8 @@ void switchOff(World& world, RobotInstance& robot) {
 void switchOn(World& world, RobotInstance& robot) {
   const CommandSource source = *robot.source_when_charged;
   robot.source_when_charged.reset();
-  if (robot.has_failed && source == CommandSource::kController) {
-    robot.source = source;  // its controller would be made, and never be stepped
-    return;
+  if (robot.has_failed) {
+    return;  // until a reset nobody commands it
   }
   try {
     carryOut(world, SetCommandSource{robot.robot->name(), source});

@@ -1,6 +1,7 @@
 #include "offers.hpp"
 
 #include <set>
+#include <stdexcept>
 
 #include "swarmanoid_space/lockstep/controller_frames.hpp"
 
@@ -16,6 +17,15 @@ RemoteRobot describe(const RobotInstance& instance) {
 void refuseUnlessReachable(const RobotInstance& instance, CommandSource source) {
   if (isOfOthers(source)) {
     describe(instance);
+  }
+}
+
+void refuseUnlessServed(const World& world, CommandSource source) {
+  if (source == CommandSource::kRemote && !world.context.is_open) {
+    throw std::runtime_error("no process elsewhere can answer here, that needs ROS");
+  }
+  if (source == CommandSource::kTopics && world.supplied.commands == nullptr) {
+    throw std::runtime_error("nobody listens to topics here, that needs ROS");
   }
 }
 

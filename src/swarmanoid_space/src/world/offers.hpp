@@ -8,6 +8,9 @@ namespace swarmanoid {
 /// @throws ConfigError if a device of the robot cannot travel to where the source is
 void refuseUnlessReachable(const RobotInstance& instance, CommandSource source);
 
+/// @throws std::runtime_error if no other process reaches this run that could command robots in that way
+void refuseUnlessServed(const World& world, CommandSource source);
+
 /// To be called when robots have come, gone, or changed their source.
 void offerRobots(World& world);
 
