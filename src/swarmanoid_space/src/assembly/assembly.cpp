@@ -13,8 +13,6 @@ Engine* Assembly::findEngine(const std::string& id) const {
   return nullptr;
 }
 
-const std::string& Assembly::partOf(const Engine& engine) const { return swarmanoid::partOf(engines, engine); }
-
 ControllerGroup* Assembly::findGroup(const std::string& id) const {
   for (const auto& group : groups) {
     if (group->description->id == id) {

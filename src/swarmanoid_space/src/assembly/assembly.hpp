@@ -30,8 +30,6 @@ struct Assembly {
   std::vector<ObserverInstance> observers;
 
   Engine* findEngine(const std::string& id) const;
-  /// As UserCode has it. @pre it is one of the engines
-  const std::string& partOf(const Engine& engine) const;
   ControllerGroup* findGroup(const std::string& id) const;
   /// @return null for an entity without a controller, and for kNoRow
   RobotInstance* findRobot(const Entities& entities, Row row);

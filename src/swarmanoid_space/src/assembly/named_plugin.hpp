@@ -23,7 +23,7 @@ struct Named {
   Plugin& operator*() const { return *plugin; }
 };
 
-/// The description of one of them. @pre it is among them
+/// The `part` of one of them. @pre it is among them
 template <class Plugin>
 const std::string& partOf(const std::vector<Named<Plugin>>& plugins, const Plugin& plugin) {
   const auto found =

@@ -27,7 +27,7 @@ bool carryOut(World& world, const MoveEntity& intervention) {
   world.space.entities.twist[row] = Twist{};
   world.space.placed[row] = world.space.tick;
   for (const Membership& membership : world.assembly.memberships[row]) {
-    callPlugin("place", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+    callPlugin("place", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
                [&] { membership.engine->place(world.space, row); });
   }
   if (world.space.entities_without_engine.has(row)) {

@@ -29,7 +29,7 @@ bool carryOut(World& world, const SetCommandSource& intervention) {
       throw std::runtime_error("its devices have no topics; name it in ~device_topics");
     }
   } catch (...) {
-    throw ConfigError({}, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + describeException());
+    throw commandRefusal({}, robot, source, describeException());
   }
   if (is_off) {
     instance->source_when_charged = source;

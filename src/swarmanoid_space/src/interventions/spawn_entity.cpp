@@ -11,8 +11,7 @@ void refuseIfNobodyCommands(const World& world, const EntityDescription& entity)
   try {
     refuseUnlessServed(world, entity.source);
   } catch (const std::runtime_error& error) {
-    throw ConfigError(entity.location,
-                      "'" + entity.id + "' cannot be commanded by " + toString(entity.source) + ": " + error.what());
+    throw commandRefusal(entity.location, entity.id, entity.source, error.what());
   }
 }
 

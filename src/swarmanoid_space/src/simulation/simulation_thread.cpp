@@ -113,17 +113,15 @@ void SimulationThread::reset(std::optional<std::uint64_t> seed, bool rewind) {
   const auto act = [this, seed, rewind] {
     std::unique_lock<std::mutex> lock(mutex_);
     endStep("reset before all of them were made");
-    lock.unlock();
     try {
+      const Unlocked unlocked(lock);
       simulation_->reset(seed, rewind);
     } catch (...) {
-      lock.lock();
       if (!stop_reason_) {
         stop_reason_ = "the reset failed: " + describeException();  // the space is half built
       }
       throw;
     }
-    lock.lock();
     state_ = options_.paused ? State::kPaused : State::kRunning;
     next_tick_.reset();
   };
@@ -236,7 +234,7 @@ void SimulationThread::start(std::unique_lock<std::mutex>& lock) {
   announce();
 }
 
-void SimulationThread::act(const Job& job, std::unique_lock<std::mutex>& lock) {
+void SimulationThread::doJob(const Job& job, std::unique_lock<std::mutex>& lock) {
   {
     const Unlocked unlocked(lock);
     job.action();
@@ -251,7 +249,7 @@ void SimulationThread::runJobs(std::unique_lock<std::mutex>& lock) {
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
     try {
-      act(job, lock);
+      doJob(job, lock);
       job.done.set_value();
     } catch (...) {
       job.done.set_exception(std::current_exception());

@@ -100,7 +100,7 @@ Row add(World& world, const EntityDescription& entity, const std::shared_ptr<con
       }
     }
     for (const Membership& membership : memberships) {
-      callPlugin("add", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+      callPlugin("add", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
                  [&] { membership.engine->add(world.space, row, membership.role); });
       world.assembly.memberships[row].push_back(membership);
     }
@@ -174,7 +174,7 @@ void removeEntity(World& world, Row row) {
   world.space.structure.isolate(row);
   world.space.attachments.isolate(row);
   for (const Membership& membership : world.assembly.memberships[row]) {
-    callPlugin("remove", world.assembly.partOf(*membership.engine), UserCode::kNoTick,
+    callPlugin("remove", partOf(world.assembly.engines, *membership.engine), UserCode::kNoTick,
                [&] { membership.engine->remove(world.space, row); });
   }
   world.space.entities_without_engine.remove(row);

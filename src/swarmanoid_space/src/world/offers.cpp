@@ -29,6 +29,11 @@ void refuseUnlessServed(const World& world, CommandSource source) {
   }
 }
 
+ConfigError commandRefusal(const SourceLocation& location, const std::string& robot, CommandSource source,
+                           const std::string& why) {
+  return {location, "'" + robot + "' cannot be commanded by " + toString(source) + ": " + why};
+}
+
 void offerRobots(World& world) {
   std::vector<std::pair<RemoteRobot, std::size_t>> robots;
   for (std::size_t i = 0; i < world.assembly.robots.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include <ros/node_handle.h>
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>

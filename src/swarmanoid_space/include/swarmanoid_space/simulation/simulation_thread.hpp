@@ -112,7 +112,7 @@ class SimulationThread {
 
   void run();
   void start(std::unique_lock<std::mutex>& lock);
-  void act(const Job& job, std::unique_lock<std::mutex>& lock);
+  void doJob(const Job& job, std::unique_lock<std::mutex>& lock);
   void runJobs(std::unique_lock<std::mutex>& lock);
   void makeTick(std::unique_lock<std::mutex>& lock);
   bool waitUntilDue(std::unique_lock<std::mutex>& lock);
