@@ -25,7 +25,7 @@ class EvolutionTest(unittest.TestCase):
         def outcomes(_client, requests):
             return reversed([(number, outcome_of(request)) for number, request in enumerate(requests)])  # whoever is first
         with mock.patch.object(evolution, "outcomes", outcomes):
-            own.step(None, lambda outcome: None)
+            own.take(own.make(None, lambda outcome: None))
 
     def test_fitness_is_the_mean_over_the_seeds_and_the_greatest_is_kept(self):
         own = evolution.Evolution(STUDY, "world.xml")

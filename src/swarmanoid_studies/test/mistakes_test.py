@@ -53,6 +53,26 @@ class CallTest(unittest.TestCase):
             self.assertEqual(self.call(main), (130, "swarmanoid: interrupted\n"))
         self.assertEqual(reached, ["callback", "destructor"])
 
+    def test_what_is_done_as_a_whole_is_done_before_an_interrupt_is_raised(self):
+        for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
+            reached = []
+
+            def main():
+                with mistakes.interrupts_held():
+                    os.kill(os.getpid(), number)
+                    reached.append("end of the whole")
+                reached.append("what comes after it")
+
+            self.assertEqual(self.call(main), (130, "swarmanoid: interrupted\n"))
+            self.assertEqual(reached, ["end of the whole"])
+
+    def test_a_mistake_in_what_is_done_as_a_whole_ends_the_program(self):
+        def main():
+            with mistakes.interrupts_held():
+                raise mistakes.RunsStopped("the disk is full")
+        self.assertEqual(self.call(main), (4, "swarmanoid: the disk is full\n"))
+        self.test_an_interrupt_ends_a_program()  # and none is held any longer
+
     def test_without_one_nothing_is_heard(self):
         def main():
             mistakes.hear_interrupts()

@@ -8,7 +8,7 @@ from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
 from .grid import Grid, parse_grid
 from .identity import checked, identity_of
-from .mistakes import CONTROLLER_FAILED, FINISHED, STOPPED, Arguments, BadInput, call, interrupted
+from .mistakes import CONTROLLER_FAILED, FINISHED, STOPPED, Arguments, BadInput, call, interrupted, interrupts_held
 from .progress import Progress
 from .results_file import Columns, ResultsFile
 from .runs import RunRequest
@@ -66,10 +66,11 @@ def make_rows(results: ResultsFile, requests: List[RunRequest], client, progress
     counts = Counts()
     try:
         for number, outcome in outcomes(client, requests):
-            results.append(requests[number], outcome)
             failed = bool(outcome.failure)
-            counts = Counts(counts.made + 1, counts.incomplete + (not outcome.is_complete),
-                            counts.controllers_failed + (failed and outcome.is_complete))
+            with interrupts_held():
+                results.append(requests[number], outcome)
+                counts = Counts(counts.made + 1, counts.incomplete + (not outcome.is_complete),
+                                counts.controllers_failed + (failed and outcome.is_complete))
             progress.note(failed)
         return counts, False
     except KeyboardInterrupt:

@@ -43,10 +43,10 @@ class Evolution:
             if generation.genotypes != self._asked:
                 raise BadInput(f"generation {len(self.generations) + 1} of the checkpoint: found other genotypes than the "
                                "optimiser asks for here, allowed: a checkpoint of the same versions of NumPy and DEAP")
-            self._take(generation)
+            self.take(generation)
 
-    def step(self, client: Client, note: Callable[[RunOutcome], None]) -> None:
-        """Makes the next generation. @param note called for each run that is done @raise RunsStopped"""
+    def make(self, client: Client, note: Callable[[RunOutcome], None]) -> Generation:
+        """Makes the runs of the next generation. @param note called for each run that is done @raise RunsStopped"""
         requests = [request for genotype in self._asked for request in self._requests(genotype)]
         made: List[Optional[RunOutcome]] = [None] * len(requests)
         for number, outcome in outcomes(client, requests):
@@ -60,7 +60,20 @@ class Evolution:
                   for first in range(0, len(made), runs)]
         failures = [f"genotype {number // runs}, seed {requests[number].seed}: {outcome.failure}"
                     for number, outcome in enumerate(made) if outcome is not None and outcome.failure]
-        self._take(Generation(self._asked, values, len(failures), failures[:MOST_FAILURES]))
+        return Generation(self._asked, values, len(failures), failures[:MOST_FAILURES])
+
+    def take(self, generation: Generation) -> None:
+        """As the next one: the optimiser is told of it, and asked for the one after it."""
+        losses = [self._losses(values) for values in generation.values]
+        self.generations.append(generation)
+        number = len(self.generations)
+        judged = [*self.best, *(Found(number, index, tuple(genotype), tuple(values)) for index, (genotype, values)
+                                in enumerate(zip(generation.genotypes, generation.values)))]
+        different = list({found.genotype: found for found in reversed(judged)}.values())[::-1]  # the older of equal ones
+        order = front([self._losses(found.values) for found in different])
+        self.best = [different[index] for index in order[:1 if len(self._study.objectives) == 1 else None]]
+        self._optimiser.tell(losses)
+        self._asked = self._optimiser.ask()
 
     def overrides(self, genotype: Sequence[float]) -> Dict[str, str]:
         """Of the experiment, with all digits."""
@@ -78,18 +91,6 @@ class Evolution:
     def _losses(self, values: Sequence[Optional[float]]) -> Losses:
         return tuple(math.inf if value is None else value if objective.is_minimised else -value
                      for value, objective in zip(values, self._study.objectives))
-
-    def _take(self, generation: Generation) -> None:
-        losses = [self._losses(values) for values in generation.values]
-        self.generations.append(generation)
-        number = len(self.generations)
-        judged = [*self.best, *(Found(number, index, tuple(genotype), tuple(values)) for index, (genotype, values)
-                                in enumerate(zip(generation.genotypes, generation.values)))]
-        different = list({found.genotype: found for found in reversed(judged)}.values())[::-1]  # the older of equal ones
-        order = front([self._losses(found.values) for found in different])
-        self.best = [different[index] for index in order[:1 if len(self._study.objectives) == 1 else None]]
-        self._optimiser.tell(losses)
-        self._asked = self._optimiser.ask()
 
 
 def _text(request: RunRequest) -> str:

@@ -11,7 +11,7 @@ from .atomic_file import lock
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
 from .identity import checked, identity_of
 from .identity_fields import Identity
-from .mistakes import CONTROLLER_FAILED, FINISHED, Arguments, BadInput, call, interrupted
+from .mistakes import CONTROLLER_FAILED, FINISHED, Arguments, BadInput, call, interrupted, interrupts_held
 from .progress import Progress
 from .study import Study
 from .study_file import MOST, find_study, read_study
@@ -119,8 +119,10 @@ def _evolve(study: Study, evolution: "Evolution", generations: int, client: "Cli
     progress = Progress(study.name, generations * runs, len(evolution.generations) * runs, is_quiet)
     try:
         while len(evolution.generations) < generations:
-            evolution.step(client, lambda outcome: progress.note(bool(outcome.failure)))
-            keep()
+            generation = evolution.make(client, lambda outcome: progress.note(bool(outcome.failure)))
+            with interrupts_held():
+                evolution.take(generation)
+                keep()
             progress.say(_line(study, evolution, generations))
         return True
     except KeyboardInterrupt:

@@ -1,10 +1,11 @@
 """Bad input, and how programs end: as docs/reference/program.md states for `swarmanoid`."""
 
 import argparse
+import contextlib
 import os
 import signal
 import sys
-from typing import Callable, NoReturn
+from typing import Callable, Iterator, NoReturn
 
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 
@@ -28,27 +29,43 @@ class Arguments(argparse.ArgumentParser):
 
 
 class _Interrupts:
-    """Python ignores an exception that comes while a callback of its garbage collector or a destructor runs, and libraries have
-    such: so may an interrupt be lost."""
-    is_lost = False
+    """One that came and was not raised: it was held, or it was lost, as Python ignores an exception that comes while a callback
+    of its garbage collector or a destructor runs, and libraries have such."""
+    is_waiting = False
+    is_held = False
 
 
 def _interrupt(_signal: int, _frame: object) -> None:
-    raise KeyboardInterrupt
+    if _Interrupts.is_held:
+        _Interrupts.is_waiting = True
+    else:
+        raise KeyboardInterrupt
 
 
 def _note_lost(ignored: "sys.UnraisableHookArgs") -> None:
     if issubclass(ignored.exc_type, KeyboardInterrupt):
-        _Interrupts.is_lost = True
+        _Interrupts.is_waiting = True
     else:
         sys.__unraisablehook__(ignored)
 
 
 def hear_interrupts() -> None:
-    """Raises an interrupt that was lost. Programs call it where they take results."""
-    if _Interrupts.is_lost:
-        _Interrupts.is_lost = False
+    """Raises an interrupt that was not raised. Programs call it where they take results."""
+    if _Interrupts.is_waiting:
+        _Interrupts.is_waiting = False
         raise KeyboardInterrupt
+
+
+@contextlib.contextmanager
+def interrupts_held() -> Iterator[None]:
+    """For what is done as a whole or not at all, such as a row and its count: an interrupt is raised after it. The program is
+    one that was started with `call`."""
+    _Interrupts.is_held = True
+    try:
+        yield
+    finally:
+        _Interrupts.is_held = False
+    hear_interrupts()
 
 
 def interrupted() -> int:
@@ -60,7 +77,7 @@ def interrupted() -> int:
 def call(main: Callable[[], int]) -> int:
     """Calls the body of a program. @return its exit code"""
     sys.unraisablehook = _note_lost
-    for number in (signal.SIGTERM, signal.SIGHUP):
+    for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         if signal.getsignal(number) != signal.SIG_IGN:  # as nohup sets it
             signal.signal(number, _interrupt)
     try:
