@@ -13,7 +13,7 @@ import time
 import unittest
 
 import psutil
-from commands import CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, STOPPED, CommandsTest, workers_of
+from commands import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, STOPPED, CommandsTest, workers_of
 
 EXPERIMENT = "phototaxis"
 SPEED = "controllers.pc.parameters.speed"
@@ -168,6 +168,14 @@ class BatchTest(CommandsTest):
             with self.subTest(message):
                 self.assert_refused(message, "batch", *arguments)
         self.assert_refused("nothing.csv: cannot be read: No such file or directory", "report", "nothing.csv")
+
+    def test_a_file_is_replaced_only_when_its_workers_are_there(self):
+        (self.folder / "runs.csv").write_text("made in three weeks\n")
+        program = self.start("batch", EXPERIMENT, "--seeds", "1", "--out", "runs.csv", "--force", "--scheduler", "tcp://127.0.0.1:1")
+        output, errors = program.communicate(timeout=PATIENCE_S)
+        self.assertEqual((program.returncode, output), (BAD_INPUT, ""))
+        self.assertRegex(errors, r"^swarmanoid: --scheduler: found 'tcp://127.0.0.1:1', allowed: the address of a dask-scheduler .*\n$")
+        self.assertEqual((self.folder / "runs.csv").read_text(), "made in three weeks\n")
 
     def test_values_are_tried_before_anything_runs(self):
         program = self.start("batch", EXPERIMENT, "--seeds", "1", "--set", f"{SPEED}=0.1,7")

@@ -4,6 +4,7 @@
 import errno
 import multiprocessing
 import os
+import resource
 import threading
 import time
 import unittest
@@ -11,8 +12,8 @@ from unittest import mock
 
 import psutil
 from swarmanoid_studies import worker_processes
-from swarmanoid_studies.mistakes import RunsStopped
-from swarmanoid_studies.workers import connected
+from swarmanoid_studies.mistakes import BadInput, RunsStopped
+from swarmanoid_studies.workers import allow_files, connected
 
 PATIENCE_S = 60
 
@@ -60,6 +61,20 @@ class WorkerProcessesTest(unittest.TestCase):
                 time.sleep(0.02)
             self.assertEqual(client.gather(client.map(abs, (-3, 4))), [3, 4])
         self.assertEqual(processes(), set())
+
+    def test_a_low_limit_of_open_files_is_raised(self):
+        limits = resource.getrlimit(resource.RLIMIT_NOFILE)
+        self.addCleanup(resource.setrlimit, resource.RLIMIT_NOFILE, limits)
+        resource.setrlimit(resource.RLIMIT_NOFILE, (len(os.listdir("/proc/self/fd")) + 20, limits[1]))
+        allow_files(3)
+        with connected(3, None) as client:
+            self.assertEqual(client.gather(client.map(abs, (-3, 4))), [3, 4])
+
+    def test_more_processes_than_the_limit_of_open_files_allows_are_refused(self):
+        with mock.patch.object(resource, "getrlimit", return_value=(256, 400)), self.assertRaises(BadInput) as caught:
+            allow_files(43)
+        self.assertEqual(str(caught.exception),
+                         "--jobs: found 43, allowed: up to 42 where a process may have 400 files open, as `ulimit -Hn` says")
 
     def test_processes_that_end_as_they_begin_are_told(self):
         begun = []

@@ -105,8 +105,8 @@ def _main() -> int:
     done: Set[Tuple[str, ...]] = set()
     if arguments.resume:
         done = results.resume({results.key_of(request) for request in requests})
-    else:
-        results.create(arguments.force)
+    elif not arguments.force:
+        results.refuse_existing()
     missing = [request for request in requests if results.key_of(request) not in done]
 
     counts, is_interrupted, wall_s = Counts(), False, 0.0
@@ -114,6 +114,8 @@ def _main() -> int:
         with connected(jobs, arguments.scheduler) as client:
             if arguments.scheduler is not None:
                 refuse_others(client, experiment, shared, identity)
+            if not arguments.resume:
+                results.create(arguments.force)  # now that nothing is refused any more
             start = time.monotonic()
             counts, is_interrupted = make_rows(results, missing, client,
                                                Progress(identity.experiment, len(requests), len(done), arguments.quiet))

@@ -47,13 +47,17 @@ class ResultsFile:
         self._columns = columns
         self._file = -1
 
+    def refuse_existing(self) -> None:
+        """Asked early, before anything is made. @raise BadInput"""
+        if os.path.lexists(self._path):
+            raise self._exists()
+
     def create(self, is_replaced: bool) -> None:
         """@param is_replaced a file that is there @raise BadInput, OSError"""
         try:
             self._file = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_APPEND | (0 if is_replaced else os.O_EXCL), 0o666)
         except FileExistsError:
-            raise BadInput(f"{self._path}: found a file, allowed: another name, --resume to continue it, or --force to "
-                           "replace it") from None
+            raise self._exists() from None
         except OSError as error:
             raise BadInput(f"{self._path}: cannot be written: {error.strerror}") from None
         self._lock()
@@ -96,6 +100,9 @@ class ResultsFile:
         if self._file >= 0:
             os.close(self._file)
             self._file = -1
+
+    def _exists(self) -> BadInput:
+        return BadInput(f"{self._path}: found a file, allowed: another name, --resume to continue it, or --force to replace it")
 
     def _lock(self) -> None:
         try:

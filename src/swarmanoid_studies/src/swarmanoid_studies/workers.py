@@ -4,6 +4,7 @@ One thread a process: engines have state that belongs to the process."""
 
 import contextlib
 import os
+import resource
 from typing import Dict, Iterator, Mapping, Optional
 
 from . import dask_settings  # noqa: F401
@@ -17,10 +18,23 @@ from .worker_processes import WorkerProcesses
 MOST_JOBS = 1024
 SETUP = "swarmanoid_studies.worker_setup"
 SCHEDULER_S = 10  # wait for a scheduler that does not answer [s]
+FILES, FILES_A_JOB = 64, 8  # that this process may have open at a time: somewhat more than it was seen to have
 
 
 def default_jobs() -> int:
     return len(os.sched_getaffinity(0))
+
+
+def allow_files(jobs: int) -> None:
+    """Lets this process have as many files open as it needs for so many others: connections and pipes. @raise BadInput if the
+    system does not let it"""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    needed = FILES + FILES_A_JOB * jobs
+    if hard != resource.RLIM_INFINITY and hard < needed:
+        raise BadInput(f"--jobs: found {jobs}, allowed: up to {max(0, hard - FILES) // FILES_A_JOB} where a process may have "
+                       f"{hard} files open, as `ulimit -Hn` says")
+    if soft != resource.RLIM_INFINITY and soft < needed:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (needed, hard))
 
 
 @contextlib.contextmanager
