@@ -33,6 +33,7 @@ RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/tutorial/swarm_in_python
              "docs/how-to/add_an_arena_object.md", "docs/how-to/add_an_engine.md",
              "docs/how-to/hand_over_between_engines.md", "docs/how-to/control_a_run.md", "docs/how-to/drive_by_topics.md",
              "docs/how-to/repeat_what_was_done.md", "docs/how-to/run_a_batch.md", "docs/how-to/evolve_a_controller.md",
+             "docs/how-to/make_pictures.md",
              "docs/how-to/measure_a_run.md",
              "docs/how-to/run_a_controller_elsewhere.md",
              "docs/how-to/sample_a_sensor.md", "docs/how-to/simulate_in_python.md", "docs/how-to/train_in_python.md",

@@ -306,9 +306,6 @@ TEST(NumbersTest, AllHaveBounds) {
       continue;  // their parameters are free
     }
     for (const Registry::Entry* entry : Registry::instance().all(kind)) {
-      if (entry->description.label == "opengl_render") {
-        continue;  // accepted without effect
-      }
       for (const Parameter& parameter : entry->description.parameters) {
         check(entry->description.label, parameter);
       }

@@ -73,7 +73,8 @@ class ListTest(ProgramTest):
                                        ("trajectory_recorder", "swarmanoid_trajectories", "swarmanoid_space"),
                                        ("retrieval_monitor", "retrieval_monitor", "swarmanoid_experiments")):
             self.assertRegex(visualisations, f'  {name}: .*\n      in library="{library}" of {package}\n')
-        self.assertRegex(visualisations, "  text_render: .*\n      file")
+        for name in ("text_render: .*\n      file", "opengl_render: .*\n      window_size"):
+            self.assertRegex(visualisations, "  " + name)
 
     def test_a_library_that_cannot_be_loaded_is_told_of_and_the_rest_listed(self):
         before = self.list()

@@ -1,9 +1,16 @@
-# swarmanoid_declare_plugins(LIBRARY): declares that lib<LIBRARY>.so has plugins, so that `swarmanoid list` names them.
-# swarmanoid_add_plugins and swarmanoid_add_controller do this themselves.
+# swarmanoid_declare_plugins(LIBRARY [VISUALISATIONS LABEL...]): declares that lib<LIBRARY>.so has plugins, so that `swarmanoid list`
+# names them. swarmanoid_add_plugins and swarmanoid_add_controller do this themselves. Experiment files name the LABELs without
+# library="LIBRARY": it is loaded for them.
 #
-# The declaration is share/swarmanoid/plugins/<LIBRARY> in the devel and the install space; it holds the package's name.
+# The declaration is share/swarmanoid/plugins/<LIBRARY> in the devel and the install space; it holds the package's name, then a line
+# "visualisation LABEL" each.
 function(swarmanoid_declare_plugins library)
+  cmake_parse_arguments(_declared "" "" VISUALISATIONS ${ARGN})
+  set(_content "${PROJECT_NAME}\n")
+  foreach(_label ${_declared_VISUALISATIONS})
+    string(APPEND _content "visualisation ${_label}\n")
+  endforeach()
   set(_file ${CATKIN_DEVEL_PREFIX}/share/swarmanoid/plugins/${library})
-  file(GENERATE OUTPUT ${_file} CONTENT "${PROJECT_NAME}\n")  # written only if it differs
+  file(GENERATE OUTPUT ${_file} CONTENT "${_content}")  # written only if it differs
   install(FILES ${_file} DESTINATION ${CATKIN_GLOBAL_SHARE_DESTINATION}/swarmanoid/plugins)
 endfunction()

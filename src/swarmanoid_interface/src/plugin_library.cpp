@@ -63,6 +63,20 @@ void open(const std::string& file, const std::string& library, const SourceLocat
   }
 }
 
+/// @see cmake/swarmanoid_declare_plugins.cmake
+DeclaredLibrary readDeclaration(const fs::path& file) {
+  DeclaredLibrary declared;
+  declared.library = file.filename().string();
+  std::ifstream text(file);
+  text >> declared.package;
+  for (std::string kind, label; text >> kind >> label;) {
+    if (kind == "visualisation") {
+      declared.visualisations.push_back(label);
+    }
+  }
+  return declared;
+}
+
 }  // namespace
 
 void loadPluginLibrary(const std::string& library, const std::vector<std::string>& folders,
@@ -113,18 +127,17 @@ std::vector<std::string> shareFolders() {
 }
 
 std::vector<DeclaredLibrary> declaredLibraries() {
-  std::map<std::string, std::string> packages;  // by library
+  std::map<std::string, DeclaredLibrary> libraries;  // by name
   std::error_code ignored;
   for (const std::string& folder : shareFolders()) {
     for (const auto& entry : fs::directory_iterator(fs::path(folder) / "swarmanoid/plugins", ignored)) {
-      std::string package;
-      std::ifstream(entry.path()) >> package;
-      packages.emplace(entry.path().filename().string(), package);
+      DeclaredLibrary declared = readDeclaration(entry.path());
+      libraries.emplace(declared.library, std::move(declared));
     }
   }
   std::vector<DeclaredLibrary> result;
-  for (const auto& [library, package] : packages) {
-    result.push_back({library, package});
+  for (auto& [name, declared] : libraries) {
+    result.push_back(std::move(declared));
   }
   return result;
 }

@@ -20,4 +20,12 @@ void addFromCommandLine(Simulation& simulation, const RunContext& context, const
   addObserver(simulation, context, option, "command_line_" + label, parameters);
 }
 
+void addFrames(Simulation& simulation, const RunContext& context, const std::string& folder, std::uint64_t every) {
+  Configuration parameters("opengl_render", "", {});
+  parameters.set("write_frames", "true");
+  parameters.set("frame_directory", fullName(folder));
+  parameters.set("every", std::to_string(every));
+  addObserver(simulation, context, "--frames", "command_line_opengl_render", parameters);
+}
+
 }  // namespace swarmanoid::program

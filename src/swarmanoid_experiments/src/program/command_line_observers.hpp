@@ -1,6 +1,7 @@
 /// Observers of a run that options of the command line ask for, not the experiment file.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "swarmanoid_space/intervention.hpp"
@@ -16,5 +17,8 @@ std::string fullName(const std::string& file);
 /// @throws ConfigError
 void addFromCommandLine(Simulation& simulation, const RunContext& context, const std::string& option,
                         const std::string& label, const std::string& file, const NamedValues& others = {});
+
+/// Adds what writes pictures of the whole arena. @throws ConfigError
+void addFrames(Simulation& simulation, const RunContext& context, const std::string& folder, std::uint64_t every);
 
 }  // namespace swarmanoid::program

@@ -2,6 +2,7 @@
 
 #include <iostream>
 
+#include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 
@@ -29,7 +30,9 @@ PluginOrigins loadInstalledPlugins() {
       std::cerr << "swarmanoid: warning: " << error.what() << '\n';
     }
     for (const Registry::Entry* entry : allPlugins()) {
-      origins.emplace(entry, declared);
+      const bool is_found =
+          entry->kind == PluginKind::kObserver && contains(declared.visualisations, entry->description.label);
+      origins.emplace(entry, is_found ? DeclaredLibrary{} : declared);
     }
   }
   for (const std::string& problem : robotProblems()) {

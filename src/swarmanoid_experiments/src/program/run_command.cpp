@@ -32,6 +32,8 @@ struct RunOptions : ExperimentOptions {
   bool record_state = false;
   std::optional<std::string> trajectories;
   std::string record_readings = "none";
+  std::optional<std::string> frames;
+  std::uint64_t frames_every = 1;
   std::optional<std::string> hashes;
   bool hashes_deep = false;
   std::optional<std::string> save_interventions;
@@ -163,6 +165,7 @@ RunFiles filesOf(const RunOptions& options) {
   files.rules = {options.write_anywhere, options.force};
   files.records_bag = options.bag.has_value();
   files.records_trajectories = options.trajectories.has_value();
+  files.writes_frames = options.frames.has_value();
   files.reads = {options.interventions};
   return files;
 }
@@ -208,6 +211,9 @@ ExitCode run(const RunOptions& options) {
   if (options.trajectories) {
     addFromCommandLine(simulation, context, "--trajectories", "trajectory_recorder", *options.trajectories,
                        {{"readings", options.record_readings}});
+  }
+  if (options.frames) {
+    addFrames(simulation, context, *options.frames, options.frames_every);
   }
   if (options.save_interventions) {
     addFromCommandLine(simulation, context, "--save-interventions", "intervention_recorder",
@@ -267,6 +273,11 @@ Command addRunCommand(CLI::App& app) {
       ->add_option("--record-readings", options->record_readings,
                    "sensors whose readings are among them: types separated by spaces, all or none")
       ->needs(trajectories);
+  CLI::Option* frames =
+      command->add_option("--frames", options->frames, "a folder: write pictures of the whole arena there");
+  command->add_option("--frames-every", options->frames_every, "ticks from one picture to the next; without it 1")
+      ->check(CLI::Range(1, 1000000000))
+      ->needs(frames);
   CLI::Option* hashes = command->add_option("--hashes", options->hashes, "write the state hash of every tick");
   command->add_flag("--deep", options->hashes_deep, "and a hash of all readings and commands, too")->needs(hashes);
   command->add_option("--record", options->record, "a folder: all that `swarmanoid rerun` makes the same run of again");

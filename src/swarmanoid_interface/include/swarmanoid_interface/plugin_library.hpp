@@ -29,6 +29,7 @@ std::vector<std::string> shareFolders();
 struct DeclaredLibrary {
   std::string library;  ///< in the form that loadPluginLibrary accepts
   std::string package;
+  std::vector<std::string> visualisations;  ///< their labels, which experiment files may name without the library
 };
 
 /// Returns all libraries that the packages of this installation, and of every prefix of CMAKE_PREFIX_PATH, declare,

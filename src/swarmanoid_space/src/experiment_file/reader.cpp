@@ -1,9 +1,11 @@
 // From a file or a text to an Experiment.
 #include "reader.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "door.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -104,16 +106,42 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
   }
 }
 
+/// Labels that installed libraries have declared, each with its library.
+std::map<std::string, std::string> declaredLabels(PluginKind kind) {
+  std::map<std::string, std::string> libraries;
+  if (kind == PluginKind::kObserver) {
+    for (const DeclaredLibrary& declared : declaredLibraries()) {
+      for (const std::string& label : declared.visualisations) {
+        libraries.emplace(label, declared.library);
+      }
+    }
+  }
+  return libraries;
+}
+
 const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
-  if (!library.empty()) {
-    needLibrary(library, element.attributeLocation("library"));
+  std::string needed = library;
+  std::map<std::string, std::string> declared;
+  if (library.empty() && Registry::instance().find(kind, element.name()) == nullptr) {
+    declared = declaredLabels(kind);
+    const auto own = declared.find(element.name());
+    needed = own == declared.end() ? "" : own->second;
+  }
+  if (!needed.empty()) {
+    needLibrary(needed, library.empty() ? element.location() : element.attributeLocation("library"));
   }
   const Registry::Entry* entry = Registry::instance().find(kind, element.name());
-  if (entry == nullptr && !loads_libraries && !library.empty()) {
+  if (entry == nullptr && !loads_libraries && !needed.empty()) {
     return standIn(kind, element.name());
   }
   if (entry == nullptr) {
-    element.refuse(unknownName(toString(kind), element.name(), Registry::instance().labels(kind)));
+    std::vector<std::string> labels = Registry::instance().labels(kind);
+    for (const auto& [label, its_library] : declared) {
+      labels.push_back(label);
+    }
+    std::sort(labels.begin(), labels.end());
+    labels.erase(std::unique(labels.begin(), labels.end()), labels.end());
+    element.refuse(unknownName(toString(kind), element.name(), labels));
   }
   refuseSecondLibrary(*entry, element, library);
   return *entry;

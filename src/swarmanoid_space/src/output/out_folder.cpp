@@ -66,8 +66,11 @@ void OutFolder::makeFolder(const std::string& name, const Writer& writer) {
   if (name.empty()) {
     refuse(writer, name, "allowed: a folder");
   }
+  if (writer.is_in_experiment && !rules_.anywhere && !isInside(folder_ / name, folder_)) {
+    refuse(writer, name, "allowed: a folder in " + realPath(folder_).string() + ", or " + option("write", "anywhere"));
+  }
   if (const std::error_code problem = make(folder_ / name)) {
-    throw ConfigError({writer.name, 0}, "cannot make the folder '" + name + "': " + problem.message());
+    fail(writer, "cannot make the folder '" + name + "': " + problem.message());
   }
 }
 
@@ -104,8 +107,12 @@ void OutFolder::protectLoadedLibraries() {
 
 void OutFolder::refuse(const Writer& writer, const std::string& name, const std::string& problem) {
   const std::string text = "found '" + name + "', " + problem;
+  fail(writer, writer.is_in_experiment ? std::string(writer.parameter) + ": " + text : text);
+}
+
+void OutFolder::fail(const Writer& writer, const std::string& text) {
   if (writer.is_in_experiment) {
-    throw ConfigError(writer.location, writer.name + ": file: " + text);
+    throw ConfigError(writer.location, writer.name + ": " + text);
   }
   throw ConfigError({writer.name, 0}, text);
 }
@@ -170,9 +177,7 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
   const int descriptor = besideStandardStreams(::open(path.c_str(), flags, kMode));
   struct stat opened {};
   if (descriptor < 0 || fstat(descriptor, &opened) != 0) {
-    throw ConfigError(writer.is_in_experiment ? writer.location : SourceLocation{writer.name, 0},
-                      (writer.is_in_experiment ? writer.name + ": " : "") + "cannot write " + path.string() + ": " +
-                          std::strerror(errno));
+    fail(writer, "cannot write " + path.string() + ": " + std::strerror(errno));
   }
   // somebody may have put something else there since it was looked at
   const bool is_what_was_there = S_ISREG(opened.st_mode) == is_file && !S_ISBLK(opened.st_mode);

@@ -11,6 +11,9 @@ std::shared_ptr<OutFolder> openOutFolder(const RunFiles& files, const Experiment
   if (files.records_trajectories) {
     loadPluginLibrary("swarmanoid_trajectories", {}, {});
   }
+  if (files.writes_frames) {
+    loadPluginLibrary("swarmanoid_rendering", {}, {});
+  }
   auto out = std::make_shared<OutFolder>(files.folder, files.prefix, files.rules);
   for (const std::string& file : experiment.files) {
     out->protect(file);

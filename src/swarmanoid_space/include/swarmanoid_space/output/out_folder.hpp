@@ -27,9 +27,10 @@ class OutFolder {
 
   /// Who asks for a file.
   struct Writer {
-    std::string name;              ///< for messages: "--bag", "text_render 'table'"
-    SourceLocation location;       ///< in the experiment file
-    bool is_in_experiment = true;  ///< false: a user names the file, who may name any
+    std::string name;                ///< for messages: "--bag", "text_render 'table'"
+    SourceLocation location;         ///< in the experiment file
+    bool is_in_experiment = true;    ///< false: a user names the file, who may name any
+    const char* parameter = "file";  ///< of the experiment file that names it, for messages
   };
 
   /// The current folder; files may be anywhere, and are replaced: for code that knows what it does.
@@ -52,8 +53,8 @@ class OutFolder {
   /// @throws ConfigError if it may not or cannot be written
   OutDescriptor open(const std::string& name, const Writer& writer);
 
-  /// Makes a folder that a user names, with all that lead to it; one that is there already is as good.
-  /// @param name relative to the folder of the run @throws ConfigError if it cannot be made
+  /// Makes a folder, with all that lead to it; one that is there already is as good.
+  /// @param name relative to the folder of the run @throws ConfigError if it may not or cannot be made
   void makeFolder(const std::string& name, const Writer& writer);
 
   /// The run begins: from here on folder and files stay.
@@ -66,6 +67,7 @@ class OutFolder {
   std::filesystem::path placeOf(const std::string& name, const Writer& writer) const;
   bool mayReplace(const std::filesystem::path& path, const std::string& name, const Writer& writer) const;
   [[noreturn]] static void refuse(const Writer& writer, const std::string& name, const std::string& problem);
+  [[noreturn]] static void fail(const Writer& writer, const std::string& text);
   std::string option(const std::string& first, const std::string& second = "") const;
 
   std::filesystem::path folder_;

@@ -17,6 +17,7 @@ struct RunFiles {
   OutFolder::Rules rules;             ///< for what is written in it
   bool records_bag = false;           ///< there is to be a bag: what writes it is loaded
   bool records_trajectories = false;  ///< likewise
+  bool writes_frames = false;         ///< likewise
   std::vector<std::string> reads;     ///< files that the run reads beside those of the experiment; "" is none
 };
 

@@ -1,0 +1,29 @@
+/// Triangles of mesh files (STL, Collada, ...) as URDF and rviz name them: package://PACKAGE/FILE, file:///FILE.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "swarmanoid_rendering/geometry.hpp"
+
+namespace swarmanoid {
+
+class MeshFiles {
+ public:
+  struct Triangle {
+    std::array<Eigen::Vector3d, 3> corners;
+    std::optional<Tint> tint;  ///< of its material, if the file has one
+  };
+
+  /// Each file is read once. Valid as long as this. @throws std::runtime_error if it is not there or cannot be read
+  const std::vector<Triangle>& read(const std::string& resource);
+
+ private:
+  std::map<std::string, std::vector<Triangle>> known_;
+};
+
+}  // namespace swarmanoid
