@@ -51,7 +51,13 @@ std::vector<Override> overridesOf(const Options& options) {
 /// Without a folder of the run nothing is written: what would write a file is left out.
 void leaveOutWriters(Experiment& experiment) {
   auto& observers = experiment.visualisations;
-  const auto writes = [](const VisualisationDescription& observer) { return observer.parameters.has("file"); };
+  const auto writes = [](const VisualisationDescription& observer) {
+    const std::vector<Configuration>& values = observer.parameters.children();
+    return std::any_of(values.begin(), values.end(), [&](const Configuration& value) {
+      const bool is_switch = value.name().rfind("write_", 0) == 0;
+      return is_switch ? observer.parameters.boolean(value.name()) : value.name() == "file";
+    });
+  };
   observers.erase(std::remove_if(observers.begin(), observers.end(), writes), observers.end());
 }
 

@@ -1,8 +1,10 @@
 #include "mesh_files.hpp"
 
+#include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <assimp/Importer.hpp>
 #include <stdexcept>
 
@@ -20,10 +22,14 @@ std::string fileOf(const std::string& resource) {
   if (resource.rfind(package, 0) != 0) {
     return resource;
   }
-  const std::size_t slash = resource.find('/', package.size());
-  return slash == std::string::npos
-             ? ""
-             : findShared(resource.substr(package.size(), slash - package.size()), resource.substr(slash + 1));
+  const std::string path = resource.substr(package.size());  // PACKAGE/FILE
+  const std::size_t slash = std::min(path.find('/'), path.size());
+  const std::string file_there = findShared(path.substr(0, slash), path.substr(std::min(slash + 1, path.size())));
+  if (slash == path.size() || file_there.empty()) {
+    throw std::runtime_error("mesh of a robot: found '" + resource + "', allowed: a file, and there is no share/" +
+                             path + " in any prefix of CMAKE_PREFIX_PATH");
+  }
+  return file_there;
 }
 
 std::optional<Tint> tintOf(const aiScene& scene, const aiMesh& mesh) {
@@ -57,19 +63,21 @@ void take(const aiScene& scene, std::vector<MeshFiles::Triangle>& triangles) {
 }  // namespace
 
 const std::vector<MeshFiles::Triangle>& MeshFiles::read(const std::string& resource) {
-  const auto [entry, is_new] = known_.try_emplace(resource);
-  if (!is_new) {
-    return entry->second;
+  if (const auto known = known_.find(resource); known != known_.end()) {
+    return known->second;
   }
+  const std::string file = fileOf(resource);
   Assimp::Importer importer;
+  // rviz leaves the axes of Collada files as they are, too
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   // all nodes in the frame of the file
-  const aiScene* scene = importer.ReadFile(fileOf(resource), aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
   if (scene == nullptr) {
-    known_.erase(entry);
-    throw std::runtime_error("mesh '" + resource + "': " + importer.GetErrorString());
+    throw std::runtime_error("mesh of a robot: '" + resource + "' cannot be read: " + importer.GetErrorString());
   }
-  take(*scene, entry->second);
-  return entry->second;
+  std::vector<Triangle>& triangles = known_[resource];
+  take(*scene, triangles);
+  return triangles;
 }
 
 }  // namespace swarmanoid

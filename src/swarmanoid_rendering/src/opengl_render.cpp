@@ -33,7 +33,7 @@ PluginDescription descriptionOfRender() {
     description.parameters.push_back(makeParameter(name, type, unit, value, range, text));
   };
   add("window_size", Type::kVector2, "", std::to_string(kWidth) + ", " + std::to_string(kHeight), kPixels,
-      "Width and height of a frame, in pixels.");
+      "Width and height of a frame, in whole pixels.");
   add("window_title", Type::kText, "", "", {}, "Accepted without effect.");
   for (int camera = 0; camera < kCameras; ++camera) {
     add(placeName(camera), Type::kVector3, "m", "0, 0, 0", limits::kCoordinate,
@@ -61,17 +61,24 @@ class OpenglRender final : public Observer {
     readSize(parameters);
     camera_ = cameraOf(parameters);
     sees_all_ = camera_.position.isZero(0.0);
+    if (sees_all_) {
+      refuseWithoutPlace(parameters);
+    }
     options_.has_shadows = parameters.boolean("use_shadows", true);
     every_ = static_cast<std::uint64_t>(parameters.integer("every", 1));
     if (parameters.boolean("write_frames", false)) {
       view_.emplace(parameters.boolean("use_textures", true));
-      tracer_.emplace();
+      tracer_.emplace(context.experiment == nullptr ? 1 : static_cast<int>(context.experiment->framework.threads));
       files_.emplace(context, parameters, id);
     }
   }
 
   void draw(const Space& space) override {
-    if (!files_ || space.tick % every_ != 0) {
+    if (!files_) {
+      return;
+    }
+    view_->follow(space);
+    if (space.tick % every_ != 0) {
       return;
     }
     if (sees_all_) {
@@ -104,6 +111,18 @@ class OpenglRender final : public Observer {
     if (size != Eigen::Vector2d(width_, height_)) {
       throw ConfigError(parameters.find("window_size")->location(),
                         "window_size: found '" + parameters.text("window_size") + "', allowed: whole numbers");
+    }
+  }
+
+  /// @throws ConfigError for what says something of a camera that has no place
+  static void refuseWithoutPlace(const Configuration& parameters) {
+    const int number = static_cast<int>(parameters.integer("camera", 0));
+    for (const std::string& name : {std::string("camera"), anglesName(number)}) {
+      const bool is_default = name == "camera" ? number == 0 : parameters.vector3(name, {0.0, 0.0, 0.0}).isZero(0.0);
+      if (!is_default) {
+        throw ConfigError(parameters.find(name)->location(),
+                          name + ": found '" + parameters.text(name) + "', allowed: with " + placeName(number));
+      }
     }
   }
 

@@ -1,11 +1,13 @@
 #include "swarmanoid_rendering/ray_tracer.hpp"
 
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <stdexcept>
 
 #include "embree.hpp"
@@ -30,8 +32,10 @@ struct Hit {
   bool isOne() const { return std::isfinite(distance); }
 };
 
-/// How far behind a surface a ray goes on [m]: more than floats round there.
-float aside(const Vector3f& at) { return std::max(2e-4F, 4e-6F * at.cwiseAbs().maxCoeff()); }
+/// How far behind a surface a ray goes on [m]: more than floats have rounded on the way there.
+float aside(const Vector3f& from, float distance) {
+  return std::max(2e-4F, 4e-6F * (from.cwiseAbs().maxCoeff() + distance));
+}
 
 std::uint8_t toByte(float part) {
   return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(part, 0.0F, 1.0F)));
@@ -41,6 +45,9 @@ std::uint8_t toByte(float part) {
 template <class Value>
 void fill(RTCGeometry geometry, RTCBufferType type, RTCFormat format, const std::vector<Value>& values) {
   void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Value), values.size());
+  if (buffer == nullptr) {
+    throw std::bad_alloc();
+  }
   std::copy(values.begin(), values.end(), static_cast<Value*>(buffer));
 }
 
@@ -103,9 +110,10 @@ class RayTracer::Scene {
       }
       const float alpha = hit.tint.w();
       const Vector3f at = from + hit.distance * direction;
-      seen += left * alpha * light(at, hit.normal, has_shadows) * hit.tint.head<3>();
+      const float beyond = aside(from, hit.distance);
+      seen += left * alpha * light(at + beyond * hit.normal, hit.normal, has_shadows) * hit.tint.head<3>();
       left *= 1.0F - alpha;
-      nearest = hit.distance + aside(at);
+      nearest = hit.distance + beyond;
     }
     return left > kLeast ? Vector3f(seen + left * background()) : seen;
   }
@@ -154,13 +162,13 @@ class RayTracer::Scene {
     return hit;
   }
 
-  /// What part of its colour is seen of a surface.
+  /// What part of its colour is seen of a surface. @param at just before it
   float light(const Vector3f& at, const Vector3f& normal, bool has_shadows) const {
     const float slope = normal.dot(sun());
     if (slope <= 0.0F) {
       return kAmbient;
     }
-    return kAmbient + (1.0F - kAmbient) * slope * (has_shadows ? sunlight(at + aside(at) * normal) : 1.0F);
+    return kAmbient + (1.0F - kAmbient) * slope * (has_shadows ? sunlight(at) : 1.0F);
   }
 
   /// The part of the sun's light that gets there.
@@ -173,7 +181,7 @@ class RayTracer::Scene {
         return left;
       }
       left *= hit.is_rod ? 1.0F : 1.0F - hit.tint.w();
-      nearest = hit.distance + aside(at);
+      nearest = hit.distance + aside(at, hit.distance);
     }
     return left;
   }
@@ -183,7 +191,7 @@ class RayTracer::Scene {
   std::array<std::vector<Tint>, 2 * kKinds.size()> tints_;  // by the number of a geometry
 };
 
-RayTracer::RayTracer() : scene_(std::make_unique<Scene>()) {}
+RayTracer::RayTracer(int threads) : scene_(std::make_unique<Scene>()), threads_(threads) {}
 RayTracer::~RayTracer() = default;
 
 void RayTracer::set(Part part, Geometry geometry) { scene_->set(part, std::move(geometry)); }
@@ -199,9 +207,10 @@ Picture RayTracer::render(const Camera& camera, int width, int height, const Opt
   const CameraAxes axes = axesOf(camera);
   const double pixel = 2.0 * std::tan(0.5 * camera.field_of_view) / width;  // at distance 1
   const int samples = options.samples;
-  Picture picture{width, height, std::vector<std::uint8_t>(3 * static_cast<std::size_t>(width * height))};
+  Picture picture{width, height, {}};
+  picture.rgb.resize(3 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
   const auto renderRow = [&](int row) {
-    std::uint8_t* byte = &picture.rgb[3 * static_cast<std::size_t>(row * width)];
+    std::uint8_t* byte = &picture.rgb[3 * static_cast<std::size_t>(row) * static_cast<std::size_t>(width)];
     for (int column = 0; column < width; ++column) {
       Vector3f sum = Vector3f::Zero();
       for (int sample = 0; sample < samples * samples; ++sample) {
@@ -216,7 +225,7 @@ Picture RayTracer::render(const Camera& camera, int width, int height, const Opt
       }
     }
   };
-  tbb::parallel_for(0, height, renderRow);
+  tbb::task_arena(threads_).execute([&] { tbb::parallel_for(0, height, renderRow); });
   return picture;
 }
 

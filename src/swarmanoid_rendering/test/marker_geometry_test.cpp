@@ -124,7 +124,41 @@ TEST(MarkerGeometryTest, MeshesAreReadFromTheirFiles) {
     geometryOf(mesh);
     FAIL() << "a mesh that is not there";
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(std::string(error.what()).rfind("mesh 'package://nobody/no.dae': ", 0), 0U) << error.what();
+    EXPECT_STREQ(
+        error.what(),
+        "mesh of a robot: found 'package://nobody/no.dae', allowed: a file, and there is no share/nobody/no.dae "
+        "in any prefix of CMAKE_PREFIX_PATH");
+  }
+}
+
+/// A triangle from the origin, 3 up and 5 along y, in a file whose axis that is up is said to be `up`.
+std::string collada(const std::string& up) {
+  return R"(<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
+  <asset><unit name="meter" meter="1"/><up_axis>)" +
+         up + R"(</up_axis></asset>
+  <library_geometries><geometry id="g"><mesh>
+    <source id="p"><float_array id="a" count="9">0 0 0 0 0 3 0 5 0</float_array><technique_common>
+      <accessor source="#a" count="3" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+    </technique_common></source>
+    <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+    <triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>
+  </mesh></geometry></library_geometries>
+  <library_visual_scenes><visual_scene id="s"><node id="n"><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+  <scene><instance_visual_scene url="#s"/></scene>
+</COLLADA>
+)";
+}
+
+TEST(MarkerGeometryTest, AxesOfMeshesAreTakenAsTheyAre) {
+  const TemporaryFolder folder("meshes");
+  for (const char* up : {"Z_UP", "Y_UP"}) {
+    const std::string file = (folder.path() / (std::string(up) + ".dae")).string();
+    std::ofstream(file) << collada(up);
+    Marker mesh = marker(Marker::MESH_RESOURCE, Vector3d::Ones());
+    mesh.mesh_resource = "file://" + file;
+    // turned a quarter to the left, y is -x
+    EXPECT_TRUE(bounds(geometryOf(mesh)).sizes().isApprox(Eigen::Vector3f(5.0F, 0.0F, 3.0F), 1e-5F)) << up;
   }
 }
 

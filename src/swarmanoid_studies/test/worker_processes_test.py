@@ -11,7 +11,7 @@ import unittest
 from unittest import mock
 
 import psutil
-from swarmanoid_studies import worker_processes
+from swarmanoid_studies import worker_processes, workers
 from swarmanoid_studies.mistakes import BadInput, RunsStopped
 from swarmanoid_studies.workers import allow_files, connected
 
@@ -72,9 +72,15 @@ class WorkerProcessesTest(unittest.TestCase):
 
     def test_more_processes_than_the_limit_of_open_files_allows_are_refused(self):
         with mock.patch.object(resource, "getrlimit", return_value=(256, 400)), self.assertRaises(BadInput) as caught:
-            allow_files(43)
-        self.assertEqual(str(caught.exception),
-                         "--jobs: found 43, allowed: up to 42 where a process may have 400 files open, as `ulimit -Hn` says")
+            allow_files(57)
+        self.assertEqual(str(caught.exception), "found a limit of 400 open files (`ulimit -Hn`), allowed: at least 406 for 57 "
+                         "processes that make runs")
+
+    def test_without_a_number_there_are_as_many_as_the_limit_of_open_files_allows(self):
+        with mock.patch.object(resource, "getrlimit", return_value=(60, 100)), mock.patch.object(resource, "setrlimit") as limited, \
+                mock.patch.object(workers, "default_jobs", return_value=64):
+            self.assertEqual(allow_files(None), 6)
+        limited.assert_called_once_with(resource.RLIMIT_NOFILE, (100, 100))
 
     def test_processes_that_end_as_they_begin_are_told(self):
         begun = []

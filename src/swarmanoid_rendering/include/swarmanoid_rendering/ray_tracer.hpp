@@ -1,7 +1,7 @@
 /// Pictures by rays (Embree): hidden surfaces, shadows of one sun, what is translucent. Rods are lines of a drawing,
 /// beams, ropes: they have no shadow.
 ///
-/// Threads  one call at a time; a call takes the threads that TBB has.
+/// Threads  one call at a time; `render` takes as many as it was given.
 /// Bits     pictures are looked at: they need not be equal on other machines. Nothing of a run depends on them.
 #pragma once
 
@@ -20,16 +20,16 @@ class RayTracer {
 
   struct Options {
     bool has_shadows = true;
-    int samples = 2;  ///< rays a pixel along each side
+    int samples = 2;  ///< rays a pixel along each side, from 1
   };
 
-  /// @throws std::runtime_error if Embree cannot be started
-  RayTracer();
+  /// @param threads from 1 @throws std::runtime_error if Embree cannot be started
+  explicit RayTracer(int threads = 1);
   ~RayTracer();
   RayTracer(const RayTracer&) = delete;
   RayTracer& operator=(const RayTracer&) = delete;
 
-  /// Replaces a part of what is seen.
+  /// Replaces a part of what is seen. @throws std::bad_alloc
   void set(Part part, Geometry geometry);
 
   /// @param width, height in pixels, from 1
@@ -45,6 +45,7 @@ class RayTracer {
  private:
   class Scene;
   std::unique_ptr<Scene> scene_;
+  int threads_;
 };
 
 }  // namespace swarmanoid

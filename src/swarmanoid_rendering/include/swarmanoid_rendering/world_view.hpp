@@ -1,5 +1,5 @@
 /// A space as rviz shows it, for pictures: arena, robots' bodies where their joints have them, LEDs, beams, grips,
-/// ropes. Texts are left out.
+/// ropes. Texts, and what devices and engines draw, are left out.
 ///
 /// Robots  up to Transforms::kFewRobots have the bodies of their URDF, more are balls, as in rviz.
 /// Errors  std::runtime_error for a mesh of a robot that cannot be read
@@ -20,6 +20,8 @@ class WorldView {
   WorldView(const WorldView&) = delete;
   WorldView& operator=(const WorldView&) = delete;
 
+  /// Notes whether what nobody moves has changed. To be called once before the first tick and after each.
+  void follow(const Space& space);
   /// Gives the tracer what the space looks like now; what nobody moves only if it has changed since the last call.
   void show(const Space& space, RayTracer& tracer);
 

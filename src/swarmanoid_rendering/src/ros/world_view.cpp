@@ -16,9 +16,12 @@ class WorldView::Markers {
  public:
   explicit Markers(bool has_textures) : has_textures_(has_textures), transforms_(TransformLevel::kFull) {}
 
+  void follow(const Space& space) { is_arena_due_ = changes_.look(space) || is_arena_due_; }
+
   void show(const Space& space, RayTracer& tracer) {
-    if (changes_.look(space)) {
+    if (is_arena_due_) {
       takeArena(space, tracer);
+      is_arena_due_ = false;
     }
     if (!bodies_.empty()) {
       takeFrames(transforms_.moving(space), kMoves);
@@ -54,7 +57,9 @@ class WorldView::Markers {
       }
     }
     tracer.set(RayTracer::Part::kFixed, std::move(fixed));
-    takeFrames(transforms_.fixed(space), kStays);
+    if (!bodies_.empty()) {
+      takeFrames(transforms_.fixed(space), kStays);
+    }
   }
 
   void takeFrames(const tf2_msgs::TFMessage& message, bool stays) {
@@ -72,6 +77,7 @@ class WorldView::Markers {
 
   bool has_textures_;
   OutsideChanges changes_;
+  bool is_arena_due_ = false;
   Transforms transforms_;
   MovingMarkers moving_;
   std::vector<Marker> bodies_;  // of robots, in the frames of their links
@@ -82,6 +88,7 @@ class WorldView::Markers {
 WorldView::WorldView(bool has_textures) : markers_(std::make_unique<Markers>(has_textures)) {}
 WorldView::~WorldView() = default;
 
+void WorldView::follow(const Space& space) { markers_->follow(space); }
 void WorldView::show(const Space& space, RayTracer& tracer) { markers_->show(space, tracer); }
 
 }  // namespace swarmanoid

@@ -4,7 +4,8 @@
 /// Phase   draw: `show`, once before the first tick and after each tick, on the simulation's thread.
 /// An observer sees the space const and changes nothing in it, so a run with it and one without are the same.
 ///
-/// One that writes a text has an OutFile (out_file.hpp).
+/// One that writes a text has an OutFile (out_file.hpp). Those that have a parameter `file`, or one that begins with
+/// `write_` and is true, write files: Python and batches leave them out of runs that have no folder.
 ///
 /// To add one: derive, end with REGISTER_OBSERVER.
 #pragma once

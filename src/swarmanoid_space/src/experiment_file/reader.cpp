@@ -106,9 +106,9 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
   }
 }
 
-/// Labels that installed libraries have declared, each with its library.
-std::map<std::string, std::string> declaredLabels(PluginKind kind) {
-  std::map<std::string, std::string> libraries;
+/// Libraries by the labels that they have declared.
+std::multimap<std::string, std::string> declaredLabels(PluginKind kind) {
+  std::multimap<std::string, std::string> libraries;
   if (kind == PluginKind::kObserver) {
     for (const DeclaredLibrary& declared : declaredLibraries()) {
       for (const std::string& label : declared.visualisations) {
@@ -119,24 +119,34 @@ std::map<std::string, std::string> declaredLabels(PluginKind kind) {
   return libraries;
 }
 
-const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
-  std::string needed = library;
-  std::map<std::string, std::string> declared;
-  if (library.empty() && Registry::instance().find(kind, element.name()) == nullptr) {
-    declared = declaredLabels(kind);
-    const auto own = declared.find(element.name());
-    needed = own == declared.end() ? "" : own->second;
+std::string libraryOf(PluginKind kind, const XmlElement& element) {
+  if (const auto named = element.attribute("library")) {
+    return *named;
   }
-  if (!needed.empty()) {
-    needLibrary(needed, library.empty() ? element.location() : element.attributeLocation("library"));
+  const std::multimap<std::string, std::string> declared = declaredLabels(kind);
+  const auto [first, last] = declared.equal_range(element.name());
+  std::vector<std::string> libraries;
+  for (auto own = first; own != last; ++own) {
+    libraries.push_back(own->second);
+  }
+  if (libraries.size() > 1) {
+    element.refuse("found no library, though several have declared '" + element.name() +
+                   "', allowed: library=\"...\", one of " + joinNames(libraries));
+  }
+  return libraries.empty() ? "" : libraries.front();
+}
+
+const Registry::Entry& Reader::requirePlugin(PluginKind kind, const XmlElement& element, const std::string& library) {
+  if (!library.empty()) {
+    needLibrary(library, element.attributeLocation("library"));
   }
   const Registry::Entry* entry = Registry::instance().find(kind, element.name());
-  if (entry == nullptr && !loads_libraries && !needed.empty()) {
+  if (entry == nullptr && !loads_libraries && !library.empty()) {
     return standIn(kind, element.name());
   }
   if (entry == nullptr) {
     std::vector<std::string> labels = Registry::instance().labels(kind);
-    for (const auto& [label, its_library] : declared) {
+    for (const auto& [label, its_library] : declaredLabels(kind)) {
       labels.push_back(label);
     }
     std::sort(labels.begin(), labels.end());

@@ -64,6 +64,10 @@ struct KnownNames {
   bool has(const std::string& name) const { return lookup.count(name) != 0; }
 };
 
+/// The library that an element of a plugin names, or that has declared its label for elements that name none; "": one
+/// that is loaded anyway. @throws ConfigError if several have declared it
+std::string libraryOf(PluginKind kind, const XmlElement& element);
+
 /// Which of two libraries with one label is meant must not depend on which was loaded first.
 /// @param library that the element asks for; "": any
 /// @throws ConfigError if it is not the one that has the plugin, for another with that label was first

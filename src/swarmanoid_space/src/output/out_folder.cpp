@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -32,10 +33,21 @@ int besideStandardStreams(int descriptor) {
   return moved;
 }
 
+/// Whether a name is `begin`, digits, `end`.
+bool isOfSeries(const std::string& name, const std::string& begin, const std::string& end) {
+  if (name.size() <= begin.size() + end.size() || name.compare(0, begin.size(), begin) != 0 ||
+      name.compare(name.size() - end.size(), end.size(), end) != 0) {
+    return false;
+  }
+  return std::all_of(name.begin() + static_cast<std::ptrdiff_t>(begin.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(end.size()),
+                     [](char letter) { return letter >= '0' && letter <= '9'; });
+}
+
 }  // namespace
 
 OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules rules)
-    : folder_(folder), prefix_(prefix), rules_(rules) {
+    : start_(realPath("")), folder_(folder), prefix_(prefix), rules_(rules) {
   if (folder.empty()) {
     return;
   }
@@ -48,15 +60,15 @@ OutFolder::OutFolder(const std::string& folder, const std::string& prefix, Rules
 std::error_code OutFolder::make(const fs::path& folder) {
   std::error_code problem;
   std::vector<fs::path> made;
-  fs::path missing = fs::absolute(folder, problem).lexically_normal();
+  fs::path missing = at(folder).lexically_normal();
   while (!problem && !missing.empty() && !fs::exists(missing, problem) && missing != missing.parent_path()) {
     made.push_back(missing);
     missing = missing.parent_path();
   }
   made_folders_.insert(made_folders_.begin(), made.begin(), made.end());
   problem.clear();
-  fs::create_directories(folder, problem);
-  if (!problem && !fs::is_directory(folder)) {
+  fs::create_directories(at(folder), problem);
+  if (!problem && !fs::is_directory(at(folder))) {
     problem = std::make_error_code(std::errc::not_a_directory);
   }
   return problem;
@@ -66,8 +78,9 @@ void OutFolder::makeFolder(const std::string& name, const Writer& writer) {
   if (name.empty()) {
     refuse(writer, name, "allowed: a folder");
   }
-  if (writer.is_in_experiment && !rules_.anywhere && !isInside(folder_ / name, folder_)) {
-    refuse(writer, name, "allowed: a folder in " + realPath(folder_).string() + ", or " + option("write", "anywhere"));
+  if (writer.is_in_experiment && !rules_.anywhere && !isInside(at(folder_ / name), at(folder_))) {
+    refuse(writer, name,
+           "allowed: a folder in " + realPath(at(folder_)).string() + ", or " + option("write", "anywhere"));
   }
   if (const std::error_code problem = make(folder_ / name)) {
     fail(writer, "cannot make the folder '" + name + "': " + problem.message());
@@ -128,8 +141,9 @@ fs::path OutFolder::placeOf(const std::string& name, const Writer& writer) const
   fs::path path = folder_ / name;
   const fs::path last = path.filename();
   const bool is_name = !last.empty() && last != "." && last != "..";
-  if (writer.is_in_experiment && !rules_.anywhere && !(is_name && isInside(path.parent_path(), folder_))) {
-    refuse(writer, name, "allowed: a file in " + realPath(folder_).string() + ", or " + option("write", "anywhere"));
+  if (writer.is_in_experiment && !rules_.anywhere && !(is_name && isInside(at(path.parent_path()), at(folder_)))) {
+    refuse(writer, name,
+           "allowed: a file in " + realPath(at(folder_)).string() + ", or " + option("write", "anywhere"));
   }
   return path;
 }
@@ -166,7 +180,8 @@ bool OutFolder::mayReplace(const fs::path& path, const std::string& name, const 
 }
 
 OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
-  const fs::path path = placeOf(name, writer);
+  const fs::path shown = placeOf(name, writer);
+  const fs::path path = at(shown);
   const bool is_there = mayReplace(path, name, writer);
   std::error_code ignored;
   const bool is_file = !is_there || fs::is_regular_file(path, ignored);
@@ -177,10 +192,13 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
   const int descriptor = besideStandardStreams(::open(path.c_str(), flags, kMode));
   struct stat opened {};
   if (descriptor < 0 || fstat(descriptor, &opened) != 0) {
-    fail(writer, "cannot write " + path.string() + ": " + std::strerror(errno));
+    fail(writer, "cannot write " + shown.string() + ": " + std::strerror(errno));
   }
   // somebody may have put something else there since it was looked at
   const bool is_what_was_there = S_ISREG(opened.st_mode) == is_file && !S_ISBLK(opened.st_mode);
+  if (is_file && !is_there) {
+    taken_.erase(Identity{opened.st_dev, opened.st_ino});  // it is new: what had that number is gone
+  }
   if (!is_what_was_there || (is_file && !taken_.emplace(Identity{opened.st_dev, opened.st_ino}, writer.name).second)) {
     close(descriptor);
     refuse(writer, name, "which changes while it is opened, allowed: a file of this run alone");
@@ -189,9 +207,50 @@ OutDescriptor OutFolder::open(const std::string& name, const Writer& writer) {
     fcntl(descriptor, F_SETFL, fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   }
   if (!is_there) {
-    made_files_.push_back(fs::absolute(path, ignored));
+    made_files_.push_back(path);
   }
-  return {descriptor, path.string(), writer.name};
+  return {descriptor, shown.string(), writer.name};
+}
+
+void OutFolder::promiseSeries(const std::string& begin, const std::string& end, const Writer& writer) {
+  const fs::path first = placeOf(begin + "0" + end, writer);
+  const fs::path folder = at(first).parent_path();
+  if (access(folder.c_str(), W_OK | X_OK) != 0) {
+    fail(writer, "cannot write " + first.string() + ": " + std::strerror(errno));
+  }
+  const std::string start = fs::path(begin + "0").filename().string();
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (isOfSeries(name, start.substr(0, start.size() - 1), end)) {
+      mayReplace(entry.path(), (fs::path(begin + "0").parent_path() / name).string(), writer);
+    }
+  }
+  const auto [promised, is_new] = promised_.emplace(realPath(at(first)), writer.name);
+  if (!is_new) {
+    refuse(writer, begin, "as " + promised->second + " names its files, allowed: another name");
+  }
+}
+
+void OutFolder::writeWhole(const std::string& name, const Writer& writer, const std::vector<char>& content) {
+  const fs::path shown = placeOf(name, writer);
+  const fs::path path = at(shown);
+  mayReplace(path, name, writer);
+  const fs::path part = path.parent_path() / ("." + path.filename().string() + ".part");
+  constexpr mode_t kMode = 0666;
+  OutDescriptor file(::open(part.c_str(), O_CLOEXEC | O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, kMode), shown.string(),
+                     writer.name);
+  if (!file.isOpen()) {
+    fail(writer, "cannot write " + shown.string() + ": " + std::strerror(errno));
+  }
+  try {
+    file.write(content.data(), content.size());
+    fs::rename(part, path);
+  } catch (...) {
+    std::error_code ignored;
+    fs::remove(part, ignored);
+    throw;
+  }
 }
 
 }  // namespace swarmanoid

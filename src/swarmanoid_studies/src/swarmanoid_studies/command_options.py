@@ -12,16 +12,13 @@ def add_worker_options(parser: Arguments) -> None:
 
 
 def check_worker_options(jobs: Optional[int], scheduler: Optional[str]) -> int:
-    """@return how many processes to start @raise BadInput"""
-    from .workers import MOST_JOBS, allow_files, default_jobs
+    """@return how many processes to start; 0 if a scheduler has them @raise BadInput"""
+    from .workers import MOST_JOBS, allow_files
     if jobs is not None and scheduler is not None:
         raise BadInput("found --jobs and --scheduler, allowed: one of them")
     if jobs is not None and not 1 <= jobs <= MOST_JOBS:
         raise BadInput(f"--jobs: found {jobs}, allowed: 1 to {MOST_JOBS}")
-    count = default_jobs() if jobs is None else jobs
-    if scheduler is None:
-        allow_files(count)
-    return count
+    return allow_files(jobs) if scheduler is None else 0
 
 
 def refuse_resume_with_force(is_resumed: bool, is_forced: bool) -> None:

@@ -18,23 +18,25 @@ from .worker_processes import WorkerProcesses
 MOST_JOBS = 1024
 SETUP = "swarmanoid_studies.worker_setup"
 SCHEDULER_S = 10  # wait for a scheduler that does not answer [s]
-FILES, FILES_A_JOB = 64, 8  # that this process may have open at a time: somewhat more than it was seen to have
+FILES, FILES_A_JOB = 64, 6  # that this process may have open at a time: somewhat more than it was seen to have
 
 
 def default_jobs() -> int:
     return len(os.sched_getaffinity(0))
 
 
-def allow_files(jobs: int) -> None:
-    """Lets this process have as many files open as it needs for so many others: connections and pipes. @raise BadInput if the
-    system does not let it"""
+def allow_files(jobs: Optional[int]) -> int:
+    """Lets this process have as many files open as it needs for so many others: connections and pipes.
+    @param jobs None: one a processor, or as many as the system lets it have @return how many @raise BadInput if it lets it not"""
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-    needed = FILES + FILES_A_JOB * jobs
-    if hard != resource.RLIM_INFINITY and hard < needed:
-        raise BadInput(f"--jobs: found {jobs}, allowed: up to {max(0, hard - FILES) // FILES_A_JOB} where a process may have "
-                       f"{hard} files open, as `ulimit -Hn` says")
-    if soft != resource.RLIM_INFINITY and soft < needed:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (needed, hard))
+    most = MOST_JOBS if hard == resource.RLIM_INFINITY else (hard - FILES) // FILES_A_JOB
+    count = min(default_jobs(), max(1, most)) if jobs is None else jobs
+    if count > most:
+        raise BadInput(f"found a limit of {hard} open files (`ulimit -Hn`), allowed: at least {FILES + FILES_A_JOB * count} for "
+                       f"{count} processes that make runs")
+    if soft != resource.RLIM_INFINITY:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (max(soft, FILES + FILES_A_JOB * count), hard))
+    return count
 
 
 @contextlib.contextmanager

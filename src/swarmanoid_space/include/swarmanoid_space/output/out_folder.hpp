@@ -34,7 +34,7 @@ class OutFolder {
   };
 
   /// The current folder; files may be anywhere, and are replaced: for code that knows what it does.
-  OutFolder() : rules_{true, true} {}
+  OutFolder() : OutFolder("", "--", {true, true}) {}
   /// @param folder made if it is not there; empty: the current one
   /// @param prefix of options, for messages: "--", "~"
   /// @throws ConfigError if it cannot be made
@@ -53,6 +53,14 @@ class OutFolder {
   /// @throws ConfigError if it may not or cannot be written
   OutDescriptor open(const std::string& name, const Writer& writer);
 
+  /// Says that the writer will make files while the run goes on, by `writeWhole`: their names are `begin`, a number,
+  /// `end`. @throws ConfigError as `open`, for the first and for any that is there, and if another writer has said so
+  void promiseSeries(const std::string& begin, const std::string& end, const Writer& writer);
+  /// Writes such a file, as a whole or not at all, whoever ends this process.
+  /// @throws ConfigError if it has come meanwhile and may not be replaced; std::runtime_error that names writer, file
+  /// and reason, such as a full disk
+  void writeWhole(const std::string& name, const Writer& writer, const std::vector<char>& content);
+
   /// Makes a folder, with all that lead to it; one that is there already is as good.
   /// @param name relative to the folder of the run @throws ConfigError if it may not or cannot be made
   void makeFolder(const std::string& name, const Writer& writer);
@@ -64,16 +72,19 @@ class OutFolder {
   using Identity = std::pair<dev_t, ino_t>;  // a file has one, however many names
 
   std::error_code make(const std::filesystem::path& folder);
+  std::filesystem::path at(const std::filesystem::path& path) const { return start_ / path; }
   std::filesystem::path placeOf(const std::string& name, const Writer& writer) const;
   bool mayReplace(const std::filesystem::path& path, const std::string& name, const Writer& writer) const;
   [[noreturn]] static void refuse(const Writer& writer, const std::string& name, const std::string& problem);
   [[noreturn]] static void fail(const Writer& writer, const std::string& text);
   std::string option(const std::string& first, const std::string& second = "") const;
 
+  std::filesystem::path start_;  // the current folder when this was made: users' code may go to another one
   std::filesystem::path folder_;
   std::string prefix_ = "--";
   Rules rules_;
-  std::map<Identity, std::string> taken_;  // by whom; "" is this run, which reads it
+  std::map<Identity, std::string> taken_;                  // by whom; "" is this run, which reads it
+  std::map<std::filesystem::path, std::string> promised_;  // to whom
   std::vector<std::filesystem::path> made_files_;
   std::vector<std::filesystem::path> made_folders_;  // the innermost first
 };
