@@ -224,11 +224,15 @@ class RefusedTest(ProgramTest):
 
 
 class DeclaredTest(ProgramTest):
-    def test_a_label_that_two_libraries_have_declared_needs_the_library(self):
+    def declare(self, library, label):
+        """As a package of somebody's does that is installed."""
         declared = self.folder / "share/swarmanoid/plugins"
         declared.mkdir(parents=True)
-        (declared / "another").write_text("my_package\nvisualisation opengl_render\n")
+        (declared / library).write_text(f"my_package\nvisualisation {label}\n")
         self.put_before_prefixes()
+
+    def test_a_label_that_two_libraries_have_declared_needs_the_library(self):
+        self.declare("another", "opengl_render")
         world = self.world(visualisations='<opengl_render id="r"/>')
         self.assert_refused(f"{world}:15: found no library, though several have declared 'opengl_render', allowed: library=\"...\", "
                             "one of another, swarmanoid_rendering", "validate", world)
@@ -236,10 +240,7 @@ class DeclaredTest(ProgramTest):
         self.assertEqual(self.call("validate", world).returncode, FINISHED)
 
     def test_a_library_that_has_declared_a_label_is_loaded_for_it(self):
-        declared = self.folder / "share/swarmanoid/plugins"
-        declared.mkdir(parents=True)
-        (declared / "gone").write_text("my_package\nvisualisation my_plotter\n")
-        self.put_before_prefixes()
+        self.declare("gone", "my_plotter")
         world = self.world(visualisations='<my_plotter id="p"/>')
         done = self.call("validate", world)
         self.assertEqual(done.returncode, BAD_INPUT)

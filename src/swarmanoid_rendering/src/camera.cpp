@@ -18,7 +18,7 @@ CameraAxes axesOf(const Camera& camera) {
 
 Camera overview(const Vector3d& size, double field_of_view, double aspect) {
   constexpr double kPitch = -0.85;  // that of rviz's view at first
-  constexpr double kHeadingNorth = 0.5 * 3.14159265358979323846;
+  constexpr double kHeadingNorth = 0.5 * M_PI;
   constexpr double kMargin = 1.04;  // walls stand around the arena
   Camera camera;
   camera.heading = kHeadingNorth;

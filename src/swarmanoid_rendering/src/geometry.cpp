@@ -7,7 +7,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kTurn = 2.0 * 3.14159265358979323846;
+constexpr double kTurn = 2.0 * M_PI;
 constexpr int kSides = 40;  // of what is round, where it is made of triangles
 
 Vector3d onCircle(int side) {
@@ -16,16 +16,6 @@ Vector3d onCircle(int side) {
 }
 
 }  // namespace
-
-void Geometry::clear() {
-  corners.clear();
-  triangles.clear();
-  triangle_tints.clear();
-  balls.clear();
-  ball_tints.clear();
-  rods.clear();
-  rod_tints.clear();
-}
 
 void Geometry::addTriangle(const std::array<Vector3d, 3>& at, const Tint& tint) {
   const auto first = static_cast<std::uint32_t>(corners.size());

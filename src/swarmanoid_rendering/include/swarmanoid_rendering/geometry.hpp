@@ -23,8 +23,6 @@ struct Geometry {
   std::vector<Eigen::Vector4f> rods;  ///< two a rod: its ends, each with the radius
   std::vector<Tint> rod_tints;        ///< one a rod
 
-  void clear();
-
   void addTriangle(const std::array<Eigen::Vector3d, 3>& at, const Tint& tint);
   void addBall(const Eigen::Vector3d& middle, double radius, const Tint& tint);
   void addRod(const Eigen::Vector3d& from, const Eigen::Vector3d& to, double radius, const Tint& tint);

@@ -2,6 +2,7 @@
 /// ropes. Texts, and what devices and engines draw, are left out.
 ///
 /// Robots  up to Transforms::kFewRobots have the bodies of their URDF, more are balls, as in rviz.
+/// Phase   both functions: `show`, on the simulation's thread.
 /// Errors  std::runtime_error for a mesh of a robot that cannot be read
 #pragma once
 

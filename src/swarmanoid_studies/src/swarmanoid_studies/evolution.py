@@ -63,7 +63,7 @@ class Evolution:
         return Generation(self._asked, values, len(failures), failures[:MOST_FAILURES])
 
     def take(self, generation: Generation) -> None:
-        """As the next one: the optimiser is told of it, and asked for the one after it."""
+        """Adds it as the next one: the optimiser gets its losses, and gives the genotypes of the one after it."""
         losses = [self._losses(values) for values in generation.values]
         self.generations.append(generation)
         number = len(self.generations)
