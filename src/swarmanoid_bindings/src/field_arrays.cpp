@@ -156,7 +156,7 @@ py::object FieldArrays::get(const std::string& name) const {
   if (const FieldPlaces* field = table_->findField(full)) {
     py::array copy = arrayFor(*field, size());
     gather(*records_->places, *field, copy.mutable_data());
-    return std::move(copy);
+    return copy;
   }
   if (const ListPlaces* list = table_->findList(full)) {
     return py::cast(ListArrays(*records_, *list, device_));

@@ -24,7 +24,7 @@ std::string fileOf(const std::string& resource) {
   }
   const std::string path = resource.substr(package.size());  // PACKAGE/FILE
   const std::size_t slash = std::min(path.find('/'), path.size());
-  const std::string file_there = findShared(path.substr(0, slash), path.substr(std::min(slash + 1, path.size())));
+  std::string file_there = findShared(path.substr(0, slash), path.substr(std::min(slash + 1, path.size())));
   if (slash == path.size() || file_there.empty()) {
     throw std::runtime_error("mesh of a robot: found '" + resource + "', allowed: a file, and there is no share/" +
                              path + " in any prefix of CMAKE_PREFIX_PATH");
