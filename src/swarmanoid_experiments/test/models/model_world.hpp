@@ -6,6 +6,7 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_interface/robot.hpp"
@@ -82,17 +83,17 @@ inline void tick(Simulation& simulation, int ticks = 1) {
   }
 }
 
-inline Row rowOf(const Simulation& simulation, const std::string& name) {
-  return simulation.space().entities.find(name);
+inline Row rowOf(const Simulation& simulation, std::string_view name) {
+  return simulation.space().entities.find(std::string(name));
 }
-inline const Pose& poseOf(const Simulation& simulation, const std::string& name) {
+inline const Pose& poseOf(const Simulation& simulation, std::string_view name) {
   return simulation.space().entities.pose[rowOf(simulation, name)];
 }
-inline const Twist& twistOf(const Simulation& simulation, const std::string& name) {
+inline const Twist& twistOf(const Simulation& simulation, std::string_view name) {
   return simulation.space().entities.twist[rowOf(simulation, name)];
 }
 /// About z [rad].
-inline double headingOf(const Simulation& simulation, const std::string& name) {
+inline double headingOf(const Simulation& simulation, std::string_view name) {
   const Eigen::Vector3d ahead = poseOf(simulation, name).orientation * Eigen::Vector3d::UnitX();
   return std::atan2(ahead.y(), ahead.x());
 }

@@ -8,6 +8,7 @@
 #include "../models/robot_files.hpp"
 #include "parameter_table.hpp"
 #include "schema_writer.hpp"
+#include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/experiment_file/experiment_schema.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "tags.hpp"
@@ -170,6 +171,7 @@ void writeRoot(const EntityTypes& types, SchemaWriter& out) {
 }
 
 constexpr const char* kSuitesRobots = "swarmanoid_description";  // the package that brings them
+constexpr const char* kSuitesPictures = "swarmanoid_rendering";  // likewise what is loaded where it is named
 
 /// Whether it is a robot that only other packages bring.
 bool isOfOthers(const Registry::Entry* type) {
@@ -199,6 +201,11 @@ std::string experimentSchema(const PluginLibraries& libraries) {
 }
 
 std::string suiteSchema() {
+  for (const DeclaredLibrary& declared : declaredLibraries()) {
+    if (declared.package == experiment::kSuitesPictures) {
+      loadPluginLibrary(declared.library, {}, {});
+    }
+  }
   std::vector<const Registry::Entry*> types = Registry::instance().all(PluginKind::kEntity);
   types.erase(std::remove_if(types.begin(), types.end(), experiment::isOfOthers), types.end());
   const PluginLibraries none;

@@ -16,7 +16,8 @@ using PluginLibraries = std::map<const Registry::Entry*, std::string>;
 std::string experimentSchema(const PluginLibraries& libraries = {});
 
 /// The same without robots of other packages: after loadBuiltInPlugins, with nothing else loaded, it does not depend on
-/// what else is installed.
+/// what else is installed. What the suite loads only where a file names it is loaded for it.
+/// @throws ConfigError if that cannot be loaded
 std::string suiteSchema();
 
 }  // namespace swarmanoid
