@@ -2,25 +2,24 @@
 
 import os
 import shutil
-import socket
 import subprocess
+import sys
 import tempfile
 
 REPOSITORY = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
+sys.path.append(os.path.join(REPOSITORY, "src/swarmanoid_experiments/rostest"))
+from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
 
 
 def bare(home):
     """An environment without any workspace. @param home where programs may keep their files"""
     os.makedirs(home, exist_ok=True)
-    with socket.socket() as free:
-        free.bind(("localhost", 0))
-        port = free.getsockname()[1]
     kept = {name: os.environ[name] for name in ("USER", "LOGNAME", "CCACHE_DIR") if name in os.environ}
     kept.setdefault("CCACHE_DIR", os.path.join(os.path.expanduser("~"), ".cache/ccache"))
     # temporary folders have new names each time
     kept.update(CCACHE_BASEDIR=tempfile.gettempdir(), CCACHE_NOHASHDIR="1")
     return {**kept, "PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "LANG": "C.UTF-8", "HOME": home,
-            "ROS_HOME": os.path.join(home, ".ros"), "ROS_MASTER_URI": f"http://localhost:{port}",
+            "ROS_HOME": os.path.join(home, ".ros"), "ROS_MASTER_URI": f"http://localhost:{free_port()}",
             "ROS_HOSTNAME": "localhost", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
 
 

@@ -3,8 +3,8 @@
 import os
 import pathlib
 import signal
-import socket
 import subprocess
+import sys
 import tempfile
 import time
 
@@ -15,13 +15,10 @@ from swarmanoid_msgs.srv import Reset, Step
 
 from table import ROOT
 
+sys.path.append(str(ROOT / "src/swarmanoid_experiments/rostest"))
+from roslaunch_process import free_port  # noqa: E402  pylint: disable=wrong-import-position
+
 TIMEOUT = 60.0  # [s]
-
-
-def free_port():
-    with socket.socket() as probe:
-        probe.bind(("localhost", 0))
-        return probe.getsockname()[1]
 
 
 class Launched:

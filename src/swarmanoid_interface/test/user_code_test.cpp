@@ -96,6 +96,21 @@ TEST(UserCodeTest, NobodyIsLateWhereNobodyWatches) {
   EXPECT_EQ("", lateUserCall());
 }
 
+TEST(UserCodeTest, ACallIsLateUntilItReturnsAndNoLonger) {
+  UserCodeWatch::Options quiet;
+  quiet.report = [](const std::string&) {};
+  const UserCodeWatch watch(quiet);
+  {
+    const UserCall call(kStep);
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (lateUserCall().empty() && std::chrono::steady_clock::now() < deadline) {
+      std::this_thread::yield();
+    }
+    EXPECT_EQ(0U, lateUserCall().rfind(describe(kStep) + " since ", 0)) << lateUserCall();
+  }
+  EXPECT_EQ("", lateUserCall()) << "before the watch looks again";
+}
+
 class UserCodeDeathTest : public testing::Test {
  protected:
   UserCodeDeathTest() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }

@@ -82,6 +82,10 @@ static_assert(std::is_trivially_copyable_v<UserCode>, "it is read from another t
 struct LateCall {
   std::string text;
   double seconds = 0.0;
+  std::size_t note = 0;
+  std::uint64_t changes = 0;  ///< of that note
+
+  bool isOver() const { return userCallNotes()[note].changes.load(std::memory_order_acquire) != changes; }
 };
 
 class Watch {
@@ -111,7 +115,7 @@ class Watch {
 
   std::optional<LateCall> late() const {
     const std::lock_guard<std::mutex> lock(late_mutex_);
-    return late_;
+    return late_ && !late_->isOver() ? late_ : std::nullopt;  // it may have returned since it was looked at
   }
 
  private:
@@ -198,7 +202,7 @@ void Watch::lookAt(std::size_t i, double passed, std::optional<LateCall>& latest
     sight.next_report = sight.seconds + kAgain;
   }
   if (sight.seconds >= kLate && (!latest || sight.seconds > latest->seconds)) {
-    latest = LateCall{text, sight.seconds};
+    latest = LateCall{text, sight.seconds, i, changes};
   }
   if (is_watchdog_due && holdUnlessOver(i)) {
     endWith("watchdog: more than " + secondsText(options_.watchdog), &owned.code,
