@@ -21,6 +21,7 @@ ASPECT = 1.5  # width by height of the narrowest picture that the view is made f
 FILLED = 0.95  # how far from the middle of the picture to its borders the space reaches ...
 FILLED_ABOVE = 0.82  # ... and to the upper one: labels of those who are at the far side stand above it
 NEAR = 0.003  # by the distance: what is nearer than this is cut off. Were it less, thin things would flicker far away
+OURS = "swarmanoid_rviz"
 LABELS = "labels"
 LABEL_LINES = "label_lines"  # each from a robot's top to its label
 
@@ -93,6 +94,27 @@ def fit(layout, low, high):
                  "Near Clip Distance": max(0.01, NEAR * distance)})
 
 
+def plugin_of(part):
+    """The package whose library makes a panel, a tool or a display of the layout."""
+    return part["Class"].partition("/")[0]
+
+
+def has_library(package):
+    """Whether it is built: those that need what rviz is built with are not, where that is missing."""
+    folders = os.environ.get("CMAKE_PREFIX_PATH", "").split(":")
+    return any((pathlib.Path(folder) / f"lib/lib{package}.so").exists() for folder in folders)
+
+
+def address(layout, space):
+    """Our own panels and tools speak to this space; without their library they are left out, rviz would show an error."""
+    manager = layout["Visualization Manager"]
+    for owner, parts in ((layout, "Panels"), (manager, "Tools")):
+        owner[parts] = [part for part in owner[parts] if plugin_of(part) != OURS or has_library(OURS)]
+        for part in owner[parts]:
+            if plugin_of(part) == OURS:
+                part["Space"] = space
+
+
 def floor_markers(topics):
     """All that does not move; a space's first message may be about another run."""
     while True:
@@ -116,6 +138,7 @@ def main():
     arguments, remappings = parser.parse_known_args()
     layout = yaml.safe_load(arguments.layout.read_text())
     rospy.init_node("view", disable_rostime=True)  # time may stand still
+    address(layout, arguments.topics)
     fit(layout, *extent(floor_markers(arguments.topics) + moving_markers(arguments.topics)))
     rospy.signal_shutdown("rviz takes over")
     file = pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_view_")) / "space.rviz"

@@ -4,9 +4,12 @@
 import importlib.util
 import itertools
 import math
+import os
 import pathlib
+import tempfile
 import types
 import unittest
+import unittest.mock
 
 import yaml
 
@@ -123,13 +126,26 @@ class LayoutTest(unittest.TestCase):
         self.assertLessEqual(window["Y"] + window["Height"], SMALL_DISPLAY[1] - 64)
 
     def test_the_usual_panels_are_there(self):
-        names = ["Displays", "Views", "Selection", "Time"]
+        names = ["Run", "Displays", "Views", "Selection", "Time"]
         self.assertEqual(sorted(names), sorted(panel["Name"] for panel in layout()["Panels"]))
         window = layout()["Window Geometry"]
         docks = bytes.fromhex(window["QMainWindow State"])
         for name in names:
             self.assertEqual({"collapsed": False}, window[name])  # rviz hides a panel without it
             self.assertIn(name.encode("utf-16-be"), docks)
+
+    def test_what_is_ours_speaks_to_the_space_and_is_left_out_where_it_is_not_built(self):
+        with tempfile.TemporaryDirectory() as folder, unittest.mock.patch.dict(os.environ, CMAKE_PREFIX_PATH="/nowhere:" + folder):
+            without = layout()
+            view.address(without, "/other")
+            self.assertEqual(layout()["Panels"][1:], without["Panels"])
+            self.assertEqual(layout()["Visualization Manager"]["Tools"][:-1], without["Visualization Manager"]["Tools"])
+            (pathlib.Path(folder) / "lib").mkdir()
+            (pathlib.Path(folder) / "lib/libswarmanoid_rviz.so").touch()
+            with_them = layout()
+            view.address(with_them, "/other")
+            self.assertEqual({"Class": "swarmanoid_rviz/Run", "Name": "Run", "Space": "/other"}, with_them["Panels"][0])
+            self.assertEqual({"Class": "swarmanoid_rviz/Move", "Space": "/other"}, with_them["Visualization Manager"]["Tools"][-1])
 
     def test_the_picture_is_not_squeezed_by_the_docks(self):
         docks = bytes.fromhex(layout()["Window Geometry"]["QMainWindow State"])

@@ -4,8 +4,8 @@ from geometry_msgs.msg import Point, PoseStamped
 from std_msgs.msg import ColorRGBA
 from std_srvs.srv import Trigger
 from swarmanoid_msgs.msg import DeviceError, EntityPose, EntitySpecification, TextParameter
-from swarmanoid_msgs.srv import (Delete, Handover, Move, PaintFloor, Register, Reset, SetCommandSource, SetFault, SetProperty, Spawn,
-                                 Step)
+from swarmanoid_msgs.srv import (Delete, Handover, Inspect, Move, PaintFloor, Register, Reset, SetCommandSource, SetFault, SetProperty,
+                                 SetRealTimeFactor, Spawn, Step)
 
 NUMBERS = [float("nan"), float("inf"), float("-inf"), 1e308, -1e308, 1e40, 1e12, 1e9, 1e6, 1e4, 100.0, 1e-9, 1e-40, 5e-324, 0.0, -0.0, -1.0]
 NAMES = ["", " ", "a/b", "/a", "1", "world", "space", "é", "a" * 10000, "a.b", "\x00", "%s%n", "../x", "fb_1", "eb", "hb", "prey"]
@@ -27,7 +27,7 @@ class Requests:
         """@return name of a service, its kind, its request"""
         ways = [self._spawn] * 6 + [self._move] * 6 + [self._delete, self._handover, self._handover, self._source, self._source,
                                                        self._property, self._paint, self._fault, self._reset, self._step, self._trigger,
-                                                       self._register]
+                                                       self._register, self._inspect, self._real_time_factor]
         return self._random.choice(ways)()
 
     def _number(self, low=0.0, high=4.0):
@@ -112,6 +112,13 @@ class Requests:
 
     def _trigger(self):
         return self._random.choice(["pause", "resume", "toggle_pause"]), Trigger, {}
+
+    def _inspect(self):
+        return "inspect", Inspect, {"name": self._random.choice(["", self._name()]), "near": Point(*(self._number(-1.0, 6.0) for _ in range(3))),
+                                    "within": self._random.choice([0.0, self._number()])}
+
+    def _real_time_factor(self):
+        return "set_real_time_factor", SetRealTimeFactor, {"real_time_factor": self._random.choice([0.0, 0.0, 1e6, 50.0, 1e-6, 1e-9, *NUMBERS])}
 
     def _register(self):
         return "register", Register, {"participant": self._random.choice(["a", "a", "b", "", "a b", "/a", "a" * 5000]),

@@ -245,6 +245,55 @@ class ServicesTest(unittest.TestCase):
         answer = self.space.set_fault(["fb_1"], "footbot_wheels", [noise])
         self.assertIn("did you mean 'deviation'?", answer.message)
 
+    def test_a_robot_is_inspected_without_a_topic_of_its_own(self):
+        self.space.step(7)
+        state = self.state_after(7)
+        answer = self.space.inspect(name="fb_1")
+        self.assertTrue(answer.success, answer.message)
+        place = state.names.index("fb_1")
+        self.assertEqual(("paused", 7, self.run_number, state.header.stamp, 0.0),
+                         (answer.state, answer.tick, answer.run, answer.stamp, answer.real_time_factor))
+        self.assertEqual(("footbot", state.engines[place], state.poses[place], state.twists[place], ""),
+                         (answer.type, answer.engine, answer.pose, answer.twist, answer.gripped))
+        self.assertEqual(("fc", "controller", ""), (answer.controller, answer.command_source, answer.failure))
+        devices = {device.type: device for device in answer.devices}
+        kinds = [device.is_actuator for device in answer.devices]
+        self.assertEqual(sorted(kinds), kinds, "sensors first")
+        wheels, proximity = devices["footbot_wheels"], devices["footbot_proximity"]
+        self.assertEqual((True, ["left", "right"], ["rad/s", "rad/s"]), (wheels.is_actuator, wheels.names, wheels.units))
+        self.assertGreater(sum(abs(value) for value in wheels.values), 0.0, "it stands still")
+        self.assertEqual((False, 24), (proximity.is_actuator, len(proximity.values)))
+        self.assertEqual(["value[0]", "value[23]"], [proximity.names[0], proximity.names[23]])
+
+        preys = self.space.inspect(name="prey_yellow")
+        self.assertEqual((True, "cylindric_prey", "", []), (preys.success, preys.type, preys.controller, preys.devices))
+        nobody = self.space.inspect(name="fb_11")
+        self.assertEqual((False, "paused", 7), (nobody.success, nobody.state, nobody.tick))
+        self.assertIn("there is no entity 'fb_11'; did you mean 'fb_1'?", nobody.message)
+        run = self.space.inspect()
+        self.assertEqual((True, "", "", []), (run.success, run.name, run.type, run.devices))
+        self.assertEqual("fb_1", self.space.inspect(near=state.poses[place].position, within=0.01).name)
+
+    def test_the_real_time_factor_changes_while_it_runs(self):
+        def tick():
+            return self.space.inspect().tick
+
+        answer = self.space.set_real_time_factor(1e-7)
+        self.assertEqual((False, "real_time_factor: found 1e-07, allowed: 0, or a number from 1e-06 to 1000000"),
+                         (answer.success, answer.message))
+        try:
+            self.assertTrue(self.space.set_real_time_factor(0.5).success)
+            self.assertEqual(0.5, self.space.inspect().real_time_factor)
+            start = time.monotonic()
+            self.space.resume()
+            while tick() < 4:  # 0.2 s each, the first at once
+                time.sleep(0.01)
+            self.assertGreater(time.monotonic() - start, 0.55)
+            self.assertEqual("running", self.space.inspect().state)
+        finally:
+            self.space.pause()
+            self.assertEqual("as fast as possible", self.space.set_real_time_factor(0.0).message)
+
     def test_reset_undoes_interventions(self):
         self.space.spawn([footbot("fb_9", 4.5, 4.5)])
         self.space.delete(["prey_yellow"])

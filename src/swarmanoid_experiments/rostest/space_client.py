@@ -8,7 +8,8 @@ import time
 import rospy
 from nodelet.srv import NodeletLoad, NodeletLoadRequest, NodeletUnload, NodeletUnloadRequest
 from std_srvs.srv import Trigger
-from swarmanoid_msgs.srv import Delete, Handover, Move, PaintFloor, Reset, ResetRequest, SetFault, SetProperty, Spawn, Step
+from swarmanoid_msgs.srv import (Delete, Handover, Inspect, Move, PaintFloor, Reset, ResetRequest, SetFault, SetProperty, SetRealTimeFactor,
+                                 Spawn, Step)
 
 TIMEOUT = 15.0  # [s] of wall time
 
@@ -19,7 +20,8 @@ class Space:
     def __init__(self):
         services = {"pause": Trigger, "resume": Trigger, "toggle_pause": Trigger, "step": Step, "reset": Reset,
                     "spawn": Spawn, "delete": Delete, "move": Move, "handover": Handover,
-                    "set_property": SetProperty, "paint_floor": PaintFloor, "set_fault": SetFault}
+                    "set_property": SetProperty, "paint_floor": PaintFloor, "set_fault": SetFault,
+                    "set_real_time_factor": SetRealTimeFactor, "inspect": Inspect}
         for name, service in services.items():
             rospy.wait_for_service("/space/" + name, TIMEOUT)
             setattr(self, name, rospy.ServiceProxy("/space/" + name, service))

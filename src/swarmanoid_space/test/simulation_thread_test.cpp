@@ -322,5 +322,22 @@ TEST(SimulationThreadTest, KeepsToTheRealTimeFactor) {
   EXPECT_GE(Clock::now() - start, std::chrono::milliseconds(185));
 }
 
+TEST(SimulationThreadTest, AnotherRealTimeFactorTakesEffectAtOnce) {
+  SimulationThread::Options options;
+  options.real_time_factor = 1e-6;  // a day of wall time and more for each tick after the first
+  SimulationThread thread(test::smallWorld(kEndless), options);
+  ASSERT_TRUE(comesTrue([&] { return tickOf(thread) == 1; }));
+  thread.setRealTimeFactor(0.0);
+  EXPECT_EQ(0.0, thread.realTimeFactor());
+  EXPECT_TRUE(comesTrue([&] { return tickOf(thread) > 100; }));
+  thread.setRealTimeFactor(2.0);  // 50 ms of wall time each
+  const std::uint64_t tick = tickOf(thread);
+  const auto start = Clock::now();
+  ASSERT_TRUE(comesTrue([&] { return tickOf(thread) >= tick + 5; }));
+  EXPECT_GE(Clock::now() - start, std::chrono::milliseconds(190)) << "it makes good what nobody asked for";
+  thread.reset(std::nullopt, false);
+  EXPECT_EQ(2.0, thread.realTimeFactor());
+}
+
 }  // namespace
 }  // namespace swarmanoid

@@ -20,13 +20,32 @@ std::string elementName(const std::string& list, std::size_t index) {
   return list + "[" + std::to_string(index) + "].";
 }
 
-void add(const DeviceNumber& number, const std::byte* origin, const std::string& prefix,
-         swarmanoid_msgs::DeviceFields& message) {
-  message.names.push_back(prefix + number.name);
+/// @param origin of the device, or of the element that the number is in
+double valueOf(const DeviceNumber& number, const std::byte* origin) {
+  double result = 0.0;
   withNumberType(typeOf(number), [&](auto value) {
     std::memcpy(&value, origin + number.offset, sizeof value);
-    message.values.push_back(static_cast<double>(value));
+    result = static_cast<double>(value);
   });
+  return result;
+}
+
+/// Calls visit(name, number, origin) for each number of the device, those in lists element after element.
+template <class Visit>
+void visitNumbers(const DeviceType& type, const void* device, Visit visit) {
+  const auto* origin = static_cast<const std::byte*>(device);
+  for (const DeviceNumber& number : type.numbers) {
+    if (number.kind != DeviceNumber::Kind::kSpan) {
+      visit(number.name, number, origin);
+      continue;
+    }
+    const Span<const std::byte> bytes = number.span.bytes(origin + number.offset);
+    for (std::size_t i = 0; i * number.span.element_size < bytes.size(); ++i) {
+      for (const DeviceNumber& of_element : number.elements) {
+        visit(elementName(number.name, i) + of_element.name, of_element, bytes.data() + i * number.span.element_size);
+      }
+    }
+  }
 }
 
 /// Returns the names that a message may have, "blobs[].bearing" for elements of lists.
@@ -159,19 +178,22 @@ class FieldReader {
 void toMessage(const DeviceType& type, const void* device, swarmanoid_msgs::DeviceFields& message) {
   message.names.clear();
   message.values.clear();
-  const auto* origin = static_cast<const std::byte*>(device);
-  for (const DeviceNumber& number : type.numbers) {
-    if (number.kind != DeviceNumber::Kind::kSpan) {
-      add(number, origin, "", message);
-      continue;
-    }
-    const Span<const std::byte> bytes = number.span.bytes(origin + number.offset);
-    for (std::size_t i = 0; i * number.span.element_size < bytes.size(); ++i) {
-      for (const DeviceNumber& of_element : number.elements) {
-        add(of_element, bytes.data() + i * number.span.element_size, elementName(number.name, i), message);
-      }
-    }
-  }
+  visitNumbers(type, device, [&](const std::string& name, const DeviceNumber& number, const std::byte* origin) {
+    message.names.push_back(name);
+    message.values.push_back(valueOf(number, origin));
+  });
+}
+
+swarmanoid_msgs::DeviceStatus statusOf(const DeviceType& type, const void* device) {
+  swarmanoid_msgs::DeviceStatus status;
+  status.type = type.type;
+  status.is_actuator = type.kind == DeviceKind::kActuator ? 1 : 0;
+  visitNumbers(type, device, [&](const std::string& name, const DeviceNumber& number, const std::byte* origin) {
+    status.names.push_back(name);
+    status.values.push_back(valueOf(number, origin));
+    status.units.push_back(type.fields[number.field].unit);
+  });
+  return status;
 }
 
 void fromMessage(const swarmanoid_msgs::DeviceFields& message, const DeviceType& type, void* device,

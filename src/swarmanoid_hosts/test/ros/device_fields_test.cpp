@@ -50,6 +50,7 @@ void fields(Visitor& visit, Horn& horn) {
 REGISTER_DEVICE(Horn, kActuator, "A sound.")
 
 using Message = swarmanoid_msgs::DeviceFields;
+using Names = std::vector<std::string>;
 
 Message messageOf(const std::vector<std::pair<std::string, double>>& values) {
   Message message;
@@ -73,6 +74,22 @@ std::string refusalOf(const Message& message) {
     return error.what();
   }
   return "";
+}
+
+TEST(DeviceFieldsTest, TheStatusHasAUnitForEachNumber) {
+  const std::array<Echo, 2> echoes = {{{1.5F, 7}, {0.5F, 9}}};
+  Sonar sonar;
+  sonar.echoes = Span<const Echo>(echoes.data(), echoes.size());
+  const swarmanoid_msgs::DeviceStatus status = statusOf(*findDeviceType("sonar"), &sonar);
+  EXPECT_EQ("sonar", status.type);
+  EXPECT_EQ(0, status.is_actuator);
+  EXPECT_EQ((Names{"bearing", "gains[0]", "gains[1]", "is_on", "echoes[0].range", "echoes[0].channel",
+                   "echoes[1].range", "echoes[1].channel"}),
+            status.names);
+  EXPECT_EQ((std::vector<double>{0.25, 3.0, 4.0, 1.0, 1.5, 7.0, 0.5, 9.0}), status.values);
+  EXPECT_EQ((Names{"rad", "", "", "", "m", "", "m", ""}), status.units);
+  const Horn horn;
+  EXPECT_EQ(1, statusOf(*findDeviceType("horn"), &horn).is_actuator);
 }
 
 TEST(DeviceFields, NamesEveryNumberAndKeepsItsBits) {

@@ -6,19 +6,6 @@
 
 namespace swarmanoid {
 
-Row requireEntity(const World& world, const std::string& name) {
-  const Entities& entities = world.space.entities;
-  const Row row = entities.find(name);
-  if (row == kNoRow) {
-    std::vector<std::string> known;
-    for (const Row other : entities.order) {
-      known.push_back(entities.name[other]);
-    }
-    throw ConfigError({}, "there is no entity '" + name + "'" + didYouMean(name, known));
-  }
-  return row;
-}
-
 RobotInstance& requireRobot(World& world, const std::string& name) {
   const Entities& entities = world.space.entities;
   RobotInstance* robot = world.assembly.findRobot(entities, entities.find(name));

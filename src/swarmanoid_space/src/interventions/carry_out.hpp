@@ -20,10 +20,8 @@ bool carryOut(World& world, const SetProperty& intervention);
 bool carryOut(World& world, const PaintFloor& intervention);
 bool carryOut(World& world, const SetFault& intervention);
 
+/// A robot with a controller, whoever commands it.
 /// @throws ConfigError if there is none, naming the one that may be meant
-Row requireEntity(const World& world, const std::string& name);
-
-/// A robot with a controller, whoever commands it. @throws ConfigError as requireEntity
 RobotInstance& requireRobot(World& world, const std::string& name);
 
 /// Carries out an intervention of any kind; one that changes something is recorded.

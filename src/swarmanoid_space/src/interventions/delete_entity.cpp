@@ -6,7 +6,7 @@ namespace swarmanoid {
 
 bool carryOut(World& world, const DeleteEntity& intervention) {
   const std::string& name = intervention.entity;
-  const Row row = requireEntity(world, name);
+  const Row row = world.space.entities.require(name);
   removeEntity(world, row);
   offerRobots(world);
   world.space.index.forget(world.space.entities);

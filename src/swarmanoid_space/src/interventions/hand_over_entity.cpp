@@ -7,7 +7,7 @@ namespace swarmanoid {
 bool carryOut(World& world, const HandOverEntity& intervention) {
   const std::string& name = intervention.entity;
   const std::string& engine_id = intervention.engine;
-  const Row row = requireEntity(world, name);
+  const Row row = world.space.entities.require(name);
   Engine* engine = world.assembly.engines[engineIndex(world, engine_id)].get();
   if (world.space.mover[row] == engine && world.space.entities.model[row]->is_movable) {
     return false;

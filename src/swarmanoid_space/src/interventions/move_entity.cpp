@@ -8,7 +8,7 @@ namespace swarmanoid {
 bool carryOut(World& world, const MoveEntity& intervention) {
   const std::string& name = intervention.entity;
   const Pose& pose = intervention.pose;
-  const Row row = requireEntity(world, name);
+  const Row row = world.space.entities.require(name);
   if (!pose.position.allFinite() || !pose.orientation.coeffs().allFinite() || pose.orientation.norm() < 1e-6) {
     throw ConfigError({}, "'" + name + "' cannot be moved to a pose that is not finite");
   }

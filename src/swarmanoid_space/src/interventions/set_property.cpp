@@ -42,7 +42,7 @@ bool setColor(World& world, const SetProperty& intervention, Row row) {
 
 bool carryOut(World& world, const SetProperty& intervention) {
   const Entities& entities = world.space.entities;
-  const Row row = requireEntity(world, intervention.entity);
+  const Row row = world.space.entities.require(intervention.entity);
   const EntityModel& model = *entities.model[row];
   if (intervention.property == kColorProperty && model.hasColor()) {
     return setColor(world, intervention, row);

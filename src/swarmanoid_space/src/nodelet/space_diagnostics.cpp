@@ -1,26 +1,6 @@
 #include "space_diagnostics.hpp"
 
 namespace swarmanoid {
-namespace {
-
-const char* toText(SimulationThread::State state) {
-  switch (state) {
-    case SimulationThread::State::kPaused:
-      return "paused";
-    case SimulationThread::State::kRunning:
-      return "running";
-    case SimulationThread::State::kStepping:
-      return "stepping";
-    case SimulationThread::State::kFinished:
-      return "finished";
-    case SimulationThread::State::kStopped:
-      return "stopped";
-  }
-  return "";
-}
-
-}  // namespace
-
 SpaceDiagnostics::SpaceDiagnostics(const ros::NodeHandle& own, const std::string& experiment,
                                    const SpaceDisplay& display, SimulationThread& thread)
     : display_(display), thread_(thread), updater_(ros::NodeHandle(), own, own.getNamespace()) {
@@ -34,7 +14,7 @@ SpaceDiagnostics::SpaceDiagnostics(const ros::NodeHandle& own, const std::string
 void SpaceDiagnostics::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   const SimulationThread::State state = thread_.state();
-  status.summary(DiagnosticStatus::OK, toText(state));
+  status.summary(DiagnosticStatus::OK, toString(state));
   if (state == SimulationThread::State::kStopped) {
     status.mergeSummary(DiagnosticStatus::ERROR, thread_.stopReason());
     return;

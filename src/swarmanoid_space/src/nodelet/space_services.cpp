@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "../ros/entity_specification.hpp"
+#include "../ros/entity_status.hpp"
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 #include "swarmanoid_space/ros/world_state.hpp"
 
 namespace swarmanoid {
@@ -111,7 +113,9 @@ SpaceServices::SpaceServices(ros::NodeHandle own, SimulationThread& thread) : th
               own.advertiseService("set_command_source", &SpaceServices::setCommandSource, this),
               own.advertiseService("set_property", &SpaceServices::setProperty, this),
               own.advertiseService("paint_floor", &SpaceServices::paintFloor, this),
-              own.advertiseService("set_fault", &SpaceServices::setFault, this)};
+              own.advertiseService("set_fault", &SpaceServices::setFault, this),
+              own.advertiseService("set_real_time_factor", &SpaceServices::setRealTimeFactor, this),
+              own.advertiseService("inspect", &SpaceServices::inspect, this)};
 }
 
 bool SpaceServices::pause(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -225,6 +229,28 @@ bool SpaceServices::setFault(swarmanoid_msgs::SetFault::Request& request,
       [device = request.device, errors = errorsOf(request)](Simulation& simulation, const std::string& name) {
         simulation.apply(SetFault{name, device, errors});
       });
+}
+
+bool SpaceServices::setRealTimeFactor(swarmanoid_msgs::SetRealTimeFactor::Request& request,
+                                      swarmanoid_msgs::SetRealTimeFactor::Response& response) {
+  return answer(response, [&] {
+    const double factor = request.real_time_factor;
+    if (!limits::isRealTimeFactor(factor)) {
+      throw std::runtime_error("real_time_factor: found " + numberText(factor) +
+                               ", allowed: " + limits::kRealTimeFactors);
+    }
+    thread_.setRealTimeFactor(factor);
+    return factor == 0.0 ? "as fast as possible" : numberText(factor) + " simulated seconds for each real one";
+  });
+}
+
+bool SpaceServices::inspect(swarmanoid_msgs::Inspect::Request& request, swarmanoid_msgs::Inspect::Response& response) {
+  return answer(response, [&] {
+    response.state = toString(thread_.state());
+    response.real_time_factor = thread_.realTimeFactor();
+    thread_.look([&](const Simulation& simulation) { swarmanoid::inspect(simulation, request, response); });
+    return "";
+  });
 }
 
 }  // namespace swarmanoid

@@ -1,5 +1,5 @@
 /// Provides the services of a space: ~pause, ~resume, ~toggle_pause, ~step, ~reset, ~spawn, ~delete, ~move, ~handover,
-/// ~set_command_source, ~set_property, ~paint_floor, ~set_fault.
+/// ~set_command_source, ~set_property, ~paint_floor, ~set_fault, ~set_real_time_factor, ~inspect.
 ///
 /// Each service answers when its action is done. Several may be under way at once, so that a pause ends a long step.
 #pragma once
@@ -8,12 +8,14 @@
 #include <std_srvs/Trigger.h>
 #include <swarmanoid_msgs/Delete.h>
 #include <swarmanoid_msgs/Handover.h>
+#include <swarmanoid_msgs/Inspect.h>
 #include <swarmanoid_msgs/Move.h>
 #include <swarmanoid_msgs/PaintFloor.h>
 #include <swarmanoid_msgs/Reset.h>
 #include <swarmanoid_msgs/SetCommandSource.h>
 #include <swarmanoid_msgs/SetFault.h>
 #include <swarmanoid_msgs/SetProperty.h>
+#include <swarmanoid_msgs/SetRealTimeFactor.h>
 #include <swarmanoid_msgs/Spawn.h>
 #include <swarmanoid_msgs/Step.h>
 
@@ -43,6 +45,9 @@ class SpaceServices {
   bool setProperty(swarmanoid_msgs::SetProperty::Request& request, swarmanoid_msgs::SetProperty::Response& response);
   bool paintFloor(swarmanoid_msgs::PaintFloor::Request& request, swarmanoid_msgs::PaintFloor::Response& response);
   bool setFault(swarmanoid_msgs::SetFault::Request& request, swarmanoid_msgs::SetFault::Response& response);
+  bool setRealTimeFactor(swarmanoid_msgs::SetRealTimeFactor::Request& request,
+                         swarmanoid_msgs::SetRealTimeFactor::Response& response);
+  bool inspect(swarmanoid_msgs::Inspect::Request& request, swarmanoid_msgs::Inspect::Response& response);
 
   SimulationThread& thread_;
   std::vector<ros::ServiceServer> servers_;

@@ -82,6 +82,13 @@ geometry_msgs::Pose toMessage(const Pose& pose) {
   return message;
 }
 
+geometry_msgs::Twist toMessage(const Twist& twist) {
+  geometry_msgs::Twist message;
+  message.linear = toVector(twist.linear);
+  message.angular = toVector(twist.angular);
+  return message;
+}
+
 Pose fromMessage(const std_msgs::Header& header, const geometry_msgs::Pose& pose) {
   if (!header.frame_id.empty() && header.frame_id != kWorldFrame) {
     throw std::runtime_error("found a pose in the frame '" + header.frame_id + "', allowed: '" + kWorldFrame + "'");
@@ -128,8 +135,7 @@ void toMessage(const Space& space, swarmanoid_msgs::WorldState& message) {
     message.names[k] = entities.name[row];
     message.types[k] = entities.model[row]->type;
     message.poses[k] = toMessage(entities.pose[row]);
-    message.twists[k].linear = toVector(entities.twist[row].linear);
-    message.twists[k].angular = toVector(entities.twist[row].angular);
+    message.twists[k] = toMessage(entities.twist[row]);
     message.engines[k] = space.mover[row] == nullptr ? "" : space.mover[row]->id();
     const Row gripped = space.structure.grippedBy(row);
     message.gripped[k] = gripped == kNoRow ? "" : entities.name[gripped];

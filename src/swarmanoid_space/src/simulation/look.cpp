@@ -57,6 +57,11 @@ void Simulation::wake() { world_->lockstep.wake(); }
 
 std::size_t Simulation::robotCount() const { return world_->assembly.robots.size(); }
 
+std::optional<CommandSource> Simulation::commandSource(Row row) const {
+  const RobotInstance* robot = world_->assembly.findRobot(world_->space.entities, row);
+  return robot == nullptr ? std::nullopt : std::optional<CommandSource>(robot->source);
+}
+
 Metrics Simulation::metrics() const {
   Metrics metrics;
   for (const Metric* metric : world_->space.metrics) {

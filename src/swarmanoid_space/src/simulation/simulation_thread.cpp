@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "swarmanoid_interface/expects.hpp"
 #include "swarmanoid_interface/process/user_code_watch.hpp"
 
 namespace swarmanoid {
@@ -160,6 +161,23 @@ bool SimulationThread::resume() {
   };
   enqueueAndWait(act, {});
   return is_change;
+}
+
+double SimulationThread::realTimeFactor() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return options_.real_time_factor;
+}
+
+void SimulationThread::setRealTimeFactor(double factor) {
+  SWARMANOID_EXPECTS(factor >= 0.0);
+  JobKind kind;
+  kind.is_change = false;  // of what is simulated
+  const auto act = [&] {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    options_.real_time_factor = factor;
+    next_tick_.reset();  // else what it was behind or ahead at the old pace is made good at the new one
+  };
+  enqueueAndWait(act, kind);
 }
 
 SimulationThread::StepResult SimulationThread::step(std::uint64_t ticks) {
@@ -329,6 +347,22 @@ void SimulationThread::announce() {
   if (options_.on_change) {
     options_.on_change(*simulation_, state_, state_ == State::kStopped ? stop_reason_.value_or("") : "");
   }
+}
+
+const char* toString(SimulationThread::State state) {
+  switch (state) {
+    case SimulationThread::State::kPaused:
+      return "paused";
+    case SimulationThread::State::kRunning:
+      return "running";
+    case SimulationThread::State::kStepping:
+      return "stepping";
+    case SimulationThread::State::kFinished:
+      return "finished";
+    case SimulationThread::State::kStopped:
+      return "stopped";
+  }
+  return "";
 }
 
 }  // namespace swarmanoid

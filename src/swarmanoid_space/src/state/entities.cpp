@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid {
@@ -84,6 +85,18 @@ Row Entities::find(EntityNumber entity_number) const {
   const auto found = std::lower_bound(order.begin(), order.end(), entity_number,
                                       [&](Row row, EntityNumber value) { return number[row] < value; });
   return found != order.end() && number[*found] == entity_number ? *found : kNoRow;
+}
+
+Row Entities::require(const std::string& entity_name) const {
+  const Row row = find(entity_name);
+  if (row == kNoRow) {
+    std::vector<std::string> known;
+    for (const Row other : order) {
+      known.push_back(name[other]);
+    }
+    throw ConfigError({}, "there is no entity '" + entity_name + "'" + didYouMean(entity_name, known));
+  }
+  return row;
 }
 
 }  // namespace swarmanoid

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <swarmanoid_msgs/DeviceFields.h>
+#include <swarmanoid_msgs/DeviceStatus.h>
 
 #include "swarmanoid_interface/device_type.hpp"
 
@@ -13,6 +14,9 @@ namespace swarmanoid {
 
 /// Fills names and values; the header stays. @param device of that type
 void toMessage(const DeviceType& type, const void* device, swarmanoid_msgs::DeviceFields& message);
+
+/// All numbers with their units, for people. @param device of that type
+swarmanoid_msgs::DeviceStatus statusOf(const DeviceType& type, const void* device);
 
 /// Numbers that the message does not name stay as they are; lists become what the message says, without elements empty.
 /// @param parts where the elements of lists are kept

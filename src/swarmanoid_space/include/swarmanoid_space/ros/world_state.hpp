@@ -7,6 +7,7 @@
 #pragma once
 
 #include <geometry_msgs/Pose.h>
+#include <geometry_msgs/Twist.h>
 #include <ros/time.h>
 #include <rosgraph_msgs/Clock.h>
 #include <std_msgs/Header.h>
@@ -31,6 +32,7 @@ std_msgs::Header headerOf(const Space& space);
 
 geometry_msgs::Point toMessage(const Eigen::Vector3d& point);
 geometry_msgs::Pose toMessage(const Pose& pose);
+geometry_msgs::Twist toMessage(const Twist& twist);
 /// @throws std::runtime_error if it is in another frame than kWorldFrame
 Pose fromMessage(const std_msgs::Header& header, const geometry_msgs::Pose& pose);
 

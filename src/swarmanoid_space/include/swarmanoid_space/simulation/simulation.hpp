@@ -87,6 +87,8 @@ class Simulation {
   const std::vector<ControllerFailure>& failures() const;
   /// Robots that have a controller.
   std::size_t robotCount() const;
+  /// Who commands a robot now; nothing for an entity without a controller.
+  std::optional<CommandSource> commandSource(Row row) const;
   std::uint64_t stateHash() const { return swarmanoid::stateHash(space()); }
   Metrics metrics() const;
   /// In the order of Space::engines. Allocates.

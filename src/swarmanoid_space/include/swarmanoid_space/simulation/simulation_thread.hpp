@@ -75,6 +75,11 @@ class SimulationThread {
   /// Makes `ticks` ticks as fast as possible and waits for them. Only while paused, one at a time.
   StepResult step(std::uint64_t ticks);
 
+  double realTimeFactor() const;
+  /// Simulated seconds for each real one from now on, over resets too; 0: as fast as possible.
+  /// @throws std::runtime_error if stopped @pre it is not negative
+  void setRealTimeFactor(double factor);
+
   /// Acts on the simulation at the next tick boundary. What `action` throws is thrown here.
   /// @throws std::runtime_error if stopped
   void call(const std::function<void(Simulation&)>& action);
@@ -141,5 +146,8 @@ class SimulationThread {
 
   std::thread thread_;
 };
+
+/// Returns "paused", "running", "stepping", "finished" or "stopped".
+const char* toString(SimulationThread::State state);
 
 }  // namespace swarmanoid

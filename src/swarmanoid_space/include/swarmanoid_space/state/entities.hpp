@@ -60,6 +60,8 @@ class Entities {
   /// @return kNoRow if there is none
   Row find(const std::string& name) const;
   Row find(EntityNumber number) const;
+  /// @throws ConfigError, with the name that is most like it, if there is none
+  Row require(const std::string& name) const;
 
   std::size_t size() const { return order.size(); }
   /// One more than the highest row in use; rows below may be holes.

@@ -1,0 +1,169 @@
+// The panel on a running space, without a screen: what its buttons do, and what it shows.
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <rviz/tool.h>
+#include <pluginlib/class_loader.hpp>
+
+#include <QApplication>
+#include <QTest>
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include "../src/run_panel.hpp"
+
+namespace swarmanoid {
+namespace {
+
+/// @return whether it comes true while window and ROS go on, in a time that no machine needs
+bool comesTrue(const std::function<bool()>& condition) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+  while (!condition() && std::chrono::steady_clock::now() < deadline) {
+    QCoreApplication::processEvents(QEventLoop::AllEvents, 10);
+    ros::spinOnce();
+  }
+  return condition();
+}
+
+class RunPanelTest : public testing::Test {
+ protected:
+  RunPanelTest() {
+    panel_.resize(300, 600);
+    panel_.show();
+    EXPECT_TRUE(comesTrue([&] { return the<QToolButton>("play")->isEnabled(); })) << shown("run");
+    if (shown("run").rfind("running", 0) == 0) {
+      click("play");
+    }
+    the<QLineEdit>("seed")->setText("1");
+    click("reset");
+    EXPECT_TRUE(comesTrue([&] { return tickIsZero(); }));
+    the<QLineEdit>("seed")->clear();
+  }
+
+  template <class Widget>
+  Widget* the(const char* name) {
+    return panel_.findChild<Widget*>(name);
+  }
+  std::string shown(const char* label) { return the<QLabel>(label)->text().toStdString(); }
+  bool tickIsZero() { return shown("run").rfind("paused, tick 0,", 0) == 0; }
+  void click(const char* button) { QTest::mouseClick(the<QToolButton>(button), Qt::LeftButton); }
+  void select(const char* name) {
+    the<QLineEdit>("name")->setText(name);
+    QTest::keyClick(the<QLineEdit>("name"), Qt::Key_Return);
+  }
+  std::string runStart(std::size_t length) { return shown("run").substr(0, length); }
+
+  RunPanel panel_;
+};
+
+TEST_F(RunPanelTest, StepsAPausedRun) {
+  the<QSpinBox>("ticks")->setValue(7);
+  click("step");
+  EXPECT_TRUE(comesTrue([&] { return runStart(15) == "paused, tick 7,"; })) << shown("run");
+}
+
+TEST_F(RunPanelTest, ResumesPausesAndPaces) {
+  auto* pace = the<QComboBox>("pace");
+  ASSERT_EQ("as fast as possible", pace->currentText().toStdString()) << "of space.launch";
+  pace->setCurrentIndex(pace->findText("0.5 x real time"));
+  Q_EMIT pace->activated(pace->currentIndex());
+  ASSERT_TRUE(comesTrue([&] { return shown("answer") == "0.5 simulated seconds for each real one"; }));
+  click("play");
+  EXPECT_TRUE(comesTrue([&] { return runStart(7) == "running"; })) << shown("run");
+  EXPECT_EQ("pause", the<QToolButton>("play")->toolTip().toStdString());
+  EXPECT_FALSE(the<QToolButton>("step")->isEnabled());
+  EXPECT_TRUE(comesTrue([&] { return shown("run").find("x real time") != std::string::npos; }));
+  click("play");
+  EXPECT_TRUE(comesTrue([&] { return runStart(6) == "paused"; })) << shown("run");
+  EXPECT_EQ("0.5 x real time", pace->currentText().toStdString());
+  pace->setCurrentIndex(pace->findText("as fast as possible"));
+  Q_EMIT pace->activated(pace->currentIndex());
+  EXPECT_TRUE(comesTrue([&] { return shown("answer") == "as fast as possible"; }));
+}
+
+TEST_F(RunPanelTest, ShowsWhatTheSelectedRobotPerceivesAndDoes) {
+  select("fb_1");
+  ASSERT_TRUE(comesTrue([&] { return shown("entity").rfind("footbot, moved by ground\n", 0) == 0; }))
+      << shown("entity");
+  EXPECT_NE(std::string::npos, shown("entity").find("controller fc, commanded by controller\nat "));
+  auto* devices = the<DeviceTree>("devices");
+  const auto found = devices->findItems("footbot_wheels", Qt::MatchExactly);
+  ASSERT_EQ(1, found.size());
+  ASSERT_EQ(2, found[0]->childCount());
+  EXPECT_EQ("left", found[0]->child(0)->text(0).toStdString());
+  EXPECT_EQ("0", found[0]->child(0)->text(1).toStdString());
+  EXPECT_EQ("rad/s", found[0]->child(0)->text(2).toStdString());
+  found[0]->setExpanded(true);
+  click("step");
+  EXPECT_TRUE(comesTrue([&] { return found[0]->child(0)->text(1) != "0"; })) << "its wheels stand still";
+  select("eb");
+  EXPECT_TRUE(comesTrue([&] { return shown("entity").rfind("eyebot", 0) == 0; })) << shown("entity");
+  EXPECT_TRUE(devices->findItems("footbot_wheels", Qt::MatchExactly).empty());
+  select("fb_11");
+  EXPECT_TRUE(comesTrue([&] { return shown("entity") == "there is no entity 'fb_11'; did you mean 'fb_1'?"; }))
+      << shown("entity");
+  EXPECT_EQ(0, devices->topLevelItemCount());
+  select("");
+  EXPECT_TRUE(comesTrue([&] { return shown("entity").empty(); })) << shown("entity");
+}
+
+TEST_F(RunPanelTest, ResetsWithAnotherSeedAndRefusesWhatIsNone) {
+  the<QLineEdit>("seed")->setText("seven");
+  click("reset");
+  EXPECT_EQ("seed: found 'seven', allowed: a whole number from 0", shown("answer"));
+  the<QLineEdit>("seed")->setText("7");
+  click("reset");
+  EXPECT_TRUE(comesTrue([&] { return shown("answer") == "reset, seed 7"; })) << shown("answer");
+  the<QLineEdit>("seed")->setText("0");
+  click("reset");
+  EXPECT_TRUE(comesTrue([&] { return shown("answer") == "reset, seed 0"; })) << shown("answer");
+}
+
+TEST_F(RunPanelTest, FollowsTheTopicOfTheSelectedEntity) {
+  ros::NodeHandle own("~");
+  auto publisher = own.advertise<std_msgs::String>("selected_entity", 1, true);
+  std_msgs::String message;
+  message.data = "fb_2";
+  publisher.publish(message);
+  EXPECT_TRUE(comesTrue([&] { return the<QLineEdit>("name")->text() == "fb_2"; }));
+  EXPECT_TRUE(comesTrue([&] { return shown("entity").rfind("footbot", 0) == 0; })) << shown("entity");
+  message.data = "";
+  publisher.publish(message);
+  EXPECT_TRUE(comesTrue([&] { return the<QLineEdit>("name")->text().isEmpty(); }));
+}
+
+TEST(PluginsTest, RvizFindsPanelAndTool) {
+  pluginlib::ClassLoader<rviz::Panel> panels("rviz", "rviz::Panel");
+  const std::unique_ptr<rviz::Panel> panel(panels.createUnmanagedInstance("swarmanoid_rviz/Run"));
+  EXPECT_NE(nullptr, panel->findChild<QToolButton*>("play"));
+  pluginlib::ClassLoader<rviz::Tool> tools("rviz", "rviz::Tool");
+  const std::unique_ptr<rviz::Tool> tool(tools.createUnmanagedInstance("swarmanoid_rviz/Move"));
+  EXPECT_EQ('e', tool->getShortcutKey());
+}
+
+TEST(RunPanelAloneTest, SaysThatThereIsNoSpace) {
+  rviz::Config config;
+  config.mapSetValue("Space", "/nowhere");
+  RunPanel panel;
+  panel.load(config);
+  panel.show();
+  auto* run = panel.findChild<QLabel*>("run");
+  EXPECT_TRUE(comesTrue([&] { return run->text() == "no answer from /nowhere/inspect"; })) << run->text().toStdString();
+  EXPECT_FALSE(panel.findChild<QToolButton*>("play")->isEnabled());
+  rviz::Config saved;
+  panel.save(saved);
+  QString space;
+  EXPECT_TRUE(saved.mapGetString("Space", &space));
+  EXPECT_EQ("/nowhere", space.toStdString());
+}
+
+}  // namespace
+}  // namespace swarmanoid
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "panel_test");
+  const ros::NodeHandle node;  // as long as there is one, ROS runs
+  const QApplication application(argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,87 @@
+#include "device_tree.hpp"
+
+#include <QHeaderView>
+
+namespace swarmanoid {
+namespace {
+
+enum Column { kName, kValue, kUnit };
+
+/// A repaint of what has not changed would cost more than the text.
+void setText(QTreeWidgetItem& item, Column column, const QString& text) {
+  if (item.text(column) != text) {
+    item.setText(column, text);
+  }
+}
+
+QString valueText(double value) { return QString::number(value, 'g', 4); }
+
+/// The numbers in a line; those beyond the column are cut off by it.
+QString lineOf(const std::vector<double>& values) {
+  constexpr std::size_t kMost = 32;
+  QStringList texts;
+  for (std::size_t i = 0; i < values.size() && i < kMost; ++i) {
+    texts << valueText(values[i]);
+  }
+  return texts.join("  ");
+}
+
+void fit(QTreeWidgetItem& item, std::size_t count) {
+  while (static_cast<std::size_t>(item.childCount()) > count) {
+    delete item.takeChild(item.childCount() - 1);
+  }
+  while (static_cast<std::size_t>(item.childCount()) < count) {
+    item.addChild(new QTreeWidgetItem);
+  }
+}
+
+}  // namespace
+
+DeviceTree::DeviceTree(QWidget* parent) : QTreeWidget(parent) {
+  setHeaderLabels({"device", "value", "unit"});
+  setUniformRowHeights(true);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(kValue, QHeaderView::Stretch);
+  header()->setSectionResizeMode(kUnit, QHeaderView::ResizeToContents);
+}
+
+QTreeWidgetItem* DeviceTree::rowOf(std::size_t device, const swarmanoid_msgs::DeviceStatus& status) {
+  const QString type = QString::fromStdString(status.type);
+  const int place = static_cast<int>(device);
+  for (int i = place; i < topLevelItemCount(); ++i) {
+    if (topLevelItem(i)->text(kName) == type) {
+      if (i != place) {
+        const bool is_open = topLevelItem(i)->isExpanded();
+        insertTopLevelItem(place, takeTopLevelItem(i));
+        topLevelItem(place)->setExpanded(is_open);
+      }
+      return topLevelItem(place);
+    }
+  }
+  auto* item = new QTreeWidgetItem;
+  item->setText(kName, type);
+  item->setToolTip(kName, status.is_actuator != 0 ? "actuator: what its controller commands" : "sensor");
+  insertTopLevelItem(place, item);
+  return item;
+}
+
+void DeviceTree::showDevices(const std::vector<swarmanoid_msgs::DeviceStatus>& devices) {
+  for (std::size_t device = 0; device < devices.size(); ++device) {
+    const swarmanoid_msgs::DeviceStatus& status = devices[device];
+    QTreeWidgetItem* item = rowOf(device, status);
+    setText(*item, kValue, lineOf(status.values));
+    fit(*item, status.names.size());
+    for (std::size_t i = 0; i < status.names.size(); ++i) {
+      QTreeWidgetItem& row = *item->child(static_cast<int>(i));
+      setText(row, kName, QString::fromStdString(status.names[i]));
+      setText(row, kValue, valueText(status.values[i]));
+      setText(row, kUnit, QString::fromStdString(status.units[i]));
+    }
+  }
+  while (static_cast<std::size_t>(topLevelItemCount()) > devices.size()) {
+    delete takeTopLevelItem(topLevelItemCount() - 1);
+  }
+}
+
+}  // namespace swarmanoid

@@ -1,0 +1,179 @@
+#include "run_panel.hpp"
+
+#include <std_srvs/Trigger.h>
+#include <swarmanoid_msgs/Reset.h>
+#include <swarmanoid_msgs/SetRealTimeFactor.h>
+#include <swarmanoid_msgs/Step.h>
+#include <pluginlib/class_list_macros.hpp>
+
+#include <QAbstractItemView>
+#include <QStyle>
+#include <cmath>
+
+#include "heading.hpp"
+
+namespace swarmanoid {
+namespace {
+
+using swarmanoid_msgs::Inspect;
+
+constexpr int kInterval = 200;  // [ms]
+
+QString text(const std::string& words) { return QString::fromStdString(words); }
+
+QString describe(const Inspect::Response& state) {
+  QStringList lines;
+  lines << text(state.type) + (state.engine.empty() ? ", moved by no engine" : ", moved by " + text(state.engine));
+  if (!state.controller.empty()) {
+    lines << "controller " + text(state.controller) + ", commanded by " + text(state.command_source);
+  }
+  const auto& position = state.pose.position;
+  lines << QString("at %1, %2, %3 m, heading %4°")
+               .arg(position.x, 0, 'f', 3)
+               .arg(position.y, 0, 'f', 3)
+               .arg(position.z, 0, 'f', 3)
+               .arg(headingOf(state.pose.orientation) * 180.0 / M_PI, 0, 'f', 1);
+  const auto& linear = state.twist.linear;
+  lines << QString("%1 m/s, turns at %2 rad/s")
+               .arg(std::hypot(linear.x, linear.y, linear.z), 0, 'f', 3)
+               .arg(state.twist.angular.z, 0, 'f', 3);
+  if (!state.gripped.empty()) {
+    lines << "grips " + text(state.gripped);
+  }
+  if (!state.failure.empty()) {
+    lines << "failed: " + text(state.failure);
+  }
+  return lines.join("\n");
+}
+
+}  // namespace
+
+RunPanel::RunPanel(QWidget* parent)
+    : rviz::Panel(parent), widgets_(*this), selection_([this] {
+        widgets_.name->setText(text(selection_.name()));
+        poll();
+      }) {
+  connectWidgets();
+  timer_.start(kInterval);
+  since_start_.start();
+}
+
+void RunPanel::connectWidgets() {
+  connect(&timer_, &QTimer::timeout, this, &RunPanel::poll);
+  connect(widgets_.play, &QToolButton::clicked, this, &RunPanel::resumeOrPause);
+  connect(widgets_.reset, &QToolButton::clicked, this, &RunPanel::reset);
+  connect(widgets_.step, &QToolButton::clicked, this, [this] {
+    swarmanoid_msgs::Step::Request request;
+    request.steps = static_cast<std::uint32_t>(widgets_.ticks->value());
+    ask<swarmanoid_msgs::Step>("step", request);
+  });
+  connect(widgets_.pace, QOverload<int>::of(&QComboBox::activated), this, [this](int place) {
+    swarmanoid_msgs::SetRealTimeFactor::Request request;
+    request.real_time_factor = widgets_.pace->itemData(place).toDouble();
+    ask<swarmanoid_msgs::SetRealTimeFactor>("set_real_time_factor", request);
+  });
+  connect(widgets_.name, &QLineEdit::editingFinished, this,
+          [this] { selection_.choose(widgets_.name->text().trimmed().toStdString()); });
+}
+
+void RunPanel::load(const rviz::Config& config) {
+  rviz::Panel::load(config);
+  QString space;
+  if (config.mapGetString("Space", &space)) {
+    requests_.setSpace(space.toStdString());
+  }
+}
+
+void RunPanel::save(rviz::Config config) const {
+  rviz::Panel::save(config);
+  config.mapSetValue("Space", text(requests_.space()));
+}
+
+template <class Service>
+void RunPanel::ask(const std::string& service, const typename Service::Request& request) {
+  say(service + " ...", false);
+  requests_.call<Service>(service, request, [this](const typename Service::Response& response) {
+    say(response.message, response.success == 0);
+    speed_.restart();
+    poll();
+  });
+}
+
+void RunPanel::resumeOrPause() { ask<std_srvs::Trigger>(is_running_ ? "pause" : "resume", {}); }
+
+void RunPanel::reset() {
+  const QString seed = widgets_.seed->text().trimmed();
+  swarmanoid_msgs::Reset::Request request;
+  bool is_number = true;
+  request.seed = seed.isEmpty() ? 0 : seed.toULongLong(&is_number);
+  if (!is_number) {
+    say("seed: found '" + seed.toStdString() + "', allowed: a whole number from 0", true);
+    return;
+  }
+  request.zero_seed = !seed.isEmpty() && request.seed == 0 ? 1 : 0;
+  ask<swarmanoid_msgs::Reset>("reset", request);
+}
+
+void RunPanel::poll() {
+  if (is_polled_ || !isVisible()) {
+    return;
+  }
+  is_polled_ = true;
+  Inspect::Request request;
+  request.name = selection_.name();
+  requests_.call<Inspect>("inspect", request, [this](const Inspect::Response& state) {
+    is_polled_ = false;
+    showState(state);
+  });
+}
+
+void RunPanel::showState(const Inspect::Response& state) {
+  const bool is_there = !state.state.empty();
+  widgets_.play->setEnabled(is_there);
+  widgets_.step->setEnabled(state.state == "paused");
+  widgets_.reset->setEnabled(is_there);
+  widgets_.pace->setEnabled(is_there);
+  if (!is_there) {
+    widgets_.run->setText(text(state.message));
+    return;
+  }
+  showRun(state);
+  showEntity(state);
+}
+
+void RunPanel::showRun(const Inspect::Response& state) {
+  is_running_ = state.state == "running";
+  widgets_.play->setIcon(style()->standardIcon(is_running_ ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+  widgets_.play->setToolTip(is_running_ ? "pause" : "resume");
+  if (!widgets_.pace->view()->isVisible()) {  // else somebody is choosing another one
+    choosePace(*widgets_.pace, state.real_time_factor);
+  }
+  QString line =
+      QString("%1, tick %2, %3 s").arg(text(state.state)).arg(state.tick).arg(state.stamp.toSec(), 0, 'f', 2);
+  if (is_running_) {
+    const double speed = speed_.look(static_cast<double>(since_start_.elapsed()) / 1000.0, state.stamp.toSec());
+    line += QString(", %1 x real time").arg(speed, 0, 'g', 2);
+  } else {
+    speed_.restart();
+  }
+  widgets_.run->setText(line);
+}
+
+void RunPanel::showEntity(const Inspect::Response& state) {
+  if (state.name != selection_.name()) {  // of a question that was asked before another one was selected, or nobody
+    widgets_.entity->setText(state.success != 0 ? "" : text(state.message));
+    widgets_.devices->showDevices({});
+    return;
+  }
+  widgets_.entity->setText(state.name.empty() ? "" : describe(state));
+  widgets_.devices->showDevices(state.devices);
+}
+
+void RunPanel::say(const std::string& message, bool is_refusal) {
+  widgets_.answer->setStyleSheet(is_refusal ? "color: #b00000" : "");
+  widgets_.answer->setText(text(message));
+}
+
+}  // namespace swarmanoid
+
+PLUGINLIB_EXPORT_CLASS(swarmanoid::RunPanel, rviz::Panel)

@@ -1,0 +1,53 @@
+/// The panel "Run" of rviz (thesis 3.6.3): pauses, steps, resets and paces a run, and shows the selected entity with
+/// all that its devices say.
+///
+/// It asks the space by the service `inspect` five times a second while it is in sight, and subscribes to nothing of
+/// it.
+#pragma once
+
+#include <rviz/panel.h>
+#include <swarmanoid_msgs/Inspect.h>
+
+#include <QElapsedTimer>
+#include <QTimer>
+
+#include "requests.hpp"
+#include "run_panel_widgets.hpp"
+#include "selection.hpp"
+#include "speed_meter.hpp"
+
+namespace swarmanoid {
+
+class RunPanel : public rviz::Panel {
+  Q_OBJECT
+ public:
+  explicit RunPanel(QWidget* parent = nullptr);
+
+  /// `Space` of the layout is the name of the space's node, "/space" unless given.
+  void load(const rviz::Config& config) override;
+  void save(rviz::Config config) const override;
+
+ private:
+  void connectWidgets();
+  void poll();
+  void resumeOrPause();
+  void reset();
+  void showState(const swarmanoid_msgs::Inspect::Response& state);
+  void showRun(const swarmanoid_msgs::Inspect::Response& state);
+  void showEntity(const swarmanoid_msgs::Inspect::Response& state);
+  /// Calls a service and shows its answer.
+  template <class Service>
+  void ask(const std::string& service, const typename Service::Request& request);
+  void say(const std::string& message, bool is_refusal);
+
+  RunPanelWidgets widgets_;
+  Selection selection_;
+  QTimer timer_;
+  bool is_polled_ = false;   // an answer is under way
+  bool is_running_ = false;  // as of the last answer
+  SpeedMeter speed_;
+  QElapsedTimer since_start_;    // of the panel
+  Requests requests_{"/space"};  // last: it waits for answers, which speak of the others
+};
+
+}  // namespace swarmanoid

@@ -1,0 +1,67 @@
+#include "../src/drag.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace swarmanoid {
+namespace {
+
+/// Turned by yaw after a roll, whose axis is the heading: a turn in the body's own frame would be another one.
+geometry_msgs::Pose poseOf(double yaw, double roll) {
+  geometry_msgs::Pose pose;
+  pose.position.x = 1.3;
+  pose.position.y = -0.4;
+  pose.position.z = 0.7;
+  pose.orientation.w = std::cos(0.5 * yaw) * std::cos(0.5 * roll);
+  pose.orientation.x = std::cos(0.5 * yaw) * std::sin(0.5 * roll);
+  pose.orientation.y = std::sin(0.5 * yaw) * std::sin(0.5 * roll);
+  pose.orientation.z = std::sin(0.5 * yaw) * std::cos(0.5 * roll);
+  return pose;
+}
+
+void expectEqual(const geometry_msgs::Quaternion& expected, const geometry_msgs::Quaternion& q) {
+  EXPECT_NEAR(1.0, std::abs(expected.x * q.x + expected.y * q.y + expected.z * q.z + expected.w * q.w), 1e-12);
+}
+
+TEST(DragTest, ItComesAlongAsItWasHeld) {
+  const geometry_msgs::Pose start = poseOf(0.3, 0.2);
+  Drag drag(start, 1.35, -0.42);
+  EXPECT_DOUBLE_EQ(0.7, drag.height());
+  EXPECT_FALSE(drag.isMove());
+  drag.moveTo(9.0, 9.0);
+  drag.moveTo(2.05, 0.28);
+  EXPECT_NEAR(2.0, drag.pose().position.x, 1e-12);
+  EXPECT_NEAR(0.3, drag.pose().position.y, 1e-12);
+  EXPECT_DOUBLE_EQ(0.7, drag.pose().position.z);
+  expectEqual(start.orientation, drag.pose().orientation);
+  EXPECT_TRUE(drag.isMove());
+  drag.moveTo(1.354, -0.416);
+  EXPECT_FALSE(drag.isMove()) << "7 mm: a click";
+}
+
+TEST(DragTest, ItTurnsAboutTheVerticalUntilItFacesThePointer) {
+  Drag drag(poseOf(0.3, 0.2), 1.35, -0.42);
+  drag.turnTo(1.3 + 0.5 * std::cos(2.9), -0.4 + 0.5 * std::sin(2.9));
+  expectEqual(poseOf(2.9, 0.2).orientation, drag.pose().orientation);
+  EXPECT_DOUBLE_EQ(1.3, drag.pose().position.x);
+  EXPECT_DOUBLE_EQ(-0.4, drag.pose().position.y);
+  EXPECT_TRUE(drag.isMove());
+  drag.turnTo(1.3 + 0.7 * std::cos(0.31), -0.4 + 0.7 * std::sin(0.31));
+  EXPECT_FALSE(drag.isMove()) << "it faces that already";
+  drag.turnTo(1.302, -0.401);
+  EXPECT_FALSE(drag.isMove()) << "too close to say where";
+  drag.turnTo(1.356, -0.417);
+  EXPECT_FALSE(drag.isMove()) << "a hand that trembles";
+}
+
+TEST(DragTest, AFullTurnIsNone) {
+  Drag drag(poseOf(3.14, 0.0), 1.5, 0.6);
+  drag.turnTo(1.3 - 0.3 * std::cos(1e-3), -0.4 - 0.3 * std::sin(1e-3));
+  EXPECT_FALSE(drag.isMove());
+  drag.turnTo(1.3, -1.4);
+  expectEqual(poseOf(-M_PI / 2, 0.0).orientation, drag.pose().orientation);
+}
+
+}  // namespace
+}  // namespace swarmanoid
