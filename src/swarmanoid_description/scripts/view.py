@@ -9,6 +9,7 @@ import math
 import os
 import pathlib
 import tempfile
+import xml.etree.ElementTree
 
 import rospkg
 import rospy
@@ -115,6 +116,26 @@ def address(layout, space):
                 part["Space"] = space
 
 
+def camera_places(experiment):
+    """The viewpoints that an experiment file gives its <opengl_render> (thesis 4.2), as saved views of rviz. Units as there: m, degrees."""
+    try:
+        root = xml.etree.ElementTree.parse(experiment).getroot()
+    except (OSError, xml.etree.ElementTree.ParseError):
+        return []  # on another computer, or of a bag
+    given = {tag.tag: tag.text for tag in root.iterfind(".//opengl_render/*")}
+    views = []
+    for number in range(10):
+        texts = [given.get(f"camera_view_{part}_{number}") for part in ("XYZ", "HPR")]
+        try:
+            position, angles = ([float(word) for word in text.split(",")] for text in (texts[0] or "", texts[1] or "0, 0, 0"))
+            heading, pitch, roll = (math.radians(angle) for angle in angles)
+        except ValueError:
+            continue  # not given, or of a library of somebody else's, which may mean something else by it
+        views.append({"Class": "rviz/FPS", "Name": f"camera {number}", "Target Frame": "world", "Near Clip Distance": 0.01,
+                      "Position": dict(zip("XYZ", position)), "Yaw": heading, "Pitch": -pitch, "Roll": roll})
+    return views
+
+
 def floor_markers(topics):
     """All that does not move; a space's first message may be about another run."""
     while True:
@@ -139,6 +160,7 @@ def main():
     layout = yaml.safe_load(arguments.layout.read_text())
     rospy.init_node("view", disable_rostime=True)  # time may stand still
     address(layout, arguments.topics)
+    layout["Visualization Manager"]["Views"]["Saved"] = camera_places(rospy.get_param(arguments.topics + "/experiment", ""))
     fit(layout, *extent(floor_markers(arguments.topics) + moving_markers(arguments.topics)))
     rospy.signal_shutdown("rviz takes over")
     file = pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_view_")) / "space.rviz"

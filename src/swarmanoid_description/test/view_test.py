@@ -119,6 +119,26 @@ class ViewTest(unittest.TestCase):
         self.assertIsNone(view.extent(others))
 
 
+class CameraPlacesTest(unittest.TestCase):
+    def test_those_of_the_experiment_file_are_saved_views(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "cameras.xml"
+            file.write_text("""<ahss-config><visualisations><text_render id="t"/><opengl_render id="w">
+                <camera_view_XYZ_1>3.3, 3.4, 1.9</camera_view_XYZ_1><camera_view_HPR_1>39, -34, 5</camera_view_HPR_1>
+                <camera_view_XYZ_7>1, 2, 3</camera_view_XYZ_7><camera_view_XYZ_8>here</camera_view_XYZ_8>
+                </opengl_render></visualisations></ahss-config>""")
+            one, seven = view.camera_places(str(file))
+            self.assertEqual(("camera 1", {"X": 3.3, "Y": 3.4, "Z": 1.9}), (one["Name"], one["Position"]))
+            # rviz's first-person view looks down for a positive pitch, from -x to x at yaw 0
+            self.assertAlmostEqual(math.radians(39), one["Yaw"])
+            self.assertAlmostEqual(math.radians(34), one["Pitch"])
+            self.assertAlmostEqual(math.radians(5), one["Roll"])
+            self.assertEqual(("camera 7", 0.0, 0.0, 0.0), (seven["Name"], seven["Yaw"], seven["Pitch"], seven["Roll"]))
+            file.write_text("<ahss-config>")
+            self.assertEqual([], view.camera_places(str(file)))
+            self.assertEqual([], view.camera_places(folder + "/not_there.xml"))
+
+
 class LayoutTest(unittest.TestCase):
     def test_the_window_fits_a_small_display_beside_the_bars_of_a_desktop(self):
         window = layout()["Window Geometry"]

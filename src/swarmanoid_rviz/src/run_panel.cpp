@@ -1,5 +1,8 @@
 #include "run_panel.hpp"
 
+#include <rviz/view_manager.h>
+#include <rviz/visualization_manager.h>
+#include <rviz/window_manager_interface.h>
 #include <std_srvs/Trigger.h>
 #include <swarmanoid_msgs/Reset.h>
 #include <swarmanoid_msgs/SetRealTimeFactor.h>
@@ -10,6 +13,7 @@
 #include <QStyle>
 #include <cmath>
 
+#include "camera_places.hpp"
 #include "heading.hpp"
 
 namespace swarmanoid {
@@ -56,6 +60,34 @@ RunPanel::RunPanel(QWidget* parent)
   connectWidgets();
   timer_.start(kInterval);
   since_start_.start();
+}
+
+RunPanel::~RunPanel() {
+  for (const QPointer<QShortcut>& shortcut : shortcuts_) {
+    delete shortcut;
+  }
+}
+
+void RunPanel::addShortcut(QWidget* window, int key, const std::function<void()>& act) {
+  shortcuts_.push_back(new QShortcut(QKeySequence(key), window));
+  connect(shortcuts_.back(), &QShortcut::activated, this, act);
+}
+
+void RunPanel::onInitialize() {
+  QWidget* window = vis_manager_->getWindowManager()->getParentWindow();  // the panel itself may be covered
+  for (int number = 0; number < kCameraPlaces; ++number) {
+    addShortcut(window, Qt::CTRL + Qt::Key_0 + number, [this, number] {
+      const std::string digit = std::to_string(number);
+      const bool is_there = recallCamera(*vis_manager_->getViewManager(), number);
+      say(is_there ? "camera " + digit
+                   : "there is no camera " + digit + "; Ctrl+Alt+" + digit + " keeps this view as it",
+          !is_there);
+    });
+    addShortcut(window, Qt::CTRL + Qt::ALT + Qt::Key_0 + number, [this, number] {
+      keepCamera(*vis_manager_->getViewManager(), number);
+      say("this view is kept as camera " + std::to_string(number), false);
+    });
+  }
 }
 
 void RunPanel::connectWidgets() {

@@ -9,7 +9,11 @@
 #include <swarmanoid_msgs/Inspect.h>
 
 #include <QElapsedTimer>
+#include <QPointer>
+#include <QShortcut>
 #include <QTimer>
+#include <functional>
+#include <vector>
 
 #include "requests.hpp"
 #include "run_panel_widgets.hpp"
@@ -22,6 +26,12 @@ class RunPanel : public rviz::Panel {
   Q_OBJECT
  public:
   explicit RunPanel(QWidget* parent = nullptr);
+  ~RunPanel() override;
+  RunPanel(const RunPanel&) = delete;
+  RunPanel& operator=(const RunPanel&) = delete;
+
+  /// Keys of the window from then on: Ctrl and a digit recall a place of the camera, with Alt they keep one.
+  void onInitialize() override;
 
   /// `Space` of the layout is the name of the space's node, "/space" unless given.
   void load(const rviz::Config& config) override;
@@ -29,6 +39,7 @@ class RunPanel : public rviz::Panel {
 
  private:
   void connectWidgets();
+  void addShortcut(QWidget* window, int key, const std::function<void()>& act);
   void poll();
   void resumeOrPause();
   void reset();
@@ -43,8 +54,9 @@ class RunPanel : public rviz::Panel {
   RunPanelWidgets widgets_;
   Selection selection_;
   QTimer timer_;
-  bool is_polled_ = false;   // an answer is under way
-  bool is_running_ = false;  // as of the last answer
+  bool is_polled_ = false;                      // an answer is under way
+  bool is_running_ = false;                     // as of the last answer
+  std::vector<QPointer<QShortcut>> shortcuts_;  // the window owns them, and may end before the panel
   SpeedMeter speed_;
   QElapsedTimer since_start_;    // of the panel
   Requests requests_{"/space"};  // last: it waits for answers, which speak of the others
