@@ -107,21 +107,23 @@ def has_library(package):
 
 
 def address(layout, space):
-    """Our own panels and tools speak to this space; without their library they are left out, rviz would show an error."""
+    """Our own panels and tools speak to this space, unless the layout names another one; without their library they are left out,
+    for rviz would show an error."""
     manager = layout["Visualization Manager"]
     for owner, parts in ((layout, "Panels"), (manager, "Tools")):
-        owner[parts] = [part for part in owner[parts] if plugin_of(part) != OURS or has_library(OURS)]
+        owner[parts] = [part for part in owner.get(parts) or [] if plugin_of(part) != OURS or has_library(OURS)]
         for part in owner[parts]:
             if plugin_of(part) == OURS:
-                part["Space"] = space
+                part.setdefault("Space", space)
 
 
 def camera_places(experiment):
-    """The viewpoints that an experiment file gives its <opengl_render> (thesis 4.2), as saved views of rviz. Units as there: m, degrees."""
+    """The viewpoints that an experiment file gives its <opengl_render> (thesis 4.2), as saved views of rviz. Units as there: m,
+    degrees. One at the origin stands for the whole arena, which the view shows anyway."""
     try:
         root = xml.etree.ElementTree.parse(experiment).getroot()
     except (OSError, xml.etree.ElementTree.ParseError):
-        return []  # on another computer, or of a bag
+        return []  # on another computer
     given = {tag.tag: tag.text for tag in root.iterfind(".//opengl_render/*")}
     views = []
     for number in range(10):
@@ -131,9 +133,18 @@ def camera_places(experiment):
             heading, pitch, roll = (math.radians(angle) for angle in angles)
         except ValueError:
             continue  # not given, or of a library of somebody else's, which may mean something else by it
-        views.append({"Class": "rviz/FPS", "Name": f"camera {number}", "Target Frame": "world", "Near Clip Distance": 0.01,
-                      "Position": dict(zip("XYZ", position)), "Yaw": heading, "Pitch": -pitch, "Roll": roll})
+        if any(position):
+            views.append({"Class": "rviz/FPS", "Name": f"camera {number}", "Target Frame": "world", "Near Clip Distance": 0.01,
+                          "Position": dict(zip("XYZ", position)), "Yaw": heading, "Pitch": -pitch, "Roll": roll})
     return views
+
+
+def save_views(layout, views):
+    """Adds those whose names the layout does not have."""
+    places = layout["Visualization Manager"]["Views"]
+    saved = places.get("Saved") or []
+    names = {view.get("Name") for view in saved}
+    places["Saved"] = saved + [view for view in views if view["Name"] not in names]
 
 
 def floor_markers(topics):
@@ -160,8 +171,8 @@ def main():
     layout = yaml.safe_load(arguments.layout.read_text())
     rospy.init_node("view", disable_rostime=True)  # time may stand still
     address(layout, arguments.topics)
-    layout["Visualization Manager"]["Views"]["Saved"] = camera_places(rospy.get_param(arguments.topics + "/experiment", ""))
     fit(layout, *extent(floor_markers(arguments.topics) + moving_markers(arguments.topics)))
+    save_views(layout, camera_places(rospy.get_param(arguments.topics + "/experiment", "")))  # once the space is there
     rospy.signal_shutdown("rviz takes over")
     file = pathlib.Path(tempfile.mkdtemp(prefix="swarmanoid_view_")) / "space.rviz"
     file.write_text(yaml.safe_dump(layout))

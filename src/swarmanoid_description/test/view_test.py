@@ -125,7 +125,7 @@ class CameraPlacesTest(unittest.TestCase):
             file = pathlib.Path(folder) / "cameras.xml"
             file.write_text("""<ahss-config><visualisations><text_render id="t"/><opengl_render id="w">
                 <camera_view_XYZ_1>3.3, 3.4, 1.9</camera_view_XYZ_1><camera_view_HPR_1>39, -34, 5</camera_view_HPR_1>
-                <camera_view_XYZ_7>1, 2, 3</camera_view_XYZ_7><camera_view_XYZ_8>here</camera_view_XYZ_8>
+                <camera_view_XYZ_7>1, 2, 3</camera_view_XYZ_7><camera_view_XYZ_8>here</camera_view_XYZ_8><camera_view_XYZ_9>0, 0, 0</camera_view_XYZ_9>
                 </opengl_render></visualisations></ahss-config>""")
             one, seven = view.camera_places(str(file))
             self.assertEqual(("camera 1", {"X": 3.3, "Y": 3.4, "Z": 1.9}), (one["Name"], one["Position"]))
@@ -134,6 +134,10 @@ class CameraPlacesTest(unittest.TestCase):
             self.assertAlmostEqual(math.radians(34), one["Pitch"])
             self.assertAlmostEqual(math.radians(5), one["Roll"])
             self.assertEqual(("camera 7", 0.0, 0.0, 0.0), (seven["Name"], seven["Yaw"], seven["Pitch"], seven["Roll"]))
+            kept = layout()
+            kept["Visualization Manager"]["Views"]["Saved"] = [{"Class": "rviz/Orbit", "Name": "camera 7"}]
+            view.save_views(kept, [one, seven])
+            self.assertEqual([{"Class": "rviz/Orbit", "Name": "camera 7"}, one], kept["Visualization Manager"]["Views"]["Saved"])
             file.write_text("<ahss-config>")
             self.assertEqual([], view.camera_places(str(file)))
             self.assertEqual([], view.camera_places(folder + "/not_there.xml"))
@@ -166,6 +170,9 @@ class LayoutTest(unittest.TestCase):
             view.address(with_them, "/other")
             self.assertEqual({"Class": "swarmanoid_rviz/Run", "Name": "Run", "Space": "/other"}, with_them["Panels"][0])
             self.assertEqual({"Class": "swarmanoid_rviz/Move", "Space": "/other"}, with_them["Visualization Manager"]["Tools"][-1])
+            view.address(with_them, "/third")
+            self.assertEqual("/other", with_them["Panels"][0]["Space"], "the layout's own counts")
+            view.address({"Visualization Manager": {}}, "/third")
 
     def test_the_picture_is_not_squeezed_by_the_docks(self):
         docks = bytes.fromhex(layout()["Window Geometry"]["QMainWindow State"])

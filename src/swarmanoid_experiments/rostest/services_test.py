@@ -252,7 +252,7 @@ class ServicesTest(unittest.TestCase):
         self.assertTrue(answer.success, answer.message)
         place = state.names.index("fb_1")
         self.assertEqual(("paused", 7, self.run_number, state.header.stamp, 0.0),
-                         (answer.state, answer.tick, answer.run, answer.stamp, answer.real_time_factor))
+                         (answer.state, answer.tick, answer.run, answer.stamp, answer.target_real_time_factor))
         self.assertEqual(("footbot", state.engines[place], state.poses[place], state.twists[place], ""),
                          (answer.type, answer.engine, answer.pose, answer.twist, answer.gripped))
         self.assertEqual(("fc", "controller", ""), (answer.controller, answer.command_source, answer.failure))
@@ -283,7 +283,7 @@ class ServicesTest(unittest.TestCase):
                          (answer.success, answer.message))
         try:
             self.assertTrue(self.space.set_real_time_factor(0.5).success)
-            self.assertEqual(0.5, self.space.inspect().real_time_factor)
+            self.assertEqual(0.5, self.space.inspect().target_real_time_factor)
             start = time.monotonic()
             self.space.resume()
             while tick() < 4:  # 0.2 s each, the first at once

@@ -62,6 +62,18 @@ TEST_F(RunPanelTest, StepsAPausedRun) {
   EXPECT_TRUE(comesTrue([&] { return runStart(15) == "paused, tick 7,"; })) << shown("run");
 }
 
+TEST_F(RunPanelTest, ALongStepIsPaused) {
+  the<QSpinBox>("ticks")->setValue(1'000'000);
+  click("step");
+  // the experiment ends after less; it may have by then, where the machine is fast
+  ASSERT_TRUE(comesTrue([&] { return runStart(8) == "stepping" || runStart(8) == "finished"; })) << shown("run");
+  if (runStart(8) == "stepping") {
+    EXPECT_EQ("pause", the<QToolButton>("play")->toolTip().toStdString());
+    click("play");
+    EXPECT_TRUE(comesTrue([&] { return runStart(6) == "paused" || runStart(8) == "finished"; })) << shown("run");
+  }
+}
+
 TEST_F(RunPanelTest, ResumesPausesAndPaces) {
   auto* pace = the<QComboBox>("pace");
   ASSERT_EQ("as fast as possible", pace->currentText().toStdString()) << "of space.launch";
@@ -96,9 +108,13 @@ TEST_F(RunPanelTest, ShowsWhatTheSelectedRobotPerceivesAndDoes) {
   found[0]->setExpanded(true);
   click("step");
   EXPECT_TRUE(comesTrue([&] { return found[0]->child(0)->text(1) != "0"; })) << "its wheels stand still";
+  found[0]->setExpanded(true);
   select("eb");
   EXPECT_TRUE(comesTrue([&] { return shown("entity").rfind("eyebot", 0) == 0; })) << shown("entity");
   EXPECT_TRUE(devices->findItems("footbot_wheels", Qt::MatchExactly).empty());
+  select("fb_2");
+  ASSERT_TRUE(comesTrue([&] { return devices->findItems("footbot_wheels", Qt::MatchExactly).size() == 1; }));
+  EXPECT_TRUE(devices->findItems("footbot_wheels", Qt::MatchExactly)[0]->isExpanded()) << "what was opened stays open";
   select("fb_11");
   EXPECT_TRUE(comesTrue([&] { return shown("entity") == "there is no entity 'fb_11'; did you mean 'fb_1'?"; }))
       << shown("entity");
@@ -139,6 +155,42 @@ TEST(PluginsTest, RvizFindsPanelAndTool) {
   pluginlib::ClassLoader<rviz::Tool> tools("rviz", "rviz::Tool");
   const std::unique_ptr<rviz::Tool> tool(tools.createUnmanagedInstance("swarmanoid_rviz/Move"));
   EXPECT_EQ('e', tool->getShortcutKey());
+}
+
+TEST(RunPanelAloneTest, ANameThatIsNoneIsRefused) {
+  rviz::Config config;
+  config.mapSetValue("Space", "/space-2");
+  RunPanel panel;
+  panel.load(config);
+  panel.show();
+  auto* run = panel.findChild<QLabel*>("run");
+  EXPECT_TRUE(comesTrue([&] { return run->text().contains("/space-2/inspect"); })) << run->text().toStdString();
+}
+
+TEST(RunPanelAloneTest, ItEndsWhileAnAnswerIsUnderWay) {
+  auto panel = std::make_unique<RunPanel>();
+  panel->show();
+  comesTrue([count = 0]() mutable { return ++count > 3; });
+  panel.reset();  // whether there is one under way is chance: no crash, and none to a panel that is gone
+  comesTrue([count = 0]() mutable { return ++count > 30; });
+}
+
+TEST(RunPanelAloneTest, WhoComesLateGetsTheNameThatWasChosenLast) {
+  Selection first([] {});
+  Selection second([] {});
+  first.choose("a");
+  ASSERT_TRUE(comesTrue([&] { return second.name() == "a"; }));
+  second.choose("b");
+  ASSERT_TRUE(comesTrue([&] { return first.name() == "b"; }));
+  first.choose("c");
+  ASSERT_TRUE(comesTrue([&] { return second.name() == "c"; }));
+  ros::NodeHandle own("~");
+  std::vector<std::string> heard;
+  const auto subscriber = own.subscribe<std_msgs::String>(
+      "selected_entity", 10, [&](const std_msgs::String::ConstPtr& message) { heard.push_back(message->data); });
+  EXPECT_TRUE(comesTrue([&] { return !heard.empty(); }));
+  comesTrue([count = 0]() mutable { return ++count > 10; });
+  EXPECT_EQ(std::vector<std::string>{"c"}, heard);
 }
 
 TEST(RunPanelAloneTest, SaysThatThereIsNoSpace) {

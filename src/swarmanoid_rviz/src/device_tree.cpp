@@ -44,26 +44,32 @@ DeviceTree::DeviceTree(QWidget* parent) : QTreeWidget(parent) {
   header()->setSectionResizeMode(kName, QHeaderView::ResizeToContents);
   header()->setSectionResizeMode(kValue, QHeaderView::Stretch);
   header()->setSectionResizeMode(kUnit, QHeaderView::ResizeToContents);
+  connect(this, &QTreeWidget::itemExpanded, this, [this](QTreeWidgetItem* item) { noteOpen(*item); });
+  connect(this, &QTreeWidget::itemCollapsed, this, [this](QTreeWidgetItem* item) { noteOpen(*item); });
+}
+
+void DeviceTree::noteOpen(const QTreeWidgetItem& item) {
+  if (item.isExpanded()) {
+    open_.insert(item.text(kName));
+  } else {
+    open_.erase(item.text(kName));
+  }
 }
 
 QTreeWidgetItem* DeviceTree::rowOf(std::size_t device, const swarmanoid_msgs::DeviceStatus& status) {
   const QString type = QString::fromStdString(status.type);
   const int place = static_cast<int>(device);
-  for (int i = place; i < topLevelItemCount(); ++i) {
-    if (topLevelItem(i)->text(kName) == type) {
-      if (i != place) {
-        const bool is_open = topLevelItem(i)->isExpanded();
-        insertTopLevelItem(place, takeTopLevelItem(i));
-        topLevelItem(place)->setExpanded(is_open);
-      }
-      return topLevelItem(place);
-    }
+  while (place < topLevelItemCount() && topLevelItem(place)->text(kName) != type) {
+    delete takeTopLevelItem(place);  // of another robot
   }
-  auto* item = new QTreeWidgetItem;
-  item->setText(kName, type);
-  item->setToolTip(kName, status.is_actuator != 0 ? "actuator: what its controller commands" : "sensor");
-  insertTopLevelItem(place, item);
-  return item;
+  if (place == topLevelItemCount()) {
+    auto* item = new QTreeWidgetItem(this);
+    item->setText(kName, type);
+    item->setToolTip(kName, status.is_actuator != 0 ? "actuator: what its controller commands" : "sensor");
+    item->setChildIndicatorPolicy(QTreeWidgetItem::ShowIndicator);
+    item->setExpanded(open_.count(type) > 0);
+  }
+  return topLevelItem(place);
 }
 
 void DeviceTree::showDevices(const std::vector<swarmanoid_msgs::DeviceStatus>& devices) {

@@ -4,6 +4,7 @@
 #include <swarmanoid_msgs/DeviceStatus.h>
 
 #include <QTreeWidget>
+#include <set>
 #include <vector>
 
 namespace swarmanoid {
@@ -12,11 +13,14 @@ class DeviceTree : public QTreeWidget {
  public:
   explicit DeviceTree(QWidget* parent = nullptr);
 
-  /// Rows that were open stay open, also for another robot that has such a device.
+  /// Rows that were opened stay open, also of other robots that have such a device.
   void showDevices(const std::vector<swarmanoid_msgs::DeviceStatus>& devices);
 
  private:
+  void noteOpen(const QTreeWidgetItem& item);
   QTreeWidgetItem* rowOf(std::size_t device, const swarmanoid_msgs::DeviceStatus& status);
+
+  std::set<QString> open_;  // types of devices
 };
 
 }  // namespace swarmanoid

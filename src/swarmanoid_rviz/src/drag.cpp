@@ -23,28 +23,30 @@ geometry_msgs::Quaternion turned(const geometry_msgs::Quaternion& q, double angl
 
 }  // namespace
 
-void Drag::moveTo(double x, double y) {
-  pose_ = start_;
-  pose_.position.x += x - grip_x_;
-  pose_.position.y += y - grip_y_;
-}
-
-void Drag::turnTo(double x, double y) {
-  pose_ = start_;
-  const double to_x = x - start_.position.x;
-  const double to_y = y - start_.position.y;
-  if (std::hypot(x - grip_x_, y - grip_y_) >= kNoMove && std::hypot(to_x, to_y) >= kNoMove) {
-    pose_.orientation = turned(start_.orientation, std::atan2(to_y, to_x) - headingOf(start_.orientation));
+geometry_msgs::Pose Drag::applyTo(const geometry_msgs::Pose& now) const {
+  geometry_msgs::Pose pose = now;
+  if (!turns_) {
+    pose.position.x = start_.position.x + x_ - grip_x_;
+    pose.position.y = start_.position.y + y_ - grip_y_;
+    return pose;
   }
+  const double x = x_ - now.position.x;
+  const double y = y_ - now.position.y;
+  if (std::hypot(x, y) >= kNoMove) {
+    pose.orientation = turned(now.orientation, std::atan2(y, x) - headingOf(now.orientation));
+  }
+  return pose;
 }
 
 bool Drag::isMove() const {
+  if (std::hypot(x_ - grip_x_, y_ - grip_y_) < kNoMove) {
+    return false;
+  }
   constexpr double kNoTurn = 0.02;  // [rad]
   const auto& a = start_.orientation;
-  const auto& b = pose_.orientation;
+  const auto b = pose().orientation;
   const double cosine = std::abs(a.x * b.x + a.y * b.y + a.z * b.z + a.w * b.w);
-  return std::hypot(pose_.position.x - start_.position.x, pose_.position.y - start_.position.y) >= kNoMove ||
-         cosine < std::cos(0.5 * kNoTurn);
+  return !turns_ || cosine < std::cos(0.5 * kNoTurn);
 }
 
 }  // namespace swarmanoid

@@ -39,10 +39,12 @@ void MoveTool::activate() { setStatus("Click: select. Drag: move. Shift and drag
 void MoveTool::deactivate() { letGo(); }
 
 int MoveTool::processMouseEvent(rviz::ViewportMouseEvent& event) {
-  if (event.leftDown()) {
+  const bool is_second_of_a_double_click =
+      event.type == QEvent::MouseButtonDblClick && event.acting_button == Qt::LeftButton;
+  if (event.leftDown() || is_second_of_a_double_click) {
     press(event);
   } else if (event.leftUp()) {
-    release();
+    release(event);
   } else if (press_) {
     follow(event);
   } else if (event.panel->getViewController() != nullptr) {
@@ -61,7 +63,7 @@ void MoveTool::press(rviz::ViewportMouseEvent& event) {
     }
     seen = *on_floor;
   }
-  press_ = Press{event.viewport, event.x, event.y};
+  press_ = Press{++presses_, event.viewport, event.x, event.y, event.x, event.y};
   swarmanoid_msgs::Inspect::Request request;
   request.near.x = seen.x;
   request.near.y = seen.y;
@@ -69,39 +71,69 @@ void MoveTool::press(rviz::ViewportMouseEvent& event) {
   request.within = kReach;
   requests_.setSpace(space_->getStdString());
   requests_.call<swarmanoid_msgs::Inspect>(
-      "inspect", request, [this](const swarmanoid_msgs::Inspect::Response& state) { takeHold(state); });
+      "inspect", request,
+      [this, number = presses_](const swarmanoid_msgs::Inspect::Response& state) { takeHold(number, state); });
 }
 
-void MoveTool::takeHold(const swarmanoid_msgs::Inspect::Response& state) {
+void MoveTool::takeHold(std::uint64_t press, const swarmanoid_msgs::Inspect::Response& state) {
+  if (!press_ || press_->number != press) {
+    return;  // the answer comes late: the pointer has taken hold of something else
+  }
   if (state.success == 0) {
     setStatus(QString::fromStdString(state.message));
+    letGo();
     return;
   }
   selection_->choose(state.name);
   setStatus(state.name.empty() ? QString("nothing within %1 m").arg(kReach) : QString::fromStdString(state.name));
-  if (state.name.empty() || !press_) {  // the button is up again: it was a click
+  const auto held = pointAt(press_->viewport, press_->x, press_->y, state.pose.position.z);
+  if (state.name.empty() || !held) {
+    letGo();
     return;
   }
-  if (const auto held = pointAt(press_->viewport, press_->x, press_->y, state.pose.position.z)) {
-    drag_.emplace(state.pose, held->x, held->y);
-    dragged_ = state.name;
+  drag_.emplace(state.pose, held->x, held->y);
+  dragged_ = state.name;
+  drag();  // what the pointer has done meanwhile
+  if (press_->is_released) {
+    finish();
   }
 }
 
 void MoveTool::follow(rviz::ViewportMouseEvent& event) {
-  if (!drag_) {
+  if (press_->is_released) {
     return;
   }
-  const auto point = pointAt(event.viewport, event.x, event.y, drag_->height());
-  if (!point) {
+  press_->now_x = event.x;
+  press_->now_y = event.y;
+  press_->turns = event.shift();
+  if (drag_) {
+    drag();
+  }
+}
+
+void MoveTool::release(rviz::ViewportMouseEvent& event) {
+  if (!press_) {
     return;
   }
-  if (event.shift()) {
-    drag_->turnTo(point->x, point->y);
-  } else {
-    drag_->moveTo(point->x, point->y);
+  follow(event);
+  press_->is_released = true;
+  if (drag_) {
+    finish();
   }
-  showPreview();
+}
+
+void MoveTool::drag() {
+  if (const auto point = pointAt(press_->viewport, press_->now_x, press_->now_y, drag_->height())) {
+    drag_->follow(point->x, point->y, press_->turns);
+    showPreview();
+  }
+}
+
+void MoveTool::finish() {
+  if (drag_->isMove()) {
+    askToMove();
+  }
+  letGo();
 }
 
 void MoveTool::showPreview() {
@@ -128,13 +160,6 @@ void MoveTool::showPreview() {
   arrow_->setDirection(turn * Ogre::Vector3::UNIT_X);
 }
 
-void MoveTool::release() {
-  if (drag_ && drag_->isMove()) {
-    askToMove();
-  }
-  letGo();
-}
-
 void MoveTool::letGo() {
   press_.reset();
   drag_.reset();
@@ -143,15 +168,24 @@ void MoveTool::letGo() {
 }
 
 void MoveTool::askToMove() {
-  swarmanoid_msgs::Move::Request request;
-  request.entities.resize(1);
-  request.entities[0].name = dragged_;
-  request.entities[0].pose.header.frame_id = context_->getFixedFrame().toStdString();
-  request.entities[0].pose.pose = drag_->pose();
-  requests_.call<swarmanoid_msgs::Move>(
-      "move", request, [this, name = dragged_](const swarmanoid_msgs::Move::Response& response) {
-        setStatus(QString::fromStdString(response.success != 0 ? name + " moved" : response.message));
-      });
+  swarmanoid_msgs::Inspect::Request where;
+  where.name = dragged_;
+  const auto put = [this, drag = *drag_,
+                    frame = context_->getFixedFrame()](const swarmanoid_msgs::Inspect::Response& now) {
+    if (now.success == 0) {
+      setStatus(QString::fromStdString(now.message));
+      return;
+    }
+    swarmanoid_msgs::Move::Request request;
+    request.entities.resize(1);
+    request.entities[0].name = now.name;
+    request.entities[0].pose.header.frame_id = frame.toStdString();
+    request.entities[0].pose.pose = drag.applyTo(now.pose);
+    requests_.call<swarmanoid_msgs::Move>("move", request, [this, name = now.name](const auto& response) {
+      setStatus(QString::fromStdString(response.success != 0 ? name + " moved" : response.message));
+    });
+  };
+  requests_.call<swarmanoid_msgs::Inspect>("inspect", where, put);  // it may have driven on since the press
 }
 
 }  // namespace swarmanoid

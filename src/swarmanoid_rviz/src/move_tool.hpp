@@ -10,6 +10,7 @@
 #include <rviz/tool.h>
 #include <swarmanoid_msgs/Inspect.h>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -31,28 +32,35 @@ class MoveTool : public rviz::Tool {
   int processMouseEvent(rviz::ViewportMouseEvent& event) override;
 
  private:
-  /// Where the pointer took hold, in pixels.
+  /// From the button's way down until the space has said what is there, and then until it is up.
   struct Press {
+    std::uint64_t number;
     Ogre::Viewport* viewport;
-    int x, y;
+    int x, y;          ///< where the pointer took hold [pixels]
+    int now_x, now_y;  ///< where it is
+    bool turns = false;
+    bool is_released = false;
   };
 
   void press(rviz::ViewportMouseEvent& event);
-  void takeHold(const swarmanoid_msgs::Inspect::Response& state);
+  void takeHold(std::uint64_t press, const swarmanoid_msgs::Inspect::Response& state);
   void follow(rviz::ViewportMouseEvent& event);
-  void release();
+  void release(rviz::ViewportMouseEvent& event);
+  void drag();
+  void finish();
   void letGo();
   void showPreview();
   void askToMove();
 
   rviz::StringProperty* space_;  // of the layout; the property container owns it
   std::unique_ptr<Selection> selection_;
-  std::optional<Press> press_;         // the button is down
+  std::uint64_t presses_ = 0;
+  std::optional<Press> press_;
   std::optional<Drag> drag_;           // and the space has said what is there
   std::string dragged_;                // its name
   std::unique_ptr<rviz::Shape> disc_;  // where it would stand; null while nothing is dragged
   std::unique_ptr<rviz::Arrow> arrow_;
-  Requests requests_{"/space"};  // last: it waits for answers, which speak of the others
+  Requests requests_{"/space"};  // last: answers speak of the others
 };
 
 }  // namespace swarmanoid

@@ -1,23 +1,31 @@
-/// Calls services of a space without holding up the window: in threads of their own, with the answers in the window's.
+/// Calls services of a space without holding up the window: each in a thread of its own, with the answer in the
+/// window's.
 ///
 /// Threads  all functions from the thread of Qt's windows, which `then` is called in too.
+/// Ends     nobody waits for answers that are under way when this object ends, and nobody is told of them.
 #pragma once
 
 #include <ros/service.h>
 
+#include <QMetaObject>
 #include <QObject>
-#include <QThreadPool>
+#include <exception>
 #include <functional>
+#include <memory>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace swarmanoid {
 
 class Requests {
  public:
   /// @param space the name of its node: "/space"
-  explicit Requests(std::string space) : space_(std::move(space)) { pool_.setMaxThreadCount(kMostAtOnce); }
-  /// Waits for the answers that are under way; nobody is told of them.
-  ~Requests() { pool_.waitForDone(); }
+  explicit Requests(std::string space) : space_(std::move(space)) { post_->receiver = &here_; }
+  ~Requests() {
+    const std::lock_guard<std::mutex> lock(post_->mutex);
+    post_->receiver = nullptr;
+  }
   Requests(const Requests&) = delete;
   Requests& operator=(const Requests&) = delete;
 
@@ -25,30 +33,48 @@ class Requests {
   void setSpace(const std::string& space) { space_ = space; }
 
   /// @param service its name below the space
-  /// @param then takes the answer; `success` is false and `message` says so if nobody gives one
+  /// @param then takes the answer; `success` is false and `message` says why if nobody gives one
   template <class Service>
   void call(const std::string& service, const typename Service::Request& request,
             std::function<void(const typename Service::Response&)> then) {
-    const std::string name = space_ + "/" + service;
-    pool_.start([this, name, request, then = std::move(then)] {
-      Service exchange;
-      exchange.request = request;
-      if (!ros::service::call(name, exchange)) {
-        exchange.response = {};
-        exchange.response.message = "no answer from " + name;
+    const auto ask = [post = post_, name = space_ + "/" + service, request, then = std::move(then)] {
+      const auto answer = answerOf<Service>(name, request);
+      const std::lock_guard<std::mutex> lock(post->mutex);
+      if (post->receiver != nullptr) {
+        QMetaObject::invokeMethod(
+            post->receiver, [then, answer] { then(answer); }, Qt::QueuedConnection);
       }
-      QMetaObject::invokeMethod(
-          &here_, [then, response = exchange.response] { then(response); }, Qt::QueuedConnection);
-    });
+    };
+    std::thread(ask).detach();
   }
 
  private:
-  // a pause has to get through while a step and a poll wait for their answers
-  static constexpr int kMostAtOnce = 4;
+  /// Where answers are delivered, for as long as there is somebody.
+  struct Post {
+    std::mutex mutex;
+    QObject* receiver = nullptr;
+  };
+
+  template <class Service>
+  static typename Service::Response answerOf(const std::string& name, const typename Service::Request& request) {
+    Service exchange;
+    exchange.request = request;
+    std::string problem = "no answer from " + name;
+    try {
+      if (ros::service::call(name, exchange)) {
+        return exchange.response;
+      }
+    } catch (const std::exception& error) {  // a name that is none
+      problem = error.what();
+    }
+    exchange.response = {};
+    exchange.response.message = problem;
+    return exchange.response;
+  }
 
   std::string space_;
   QObject here_;  // in the window's thread; what is queued for it goes with it
-  QThreadPool pool_;
+  std::shared_ptr<Post> post_ = std::make_shared<Post>();
 };
 
 }  // namespace swarmanoid

@@ -124,14 +124,17 @@ void RunPanel::save(rviz::Config config) const {
 template <class Service>
 void RunPanel::ask(const std::string& service, const typename Service::Request& request) {
   say(service + " ...", false);
-  requests_.call<Service>(service, request, [this](const typename Service::Response& response) {
-    say(response.message, response.success == 0);
+  const std::uint64_t number = ++requests_made_;
+  requests_.call<Service>(service, request, [this, number](const typename Service::Response& response) {
+    if (number == requests_made_) {
+      say(response.message, response.success == 0);
+    }
     speed_.restart();
     poll();
   });
 }
 
-void RunPanel::resumeOrPause() { ask<std_srvs::Trigger>(is_running_ ? "pause" : "resume", {}); }
+void RunPanel::resumeOrPause() { ask<std_srvs::Trigger>(is_going_ ? "pause" : "resume", {}); }
 
 void RunPanel::reset() {
   const QString seed = widgets_.seed->text().trimmed();
@@ -147,44 +150,61 @@ void RunPanel::reset() {
 }
 
 void RunPanel::poll() {
-  if (is_polled_ || !isVisible()) {
+  if (!isVisible()) {
     return;
   }
-  is_polled_ = true;
+  if (since_poll_.isValid()) {
+    constexpr qint64 kLate = 2000;  // [ms]
+    if (since_poll_.elapsed() > kLate) {
+      showNothing("no answer for " + std::to_string(since_poll_.elapsed() / 1000) + " s");
+    }
+    return;
+  }
+  since_poll_.start();
   Inspect::Request request;
   request.name = selection_.name();
-  requests_.call<Inspect>("inspect", request, [this](const Inspect::Response& state) {
-    is_polled_ = false;
-    showState(state);
+  requests_.call<Inspect>("inspect", request, [this, name = request.name](const Inspect::Response& state) {
+    since_poll_.invalidate();
+    showState(name, state);
   });
 }
 
-void RunPanel::showState(const Inspect::Response& state) {
+void RunPanel::showState(const std::string& name, const Inspect::Response& state) {
   const bool is_there = !state.state.empty();
   widgets_.play->setEnabled(is_there);
   widgets_.step->setEnabled(state.state == "paused");
   widgets_.reset->setEnabled(is_there);
   widgets_.pace->setEnabled(is_there);
-  if (!is_there) {
-    widgets_.run->setText(text(state.message));
+  if (state.stamp.isZero()) {  // nobody could look
+    showNothing((is_there ? state.state + ": " : "") + state.message);
     return;
   }
   showRun(state);
-  showEntity(state);
+  if (name == selection_.name()) {  // else it is the answer to a question that nobody asks any more
+    showEntity(state);
+  }
+}
+
+void RunPanel::showNothing(const std::string& reason) {
+  speed_.restart();
+  widgets_.run->setText(text(reason));
+  widgets_.entity->clear();
+  widgets_.devices->showDevices({});
 }
 
 void RunPanel::showRun(const Inspect::Response& state) {
-  is_running_ = state.state == "running";
-  widgets_.play->setIcon(style()->standardIcon(is_running_ ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
-  widgets_.play->setToolTip(is_running_ ? "pause" : "resume");
+  is_going_ = state.state == "running" || state.state == "stepping";
+  widgets_.play->setIcon(style()->standardIcon(is_going_ ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+  widgets_.play->setToolTip(is_going_ ? "pause" : "resume");
   if (!widgets_.pace->view()->isVisible()) {  // else somebody is choosing another one
-    choosePace(*widgets_.pace, state.real_time_factor);
+    choosePace(*widgets_.pace, state.target_real_time_factor);
   }
   QString line =
       QString("%1, tick %2, %3 s").arg(text(state.state)).arg(state.tick).arg(state.stamp.toSec(), 0, 'f', 2);
-  if (is_running_) {
+  if (is_going_) {
     const double speed = speed_.look(static_cast<double>(since_start_.elapsed()) / 1000.0, state.stamp.toSec());
-    line += QString(", %1 x real time").arg(speed, 0, 'g', 2);
+    constexpr double kWhole = 10.0;  // from here on nobody wants decimals
+    line += QString(", %1 x real time").arg(speed, 0, 'f', speed < kWhole ? 2 : 0);
   } else {
     speed_.restart();
   }
@@ -192,12 +212,11 @@ void RunPanel::showRun(const Inspect::Response& state) {
 }
 
 void RunPanel::showEntity(const Inspect::Response& state) {
-  if (state.name != selection_.name()) {  // of a question that was asked before another one was selected, or nobody
-    widgets_.entity->setText(state.success != 0 ? "" : text(state.message));
-    widgets_.devices->showDevices({});
-    return;
+  if (state.name.empty()) {
+    widgets_.entity->setText(text(state.message));
+  } else {
+    widgets_.entity->setText(describe(state));
   }
-  widgets_.entity->setText(state.name.empty() ? "" : describe(state));
   widgets_.devices->showDevices(state.devices);
 }
 

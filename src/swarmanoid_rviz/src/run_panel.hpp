@@ -12,6 +12,7 @@
 #include <QPointer>
 #include <QShortcut>
 #include <QTimer>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -43,7 +44,9 @@ class RunPanel : public rviz::Panel {
   void poll();
   void resumeOrPause();
   void reset();
-  void showState(const swarmanoid_msgs::Inspect::Response& state);
+  /// @param name of the entity that was asked for
+  void showState(const std::string& name, const swarmanoid_msgs::Inspect::Response& state);
+  void showNothing(const std::string& reason);
   void showRun(const swarmanoid_msgs::Inspect::Response& state);
   void showEntity(const swarmanoid_msgs::Inspect::Response& state);
   /// Calls a service and shows its answer.
@@ -54,12 +57,13 @@ class RunPanel : public rviz::Panel {
   RunPanelWidgets widgets_;
   Selection selection_;
   QTimer timer_;
-  bool is_polled_ = false;                      // an answer is under way
-  bool is_running_ = false;                     // as of the last answer
+  QElapsedTimer since_poll_;                    // valid while an answer is under way
+  bool is_going_ = false;                       // as of the last answer: it runs, or makes a step
+  std::uint64_t requests_made_ = 0;             // of those whose answers are shown the last one counts
   std::vector<QPointer<QShortcut>> shortcuts_;  // the window owns them, and may end before the panel
   SpeedMeter speed_;
   QElapsedTimer since_start_;    // of the panel
-  Requests requests_{"/space"};  // last: it waits for answers, which speak of the others
+  Requests requests_{"/space"};  // last: answers speak of the others
 };
 
 }  // namespace swarmanoid

@@ -9,6 +9,7 @@
 #include <std_msgs/String.h>
 
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace swarmanoid {
@@ -27,7 +28,7 @@ class Selection {
 
   std::function<void()> on_change_;
   std::string name_;
-  ros::Publisher publisher_;
+  std::shared_ptr<ros::Publisher> publisher_;  // one for panel and tool, so that who comes late gets the last name
   ros::Subscriber subscriber_;
 };
 

@@ -29,38 +29,54 @@ TEST(DragTest, ItComesAlongAsItWasHeld) {
   Drag drag(start, 1.35, -0.42);
   EXPECT_DOUBLE_EQ(0.7, drag.height());
   EXPECT_FALSE(drag.isMove());
-  drag.moveTo(9.0, 9.0);
-  drag.moveTo(2.05, 0.28);
+  drag.follow(9.0, 9.0, false);
+  drag.follow(2.05, 0.28, false);
   EXPECT_NEAR(2.0, drag.pose().position.x, 1e-12);
   EXPECT_NEAR(0.3, drag.pose().position.y, 1e-12);
   EXPECT_DOUBLE_EQ(0.7, drag.pose().position.z);
   expectEqual(start.orientation, drag.pose().orientation);
   EXPECT_TRUE(drag.isMove());
-  drag.moveTo(1.354, -0.416);
-  EXPECT_FALSE(drag.isMove()) << "7 mm: a click";
+  drag.follow(1.354, -0.416, false);
+  EXPECT_FALSE(drag.isMove()) << "6 mm: a click";
 }
 
 TEST(DragTest, ItTurnsAboutTheVerticalUntilItFacesThePointer) {
   Drag drag(poseOf(0.3, 0.2), 1.35, -0.42);
-  drag.turnTo(1.3 + 0.5 * std::cos(2.9), -0.4 + 0.5 * std::sin(2.9));
+  drag.follow(1.3 + 0.5 * std::cos(2.9), -0.4 + 0.5 * std::sin(2.9), true);
   expectEqual(poseOf(2.9, 0.2).orientation, drag.pose().orientation);
   EXPECT_DOUBLE_EQ(1.3, drag.pose().position.x);
   EXPECT_DOUBLE_EQ(-0.4, drag.pose().position.y);
   EXPECT_TRUE(drag.isMove());
-  drag.turnTo(1.3 + 0.7 * std::cos(0.31), -0.4 + 0.7 * std::sin(0.31));
+  drag.follow(1.3 + 0.7 * std::cos(0.31), -0.4 + 0.7 * std::sin(0.31), true);
   EXPECT_FALSE(drag.isMove()) << "it faces that already";
-  drag.turnTo(1.302, -0.401);
+  drag.follow(1.302, -0.401, true);
   EXPECT_FALSE(drag.isMove()) << "too close to say where";
-  drag.turnTo(1.356, -0.417);
+  drag.follow(1.356, -0.417, true);
   EXPECT_FALSE(drag.isMove()) << "a hand that trembles";
 }
 
 TEST(DragTest, AFullTurnIsNone) {
   Drag drag(poseOf(3.14, 0.0), 1.5, 0.6);
-  drag.turnTo(1.3 - 0.3 * std::cos(1e-3), -0.4 - 0.3 * std::sin(1e-3));
+  drag.follow(1.3 - 0.3 * std::cos(1e-3), -0.4 - 0.3 * std::sin(1e-3), true);
   EXPECT_FALSE(drag.isMove());
-  drag.turnTo(1.3, -1.4);
+  drag.follow(1.3, -1.4, true);
   expectEqual(poseOf(-M_PI / 2, 0.0).orientation, drag.pose().orientation);
+}
+
+TEST(DragTest, WhatIsNotDraggedStaysAsItIsWhenItIsLetGo) {
+  geometry_msgs::Pose now = poseOf(1.1, 0.0);  // it has driven on meanwhile
+  now.position.x = 1.6;
+  now.position.y = -0.1;
+  now.position.z = 0.75;
+  Drag drag(poseOf(0.3, 0.0), 1.3, -0.4);
+  drag.follow(2.3, -1.4, false);
+  EXPECT_NEAR(2.3, drag.applyTo(now).position.x, 1e-12);
+  EXPECT_NEAR(-1.4, drag.applyTo(now).position.y, 1e-12);
+  EXPECT_DOUBLE_EQ(0.75, drag.applyTo(now).position.z);
+  expectEqual(now.orientation, drag.applyTo(now).orientation);
+  drag.follow(1.6, 0.9, true);
+  EXPECT_DOUBLE_EQ(1.6, drag.applyTo(now).position.x);
+  expectEqual(poseOf(M_PI / 2, 0.0).orientation, drag.applyTo(now).orientation);
 }
 
 }  // namespace

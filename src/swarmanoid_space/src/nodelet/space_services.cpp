@@ -247,8 +247,11 @@ bool SpaceServices::setRealTimeFactor(swarmanoid_msgs::SetRealTimeFactor::Reques
 bool SpaceServices::inspect(swarmanoid_msgs::Inspect::Request& request, swarmanoid_msgs::Inspect::Response& response) {
   return answer(response, [&] {
     response.state = toString(thread_.state());
-    response.real_time_factor = thread_.realTimeFactor();
-    thread_.look([&](const Simulation& simulation) { swarmanoid::inspect(simulation, request, response); });
+    response.target_real_time_factor = thread_.realTimeFactor();
+    thread_.look([&](const Simulation& simulation) {
+      response.state = toString(thread_.state());  // of that tick
+      swarmanoid::inspect(simulation, request, response);
+    });
     return "";
   });
 }

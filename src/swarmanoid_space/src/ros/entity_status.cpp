@@ -1,6 +1,8 @@
 #include "entity_status.hpp"
 
+#include <algorithm>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "swarmanoid_hosts/ros/device_fields.hpp"
@@ -18,15 +20,21 @@ void addDevices(const Banks& banks, Row row, std::vector<swarmanoid_msgs::Device
   });
 }
 
+/// Those of robots that had the name before stand there too, further ahead.
+std::string lastFailureOf(const Simulation& simulation, const std::string& robot) {
+  const auto& failures = simulation.failures();
+  const auto found = std::find_if(failures.rbegin(), failures.rend(),
+                                  [&](const ControllerFailure& failure) { return failure.robot == robot; });
+  return found == failures.rend() ? "" : found->reason;
+}
+
 void addRobot(const Simulation& simulation, Row row, swarmanoid_msgs::Inspect::Response& answer) {
   const Space& space = simulation.space();
-  if (const auto source = simulation.commandSource(row)) {
+  if (const auto status = simulation.controllerStatus(row)) {
     answer.controller = space.controllers[row].description->id;
-    answer.command_source = toString(*source);
-  }
-  for (const ControllerFailure& failure : simulation.failures()) {
-    if (failure.robot == space.entities.name[row]) {
-      answer.failure = failure.reason;
+    answer.command_source = toString(status->source);
+    if (status->has_failed) {
+      answer.failure = lastFailureOf(simulation, space.entities.name[row]);
     }
   }
   addDevices(space.readings, row, answer.devices);

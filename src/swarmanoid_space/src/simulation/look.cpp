@@ -57,9 +57,9 @@ void Simulation::wake() { world_->lockstep.wake(); }
 
 std::size_t Simulation::robotCount() const { return world_->assembly.robots.size(); }
 
-std::optional<CommandSource> Simulation::commandSource(Row row) const {
+std::optional<ControllerStatus> Simulation::controllerStatus(Row row) const {
   const RobotInstance* robot = world_->assembly.findRobot(world_->space.entities, row);
-  return robot == nullptr ? std::nullopt : std::optional<CommandSource>(robot->source);
+  return robot == nullptr ? std::nullopt : std::optional<ControllerStatus>({robot->source, robot->has_failed});
 }
 
 Metrics Simulation::metrics() const {

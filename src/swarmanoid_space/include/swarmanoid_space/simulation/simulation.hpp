@@ -36,6 +36,12 @@ struct PhaseTimes {
   PhaseTimes& operator+=(const PhaseTimes& other);
 };
 
+/// Who commands a robot now, and whether its controller has failed since the robot came.
+struct ControllerStatus {
+  CommandSource source = CommandSource::kController;
+  bool has_failed = false;
+};
+
 class DeviceDrawings;
 class Lockstep;
 struct World;
@@ -87,8 +93,8 @@ class Simulation {
   const std::vector<ControllerFailure>& failures() const;
   /// Robots that have a controller.
   std::size_t robotCount() const;
-  /// Who commands a robot now; nothing for an entity without a controller.
-  std::optional<CommandSource> commandSource(Row row) const;
+  /// Of a robot; nothing for an entity without a controller.
+  std::optional<ControllerStatus> controllerStatus(Row row) const;
   std::uint64_t stateHash() const { return swarmanoid::stateHash(space()); }
   Metrics metrics() const;
   /// In the order of Space::engines. Allocates.
