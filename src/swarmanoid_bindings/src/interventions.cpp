@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "python_parameters.hpp"
+#include "swarmanoid_interface/orientation.hpp"
 #include "swarmanoid_space/interventions/spawned_entity.hpp"
 #include "value_class.hpp"
 #include "values.hpp"

@@ -84,6 +84,7 @@ TEST(ConformanceChecks, OfOtherRobotsAreThoseOfTheirDevices) {
             checksOf("epuck", {"differential_drive", "imu"}));
   EXPECT_EQ((Names{"rfid_reader", "rfid_reader_leaves", "differential_drive"}),
             checksOf("epuck", {"differential_drive", "rfid_reader"}));
+  EXPECT_EQ((Names{"differential_drive", "positioning"}), checksOf("epuck", {"differential_drive", "positioning"}));
   EXPECT_EQ((Names{"differential_drive", "odometry", "wheel_encoders"}),
             checksOf("epuck", {"differential_drive", "odometry", "wheel_encoders"}));
 }

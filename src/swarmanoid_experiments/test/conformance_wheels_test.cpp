@@ -1,5 +1,5 @@
-// The conformance test of what a robot knows of its own wheels and battery: it passes odometry, encoders and a gauge
-// that are wired rightly, in each engine and however coarse, and finds units that are wrong.
+// The conformance test of what a robot knows of its way and of its battery: it passes odometry, positioning, encoders
+// and a gauge that are wired rightly, in each engine and however coarse, and finds units that are wrong.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -8,6 +8,7 @@
 #include "conformance_world.hpp"
 #include "swarmanoid_interface/devices/battery.hpp"
 #include "swarmanoid_interface/devices/odometry.hpp"
+#include "swarmanoid_interface/devices/positioning.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 
 namespace swarmanoid::test {
@@ -20,7 +21,7 @@ constexpr const char* kRobot = R"(<?xml version="1.0"?>
   <controllers>
     <conformance id="test" library="conformance">
       <actuators><differential_drive/></actuators>
-      <sensors><odometry/><wheel_encoders/><battery/></sensors>
+      <sensors><odometry/><positioning/><wheel_encoders/><battery/></sensors>
     </conformance>
   </controllers>
   <arena size="5,5,1" optimization="2D">
@@ -41,7 +42,8 @@ TEST(ConformanceWheelsTest, PassesWhatIsWiredRightlyInEachEngine) {
     replace(text, "<kinematics2d ", "<" + engine + " ");
     const auto simulation = start(text);
     EXPECT_EQ("passed", fullVerdictsOf(*simulation)["r"]) << engine;
-    EXPECT_EQ("battery_plausible, battery_drains, odometry, wheel_encoders", debugOf(*simulation, "r", "passed"));
+    EXPECT_EQ("battery_plausible, battery_drains, odometry, positioning, wheel_encoders",
+              debugOf(*simulation, "r", "passed"));
   }
 }
 
@@ -61,6 +63,17 @@ TEST(ConformanceWheelsTest, FindsOdometryThatIsWrong) {
   expect([](Odometry& odometry) { odometry.heading *= -1.0; }, "turned by odometry: ");
   expect([](Odometry& odometry) { odometry.speed *= -1.0; }, "way by the speeds of odometry: -0.1");
   expect([](Odometry& odometry) { odometry.turn_rate *= kDegrees; }, "turned by the turn rates of odometry: 48.");
+}
+
+TEST(ConformanceWheelsTest, FindsPositioningThatIsWrong) {
+  const auto expect = [](auto change, const std::string& why) {
+    expectFailure(kRobot, "r", wire<Positioning>(change), "positioning (positioning: " + why);
+  };
+  expect([](Positioning& said) { said.position *= 100.0; }, "way ahead by positioning: ");
+  expect([](Positioning& said) { said.position.y() *= -1.0; }, "way ");  // left-handed
+  expect([](Positioning& said) { said.heading *= kDegrees; }, "");
+  expect([](Positioning& said) { said.heading += 0.7; }, "way ");
+  expect([](Positioning& said) { said.pitch = 0.2 * said.heading; }, "pitch by positioning: ");
 }
 
 TEST(ConformanceWheelsTest, FindsEncodersThatAreWrong) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "handover_world.hpp"
+#include "swarmanoid_interface/orientation.hpp"
 #include "swarmanoid_interface/random.hpp"
 
 namespace swarmanoid::test {

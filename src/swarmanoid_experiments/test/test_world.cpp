@@ -7,6 +7,7 @@
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
+#include "swarmanoid_interface/orientation.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid::test {

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "intervention_texts.hpp"
+#include "swarmanoid_interface/orientation.hpp"
 
 namespace swarmanoid {
 namespace {

@@ -17,6 +17,7 @@
 #include "swarmanoid_hosts/ros/device_topic.hpp"
 #include "swarmanoid_hosts/ros/parameter_reader.hpp"
 #include "swarmanoid_hosts/ros/parameters.hpp"
+#include "swarmanoid_hosts/ros/tf_frames.hpp"
 #include "swarmanoid_interface/process/exit_code.hpp"
 
 namespace swarmanoid::mock {
@@ -149,10 +150,10 @@ class Drivers {
     std_msgs::Header header;
     header.stamp = ros::Time::now();
     for (const Output& output : sensors_) {
-      header.frame_id = name_ + "/" + output.topic->frame;
+      header.frame_id = frameOf(name_, output.topic->frame);
       output.topic->publish(output.publisher, *output.topic, output.reading, header);
     }
-    header.frame_id = name_ + "/base_link";
+    header.frame_id = frameOf(name_);
     for (Shown& shown : shown_) {
       publishIfChanged(shown, header);
     }

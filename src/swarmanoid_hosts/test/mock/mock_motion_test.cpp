@@ -11,6 +11,7 @@
 #include "swarmanoid_interface/devices/eyebot_pressure.hpp"
 #include "swarmanoid_interface/devices/eyebot_velocity.hpp"
 #include "swarmanoid_interface/devices/odometry.hpp"
+#include "swarmanoid_interface/devices/positioning.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 
 namespace swarmanoid::mock {
@@ -33,7 +34,7 @@ TEST(MockWheelEncoders, TurnAsTheRobotMoves) {
 }
 
 TEST(MockOdometry, AgreesWithWhereTheRobotIsUntilItIsCarriedAway) {
-  Bench bench(std::vector<std::string>{"differential_drive", "odometry"});
+  Bench bench(std::vector<std::string>{"differential_drive", "odometry", "positioning"});
   bench.command<DifferentialDrive>().drive(0.173, -0.611);
   bench.advance(2.3);
   const Odometry& odometry = bench.reading<Odometry>();
@@ -43,6 +44,9 @@ TEST(MockOdometry, AgreesWithWhereTheRobotIsUntilItIsCarriedAway) {
   EXPECT_NEAR(-radius * (1.0 - std::cos(0.611 * 2.3)), odometry.y, 1e-9);
   EXPECT_NEAR(pose.position.x(), odometry.x, 1e-9);
   EXPECT_NEAR(pose.yaw, odometry.heading, 1e-9);
+  const Positioning& positioning = bench.reading<Positioning>();
+  EXPECT_EQ(pose.position, positioning.position);
+  EXPECT_NEAR(pose.yaw, positioning.heading, 1e-9);
   EXPECT_NEAR(0.173, odometry.speed, 1e-9);
   EXPECT_NEAR(-0.611, odometry.turn_rate, 1e-9);
   const double x = odometry.x;

@@ -8,6 +8,7 @@
 #include "../experiment_file/parameter_table.hpp"
 #include "fault_form.hpp"
 #include "spawn_form.hpp"
+#include "swarmanoid_interface/orientation.hpp"
 
 namespace swarmanoid {
 namespace {

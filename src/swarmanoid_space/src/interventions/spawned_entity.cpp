@@ -1,5 +1,6 @@
 #include "swarmanoid_space/interventions/spawned_entity.hpp"
 
+#include "swarmanoid_interface/orientation.hpp"
 #include "swarmanoid_interface/registry.hpp"
 
 namespace swarmanoid {

@@ -53,8 +53,6 @@ bool changesLooks(const TakenIntervention& taken) {
 
 }  // namespace
 
-std::string frameOf(const std::string& entity, const std::string& link) { return entity + "/" + link; }
-
 ros::Time stampOf(const Space& space) { return toRosTime(space.time + space.time_before_reset); }
 
 std_msgs::Header headerOf(const Space& space) {

@@ -1,33 +1,11 @@
 #include "swarmanoid_space/state/entities.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid {
-
-Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles) {
-  using Eigen::AngleAxisd;
-  using Eigen::Vector3d;
-  return AngleAxisd(angles.z(), Vector3d::UnitZ()) * AngleAxisd(angles.y(), Vector3d::UnitY()) *
-         AngleAxisd(angles.x(), Vector3d::UnitX());
-}
-
-Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& q) {
-  const double sine_beta = std::clamp(2.0 * (q.w() * q.y() - q.z() * q.x()), -1.0, 1.0);
-  constexpr double kUpright = 1.0 - 1e-12;
-  if (std::abs(sine_beta) > kUpright) {
-    // ahead is straight up or down: turns about x and z are turns about the same line, and gamma takes both
-    const double half_gamma = std::atan2(std::copysign(1.0, -sine_beta) * q.x(), q.w());
-    return {0.0, std::copysign(M_PI / 2.0, sine_beta), wrapAngle(2.0 * half_gamma)};
-  }
-  const double alpha = std::atan2(2.0 * (q.w() * q.x() + q.y() * q.z()), 1.0 - 2.0 * (q.x() * q.x() + q.y() * q.y()));
-  const double gamma = std::atan2(2.0 * (q.w() * q.z() + q.x() * q.y()), 1.0 - 2.0 * (q.y() * q.y() + q.z() * q.z()));
-  return {alpha, std::asin(sine_beta), gamma};
-}
 
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, const Pose& pose) {
   visitor.vector({name, "position"}, pose.position);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iostream>
 
+#include "swarmanoid_interface/orientation.hpp"
 #include "swarmanoid_space/output/out_file.hpp"
 
 namespace swarmanoid {

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "swarmanoid_interface/orientation.hpp"
 #include "world.hpp"
 
 namespace swarmanoid {

@@ -1,5 +1,5 @@
-// Driven along an arc, the odometry of a robot is where the formula of the arc says, at the speeds that are commanded,
-// and its encoders have turned for it.
+// Driven along an arc, odometry and positioning of a robot are where the formula of the arc says, odometry at the
+// speeds that are commanded, and its encoders have turned for it.
 #include "swarmanoid_interface/devices/odometry.hpp"
 
 #include <cmath>
@@ -10,6 +10,7 @@
 #include "../checks.hpp"
 #include "../driving.hpp"
 #include "swarmanoid_interface/angle.hpp"
+#include "swarmanoid_interface/devices/positioning.hpp"
 #include "swarmanoid_interface/devices/wheel_encoders.hpp"
 
 namespace swarmanoid::conformance {
@@ -87,6 +88,24 @@ void judgeSpeeds(Bench& bench, const Driven& driven, double seconds) {
                     "rad");
 }
 
+/// Where a sensor says that the robot is, in a frame of its own [m, rad].
+struct PlanarPose {
+  double x, y, heading;
+};
+
+/// @param sensor what says so: "odometry"
+void judgePlace(Bench& bench, const std::string& sensor, const PlanarPose& before, const PlanarPose& now, double radius,
+                double turn) {
+  const double cosine = std::cos(before.heading);
+  const double sine = std::sin(before.heading);
+  const double x = now.x - before.x;
+  const double y = now.y - before.y;
+  bench.expectAbout("way ahead by " + sensor, cosine * x + sine * y, radius * std::sin(turn), kLeastWay, "m");
+  bench.expectAbout("way to the left by " + sensor, cosine * y - sine * x, radius * (1.0 - std::cos(turn)), kLeastWay,
+                    "m");
+  bench.expectAngle("turned by " + sensor, wrapTurn(now.heading - before.heading), turn, kLeastAngle);
+}
+
 std::vector<Check> odometryChecks(Bench& bench) {
   const auto driven = std::make_shared<Driven>();
   Arc arc;
@@ -98,20 +117,33 @@ std::vector<Check> odometryChecks(Bench& bench) {
   arc.moving = [&bench, driven](double) { driven->there = *bench.sensor<Odometry>(); };
   arc.judge = [&bench, driven](double speed, double rate, double seconds) {
     const Odometry& now = *bench.sensor<Odometry>();
-    const double cosine = std::cos(driven->before.heading);
-    const double sine = std::sin(driven->before.heading);
-    const double x = now.x - driven->before.x;
-    const double y = now.y - driven->before.y;
-    const double turn = rate * seconds;
-    const double radius = speed / rate;
-    bench.expectAbout("way ahead by odometry", cosine * x + sine * y, radius * std::sin(turn), kLeastWay, "m");
-    bench.expectAbout("way to the left by odometry", cosine * y - sine * x, radius * (1.0 - std::cos(turn)), kLeastWay,
-                      "m");
-    bench.expectAngle("turned by odometry", wrapTurn(now.heading - driven->before.heading), turn, kLeastAngle);
+    const Odometry& before = driven->before;
+    judgePlace(bench, "odometry", {before.x, before.y, before.heading}, {now.x, now.y, now.heading}, speed / rate,
+               rate * seconds);
     bench.expectNear("speed by odometry, at rest", now.speed, 0.0, 0.01, "m/s");
     judgeSpeeds(bench, *driven, seconds);
   };
   return {driveArc(bench, Odometry::kType, arc)};
+}
+
+std::vector<Check> positioningChecks(Bench& bench) {
+  const auto before = std::make_shared<Positioning>();
+  const auto planarPoseOf = [](const Positioning& said) {
+    return PlanarPose{said.position.x(), said.position.y(), said.heading};
+  };
+  Arc arc;
+  arc.remember = [&bench, before] { *before = *bench.sensor<Positioning>(); };
+  arc.watch = [] {};
+  arc.moving = [](double) {};
+  arc.judge = [&bench, before, planarPoseOf](double speed, double rate, double seconds) {
+    const Positioning& now = *bench.sensor<Positioning>();
+    judgePlace(bench, "positioning", planarPoseOf(*before), planarPoseOf(now), speed / rate, rate * seconds);
+    constexpr double kLevel = 0.05;  // [m, rad]
+    bench.expectNear("change of height by positioning", now.position.z() - before->position.z(), 0.0, kLevel, "m");
+    bench.expectNear("roll by positioning", now.roll, before->roll, kLevel, "rad");
+    bench.expectNear("pitch by positioning", now.pitch, before->pitch, kLevel, "rad");
+  };
+  return {driveArc(bench, Positioning::kType, arc)};
 }
 
 /// What the encoders have said while the robot drove.
@@ -156,6 +188,7 @@ std::vector<Check> encoderChecks(Bench& bench) {
 }
 
 const ChecksRegistration odometry_checks({Odometry::kType, odometryChecks});
+const ChecksRegistration positioning_checks({Positioning::kType, positioningChecks});
 const ChecksRegistration encoder_checks({WheelEncoders::kType, encoderChecks});
 
 }  // namespace

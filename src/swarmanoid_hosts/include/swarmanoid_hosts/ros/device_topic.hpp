@@ -49,7 +49,7 @@ struct DeviceTopic {
   std::string device;   ///< Device::kType
   std::string name;     ///< such as "gripper/state"
   std::string message;  ///< such as "swarmanoid_msgs/GripperState"
-  std::string frame;    ///< for readings: a link of the robot, "base_link"
+  std::string frame;    ///< for readings: a link of the robot, "base_link", or kWorldFrame (tf_frames.hpp)
   Kind kind = Kind::kReading;
 
   /// Advertises the topic in the namespace of `robot`.

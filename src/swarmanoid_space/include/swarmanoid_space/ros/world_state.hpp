@@ -17,14 +17,10 @@
 
 #include <string>
 
+#include "swarmanoid_hosts/ros/tf_frames.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid {
-
-constexpr const char* kWorldFrame = "world";
-
-/// `<name>/<link>`
-std::string frameOf(const std::string& entity, const std::string& link = "base_link");
 
 ros::Time stampOf(const Space& space);
 /// In kWorldFrame.

@@ -37,12 +37,6 @@ struct Twist {
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
 
-/// From the Euler angles of experiment files: turns about W's x, then y, then z axis. @param angles [rad]
-Eigen::Quaterniond orientationFromAngles(const Eigen::Vector3d& angles);
-
-/// The inverse: alpha and gamma from -pi to pi, beta from -pi/2 to pi/2 [rad]; at the ends of beta alpha is 0.
-Eigen::Vector3d anglesFromOrientation(const Eigen::Quaterniond& orientation);
-
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Pose& pose);
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Twist& twist);
 
