@@ -7,6 +7,8 @@ import unittest
 
 import rospy
 import rostest
+from geometry_msgs.msg import PoseStamped
+from swarmanoid_msgs.msg import EntityPose
 from tf2_msgs.msg import TFMessage
 
 from space_client import Collector, Space
@@ -27,6 +29,12 @@ class TransformsTest(unittest.TestCase):
         time.sleep(0.3)
         cls.space.restart()
         cls.space.step(3)
+        time.sleep(0.3)
+        place = PoseStamped()
+        place.pose.position.x, place.pose.position.y, place.pose.orientation.w = 4.1, 4.3, 1.0
+        for x in (3.7, 4.1):  # while it stands still
+            place.pose.position.x = x
+            cls.space.move([EntityPose("fb_2", place)])
         time.sleep(0.3)
 
     def transforms(self):
@@ -66,6 +74,12 @@ class TransformsTest(unittest.TestCase):
     def test_moving_and_fixed_frames_are_different_ones(self):
         fixed = {t.child_frame_id for message in self.fixed.messages() for t in message.transforms}
         self.assertFalse(fixed & {t.child_frame_id for t in self.transforms()})
+
+    def test_what_is_moved_while_it_stands_still_is_shown_at_once(self):
+        shown = [t for t in self.transforms() if t.child_frame_id == "fb_2/base_link"][-3:]
+        self.assertEqual([3.7, 4.1], [t.transform.translation.x for t in shown[1:]])
+        stamps = [t.header.stamp.to_nsec() for t in shown]
+        self.assertEqual([stamps[0] + 2, stamps[0] + 4], stamps[1:], "later than the tick's own, by next to nothing")
 
     def test_nothing_is_sent_while_paused(self):
         before = len(self.moving.messages())

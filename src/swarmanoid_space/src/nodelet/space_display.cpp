@@ -10,6 +10,15 @@ namespace {
 
 constexpr bool kLatched = true;
 
+/// Stamps of one nanosecond more than those of a change are for subscribers that come after it.
+constexpr std::int32_t kDelayOfChange = 2;  // [ns]
+
+void delay(tf2_msgs::TFMessage& message, std::int32_t nanoseconds) {
+  for (auto& transform : message.transforms) {
+    transform.header.stamp += ros::Duration(0, nanoseconds);
+  }
+}
+
 /// Returns whether the space makes no ticks, so that new subscribers would get no message.
 bool isAtRest(SimulationThread::State state) {
   return state == SimulationThread::State::kPaused || state == SimulationThread::State::kFinished;
@@ -28,11 +37,9 @@ SpaceDisplay::SpaceDisplay(const ros::NodeHandle& own, const SpaceOptions& optio
   id_ = "ros";
   clock_publisher_ = own_.advertise<rosgraph_msgs::Clock>("/clock", 1, kLatched);
   tf_publisher_ = advertise<tf2_msgs::TFMessage>("/tf", 100, [this](const Space& space, const auto& newcomer) {
-    // one nanosecond later, for the tick's own batch may have reached the subscriber with the same stamp
+    // later, for the tick's own batch may have reached the subscriber with the same stamp
     tf2_msgs::TFMessage moving = transforms_.moving(space);
-    for (auto& transform : moving.transforms) {
-      transform.header.stamp += ros::Duration(0, 1);
-    }
+    delay(moving, rest_.changes * kDelayOfChange + 1);
     newcomer.publish(moving);
   });
   tf_static_publisher_ = own_.advertise<tf2_msgs::TFMessage>("/tf_static", 1, kLatched);
@@ -95,7 +102,7 @@ void SpaceDisplay::draw(const Space& space) {
     publishClock(space);
   }
   if (transforms_pace_.isDue(now)) {
-    publishTransforms(space);
+    publishTransforms(space, 0);
   }
   if (world_state_pace_.isDue(now)) {
     publishWorldState(space);
@@ -106,15 +113,25 @@ void SpaceDisplay::draw(const Space& space) {
   measure(space, now);
 }
 
+bool SpaceDisplay::takeRest(const Space& space) {
+  const Rest now{{space.run, space.tick}, stateHash(space), rest_.changes};
+  const bool is_another_moment = rest_.moment != now.moment;
+  const bool is_change = !is_another_moment && rest_.state_hash != now.state_hash;
+  rest_ = now;
+  rest_.changes = is_another_moment ? 0 : rest_.changes + (is_change ? 1 : 0);
+  return is_change;
+}
+
 void SpaceDisplay::publishAll() {
   const Space& space = simulation_->space();
   const Moment moment{space.run, space.tick};
-  const bool has_changed = publishFixed(space);
+  const bool is_changed_at_rest = takeRest(space);
+  const bool has_changed = publishFixed(space) || is_changed_at_rest;
   if (clock_moment_ != moment) {
     publishClock(space);
   }
-  if (transforms_moment_ != moment) {
-    publishTransforms(space);
+  if (transforms_moment_ != moment || is_changed_at_rest) {
+    publishTransforms(space, rest_.changes * kDelayOfChange);
   }
   if (has_changed || world_state_moment_ != moment) {
     publishWorldState(space);
@@ -131,14 +148,22 @@ void SpaceDisplay::publishClock(const Space& space) {
   clock_moment_ = {space.run, space.tick};
 }
 
-void SpaceDisplay::publishTransforms(const Space& space) {
+void SpaceDisplay::publishTransforms(const Space& space, std::int32_t nanoseconds) {
   // the moment counts as published without subscribers too: a later subscriber is served separately
   transforms_moment_ = {space.run, space.tick};
   if (tf_publisher_.getNumSubscribers() == 0) {
     return;
   }
-  if (const tf2_msgs::TFMessage& moving = transforms_.moving(space); !moving.transforms.empty()) {
+  const tf2_msgs::TFMessage& moving = transforms_.moving(space);
+  if (moving.transforms.empty()) {
+    return;
+  }
+  if (nanoseconds == 0) {
     tf_publisher_.publish(moving);
+  } else {
+    tf2_msgs::TFMessage later = moving;
+    delay(later, nanoseconds);
+    tf_publisher_.publish(later);
   }
 }
 

@@ -2,12 +2,14 @@
 ///
 /// Nothing is serialised for a topic without subscribers, except /clock, which is small, and latched topics, whose
 /// subscribers may connect later. A subscriber that connects while the space is paused gets the present state at once,
-/// and no other subscriber does: a transform must not be sent twice with one stamp.
+/// and no other subscriber does. What is changed from outside between two ticks is shown at once, too. A transform must
+/// not be sent twice with one stamp, so both have stamps that are some nanoseconds later than that of the tick.
 #pragma once
 
 #include <ros/node_handle.h>
 #include <swarmanoid_msgs/RunResult.h>
 
+#include <cstdint>
 #include <functional>
 #include <mutex>
 
@@ -56,12 +58,21 @@ class SpaceDisplay final : public Observer {
     std::uint64_t tick = 0;
     bool operator!=(const Moment& other) const { return run != other.run || tick != other.tick; }
   };
+  /// The state between two ticks.
+  struct Rest {
+    Moment moment;
+    std::uint64_t state_hash = 0;
+    std::int32_t changes = 0;  ///< that were shown since the tick
+  };
   using Serve = std::function<void(const Space&, const ros::SingleSubscriberPublisher&)>;
 
   template <class Message>
   ros::Publisher advertise(const std::string& topic, std::uint32_t queue, const Serve& serve);
+  /// @return whether the state was changed from outside since it was shown
+  bool takeRest(const Space& space);
   void publishClock(const Space& space);
-  void publishTransforms(const Space& space);
+  /// @param delay of the stamp [ns]
+  void publishTransforms(const Space& space, std::int32_t delay);
   void publishMarkers(const Space& space);
   /// Valid until the next call.
   const visualization_msgs::MarkerArray& drawDevices(const Space& space);
@@ -85,6 +96,7 @@ class SpaceDisplay final : public Observer {
   Moment transforms_moment_;
   Moment markers_moment_;
   Moment world_state_moment_;
+  Rest rest_;
   Transforms transforms_;
   MovingMarkers markers_;
   DeviceDrawings device_drawings_;
