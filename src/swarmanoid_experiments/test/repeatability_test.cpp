@@ -192,6 +192,31 @@ TEST(FailureTest, AThrowingControllerStopsItsRobotAndNoOther) {
   EXPECT_NEAR(poseOf(*simulation, "fb_b").position.x(), 2 + 100 * 0.1 * 2 * 0.029, 1e-9);
 }
 
+TEST(FailureTest, WhoHasTheNameOfOneThatFailedIsHealthy) {
+  World world;
+  world.entities = footbot("fb_a", 2, 3, 0) + footbot("fb_b", 2, 5, 0);
+  world.members = member("fb_a") + member("fb_b");
+  world.drive = "<left>2</left><right>2</right><throw_at>10</throw_at><only>fb_a</only>";
+  auto simulation = world.make();
+  simulation->start();
+  const auto hasFailed = [&](const char* robot) {
+    return simulation->controllerStatus(simulation->space().entities.find(robot)).value().has_failed;
+  };
+  EXPECT_FALSE(hasFailed("fb_a"));
+  hashesOf(*simulation, 20);
+  EXPECT_TRUE(hasFailed("fb_a"));
+  EXPECT_FALSE(hasFailed("fb_b"));
+  simulation->apply(DeleteEntity{"fb_a"});
+  EntityDescription successor;
+  successor.type = "footbot";
+  successor.id = "fb_a";
+  successor.position = {2, 3, 0};
+  successor.controller = "drive";
+  simulation->apply(SpawnEntity{successor, {"ground"}});
+  EXPECT_FALSE(hasFailed("fb_a"));
+  EXPECT_EQ(simulation->failures().size(), 1U) << "of the run it stays one";
+}
+
 TEST(FailureTest, ANumberThatIsNoneStopsTheRobotInTheSameTick) {
   World world;
   world.entities = footbot("fb", 2, 3, 0);
