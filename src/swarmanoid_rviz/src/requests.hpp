@@ -2,13 +2,15 @@
 /// window's.
 ///
 /// Threads  all functions from the thread of Qt's windows, which `then` is called in too.
-/// Ends     nobody waits for answers that are under way when this object ends, and nobody is told of them.
+/// Ends     nobody is told of answers that are under way when this object ends, and nobody waits for late ones.
 #pragma once
 
 #include <ros/service.h>
 
 #include <QMetaObject>
 #include <QObject>
+#include <chrono>
+#include <condition_variable>
 #include <exception>
 #include <functional>
 #include <memory>
@@ -23,8 +25,11 @@ class Requests {
   /// @param space the name of its node: "/space"
   explicit Requests(std::string space) : space_(std::move(space)) { post_->receiver = &here_; }
   ~Requests() {
-    const std::lock_guard<std::mutex> lock(post_->mutex);
+    std::unique_lock<std::mutex> lock(post_->mutex);
     post_->receiver = nullptr;
+    // so that no thread is in ROS when that ends, unless its space does not answer
+    constexpr auto kPatience = std::chrono::seconds(1);
+    post_->is_done.wait_for(lock, kPatience, [this] { return post_->under_way == 0; });
   }
   Requests(const Requests&) = delete;
   Requests& operator=(const Requests&) = delete;
@@ -37,6 +42,10 @@ class Requests {
   template <class Service>
   void call(const std::string& service, const typename Service::Request& request,
             std::function<void(const typename Service::Response&)> then) {
+    {
+      const std::lock_guard<std::mutex> lock(post_->mutex);
+      ++post_->under_way;
+    }
     const auto ask = [post = post_, name = space_ + "/" + service, request, then = std::move(then)] {
       const auto answer = answerOf<Service>(name, request);
       const std::lock_guard<std::mutex> lock(post->mutex);
@@ -44,6 +53,8 @@ class Requests {
         QMetaObject::invokeMethod(
             post->receiver, [then, answer] { then(answer); }, Qt::QueuedConnection);
       }
+      --post->under_way;
+      post->is_done.notify_all();
     };
     std::thread(ask).detach();
   }
@@ -53,6 +64,8 @@ class Requests {
   struct Post {
     std::mutex mutex;
     QObject* receiver = nullptr;
+    int under_way = 0;
+    std::condition_variable is_done;
   };
 
   template <class Service>
