@@ -8,14 +8,10 @@
 #include <rviz/ogre_helpers/shape.h>
 #include <rviz/properties/string_property.h>
 #include <rviz/tool.h>
-#include <swarmanoid_msgs/Inspect.h>
 
-#include <cstdint>
 #include <memory>
-#include <optional>
-#include <string>
 
-#include "drag.hpp"
+#include "pick_and_drag.hpp"
 #include "requests.hpp"
 #include "selection.hpp"
 
@@ -32,34 +28,17 @@ class MoveTool : public rviz::Tool {
   int processMouseEvent(rviz::ViewportMouseEvent& event) override;
 
  private:
-  /// From the button's way down until the space has said what is there, and then until it is up.
-  struct Press {
-    std::uint64_t number;
-    Ogre::Viewport* viewport;
-    int x, y;          ///< where the pointer took hold [pixels]
-    int now_x, now_y;  ///< where it is
-    bool turns = false;
-    bool is_released = false;
-  };
-
+  PickAndDrag::Surroundings surroundings();
   void press(rviz::ViewportMouseEvent& event);
-  void takeHold(std::uint64_t press, const swarmanoid_msgs::Inspect::Response& state);
-  void follow(rviz::ViewportMouseEvent& event);
-  void release(rviz::ViewportMouseEvent& event);
-  void drag();
-  void finish();
-  void letGo();
-  void showPreview();
-  void askToMove();
+  /// @param pose null: nothing is shown
+  void showPreview(const geometry_msgs::Pose* pose);
 
-  rviz::StringProperty* space_;  // of the layout; the property container owns it
+  rviz::StringProperty* space_ = nullptr;  // of the layout; the property container owns it
+  Ogre::Viewport* viewport_ = nullptr;     // of the last press
   std::unique_ptr<Selection> selection_;
-  std::uint64_t presses_ = 0;
-  std::optional<Press> press_;
-  std::optional<Drag> drag_;           // and the space has said what is there
-  std::string dragged_;                // its name
   std::unique_ptr<rviz::Shape> disc_;  // where it would stand; null while nothing is dragged
   std::unique_ptr<rviz::Arrow> arrow_;
+  PickAndDrag pick_;
   Requests requests_{"/space"};  // last: answers speak of the others
 };
 
