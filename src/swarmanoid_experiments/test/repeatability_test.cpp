@@ -174,13 +174,19 @@ TEST(InterventionTest, WhatCannotBeIsRefusedAndNothingChanges) {
   EXPECT_EQ(simulation->stateHash(), hash);
 }
 
-TEST(FailureTest, AThrowingControllerStopsItsRobotAndNoOther) {
+/// Two robots that drive; in tick 10 the controller of fb_a throws.
+std::unique_ptr<Simulation> oneThrows() {
   World world;
   world.entities = footbot("fb_a", 2, 3, 0) + footbot("fb_b", 2, 5, 0);
   world.members = member("fb_a") + member("fb_b");
   world.drive = "<left>2</left><right>2</right><throw_at>10</throw_at><only>fb_a</only>";
   auto simulation = world.make();
   simulation->start();
+  return simulation;
+}
+
+TEST(FailureTest, AThrowingControllerStopsItsRobotAndNoOther) {
+  auto simulation = oneThrows();
   while (!simulation->isFinished()) {
     simulation->tick();
   }
@@ -193,12 +199,7 @@ TEST(FailureTest, AThrowingControllerStopsItsRobotAndNoOther) {
 }
 
 TEST(FailureTest, WhoHasTheNameOfOneThatFailedIsHealthy) {
-  World world;
-  world.entities = footbot("fb_a", 2, 3, 0) + footbot("fb_b", 2, 5, 0);
-  world.members = member("fb_a") + member("fb_b");
-  world.drive = "<left>2</left><right>2</right><throw_at>10</throw_at><only>fb_a</only>";
-  auto simulation = world.make();
-  simulation->start();
+  auto simulation = oneThrows();
   const auto hasFailed = [&](const char* robot) {
     return simulation->controllerStatus(simulation->space().entities.find(robot)).value().has_failed;
   };

@@ -11,13 +11,12 @@ constexpr double kNoMove = 0.01;  // [m]
 
 /// Turns about the vertical of the world, before whatever the orientation is.
 geometry_msgs::Quaternion turned(const geometry_msgs::Quaternion& q, double angle) {
-  const double s = std::sin(0.5 * angle);
-  const double c = std::cos(0.5 * angle);
+  const Eigen::Quaterniond after = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ()) * toEigen(q);
   geometry_msgs::Quaternion result;
-  result.w = c * q.w - s * q.z;
-  result.x = c * q.x - s * q.y;
-  result.y = c * q.y + s * q.x;
-  result.z = c * q.z + s * q.w;
+  result.w = after.w();
+  result.x = after.x();
+  result.y = after.y();
+  result.z = after.z();
   return result;
 }
 

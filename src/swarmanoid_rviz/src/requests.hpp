@@ -2,7 +2,7 @@
 /// window's.
 ///
 /// Threads  all functions from the thread of Qt's windows, which `then` is called in too.
-/// Ends     nobody is told of answers that are under way when this object ends, and nobody waits for late ones.
+/// Ends     answers that are under way when this object ends come to nobody, and nobody waits for late ones.
 #pragma once
 
 #include <ros/service.h>
