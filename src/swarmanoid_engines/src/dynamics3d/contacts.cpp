@@ -78,6 +78,7 @@ void Contacts::release() {
   }
   near_.clear();
   points_ = {};
+  friction_.forget();
 }
 
 Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
@@ -89,10 +90,10 @@ Eigen::AlignedBox3d Contacts::boundsNow(Body& body) {
   return bounds;
 }
 
-void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt) {
+void Contacts::make(const std::vector<Body*>& bodies, double step, int attempt, bool is_iterative) {
   step_ = step;
   attempt_ = attempt;
-  friction_.startStep(step, settings_.gravity);
+  friction_.startStep(step, settings_.gravity, attempt == 0 && !is_iterative);
   collideAll(bodies);
 }
 

@@ -30,8 +30,14 @@ class Contacts {
   /// Gives everything back to ODE. @pre an OdeLock is held
   void release();
 
-  void add(Body& body) { near_.add(&body, boundsNow(body)); }
-  void remove(Body& body) { near_.remove(&body); }
+  void add(Body& body) {
+    near_.add(&body, boundsNow(body));
+    friction_.forget();
+  }
+  void remove(Body& body) {
+    near_.remove(&body);
+    friction_.forget();
+  }
 
   /// Finds who is near whom in the step that comes. @param bodies how many there are @return those left out of ODE that
   /// somebody is near: they have to be taken in, and looked at once more (boundsNow); valid until the next call
@@ -41,10 +47,13 @@ class Contacts {
 
   /// Makes the joints of one step, after findPairs. @param bodies by entity number; @param step [s]
   /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
-  void make(const std::vector<Body*>& bodies, double step, int attempt);
+  /// @param is_iterative whether the iterative solver makes the step, which finds loads and friction together
+  void make(const std::vector<Body*>& bodies, double step, int attempt, bool is_iterative);
   /// After the step was solved: whether friction is Coulomb's everywhere.
   bool isFrictionCoulombs() { return friction_.isCoulombs(); }
-  /// Makes the joints once more, now with friction where it was found to point. @pre isFrictionCoulombs() was false;
+  /// After the last solution of a step: keeps the limits of friction for the next step.
+  void rememberFriction() { friction_.remember(); }
+  /// Makes the joints once more, now with the friction that was found. @pre isFrictionCoulombs() was false;
   /// the bodies are back in the state of the last make
   void makeAgain(const std::vector<Body*>& bodies);
   /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];

@@ -10,7 +10,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double kSlips = 1e-3;  // m/s: what slips less is held
+constexpr double kSlips = 1e-3;       // m/s: what slips less is held
+constexpr double kYield = 1e-2;       // m/s per N: how easily the sides of driven robots slip up and down
+constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body: what forces must change to matter
 
 /// The part of a vector along a surface.
 Vector3d alongSurface(const Vector3d& vector, const Vector3d& normal) { return vector - normal.dot(vector) * normal; }
@@ -43,6 +45,13 @@ Vector3d armTo(const Vector3d& point, dBodyID rigid) {
   return rigid == nullptr ? Vector3d::Zero() : Vector3d(point - toVector(dBodyGetPosition(rigid)));
 }
 
+/// Whether a robot on treels touches the other body with an upright side.
+bool isAtDrivenSide(const Body& a, const Body* b, const Vector3d& normal) {
+  constexpr double kUpright = 0.2;
+  const auto is_driven = [](const Body& body) { return body.is_dynamic && body.model->wheels.has_value(); };
+  return std::abs(normal.z()) < kUpright && (is_driven(a) || (b != nullptr && is_driven(*b)));
+}
+
 /// Of the lighter of two bodies that forces move [kg].
 double lighterMass(const Body& a, const Body* b) {
   if (b == nullptr || !b->is_dynamic) {
@@ -51,15 +60,12 @@ double lighterMass(const Body& a, const Body* b) {
   return a.is_dynamic ? std::min(a.model->mass, b->model->mass) : b->model->mass;
 }
 
-/// The larger part of friction along its two axes.
-double mostAlongAxes(const Vector3d& friction, const Vector3d& axis, const Vector3d& normal) {
-  return std::max(std::abs(friction.dot(axis)), std::abs(friction.dot(normal.cross(axis))));
-}
-
 }  // namespace
 
-void Friction::startStep(double step, double gravity) {
+void Friction::startStep(double step, double gravity, bool uses_memory) {
   step_ = step;
+  uses_memory_ = uses_memory;
+  first_remembered_ = 0;
   gravity_ = gravity;
   next_ = 0;
   is_again_ = false;
@@ -71,10 +77,7 @@ void Friction::startAgain() {
 }
 
 void Friction::watch(dJointID joint) {
-  Rubbing& rubbing = rubbings_[next_ - 1];
-  if (!rubbing.keeps_axis) {
-    dJointSetFeedback(joint, &rubbing.feedback);
-  }
+  dJointSetFeedback(joint, &rubbings_[next_ - 1].feedback);
 }
 
 Friction::Rubbing& Friction::next() {
@@ -102,6 +105,13 @@ void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_
   if (!rubbing.is_known) {
     guess(a, b, contact, rubbing);
   }
+  if (!is_again_) {
+    rubbing.limit = uses_memory_ ? recall(rubbing) : -1.0;
+  }
+  if (rubbing.limit >= 0.0) {
+    contact.surface.mode &= ~dContactApprox1;
+    contact.surface.mu = rubbing.limit;
+  }
   layAlong(rubbing.axis, rubbing.belt, contact);
   contact.surface.mode |= dContactSlip2;
   // less than the world's own softness would leave forces undetermined where several contacts share a load
@@ -114,8 +124,16 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();
   const double holds = has_belt ? kSlips + changeOfBelt(rubbing) : kSlips;
+  if (!has_belt && isAtDrivenSide(a, b, rubbing.normal)) {
+    rubbing.keeps_axis = true;
+    rubbing.holding = kSlips;
+    rubbing.axis = Vector3d::UnitZ().cross(rubbing.normal).normalized();
+    rubbing.slip_per_force = kYield;
+    return;
+  }
   // a treel that begins to slip finds its direction in the steps that follow; in a crowd some treel always begins to
   rubbing.keeps_axis = has_belt || speed > holds;
+  rubbing.holding = holds;
   rubbing.slip_per_force = 0.0;
   if (speed > holds) {
     rubbing.axis = slip / speed;
@@ -130,6 +148,42 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
     rubbing.axis = expected.normalized();
   } else {
     rubbing.axis = has_belt ? toVector(contact.fdir1) : ownAxis(rubbing.rigid_a, rubbing.normal);
+  }
+}
+
+double Friction::recall(const Rubbing& rubbing) {
+  constexpr std::size_t kFurthest = 256;  // as many contacts may have vanished since
+  constexpr double kSame = 0.01;          // m
+  const auto is_pair = [&](const Remembered& other) {
+    return other.rigid_a == rubbing.rigid_a && other.rigid_b == rubbing.rigid_b;
+  };
+  const std::size_t end = std::min(remembered_.size(), first_remembered_ + kFurthest);
+  std::size_t i = first_remembered_;
+  while (i < end && !is_pair(remembered_[i])) {
+    ++i;
+  }
+  if (i == end) {
+    return -1.0;
+  }
+  first_remembered_ = i;  // the pair's other contacts may be any of these
+  double nearest = kSame;
+  double limit = -1.0;
+  for (; i < remembered_.size() && is_pair(remembered_[i]); ++i) {
+    const double distance = (remembered_[i].arm_a - rubbing.arm_a).norm();
+    if (distance < nearest) {
+      nearest = distance;
+      limit = remembered_[i].limit;
+    }
+  }
+  // a contact without a load then may have one now
+  return limit > kNoticeable * rubbing.mass ? limit : -1.0;
+}
+
+void Friction::remember() {
+  remembered_.clear();
+  for (std::size_t i = 0; i < next_; ++i) {
+    const Rubbing& rubbing = rubbings_[i];
+    remembered_.push_back({rubbing.rigid_a, rubbing.rigid_b, rubbing.arm_a, rubbing.limit});
   }
 }
 
@@ -167,33 +221,30 @@ bool Friction::isCoulombs() {
 }
 
 bool Friction::isCoulombs(Rubbing& rubbing) {
-  constexpr double kAstray = 0.01;      // of the force
-  constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body
-  if (rubbing.keeps_axis) {
-    return true;
-  }
+  constexpr double kAstray = 0.02;  // of the force
   const Vector3d force = toVector(rubbing.feedback.f1);
-  const double load = rubbing.normal.dot(force);
-  const Vector3d friction = force - load * rubbing.normal;
-  const double size = friction.norm();
-  const double noticeable = kNoticeable * rubbing.mass;
+  const double load = std::max(rubbing.normal.dot(force), 0.0);
+  const Vector3d friction = alongSurface(force, rubbing.normal);
   const double limit = rubbing.coefficient * load;
-  if (limit < noticeable || size < noticeable) {
-    return true;
-  }
+  rubbing.limit = limit;
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();
-  const bool slips = speed > kSlips;
-  // the friction that ODE allows along the axis, from the loads without friction
-  const double allowed = slips ? std::abs(friction.dot(rubbing.axis))
-                               : std::max(limit, mostAlongAxes(friction, rubbing.axis, rubbing.normal));
-  const double astray = slips ? (friction + allowed / speed * slip).norm() : size - allowed;
-  if (astray < kAstray * size || astray < noticeable) {
+  const double size = friction.norm();
+  const double tolerated = std::max(kNoticeable * rubbing.mass, kAstray * std::max(size, limit));
+  if (rubbing.keeps_axis) {
+    const double along = std::abs(friction.dot(rubbing.axis));
+    const double slip_along = std::abs(slip.dot(rubbing.axis));
+    const bool matches = slip_along > rubbing.holding ? std::abs(along - limit) < tolerated : along - limit < tolerated;
+    return matches;
+  }
+  const bool slips = speed > rubbing.holding;
+  const double astray = slips ? (friction + limit / speed * slip).norm() : size - limit;
+  if (astray < tolerated) {
     return true;
   }
   rubbing.is_known = true;
   rubbing.axis = slips ? Vector3d(slip / speed) : Vector3d(-friction / size);
-  rubbing.slip_per_force = slips ? speed / limit : 0.0;
+  rubbing.slip_per_force = slips ? speed / std::max(limit, kNoticeable * rubbing.mass) : 0.0;
   return false;
 }
 

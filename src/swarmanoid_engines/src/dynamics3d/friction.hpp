@@ -5,17 +5,25 @@
 /// the slip across, as the cone does for a slip that turns; so in steady sliding none is left there. What rests is held
 /// in any direction, up to the limit along the pull of gravity and drives.
 ///
-/// Where rest turns into sliding in a step, by pushes of other bodies, its direction is known only once the step is
-/// solved. Then the step is solved again with the axis along that slip (Newton's method on the cone). Not for treels:
-/// in a crowd some always begin to slip, and their direction is found in the steps that follow.
+/// ODE's exact solver limits friction by the loads that contacts would have if nothing rubbed. Loads that come from
+/// friction, as that of a wall against which treels drive a robot, are unknown to it. So contacts get fixed limits, and a
+/// step is solved again from the same state, with the limits that the loads of the solution give, until loads and friction
+/// agree. The same passes find the direction of friction where rest turns into sliding in the step (Newton's method on the
+/// cone); not for treels: in a crowd some always begin to slip, and their direction is found in the steps that follow.
 ///
-/// The limit is that of ODE's solver: of the load that the contact would have if nothing rubbed.
+/// The first solution of a step uses the limits of the step before, so that in steady motion one solution is enough. New
+/// contacts, and those without a load before, have ODE's limits in it. After entities came, went or were moved from
+/// outside nothing is remembered.
+///
+/// Sides of driven robots rub along the ground only, and yield up and down: rigid bodies leave undetermined how much of
+/// a load a pusher carries by friction, and here treels and ground carry all of it.
 ///
 /// Everything is relative to the surfaces, nothing to the axes of W.
 #pragma once
 
 #include <cstddef>
 #include <deque>
+#include <vector>
 
 #include "dynamics3d/body.hpp"
 
@@ -24,9 +32,10 @@ namespace swarmanoid::dynamics3d {
 /// Frame W. Between `startStep` and the last `isCoulombs` of a step, an OdeLock is held.
 class Friction {
  public:
-  /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2]
-  void startStep(double step, double gravity);
-  /// Before they are made again, in the same order, from the same state, for `isCoulombs` was false.
+  /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2] @param uses_memory whether limits of
+  /// the step before are used
+  void startStep(double step, double gravity, bool uses_memory);
+  /// Before they are made again, in the same order, from the same state, because `isCoulombs` was false.
   void startAgain();
 
   /// Lays the axes of a contact. @pre its normal, position and coefficient are set; a belt's speed and direction, if
@@ -35,8 +44,14 @@ class Friction {
   /// After `lay`: the joint that was made of the contact.
   void watch(dJointID joint);
 
-  /// After the step was solved: whether friction is Coulomb's everywhere. If not, it is remembered where to lay axes.
+  /// After the step was solved: whether friction is Coulomb's everywhere. If not, axes and limits of the next pass are
+  /// taken from the solution.
   bool isCoulombs();
+
+  /// After the last solution of a step: keeps its limits for the next step.
+  void remember();
+  /// The next step begins with ODE's limits.
+  void forget() { remembered_.clear(); }
 
  private:
   /// One contact of the step.
@@ -48,16 +63,28 @@ class Friction {
     Eigen::Vector3d arm_b = Eigen::Vector3d::Zero();    // likewise
     Eigen::Vector3d belt = Eigen::Vector3d::Zero();     // velocity that a would have without slip, against b [m/s]
     double coefficient = 0.0;
-    double mass = 0.0;             // of the lighter one that moves [kg]
-    dJointFeedback feedback = {};  // if the axis may change
+    double mass = 0.0;     // of the lighter one that moves [kg]
+    double holding = 0.0;  // what slips less is held [m/s]
+    dJointFeedback feedback = {};
 
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();  // the first of friction
     double slip_per_force = 0.0;                      // across it [m/s/N]
     bool keeps_axis = false;                          // it slips already, or is a treel's: it follows from step to step
     bool is_known = false;                            // the axis, from a solution of this step
+    double limit = -1.0;                              // of friction [N]; below 0: that of ODE
+  };
+
+  /// One contact of the step before.
+  struct Remembered {
+    dBodyID rigid_a = nullptr;
+    dBodyID rigid_b = nullptr;
+    Eigen::Vector3d arm_a = Eigen::Vector3d::Zero();
+    double limit = 0.0;
   };
 
   Rubbing& next();
+  /// The limit that the contact had in the step before; below 0: none. @pre called in the order of the contacts
+  double recall(const Rubbing& rubbing);
   /// Lays the axis by what is known before the step.
   void guess(const Body& a, const Body* b, const dContact& contact, Rubbing& rubbing) const;
   /// By how much the velocity of a belt that does not slip differs from that of what it drives, before a step [m/s].
@@ -75,6 +102,9 @@ class Friction {
   std::deque<Rubbing> rubbings_;  // ODE writes into them, so they must not move; there are never fewer
   std::size_t next_ = 0;
   bool is_again_ = false;
+  std::vector<Remembered> remembered_;  // in the order of the contacts
+  std::size_t first_remembered_ = 0;    // that the next contact may be
+  bool uses_memory_ = false;
 };
 
 }  // namespace swarmanoid::dynamics3d

@@ -136,7 +136,7 @@ void Dynamics3d::stepOnce(int number, double step) {
   const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
   if (is_iterative || !solveExactly(step)) {
     counts_.iterative += is_iterative ? 0 : 1;
-    contacts_.make(order_, step, 0);
+    contacts_.make(order_, step, 0, true);
     makeRopeJoints(step);
     dWorldQuickStep(world_, step);
     contacts_.clear();
@@ -176,8 +176,9 @@ bool Dynamics3d::solveExactly(double step) {
     }
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    contacts_.make(order_, step, attempt);
+    contacts_.make(order_, step, attempt, false);
     if (solveContacts(step) && correctFriction(step)) {
+      contacts_.rememberFriction();
       return true;
     }
     counts_.redone += attempt == 0 ? 1 : 0;
@@ -196,8 +197,8 @@ bool Dynamics3d::solveContacts(double step) {
 }
 
 bool Dynamics3d::correctFriction(double step) {
-  constexpr int kMostCorrections = 2;
-  for (int i = 0; i < kMostCorrections && !contacts_.isFrictionCoulombs(); ++i) {
+  constexpr int kMostCorrections = 6;
+  for (int i = 0; !contacts_.isFrictionCoulombs() && i < kMostCorrections; ++i) {
     ++counts_.corrected;
     restoreStates();
     contacts_.makeAgain(order_);

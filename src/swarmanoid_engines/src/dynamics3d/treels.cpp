@@ -7,7 +7,7 @@ namespace swarmanoid::dynamics3d {
 namespace {
 
 // The balls that keep a robot from tipping, as springs.
-constexpr double kSupportStiffness = 2e4;  // N/m
+constexpr double kSupportStiffness = 1e5;  // N/m
 constexpr double kSupportDamping = 800.0;  // N s/m
 
 /// As commanded. @param side 0 left, 1 right
