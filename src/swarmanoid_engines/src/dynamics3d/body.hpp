@@ -137,6 +137,8 @@ struct Body {
   std::unique_ptr<Holding> holding;  ///< null: nobody commands its holders, and they hold nothing
   Turret turret;
   Steadiness steadiness;
+  enum class Island { kNotFound, kSmall, kLarge };
+  Island island = Island::kNotFound;  ///< in the solutions of the step under way; see islands.hpp
 
   /// Whether ODE moves it in the step under way.
   bool isInOde() const { return is_dynamic && !steadiness.is_left_out; }

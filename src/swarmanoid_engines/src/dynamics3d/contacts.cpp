@@ -193,6 +193,9 @@ void Contacts::collideSolids(Body& a, const Solid& solid_a, Body* b, const Solid
 
 void Contacts::makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b,
                          dContactGeom geometry) {
+  if (b != nullptr && b->rigid != nullptr && a.island != b->island) {
+    return;  // they met while one of them was moved already: the next step looks at them
+  }
   const dBodyID rigid_a = dGeomGetBody(solid_a.geom);
   const dBodyID rigid_b = b == nullptr ? nullptr : dGeomGetBody(solid_b.geom);
   geometry.depth -= kMargin;  // below 0: a gap

@@ -188,6 +188,8 @@ void Dynamics3d::destroyWorld() {
   seed_ = 0;
   counts_ = SolverCounts{};
   has_reported_trouble_ = false;
+  has_reported_islands_ = false;
+  islands_.clear();
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -15,6 +15,8 @@
 /// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
 /// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
+/// Its time grows with the cube of what touches, so large islands go to the iterative solver (islands.hpp).
+///
 /// Bodies that go on as they did, or stand, with nobody near, are moved without ODE (steady_motion.hpp).
 ///
 /// Terrain is ground as the level one is, and takes its place in its rectangle (ground_contacts.hpp).
@@ -31,6 +33,7 @@
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/bounds.hpp"
 #include "dynamics3d/contacts.hpp"
+#include "dynamics3d/islands.hpp"
 #include "swarmanoid_space/engine.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -44,6 +47,7 @@ class Dynamics3d final : public Engine {
     std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
     std::uint64_t corrected = 0;  ///< solutions made once more, since friction did not oppose the slip
     std::uint64_t iterative = 0;  ///< of the steps redone, those that the iterative solver made in the end
+    std::uint64_t large = 0;      ///< with islands that are too large for the exact solver
   };
 
   static PluginDescription describe();
@@ -105,6 +109,8 @@ class Dynamics3d final : public Engine {
   /// @return false if the solver gave up; then all is as before the step
   bool solveExactly(double step);
   bool solveContacts(double step);
+  /// All bodies that are enabled.
+  void solveIteratively(double step);
   bool correctFriction(double step);
   void restoreStates();
   void makeRopeJoints(double step);
@@ -146,6 +152,7 @@ class Dynamics3d final : public Engine {
   unsigned long seed_ = 0;  // of this world, in ODE
   dWorldID world_ = nullptr;
   Contacts contacts_;
+  Islands islands_;
   RowMap<std::unique_ptr<Body>> by_row_;
   std::vector<Body*> order_;        // by entity number
   SortedBounds<const Body*> seen_;  // by rays, and by overlap
@@ -153,6 +160,7 @@ class Dynamics3d final : public Engine {
   int settling_ = 0;                // steps that are left until what was put down stands
   SolverCounts counts_;
   bool has_reported_trouble_ = false;
+  bool has_reported_islands_ = false;
   std::vector<Treels>* recorded_treels_ = nullptr;
   bool keeps_all_in_ode_ = false;
 };

@@ -76,9 +76,7 @@ void Friction::startAgain() {
   is_again_ = true;
 }
 
-void Friction::watch(dJointID joint) {
-  dJointSetFeedback(joint, &rubbings_[next_ - 1].feedback);
-}
+void Friction::watch(dJointID joint) { dJointSetFeedback(joint, &rubbings_[next_ - 1].feedback); }
 
 Friction::Rubbing& Friction::next() {
   constexpr std::size_t kFirst = 1024;
@@ -102,11 +100,11 @@ void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_
   rubbing.coefficient = contact.surface.mu;
   rubbing.mass = lighterMass(a, b);
   rubbing.is_known = rubbing.is_known && is_again_;
-  if (!rubbing.is_known) {
-    guess(a, b, contact, rubbing);
-  }
   if (!is_again_) {
     rubbing.limit = uses_memory_ ? recall(rubbing) : -1.0;
+  }
+  if (!rubbing.is_known) {
+    guess(a, b, contact, rubbing);
   }
   if (rubbing.limit >= 0.0) {
     contact.surface.mode &= ~dContactApprox1;
@@ -138,7 +136,8 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   if (speed > holds) {
     rubbing.axis = slip / speed;
     if (rubbing.coefficient > 0.0) {
-      rubbing.slip_per_force = speed / (rubbing.coefficient * usualLoad(rubbing));
+      const double limit = rubbing.limit > 0.0 ? rubbing.limit : rubbing.coefficient * usualLoad(rubbing);
+      rubbing.slip_per_force = speed / limit;
     }
     return;
   }
@@ -199,6 +198,10 @@ double Friction::usualLoad(const Rubbing& rubbing) const {
   return rubbing.mass * std::max(gravity_, kLeast) / kContacts;
 }
 
+bool Friction::isSolved(const Rubbing& rubbing) {
+  return dBodyIsEnabled(rubbing.rigid_a) != 0 || (rubbing.rigid_b != nullptr && dBodyIsEnabled(rubbing.rigid_b) != 0);
+}
+
 Vector3d Friction::slipOf(const Rubbing& rubbing) {
   return alongSurface(
       velocityOf(rubbing.rigid_a, rubbing.arm_a) - velocityOf(rubbing.rigid_b, rubbing.arm_b) - rubbing.belt,
@@ -222,6 +225,10 @@ bool Friction::isCoulombs() {
 
 bool Friction::isCoulombs(Rubbing& rubbing) {
   constexpr double kAstray = 0.02;  // of the force
+  if (!isSolved(rubbing)) {
+    rubbing.limit = -1.0;
+    return true;
+  }
   const Vector3d force = toVector(rubbing.feedback.f1);
   const double load = std::max(rubbing.normal.dot(force), 0.0);
   const Vector3d friction = alongSurface(force, rubbing.normal);

@@ -6,13 +6,14 @@
 /// in any direction, up to the limit along the pull of gravity and drives.
 ///
 /// ODE's exact solver limits friction by the loads that contacts would have if nothing rubbed. Loads that come from
-/// friction, as that of a wall against which treels drive a robot, are unknown to it. So contacts get fixed limits, and a
-/// step is solved again from the same state, with the limits that the loads of the solution give, until loads and friction
-/// agree. The same passes find the direction of friction where rest turns into sliding in the step (Newton's method on the
-/// cone); not for treels: in a crowd some always begin to slip, and their direction is found in the steps that follow.
+/// friction, as that of a wall against which treels drive a robot, are unknown to it. So contacts get fixed limits, and
+/// a step is solved again from the same state, with the limits that the loads of the solution give, until loads and
+/// friction agree. The same passes find the direction of friction where rest turns into sliding in the step (Newton's
+/// method on the cone); not for treels: in a crowd some always begin to slip, and their direction is found in the steps
+/// that follow.
 ///
-/// The first solution of a step uses the limits of the step before, so that in steady motion one solution is enough. New
-/// contacts, and those without a load before, have ODE's limits in it. After entities came, went or were moved from
+/// The first solution of a step uses the limits of the step before, so that in steady motion one solution is enough.
+/// New contacts, and those without a load before, have ODE's limits in it. After entities came, went or were moved from
 /// outside nothing is remembered.
 ///
 /// Sides of driven robots rub along the ground only, and yield up and down: rigid bodies leave undetermined how much of
@@ -96,6 +97,8 @@ class Friction {
   /// By all forces but contacts' [m/s2].
   Eigen::Vector3d pullOf(const Body* body, dBodyID rigid) const;
   static bool isCoulombs(Rubbing& rubbing);
+  /// Whether the last solution was one for its bodies.
+  static bool isSolved(const Rubbing& rubbing);
 
   double step_ = 0.0;
   double gravity_ = 0.0;

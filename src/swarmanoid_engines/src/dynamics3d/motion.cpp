@@ -4,6 +4,7 @@
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
+#include "dynamics3d/islands.hpp"
 #include "dynamics3d/rope.hpp"
 #include "dynamics3d/steady_motion.hpp"
 #include "dynamics3d/treels.hpp"
@@ -136,10 +137,14 @@ void Dynamics3d::stepOnce(int number, double step) {
   const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
   if (is_iterative || !solveExactly(step)) {
     counts_.iterative += is_iterative ? 0 : 1;
-    contacts_.make(order_, step, 0, true);
-    makeRopeJoints(step);
-    dWorldQuickStep(world_, step);
-    contacts_.clear();
+    solveIteratively(step);
+  } else if (islands_.hasLarge()) {
+    ++counts_.large;
+    Islands::enableOnly(order_, true);
+    solveIteratively(step);
+  }
+  if (!is_iterative) {
+    Islands::enableAll(order_);
   }
   setDamping(true);
   settling_ = std::max(settling_ - 1, 0);
@@ -177,6 +182,11 @@ bool Dynamics3d::solveExactly(double step) {
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     contacts_.make(order_, step, attempt, false);
+    makeRopeJoints(step);
+    islands_.find(order_);
+    if (islands_.hasLarge()) {
+      Islands::enableOnly(order_, false);
+    }
     if (solveContacts(step) && correctFriction(step)) {
       contacts_.rememberFriction();
       return true;
@@ -184,24 +194,32 @@ bool Dynamics3d::solveExactly(double step) {
     counts_.redone += attempt == 0 ? 1 : 0;
     // what is left then is a step in which some contacts hold nothing
     restoreStates();
+    Islands::enableAll(order_);
   }
   return false;
 }
 
+void Dynamics3d::solveIteratively(double step) {
+  contacts_.make(order_, step, 0, true);
+  makeRopeJoints(step);
+  dWorldQuickStep(world_, step);
+  contacts_.clear();
+}
+
 bool Dynamics3d::solveContacts(double step) {
   const long failures = solverFailures();
-  makeRopeJoints(step);
   dWorldStep(world_, step);
   contacts_.clear();
   return solverFailures() == failures;
 }
 
 bool Dynamics3d::correctFriction(double step) {
-  constexpr int kMostCorrections = 6;
+  constexpr int kMostCorrections = 2;
   for (int i = 0; !contacts_.isFrictionCoulombs() && i < kMostCorrections; ++i) {
     ++counts_.corrected;
     restoreStates();
     contacts_.makeAgain(order_);
+    makeRopeJoints(step);
     if (!solveContacts(step)) {
       return false;
     }
@@ -228,6 +246,14 @@ void Dynamics3d::makeRopeJoints(double step) {
 }
 
 void Dynamics3d::reportTrouble(Space& space) {
+  if (counts_.large > 0 && !has_reported_islands_) {
+    has_reported_islands_ = true;
+    space.events.push_back(
+        {Event::Kind::kEngineTrouble, "", "",
+         "dynamics3d '" + id_ + "': " + std::to_string(islands_.largestEver()) +
+             " bodies touch, which is too many for the exact solver, the iterative one moves them; from "
+             "now on this is only counted"});
+  }
   if (counts_.iterative > 0 && !has_reported_trouble_) {
     has_reported_trouble_ = true;
     space.events.push_back({Event::Kind::kEngineTrouble, "", "",
@@ -244,7 +270,8 @@ EngineHealth Dynamics3d::health() const {
                      {"bodies moved in them", std::to_string(counts_.moved)},
                      {"steps solved again for friction", std::to_string(counts_.corrected)},
                      {"steps redone", std::to_string(counts_.redone)},
-                     {"steps left to the iterative solver", std::to_string(counts_.iterative)}};
+                     {"steps left to the iterative solver", std::to_string(counts_.iterative)},
+                     {"steps with islands left to it", std::to_string(counts_.large)}};
   if (counts_.iterative > 0) {
     health.warning = "the exact solver gave up in " + std::to_string(counts_.iterative) + " steps";
   }
