@@ -136,8 +136,7 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   if (speed > holds) {
     rubbing.axis = slip / speed;
     if (rubbing.coefficient > 0.0) {
-      const double limit = rubbing.limit > 0.0 ? rubbing.limit : rubbing.coefficient * usualLoad(rubbing);
-      rubbing.slip_per_force = speed / limit;
+      rubbing.slip_per_force = speed / (rubbing.coefficient * usualLoad(rubbing));
     }
     return;
   }
