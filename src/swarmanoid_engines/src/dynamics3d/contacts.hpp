@@ -44,8 +44,8 @@ class Contacts {
   void make(const std::vector<Body*>& bodies, double step, int attempt);
   /// After the step was solved: whether friction is Coulomb's everywhere.
   bool isFrictionCoulombs() { return friction_.isCoulombs(); }
-  /// Makes the joints once more, now with friction where it was found to point. @pre isFrictionCoulombs() was false;
-  /// the bodies are back in the state of the last make
+  /// Makes the joints once more, now with friction where it was found to point. @pre the bodies are back in the state
+  /// of the last make
   void makeAgain(const std::vector<Body*>& bodies);
   /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
   /// 0: not at all. Who is near, is as of the last step. @pre an OdeLock is held

@@ -4,6 +4,7 @@
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
+#include "dynamics3d/hanging.hpp"
 #include "dynamics3d/rope.hpp"
 #include "dynamics3d/steady_motion.hpp"
 #include "dynamics3d/treels.hpp"
@@ -139,7 +140,7 @@ void Dynamics3d::stepOnce(int number, double step) {
     contacts_.make(order_, step, 0);
     makeRopeJoints(step);
     dWorldQuickStep(world_, step);
-    contacts_.clear();
+    finishSolution();
   }
   setDamping(true);
   settling_ = std::max(settling_ - 1, 0);
@@ -177,7 +178,7 @@ bool Dynamics3d::solveExactly(double step) {
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     contacts_.make(order_, step, attempt);
-    if (solveContacts(step) && correctFriction(step)) {
+    if (solveContacts(step) && correctFriction(step) && correctRopes(step)) {
       return true;
     }
     counts_.redone += attempt == 0 ? 1 : 0;
@@ -191,8 +192,17 @@ bool Dynamics3d::solveContacts(double step) {
   const long failures = solverFailures();
   makeRopeJoints(step);
   dWorldStep(world_, step);
-  contacts_.clear();
+  finishSolution();
   return solverFailures() == failures;
+}
+
+void Dynamics3d::finishSolution() {
+  contacts_.clear();
+  for (Body* body : order_) {
+    if (body->holding != nullptr) {
+      finishHanging(*body);
+    }
+  }
 }
 
 bool Dynamics3d::correctFriction(double step) {
@@ -208,6 +218,30 @@ bool Dynamics3d::correctFriction(double step) {
   return true;
 }
 
+bool Dynamics3d::correctRopes(double step) {
+  constexpr int kMostCorrections = 4;
+  for (int i = 0; i < kMostCorrections && !areRopesKept(step); ++i) {
+    ++counts_.corrected_ropes;
+    restoreStates();
+    contacts_.makeAgain(order_);
+    if (!solveContacts(step)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Dynamics3d::areRopesKept(double step) {
+  bool are_kept = true;
+  for (Body* body : order_) {
+    are_kept = areHingesKept(*body) && are_kept;
+    visitRopes(*body, [&](std::size_t rope) {
+      are_kept = (body->holding->ropes[rope].is_broken || isRopeKept(*body, rope, step)) && are_kept;
+    });
+  }
+  return are_kept;
+}
+
 void Dynamics3d::restoreStates() {
   for (Body* body : order_) {
     if (!body->steadiness.is_left_out) {
@@ -218,6 +252,9 @@ void Dynamics3d::restoreStates() {
 
 void Dynamics3d::makeRopeJoints(double step) {
   for (Body* body : order_) {
+    if (body->holding != nullptr) {
+      prepareHanging(*body, dWorldGetERP(world_));
+    }
     visitRopes(*body, [&](std::size_t rope) {
       if (!body->holding->ropes[rope].is_broken) {
         makeRopeJoint(world_, contacts_.joints(), *body, rope, step);
@@ -242,6 +279,7 @@ EngineHealth Dynamics3d::health() const {
   health.counters = {{"steps", std::to_string(counts_.steps)},
                      {"bodies moved in them", std::to_string(counts_.moved)},
                      {"steps solved again for friction", std::to_string(counts_.corrected)},
+                     {"steps solved again for ropes", std::to_string(counts_.corrected_ropes)},
                      {"steps redone", std::to_string(counts_.redone)},
                      {"steps left to the iterative solver", std::to_string(counts_.iterative)}};
   if (counts_.iterative > 0) {
