@@ -148,6 +148,7 @@ TEST(EngineReportTest, SaysWhoIsWhere) {
   const std::vector<std::pair<std::string, std::string>> counters = {{"steps", "30"},
                                                                      {"bodies moved in them", "30"},
                                                                      {"steps solved again for friction", "0"},
+                                                                     {"steps solved again for ropes", "0"},
                                                                      {"steps redone", "0"},
                                                                      {"steps left to the iterative solver", "0"}};
   EXPECT_EQ(reports[2].health.counters, counters);

@@ -30,6 +30,12 @@ struct Solid {
   Eigen::AlignedBox3d box;  ///< around it, in the step under way
 };
 
+/// How a rigid body of a robot that hangs on a rope turns in a step, in its own frame. See hanging.hpp.
+struct Turning {
+  Eigen::Vector3d before = Eigen::Vector3d::Zero();  ///< at the start of the step [rad/s]
+  Eigen::Vector3d change = Eigen::Vector3d::Zero();  ///< in the last solution [rad/s]
+};
+
 /// A link that a joint of the model turns. See arms.hpp.
 struct Link {
   dBodyID rigid = nullptr;
@@ -39,6 +45,11 @@ struct Link {
   dJointFeedback stop_feedback = {};
   double angle = 0.0;    ///< as of the start of the step, not wrapped [rad]
   JointCommand command;  ///< of this tick
+
+  // Of a robot that hangs.
+  Turning turning;
+  Eigen::Vector3d opening = Eigen::Vector3d::Zero();    ///< of the hinge in a step, if nothing closes it; its frame [m]
+  Eigen::Vector3d displaced = Eigen::Vector3d::Zero();  ///< how far it is, during a solution; in W [m]
 };
 
 /// What a robot's treels do.
@@ -89,6 +100,7 @@ struct Rope {
   double tension = 0.0;                                ///< without the noise of single steps [N]
   dJointFeedback feedback = {};                        ///< of the step
   Eigen::Vector3d towards = Eigen::Vector3d::UnitZ();  ///< the anchor, from the launcher, in the step; in W
+  double correction = 0.0;                             ///< by which it pulls faster, so that its length is kept [m/s]
   double flown = 0.0;                                  ///< how far, if it was shot and has met nothing so far [m]
   bool is_broken = false;                              ///< in this tick; `connect` reports it
   bool must_rewind = false;  ///< it broke, met nothing to hold or lost what it held, and was not called back since
@@ -102,6 +114,9 @@ struct Holding {
   // Both by the model's holders; those of a rope use `ropes`, the others `grips`.
   std::vector<Grip> grips;
   std::vector<Rope> ropes;
+
+  bool hangs = false;  ///< on a taut rope, in the last solution
+  Turning turning;     ///< of the body that no joint turns
 };
 
 struct Body {

@@ -6,6 +6,9 @@
 
 #include <cmath>
 
+#include "dynamics3d/placed_solid.hpp"
+#include "dynamics3d/surface_contacts.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
@@ -18,6 +21,8 @@ struct PlacedShape {
         half((shape.half_extent.array() - kContactTolerance / 2.0).max(0.0)),
         centre(pose.toWorld(shape.position)),
         axes((pose.orientation * shape.orientation).toRotationMatrix()) {}
+  explicit PlacedShape(const PlacedSolid& solid)
+      : kind(solid.kind), half(solid.half), centre(solid.centre), axes(solid.axes) {}
 
   /// The point that lies farthest in a direction.
   Vector3d farthest(const Vector3d& direction) const {
@@ -56,7 +61,7 @@ void centreOf(const void* shape, ccd_vec3_t* centre) {
   ccdVec3Set(centre, c.x(), c.y(), c.z());
 }
 
-bool overlap(const PlacedShape& a, const PlacedShape& b) {
+ccd_t queryOf() {
   constexpr double kPrecision = 1e-9;  // m
   ccd_t query;
   CCD_INIT(&query);
@@ -65,6 +70,11 @@ bool overlap(const PlacedShape& a, const PlacedShape& b) {
   query.center1 = centreOf;
   query.center2 = centreOf;
   query.mpr_tolerance = kPrecision / kUnit;
+  return query;
+}
+
+bool overlap(const PlacedShape& a, const PlacedShape& b) {
+  const ccd_t query = queryOf();
   return ccdMPRIntersect(&a, &b, &query) != 0;
 }
 
@@ -80,6 +90,21 @@ bool modelsOverlap(const EntityModel& a, const Pose& pose_a, const EntityModel& 
     }
   }
   return false;
+}
+
+int collideConvex(dGeomID geom_a, dGeomID geom_b, dContactGeom* found) {
+  const PlacedShape a{PlacedSolid(geom_a)};
+  const PlacedShape b{PlacedSolid(geom_b)};
+  const ccd_t query = queryOf();
+  ccd_real_t depth = 0.0;
+  ccd_vec3_t way;  // of b, out of a
+  ccd_vec3_t place;
+  if (ccdMPRPenetration(&a, &b, &query, &depth, &way, &place) != 0) {
+    return 0;
+  }
+  const auto vector = [](const ccd_vec3_t& v) { return Vector3d(v.v[0], v.v[1], v.v[2]); };
+  *found = geometryOf({kUnit * vector(place), -vector(way).normalized(), kUnit * depth}, geom_a, geom_b);
+  return 1;
 }
 
 }  // namespace swarmanoid::dynamics3d

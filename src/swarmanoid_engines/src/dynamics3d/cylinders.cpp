@@ -35,6 +35,7 @@ struct Cylinder {
 int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
   constexpr double kFlat = 0.9;        // of the axis along the normal: it stands, or is about to
   constexpr double kLookAhead = 4e-3;  // m above the plane
+  constexpr double kGrowth = kMargin / 2.0;
   if (dGeomGetClass(geom) != dCylinderClass) {
     return 0;
   }
@@ -43,11 +44,12 @@ int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
   dGeomPlaneGetParams(plane, equation);
   const Eigen::Vector3d normal = toVector(equation);
   const double along = normal.dot(cylinder.axis);
-  const Eigen::Vector3d face = -std::copysign(cylinder.half_length, along) * cylinder.axis;  // the lower one
+  // of the solid as it is in the model: its growth makes contacts early, but carries nothing
+  const double radius = cylinder.radius - kGrowth;
+  const Eigen::Vector3d face = -std::copysign(cylinder.half_length - kGrowth, along) * cylinder.axis;  // the lower one
   Eigen::Vector3d down = along * cylinder.axis - normal;
   const double slant = down.norm();
   down = slant > 1e-9 ? Eigen::Vector3d(down / slant) : cylinder.spoke;
-  const double radius = cylinder.radius - kMargin / 2.0;  // the growth makes contacts early, but carries nothing
   const bool is_flat = std::abs(along) > kFlat;
   const Eigen::Vector3d across = radius * cylinder.axis.cross(down);
   const Eigen::Vector3d other_end =
@@ -56,7 +58,7 @@ int collidePlane(dGeomID geom, dGeomID plane, dContactGeom* found) {
   int count = 0;
   for (int i = 0; i < (is_flat ? 4 : 2); ++i) {
     const Eigen::Vector3d point = cylinder.centre + points[i];
-    const double depth = equation[3] - normal.dot(point);
+    const double depth = equation[3] - normal.dot(point) + kGrowth;
     if (depth > -kLookAhead) {
       found[count++] = geometryOf({point, normal, depth}, geom, plane);
     }

@@ -43,11 +43,12 @@ class Dynamics3d final : public Engine {
   /// What the solver did since the world was made or cleared.
   struct SolverCounts {
     std::uint64_t steps = 0;
-    std::uint64_t moved = 0;      ///< bodies that forces moved in these steps; the others moved steadily
-    std::uint64_t redone = 0;     ///< steps in which the exact solver gave up at least once
-    std::uint64_t corrected = 0;  ///< solutions made once more, since friction did not oppose the slip
-    std::uint64_t iterative = 0;  ///< of the steps redone, those that the iterative solver made in the end
-    std::uint64_t large = 0;      ///< with islands that are too large for the exact solver
+    std::uint64_t moved = 0;            ///< bodies that forces moved in these steps; the others moved steadily
+    std::uint64_t redone = 0;           ///< steps in which the exact solver gave up at least once
+    std::uint64_t corrected = 0;        ///< solutions made once more, since friction did not oppose the slip
+    std::uint64_t corrected_ropes = 0;  ///< solutions made once more to close ropes and hinges
+    std::uint64_t iterative = 0;        ///< of the steps redone, those that the iterative solver made in the end
+    std::uint64_t large = 0;            ///< with islands that are too large for the exact solver
   };
 
   static PluginDescription describe();
@@ -112,6 +113,9 @@ class Dynamics3d final : public Engine {
   /// All bodies that are enabled.
   void solveIteratively(double step);
   bool correctFriction(double step);
+  void finishSolution();
+  bool correctRopes(double step);
+  bool areRopesKept(double step);
   void restoreStates();
   void makeRopeJoints(double step);
   void finishTick(Space& space);

@@ -4,6 +4,7 @@
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
+#include "dynamics3d/hanging.hpp"
 #include "dynamics3d/islands.hpp"
 #include "dynamics3d/rope.hpp"
 #include "dynamics3d/steady_motion.hpp"
@@ -53,6 +54,11 @@ bool hangsByMagnet(const Body& robot) {
     }
   }
   return false;
+}
+
+/// Whether the solution under way moves a body that can hang: the other solver has those of large islands.
+bool isSolved(const Body& robot) {
+  return robot.holding != nullptr && robot.rigid != nullptr && dBodyIsEnabled(robot.rigid) != 0;
 }
 
 /// Calls visit(rope) for the ropes that hold something.
@@ -187,7 +193,7 @@ bool Dynamics3d::solveExactly(double step) {
     if (islands_.hasLarge()) {
       Islands::enableOnly(order_, false);
     }
-    if (solveContacts(step) && correctFriction(step)) {
+    if (solveContacts(step) && correctFriction(step) && correctRopes(step)) {
       contacts_.rememberFriction();
       return true;
     }
@@ -203,14 +209,23 @@ void Dynamics3d::solveIteratively(double step) {
   contacts_.make(order_, step, 0, true);
   makeRopeJoints(step);
   dWorldQuickStep(world_, step);
-  contacts_.clear();
+  finishSolution();
 }
 
 bool Dynamics3d::solveContacts(double step) {
   const long failures = solverFailures();
   dWorldStep(world_, step);
-  contacts_.clear();
+  finishSolution();
   return solverFailures() == failures;
+}
+
+void Dynamics3d::finishSolution() {
+  contacts_.clear();
+  for (Body* body : order_) {
+    if (isSolved(*body)) {
+      finishHanging(*body);
+    }
+  }
 }
 
 bool Dynamics3d::correctFriction(double step) {
@@ -227,6 +242,34 @@ bool Dynamics3d::correctFriction(double step) {
   return true;
 }
 
+bool Dynamics3d::correctRopes(double step) {
+  constexpr int kMostCorrections = 4;
+  for (int i = 0; i < kMostCorrections && !areRopesKept(step); ++i) {
+    ++counts_.corrected_ropes;
+    restoreStates();
+    contacts_.makeAgain(order_);
+    makeRopeJoints(step);
+    if (!solveContacts(step)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+bool Dynamics3d::areRopesKept(double step) {
+  bool are_kept = true;
+  for (Body* body : order_) {
+    if (!isSolved(*body)) {
+      continue;
+    }
+    are_kept = areHingesKept(*body) && are_kept;
+    visitRopes(*body, [&](std::size_t rope) {
+      are_kept = (body->holding->ropes[rope].is_broken || isRopeKept(*body, rope, step)) && are_kept;
+    });
+  }
+  return are_kept;
+}
+
 void Dynamics3d::restoreStates() {
   for (Body* body : order_) {
     if (!body->steadiness.is_left_out) {
@@ -237,6 +280,9 @@ void Dynamics3d::restoreStates() {
 
 void Dynamics3d::makeRopeJoints(double step) {
   for (Body* body : order_) {
+    if (body->holding != nullptr) {
+      prepareHanging(*body, dWorldGetERP(world_));
+    }
     visitRopes(*body, [&](std::size_t rope) {
       if (!body->holding->ropes[rope].is_broken) {
         makeRopeJoint(world_, contacts_.joints(), *body, rope, step);
@@ -269,6 +315,7 @@ EngineHealth Dynamics3d::health() const {
   health.counters = {{"steps", std::to_string(counts_.steps)},
                      {"bodies moved in them", std::to_string(counts_.moved)},
                      {"steps solved again for friction", std::to_string(counts_.corrected)},
+                     {"steps solved again for ropes", std::to_string(counts_.corrected_ropes)},
                      {"steps redone", std::to_string(counts_.redone)},
                      {"steps left to the iterative solver", std::to_string(counts_.iterative)},
                      {"steps with islands left to it", std::to_string(counts_.large)}};

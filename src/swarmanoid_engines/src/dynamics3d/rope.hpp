@@ -5,7 +5,9 @@
 /// between its ends, with the sign turned. So it is solved together with all other contacts, in the exact solver
 /// exactly. Its tension acts along the direction at the start of the step and is what leaves its ends its length apart
 /// at the end: a swing then keeps its energy, whatever the step is (the SHAKE scheme; velocities are those of the
-/// middle of the step). A rope that becomes taut takes the speed along it, and gives nothing back.
+/// middle of the step). ODE solves for velocities, and the launcher goes along an arc where the body turns: so a step
+/// is solved again until the ends are the length apart, within 1 um (hanging.hpp for the body's own turning). A rope
+/// that becomes taut takes the speed along it, and gives nothing back.
 #pragma once
 
 #include "dynamics3d/body.hpp"
@@ -24,6 +26,10 @@ void windRope(Body& robot, std::size_t rope, double step);
 void dragRope(Body& robot, std::size_t rope, double drag);
 /// Makes the rope's joint of a step. @pre it holds something
 dJointID makeRopeJoint(dWorldID world, dJointGroupID joints, Body& robot, std::size_t rope, double step);
+/// After a step was solved: whether the ends of the rope are no farther apart than its length, and its length if it
+/// pulls. If not, its next joint corrects that; a correction also serves as the first guess of the steps that follow.
+/// @pre it holds something
+bool isRopeKept(Body& robot, std::size_t rope, double step);
 /// After each step: how strong it was pulled, and how long it is now. @pre it holds something
 /// @param share of the step in the lasting tension
 void feelRope(Rope& rope, double step, double share, double strength);

@@ -29,6 +29,25 @@ TEST_P(SlopeTest, ABlockSlidesFromTheFrictionAngleOn) {
 
 INSTANTIATE_TEST_SUITE_P(Directions, SlopeTest, testing::Values(0.0, 90.0, 180.0, 30.0, 45.0, -60.0));
 
+TEST(MechanicsTest, ACylinderLiesOnItsSide) {
+  // on level ground and on a block, at any heading: its axis is its radius high
+  constexpr double kRadius = 0.073;  // m
+  constexpr double kHeight = 0.21;   // m
+  for (const double heading : {0.0, 0.7, 2.9}) {
+    World world;
+    world.addBlock({1.0, 1.0, 0.3}, 0.0, flatPose(5.0, 5.0, 0.4, 0.15));
+    const Eigen::Quaterniond lying = Eigen::AngleAxisd(heading, Vector3d::UnitZ()) *
+                                     Eigen::Quaterniond(Eigen::AngleAxisd(0.5 * M_PI, Vector3d::UnitY()));
+    const Vector3d half_up = lying * Vector3d(0.0, 0.0, 0.5 * kHeight);  // a prey's origin is in its foot
+    const auto prey = cylindricPreyModel(kRadius, kHeight, 0.4);
+    const Row on_ground = world.add(prey, {Vector3d(2.0, 2.0, kRadius + 2e-4) - half_up, lying});
+    const Row on_block = world.add(prey, {Vector3d(5.0, 5.0, 0.3 + kRadius + 2e-4) - half_up, lying});
+    world.step(20);
+    EXPECT_NEAR((world.pose(on_ground).position + half_up).z(), kRadius, 2e-5) << heading;
+    EXPECT_NEAR((world.pose(on_block).position + half_up).z(), 0.3 + kRadius, 2e-5) << heading;
+  }
+}
+
 TEST(MechanicsTest, ABlockThatSlidesStopsAfterItsFrictionDistance) {
   for (const double direction : {0.0, 0.5, M_PI / 4.0}) {
     World world({{"friction", "0.4"}});

@@ -18,20 +18,26 @@ using Eigen::Vector3d;
 constexpr double kStep = 0.01;  // s
 
 struct Swing {
-  double length;     // m, of the rope
-  double amplitude;  // rad, of rope and robot, which begin in line
-  double azimuth;    // rad, where it begins
-  double push;       // m/s, of the launcher, across to the swing
-  ArmAngles left;    // of the left arm; the right one is stretched ahead
+  double length;         // m, of the rope
+  double amplitude;      // rad, of rope and robot, which begin in line
+  double azimuth;        // rad, where it begins
+  double push;           // m/s, of the launcher, across to the swing
+  ArmAngles left;        // of the left arm; the right one is stretched ahead
+  double lean = 0.0;     // rad, by which the body is turned out of the rope's line
+  bool has_arms = true;  // that motors hold; otherwise it is one rigid body
 };
 
 /// A handbot on a rope, out of its rest.
 class SwingingHandbot {
  public:
   explicit SwingingHandbot(const Swing& swing, World::Values values = {})
-      : world(values), robot(world.addHandbot(flatPose(2.5, 2.5))) {
+      : world(values),
+        robot(swing.has_arms ? world.addHandbot(flatPose(2.5, 2.5))
+                             : world.addRobot<HandbotRope>(robotModel("handbot"), flatPose(2.5, 2.5))) {
     world.rope(robot).shot = true;
-    world.arms(robot).left = swing.left;
+    if (swing.has_arms) {
+      world.arms(robot).left = swing.left;
+    }
     world.engine.remove(world.space, robot);
     const Span<JointState> joints = world.space.joints[robot];
     joints[HandbotWorld::indexOf("left_shoulder")].angle = swing.left.shoulder;
@@ -44,7 +50,8 @@ class SwingingHandbot {
     const Vector3d launcher = robotModel("handbot")->mount("rope_launcher").position;
     const Vector3d arm = centreOfMass() - launcher;
     Pose& pose = world.pose(robot);
-    pose.orientation = Quaterniond::FromTwoVectors(arm, down);
+    const Eigen::AngleAxisd lean(swing.lean, Vector3d(0.3, 0.9, 0.2).normalized());
+    pose.orientation = Quaterniond::FromTwoVectors(arm, down) * lean;
     pose.position = anchor + swing.length * down - pose.orientation * launcher;
     // all of it turns about the anchor
     const Vector3d turning = swing.push / swing.length * down.cross(about * Vector3d::UnitY());
@@ -131,6 +138,32 @@ TEST_P(SwingEnergyTest, IsKept) {
   EXPECT_LT(most, 1.01 * at_first);
   EXPECT_GT(least, 0.95 * at_first);
 }
+
+class WideSwingTest : public testing::TestWithParam<Swing> {};
+
+TEST_P(WideSwingTest, KeepsItsEnergyThoughTheBodySwings) {
+  // nothing takes any: means of the first and the last 3 s of 40 s, in steps of 10 ms
+  SwingingHandbot handbot(GetParam(), {{"rope_strength", "1000"}});
+  double at_first = 0.0;
+  double at_last = 0.0;
+  for (int tick = 0; tick < 400; ++tick) {
+    handbot.world.step();
+    at_first += tick < 30 ? handbot.energy() : 0.0;
+    at_last += tick >= 370 ? handbot.energy() : 0.0;
+  }
+  EXPECT_NEAR(at_last, at_first, 0.01 * at_first);
+  const Vector3d launcher =
+      handbot.world.pose(handbot.robot).toWorld(robotModel("handbot")->mount("rope_launcher").position);
+  EXPECT_NEAR((launcher - Vector3d(2.5, 2.5, kCeiling)).norm(), GetParam().length, 2e-6);
+}
+
+INSTANTIATE_TEST_SUITE_P(Swings, WideSwingTest,
+                         testing::Values(Swing{0.78, 11.0 * kDegree, 0.3, 0.0, {}, 37.0 * kDegree, false},
+                                         Swing{0.78, 5.0 * kDegree, 1.9, 0.0, {}, 71.0 * kDegree, false},
+                                         Swing{1.82, 11.0 * kDegree, 0.3, 0.0, {}, 37.0 * kDegree, false},
+                                         Swing{1.82, 5.0 * kDegree, 1.9, 0.61, {}, 71.0 * kDegree, false},
+                                         Swing{1.82, 19.0 * kDegree, 1.9, 0.0, {0.3, -0.7, 0.0}, 53.0 * kDegree, true},
+                                         Swing{0.78, 11.0 * kDegree, 2.7, 0.0, {}, 23.0 * kDegree, true}));
 
 /// What is left of the energy after some seconds if the rope's drag brakes a small swing in the plane of the arms.
 double expectedShare(const Swing& swing, double drag, double seconds) {

@@ -171,7 +171,7 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
 
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location) {
-  constexpr double kEdge = 1e-3;  // m: as for the event left_arena
+  constexpr double kEdge = 1e-3;  // m: as for the event left_arena, but for the ground
   const double lowest = arena.terrain ? std::min(0.0, arena.terrain->bounds().min().z()) : 0.0;
   Eigen::Vector3d least(-kEdge, -kEdge, lowest - kEdge);
   Eigen::Vector3d most = arena.size.array() + kEdge;

@@ -36,9 +36,10 @@ bool hasAnyoneCrossed(const ByRow<Pose>& poses, const ByRow<char>& outside, cons
 
 void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std::vector<Event>& events,
            const Workers& workers) {
-  constexpr double kEdge = 1e-3;  // m: what rests on the ground may sink in by less
+  constexpr double kEdge = 1e-3;  // m
+  constexpr double kSunk = 0.1;   // m: below the ground. A hard landing sinks in by centimetres, but leaves no arena
   index.update(space.entities);
-  const Inside inside{{-kEdge, -kEdge, space.lowestGround() - kEdge}, space.size.array() + kEdge};
+  const Inside inside{{-kEdge, -kEdge, space.lowestGround() - kSunk}, space.size.array() + kEdge};
   if (!hasAnyoneCrossed(space.entities.pose, outside, inside, workers)) {
     return;
   }

@@ -13,7 +13,7 @@ struct Event {
     kAttached,          ///< `entity` grips `other`
     kReleased,          ///< `entity` let go of `other`
     kControllerFailed,  ///< the controller of `entity` threw or commanded a number that is not finite; the robot stops
-    kLeftArena,         ///< `entity` is outside the arena's size since this tick
+    kLeftArena,         ///< the origin of `entity` is outside the arena since this tick, or 0.1 m below its ground
     kOverflow,          ///< a sensor of `entity` saw more than it can report
     kSpawned,
     kDeleted,
