@@ -76,7 +76,7 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
     const Eigen::Vector3d ahead = space.entities.pose[instance.row].orientation * Eigen::Vector3d::UnitX();
     const Eigen::AngleAxisd to_heading(-std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ());
     const Twist& twist = space.entities.twist[instance.row];
-    instance.before.moved(to_heading * (twist.linear * dt), twist.angular.z() * dt, dt);
+    instance.before.moved(to_heading * (meanVelocity(twist, -dt) * dt), twist.angular.z() * dt, dt);
   }
 
   EyebotPilot::Limits limits_;
