@@ -17,6 +17,14 @@ double floorFraction(const Space& space, const Segment& segment) {
 
 }  // namespace
 
+Parameter tooCloseParameter() {
+  Parameter parameter = makeParameter("too_close", Parameter::Type::kChoice, "", kReported, {},
+                                      "What is nearer than a sensor can measure: -inf, or folded back to a larger "
+                                      "distance, as triangulating sensors read it.");
+  parameter.choices = {kReported, kFolded};
+  return parameter;
+}
+
 void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits) {
   space.raycast(rays, hits);
   for (std::size_t k = 0; k < hits.size(); ++k) {

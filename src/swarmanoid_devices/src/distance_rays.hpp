@@ -3,6 +3,7 @@
 /// Threads: const from any number of them.
 #pragma once
 
+#include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace swarmanoid::devices {
@@ -15,5 +16,10 @@ inline bool mayMeasure(const Space& space, const RayBundle& rays, double lowest)
 
 /// As Space::raycast, and the level floor stops rays, too: z = 0, where there is neither terrain nor a hole.
 void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits);
+
+// What a sensor says of something that is too close, as the parameter `too_close` chooses.
+constexpr const char* kReported = "reported";  ///< that it is: minus infinity
+constexpr const char* kFolded = "folded";      ///< Distance::foldedReading
+Parameter tooCloseParameter();
 
 }  // namespace swarmanoid::devices

@@ -22,7 +22,7 @@ struct LightSearch::Lights {
   LightCone cone;
   double reach = 0.0;  // m
 
-  Lights(const Space& space, Row row, const LightReach& reach_of);
+  Lights(const Space& space, Row row, const IlluminatedRing& ring);
   double radiusFromAbove() const;
   RayBundle bundleFrom(const IlluminatedRing& ring) const;
   bool areBehind(const IlluminatedSensor& sensor) const;
@@ -30,11 +30,11 @@ struct LightSearch::Lights {
   LedSet before(const IlluminatedSensor& sensor) const;
 };
 
-LightSearch::Lights::Lights(const Space& space, Row row, const LightReach& reach_of)
+LightSearch::Lights::Lights(const Space& space, Row row, const IlluminatedRing& ring)
     : owner(row),
       points(*space.entities.model[row], space.entities.pose[row]),
       cone(lightConeOf(space, row)),
-      reach(reachOfLight(*space.entities.model[row], reach_of)) {
+      reach(reachOfLight(*space.entities.model[row], ring.reach)) {
   const EntityModel& model = *space.entities.model[row];
   const Span<const Color> leds = space.leds[row];
   const double intensity = model.is_robot ? 1.0 : space.property(row, kIntensity).value_or(1.0);
@@ -42,7 +42,7 @@ LightSearch::Lights::Lights(const Space& space, Row row, const LightReach& reach
     const Color color = model.is_robot ? leds[k] : space.entities.color[row];
     if (color.isLit() && intensity > 0.0) {
       lit[k] = true;
-      brightness[k] = intensity * Light::brightness(color);
+      brightness[k] = intensity * ring.response.brightness(color);
       box.extend(points[k]);
     }
   }
@@ -217,7 +217,7 @@ std::size_t LightSearch::findFacing(const Space& space, const IlluminatedRing& r
 
 /// Adds what one entity sheds on the ring.
 void LightSearch::addLights(const Space& space, const IlluminatedRing& ring, Row row) {
-  Lights lights(space, row, ring.reach);
+  Lights lights(space, row, ring);
   if (lights.lit.none()) {
     return;
   }

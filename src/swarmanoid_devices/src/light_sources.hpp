@@ -13,6 +13,19 @@
 
 namespace swarmanoid::devices {
 
+/// How strongly sensors respond to the channels of a source, where a source that is white counts with their mean.
+struct SpectralResponse {
+  double red = 1.0;
+  double green = 1.0;
+  double blue = 1.0;
+
+  /// With equal weights of 1, Light::brightness to the bit.
+  double brightness(Color color) const {
+    constexpr double kWhite = 3.0 * 255.0;
+    return (red * color.red + green * color.green + blue * color.blue) / kWhite;
+  }
+};
+
 /// One light sensor of one robot, at this tick.
 struct IlluminatedSensor {
   Eigen::Vector3d position;   ///< in W [m]
@@ -27,6 +40,7 @@ struct IlluminatedRing {
   double lowest = 0.0;     ///< of the sensors, in W [m]
   double highest = 0.0;    ///< likewise
   LightReach reach;        ///< beyond which sources give no light
+  SpectralResponse response;
   Span<const IlluminatedSensor> sensors;
 };
 

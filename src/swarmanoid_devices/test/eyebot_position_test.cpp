@@ -28,13 +28,14 @@ class PositionTest : public testing::Test {
     const double half_turn = 0.5 * flight.yaw_rate * kTick;
     const Eigen::Quaterniond half(Eigen::AngleAxisd(half_turn, Eigen::Vector3d::UnitZ()));
     const double chord = half_turn == 0.0 ? 1.0 : std::sin(half_turn) / half_turn;
-    Eigen::Vector3d velocity = pose.orientation * half * flight.linear;
-    velocity.head<2>() *= chord;
+    Eigen::Vector3d mean = pose.orientation * half * flight.linear;
+    mean.head<2>() *= chord;
     const double height = pose.position.z();
-    pose.position += kTick * velocity;
+    pose.position += kTick * mean;
     pose.position.z() = std::max(pose.position.z(), ground);
-    velocity.z() = (pose.position.z() - height) / kTick;
     pose.orientation = pose.orientation * half * half;
+    Eigen::Vector3d velocity = pose.orientation * flight.linear;  // at the end of the tick
+    velocity.z() = (pose.position.z() - height) / kTick;
     world.space.entities.twist[robot] = {velocity, {0.0, 0.0, flight.yaw_rate}};
     ++world.space.tick;
     const double change = (flight.linear.norm() - last_speed) / kTick;

@@ -47,6 +47,9 @@ TEST_P(MotionTest, AnArcEndsWhereTheCircleSays) {
   EXPECT_NEAR(world.pose(row).position.y(), 5.0 + radius * (1.0 - std::cos(angle)), 1e-9);
   EXPECT_NEAR(headingOf(world.pose(row)), angle, 1e-9);
   EXPECT_NEAR(world.twist(row).angular.z(), turn_rate, 1e-9);
+  // at the end of the tick the robot moves where it looks
+  const Vector3d ahead(std::cos(angle), std::sin(angle), 0.0);
+  EXPECT_LT((world.twist(row).linear - speed * ahead).norm(), 1e-9) << world.twist(row).linear.transpose();
 }
 
 TEST_P(MotionTest, AHardlyCurvedArcIsAsExact) {
@@ -84,6 +87,12 @@ TEST(EyebotMotionTest, FliesItsVelocityInItsOwnFrameAndStaysInThePlane) {
   EXPECT_TRUE(world.pose(row).position.isApprox(Vector3d(4.9, 5.3, 2.0), 1e-12));
   EXPECT_NEAR(headingOf(world.pose(row)), M_PI / 2.0 - 0.5, 1e-12);
   EXPECT_NEAR(world.twist(row).angular.z(), -0.5, 1e-9);
+  velocity.linear = {0.1, -0.2, 0.0};
+  world.step(1);
+  const double heading = M_PI / 2.0 - 0.5 - 0.05;
+  const Vector3d expected(0.1 * std::cos(heading) + 0.2 * std::sin(heading),
+                          0.1 * std::sin(heading) - 0.2 * std::cos(heading), 0.0);
+  EXPECT_LT((world.twist(row).linear - expected).norm(), 1e-9) << "sideways too, at the end of the tick";
 }
 
 /// A footbot in the plane perpendicular to an axis, its wheels on the plane.

@@ -90,6 +90,32 @@ void set(Simulation& simulation, const std::string& property, double value) {
   simulation.apply(SetProperty{"fb", property, numberText(value)});
 }
 
+/// A wall 0.5 m ahead holds the robot. By hand, at the part u of full voltage: 16 / 2 * u * u more for each wheel.
+TEST(BatteryTest, ARobotThatIsHeldDrawsByItsLoad) {
+  const double full = 0.3 / 0.029;  // rad/s
+  for (const char* engine : {"kinematics2d", "dynamics2d"}) {
+    for (const double speed : {full, 0.62 * full}) {
+      World world = worldWith(battery(5000.0, 0.0) + "<battery_stall>20</battery_stall>",
+                              "<left>" + numberText(speed) + "</left><right>" + numberText(speed) + "</right>");
+      world.entities +=
+          "<block id='wall'><position>5.6,5,0.25</position><orientation>0,0,0</orientation><size>0.2,4,0.5</size>"
+          "</block>";
+      world.members = "";
+      world.engines = "<" + std::string(engine) + " id='other'/>";
+      world.physics = "<engine id='other'><entity id='fb'/><entity id='wall'/></engine>";
+      const auto simulation = world.make();
+      simulation->start();
+      const Row row = simulation->space().entities.find("fb");
+      tick(*simulation, 10);  // it drives as commanded
+      const double part = speed / full;
+      EXPECT_NEAR(simulation->space().batteries[row][0].power, kStandby + 4.0 * part, 0.01) << engine;
+      tick(*simulation, 40);  // it stands at the wall
+      EXPECT_NEAR(simulation->space().batteries[row][0].power, kStandby + 4.0 * part + 16.0 * part * part, 0.1)
+          << engine << " at " << speed;
+    }
+  }
+}
+
 TEST(BatteryTest, DrainsByWhatIsListedAndHowTheWheelsTurn) {
   const auto simulation = started("<battery>true</battery>", "<left>2</left><right>-3.7</right>");
   tick(*simulation, 37);

@@ -11,7 +11,7 @@ from program_world import FINISHED, ProgramTest
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PAGE = ROOT / "docs/reference/experiment_file.md"
 HEADINGS = ["experiment", "framework", "controller", "sensor", "actuator", "error", "arena", "entity", "engine",
-            "arena_physics", "rule", "visualisation"]
+            "arena_physics", "rule", "visualisation", "realism"]
 XSD = "{http://www.w3.org/2001/XMLSchema}"
 
 
@@ -37,6 +37,7 @@ class ListTest(ProgramTest):
         sensors = self.list("sensor")
         self.assertIn("  footbot_proximity (polynomial, default): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)
+        self.assertIn("  typical: sensor eyebot_pressure: Bosch Sensortec BMP085, ", self.list("realism"))
         self.assert_refused("list: found 'sensors', allowed: " + ", ".join(HEADINGS) + "; did you mean 'sensor'?",
                             "list", "sensors")
 

@@ -115,6 +115,19 @@ TEST(SchemaTest, AcceptsRulesForHandover) {
   EXPECT_EQ(experiment.handovers[2].value, "lost");
 }
 
+TEST(SchemaTest, AcceptsPresetsWhereTheyMayStand) {
+  const std::string typical = "<realism>typical</realism>";
+  std::string text = test::readTestData("good.xml");
+  text.insert(text.find("</framework>"), typical);
+  text.insert(text.find("<sensors>"), typical);
+  text.insert(text.find("<sensors>") + std::string("<sensors>").size(),
+              "<range_and_bearing_received>" + typical + "</range_and_bearing_received>");
+  EXPECT_TRUE(schemaAccepts(writeFile("realism.xml", text)));
+  EXPECT_NO_THROW(parseExperiment(text, "realism.xml"));
+  text.replace(text.find(typical), typical.size(), "<realism>untypical</realism>");
+  EXPECT_FALSE(schemaAccepts(writeFile("untypical.xml", text)));
+}
+
 TEST(SchemaTest, AcceptsRules) {
   std::string text = test::readTestData("good.xml");
   text.insert(text.find("  <visualisations>"),
@@ -260,7 +273,8 @@ TEST(SchemaTest, KnowsEveryNameThatTheParserKnows) {
                            "entity",         "to",           "inside",
                            "outside",        "attached",     "released",
                            "debug",          "as",           "key",
-                           "heightfield",    "floor",        "hole"}) {
+                           "heightfield",    "floor",        "hole",
+                           "realism"}) {
     expect_name(name);
   }
 }

@@ -22,6 +22,22 @@ TEST(PoseTest, PointsOfABodyAreTurnedAndThenMoved) {
   EXPECT_EQ(pose.toWorld(Eigen::Vector3d::Zero()), pose.position);
 }
 
+/// A screw about (0, 0.6, 0.8) that turns by 0.85 rad: 0.4 m/s along the axis, and 0.5 m/s around it, at 0.5 / 1.7 m.
+TEST(TwistTest, MeanVelocityLeadsToTheEndOfTheArc) {
+  const Eigen::Vector3d axis(0.0, 0.6, 0.8);
+  const Eigen::Vector3d across(1.0, 0.0, 0.0);
+  const Eigen::Vector3d aside = axis.cross(across);
+  const Twist begin{0.4 * axis + 0.5 * across, 1.7 * axis};
+  constexpr double kTime = 0.5;  // s
+  const double turn = 1.7 * kTime;
+  const Eigen::Vector3d way =
+      0.4 * kTime * axis + 0.5 / 1.7 * (std::sin(turn) * across + (1.0 - std::cos(turn)) * aside);
+  EXPECT_LT((meanVelocity(begin, kTime) * kTime - way).norm(), 1e-12);
+  const Twist end{0.4 * axis + 0.5 * (std::cos(turn) * across + std::sin(turn) * aside), 1.7 * axis};
+  EXPECT_LT((meanVelocity(end, -kTime) * kTime - way).norm(), 1e-12) << "backwards";
+  EXPECT_EQ(meanVelocity({across, Eigen::Vector3d::Zero()}, kTime), across) << "straight on";
+}
+
 TEST(EntitiesTest, NumbersBeginAtOneAndAreNeverUsedAgain) {
   Entities entities;
   std::set<EntityNumber> numbers;

@@ -81,7 +81,7 @@ TEST_F(ExperimentOverridesTest, MistakesInOverridesNameTheOverride) {
             "--set arena.fb.controller: controller of a footbot: found the id 'fast', allowed: slow");
   EXPECT_EQ(refusal({{"framework.speed", "1"}}),
             "--set framework.speed: found tag 'speed', allowed: clocktick, maxclock, controller_path, random_seed, "
-            "threads, real_time_factor (in <framework>)");
+            "threads, real_time_factor, realism (in <framework>)");
   EXPECT_EQ(refusal({{"engines.ground.depth", "1"}}),
             "--set engines.ground.depth: found tag 'depth', allowed: height (in <old_plane>)");
 }

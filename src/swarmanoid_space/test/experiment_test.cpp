@@ -45,7 +45,8 @@ TEST_F(ExperimentTest, ReadsControllersWithTheirDevices) {
 TEST_F(ExperimentTest, EachImplementationHasItsOwnParameters) {
   std::string text = kFile;
   text.replace(text.find(" old_eye "), 9, "pixels");
-  EXPECT_EQ(refusal({}, text), "some.xml:10: found tag 'range', allowed: width, implementation, error (in <eye>)");
+  EXPECT_EQ(refusal({}, text),
+            "some.xml:10: found tag 'range', allowed: width, implementation, realism, error (in <eye>)");
 }
 
 TEST_F(ExperimentTest, TheTagErrorIsNoParameter) {

@@ -95,8 +95,9 @@ TEST_F(RobotFilesTest, KeepsWhatIsWrongWithPackages) {
   EXPECT_EQ(found.problems[0], share +
                                    "/ants/package.xml:5: robots: found '${prefix}/robots', allowed: a folder, such "
                                    "as ${prefix}/urdf");
-  EXPECT_EQ(found.problems[1],
-            share + "/bees/package.xml:5: <swarmanoid> needs the attribute robots=\"${prefix}/...\"");
+  EXPECT_EQ(found.problems[1], share +
+                                   "/bees/package.xml:5: <swarmanoid> needs the attribute robots=\"${prefix}/...\" or "
+                                   "realism=\"${prefix}/...\"");
   EXPECT_EQ(found.problems[2].rfind(share + "/wasps/package.xml:2: found no well-formed XML", 0), 0U)
       << found.problems[2];
 }

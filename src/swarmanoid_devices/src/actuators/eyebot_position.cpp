@@ -1,4 +1,4 @@
-// The eyebot's flight controller that flies to places: it adds up the velocities that it has really flown.
+// The eyebot's flight controller that flies to places: it adds up the ways and turns that it has really flown.
 #include "swarmanoid_interface/devices/eyebot_position.hpp"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 
 #include "mechanisms.hpp"
 #include "parameters.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/eyebot_pilot.hpp"
 #include "swarmanoid_space/actuator.hpp"
 #include "tick_guard.hpp"
@@ -16,6 +17,7 @@ namespace {
 struct PositionInstance : BasicActuatorInstance<EyebotPosition> {
   EyebotPilot before;  // when the last tick that was carried out began
   EyebotPilot pilot;   // with what was commanded in it
+  Pose pose;           // of the robot then
   TickGuard tick;
 };
 
@@ -58,6 +60,7 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
     const bool is_added = !instance.tick.hasBegun();
     const bool is_new = instance.tick.begins(space.tick);
     if (is_added) {
+      instance.pose = space.entities.pose[instance.row];
       space.flight[instance.row] = {true, Eigen::Vector3d::Zero(), 0.0};
       return;
     }
@@ -72,11 +75,22 @@ class EyebotPositionActuator final : public ActuatorOf<EyebotPosition, PositionI
   }
 
  private:
+  static double headingOf(const Pose& pose) {
+    const Eigen::Vector3d ahead = pose.orientation * Eigen::Vector3d::UnitX();
+    return std::atan2(ahead.y(), ahead.x());
+  }
+
   static void measure(const Space& space, double dt, PositionInstance& instance) {
-    const Eigen::Vector3d ahead = space.entities.pose[instance.row].orientation * Eigen::Vector3d::UnitX();
-    const Eigen::AngleAxisd to_heading(-std::atan2(ahead.y(), ahead.x()), Eigen::Vector3d::UnitZ());
-    const Twist& twist = space.entities.twist[instance.row];
-    instance.before.moved(to_heading * (twist.linear * dt), twist.angular.z() * dt, dt);
+    const Pose& pose = space.entities.pose[instance.row];
+    const double heading = headingOf(pose);
+    const Eigen::AngleAxisd to_heading(-heading, Eigen::Vector3d::UnitZ());
+    if (space.placed[instance.row] == space.tick) {
+      instance.before.moved(Eigen::Vector3d::Zero(), 0.0, dt);  // it did not fly there
+    } else {
+      instance.before.moved(to_heading * (pose.position - instance.pose.position),
+                            wrapAngle(heading - headingOf(instance.pose)), dt);
+    }
+    instance.pose = pose;
   }
 
   EyebotPilot::Limits limits_;

@@ -48,6 +48,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
                                                    numberText(range_.maximum));
     }
     reach_ = range_.maximum;
+    folds_ = parameters.text("too_close", kReported) == kFolded;
   }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
@@ -91,7 +92,8 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     const Range any{0.0, Distance::kFarthest};
     description.parameters = {
         number("range_min", "m", numberText(usual.minimum), any, "Distance below which something is too close."),
-        number("range_max", "m", numberText(usual.maximum), any, "Distance beyond which nothing is in range.")};
+        number("range_max", "m", numberText(usual.maximum), any, "Distance beyond which nothing is in range."),
+        tooCloseParameter()};
     return description;
   }
 
@@ -153,12 +155,14 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
     castRays(space, rays, segments, hits);
     for (std::size_t i = 0; i < size; ++i) {
       const double distance = hits[i].isHit() ? hits[i].fraction * reach_ : kInfinity;
-      Ring::valueOf(instance, i) = Distance::reading(distance, range_);
+      Ring::valueOf(instance, i) =
+          folds_ ? Distance::foldedReading(distance, range_) : Distance::reading(distance, range_);
     }
   }
 
   Range range_;         // that can be measured, m
   double reach_ = 0.0;  // of rays, m
+  bool folds_ = false;  // whether what is too close reads as something farther away
   Rings<count> rings_;
 };
 

@@ -1,7 +1,7 @@
 // The footbot's ground sensors, around the body and between the wheels.
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 
-#include "ground_spots.hpp"
+#include "printed_floor.hpp"
 
 namespace swarmanoid::devices {
 namespace {
@@ -30,5 +30,5 @@ class FootbotBaseGroundSensor
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_RING(swarmanoid::devices::FootbotGroundSensor)
-REGISTER_RING(swarmanoid::devices::FootbotBaseGroundSensor)
+REGISTER_GROUND_SENSOR(swarmanoid::devices::FootbotGroundSensor)
+REGISTER_GROUND_SENSOR(swarmanoid::devices::FootbotBaseGroundSensor)

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 #include "color_blob_finder.hpp"
 #include "distance_rays.hpp"
+#include "parameters.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
@@ -21,7 +24,21 @@ struct ScannerInstance : BasicSensorInstance<Readings> {
   Mount mount;
   double before = 0.0;  // angle of the head in the tick before the last one that was sensed, rad
   double angle = 0.0;   // in that
+  Pose pose_before;     // of the robot in the tick before
+  Pose pose;            // of the robot in the last tick that was sensed
   TickGuard tick;
+};
+
+/// The samples of one tick, the oldest first: where the head was, and where its beams looked.
+struct Shots {
+  std::size_t count = 0;
+  std::array<double, Readings::kSamples> angle;             // of the head, in the robot's frame [rad]
+  std::array<Eigen::Vector3d, Readings::kSamples> from;     // in W [m]
+  std::array<Eigen::Vector3d, Readings::kSamples> forward;  // where beam 0 looked, in W
+  std::array<Eigen::Vector3d, Readings::kSamples> left;     // where beam 1 looked, in W
+  double slope = 0.0;                                       // of the steepest way down in the plane of the beams
+  Eigen::Vector3d centre;                                   // of a sphere that holds `from` [m]
+  double radius = 0.0;
 };
 
 class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
@@ -32,10 +49,17 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     description.implementation = "rays";
     description.is_default = true;
     description.summary = "Two short and two long infrared beams on the head; the way to what is straight ahead.";
+    description.parameters = {
+        number("rate", "1/s", "0", {0.0, 10000.0},
+               "Samples of each beam in a second, from where the robot was then; 0: 8 in each tick."),
+        tooCloseParameter()};
     return description;
   }
 
-  void configure(const Configuration&) override {}
+  void configure(const Configuration& parameters) override {
+    rate_ = parameters.number("rate", 0.0);
+    folds_ = parameters.text("too_close", kReported) == kFolded;
+  }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {
     const double dt = toSeconds(space.clocktick);
@@ -75,25 +99,33 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
   }
 
  private:
-  static void senseOne(const Space& space, double dt, ScannerInstance& instance) {
+  void senseOne(const Space& space, double dt, ScannerInstance& instance) const {
     static const FootbotScanner kOff;
     const auto* actuation = space.actuation.find<FootbotScanner>(instance.row);
     const FootbotScanner& scanner = actuation == nullptr ? kOff : *actuation;
+    const bool is_added = !instance.tick.hasBegun();
     if (instance.tick.begins(space.tick)) {
       instance.before = instance.angle;
+      instance.pose_before = instance.pose;
+    }
+    instance.pose = space.entities.pose[instance.row];
+    if (is_added || space.placed[instance.row] == space.tick) {
+      instance.pose_before = instance.pose;  // it did not come here on a way
     }
     const double turn = scanner.turnFrom(instance.before, dt);
     instance.angle = wrapTurn(instance.before + turn);
+    const Shots shots = rate_ == 0.0 ? evenShots(instance, turn) : timedShots(space, instance, turn);
     Readings& readings = *instance.readings;
     readings.angle = instance.angle;
     readings.period = static_cast<float>(dt);
     for (std::size_t i = 0; i < Readings::kSamples; ++i) {
-      readings.angles[i] = toBearing(Readings::angleOf(i, instance.before, turn));
+      readings.angles[i] = toBearing(i < shots.count ? shots.angle[i] : instance.angle);
     }
-    if (scanner.mode == FootbotScanner::Mode::kOff) {
-      fill(readings, std::numeric_limits<float>::quiet_NaN());
-    } else {
-      measure(space, instance, turn);
+    fill(readings, std::numeric_limits<float>::quiet_NaN());
+    if (scanner.mode != FootbotScanner::Mode::kOff && shots.count > 0) {
+      // short beams and long ones apart: short ones mostly have nothing in reach, which is found at once
+      measurePair(space, instance, 0, shots, shots.forward);
+      measurePair(space, instance, 1, shots, shots.left);
     }
   }
 
@@ -103,55 +135,93 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     }
   }
 
-  /// The short beams and the long ones apart: short ones mostly have nothing in reach, which is found at once.
-  static void measure(const Space& space, ScannerInstance& instance, double turn) {
-    const Pose& pose = space.entities.pose[instance.row];
-    const Eigen::Vector3d centre = pose.toWorld(instance.mount.position);
+  /// @param pose of the robot @param angle of the head
+  static void addShot(const ScannerInstance& instance, const Pose& pose, double angle, Shots& shots) {
     const Eigen::Matrix3d head = (pose.orientation * instance.mount.orientation).toRotationMatrix();
-    std::array<Eigen::Vector3d, Readings::kSamples> ahead;  // where beam 0 looked
-    std::array<Eigen::Vector3d, Readings::kSamples> left;   // where beam 1 looked
+    const double cosine = std::cos(angle);
+    const double sine = std::sin(angle);
+    const std::size_t i = shots.count++;
+    shots.angle[i] = angle;
+    shots.from[i] = pose.toWorld(instance.mount.position);
+    shots.forward[i] = head.col(0) * cosine + head.col(1) * sine;
+    shots.left[i] = head.col(1) * cosine - head.col(0) * sine;
+    shots.slope = std::max(shots.slope, head.row(2).head<2>().norm());
+  }
+
+  /// All from where the robot is now, evenly over the tick.
+  static Shots evenShots(const ScannerInstance& instance, double turn) {
+    Shots shots;
     for (std::size_t i = 0; i < Readings::kSamples; ++i) {
-      const double angle = Readings::angleOf(i, instance.before, turn);
-      const double cosine = std::cos(angle);
-      const double sine = std::sin(angle);
-      ahead[i] = head.col(0) * cosine + head.col(1) * sine;
-      left[i] = head.col(1) * cosine - head.col(0) * sine;
+      addShot(instance, instance.pose, Readings::angleOf(i, instance.before, turn), shots);
     }
-    const double slope = head.row(2).head<2>().norm();  // of the steepest way down in the plane of the beams
-    measurePair(space, instance, 0, centre, ahead, slope);
-    measurePair(space, instance, 1, centre, left, slope);
+    shots.centre = shots.from[0];
+    return shots;
+  }
+
+  /// Those whose time is in the tick, at whole multiples of 1 / rate. The robot has moved evenly meanwhile.
+  Shots timedShots(const Space& space, const ScannerInstance& instance, double turn) const {
+    const std::int64_t end = samplesUntil(space.time);
+    const std::int64_t begin = samplesUntil(space.time - space.clocktick);
+    constexpr auto kMost = static_cast<std::int64_t>(Readings::kSamples);
+    const double tick_end = toSeconds(space.time);
+    const double dt = toSeconds(space.clocktick);
+    const Pose& before = instance.pose_before;
+    const Pose& now = instance.pose;
+    Shots shots;
+    for (std::int64_t k = std::max(begin, end - kMost) + 1; k <= end; ++k) {
+      const double part = std::clamp(1.0 - (tick_end - static_cast<double>(k) / rate_) / dt, 0.0, 1.0);
+      const Pose pose{before.position + part * (now.position - before.position),
+                      before.orientation.slerp(part, now.orientation)};
+      addShot(instance, pose, instance.before + part * turn, shots);
+    }
+    const Eigen::Vector3d first = before.toWorld(instance.mount.position);
+    const Eigen::Vector3d last = now.toWorld(instance.mount.position);
+    shots.centre = 0.5 * (first + last);
+    constexpr double kMargin = 0.01;  // m: while it turns, the head may leave the straight line a little
+    shots.radius = 0.5 * (last - first).norm() + kMargin;
+    return shots;
+  }
+
+  /// The number of the last sample that was due by then. Whole numbers of nanoseconds are rounded in one way only.
+  std::int64_t samplesUntil(Time time) const {
+    constexpr double kAlmost = 1e-6;  // of a sample, for rounding
+    return static_cast<std::int64_t>(std::floor(toSeconds(time) * rate_ + kAlmost));
   }
 
   /// A beam and the opposite one. @param directions of the first, sample by sample
-  static void measurePair(const Space& space, ScannerInstance& instance, std::size_t first_beam,
-                          const Eigen::Vector3d& centre,
-                          const std::array<Eigen::Vector3d, Readings::kSamples>& directions, double slope) {
-    constexpr std::size_t kRays = 2 * Readings::kSamples;
+  void measurePair(const Space& space, ScannerInstance& instance, std::size_t first_beam, const Shots& shots,
+                   const std::array<Eigen::Vector3d, Readings::kSamples>& directions) const {
     const Range range = Readings::rangeOf(first_beam);
     Readings::Samples& one = instance.readings->distances(first_beam);
     Readings::Samples& other = instance.readings->distances(first_beam + 2);
+    const std::size_t count = shots.count;
     RayBundle rays;
-    rays.centre = centre;
-    rays.radius = range.maximum;
+    rays.centre = shots.centre;
+    rays.radius = shots.radius + range.maximum;
     rays.ignored = instance.row;
-    if (!mayMeasure(space, rays, centre.z() - rays.radius * slope)) {
-      one.fill(std::numeric_limits<float>::infinity());
-      other.fill(std::numeric_limits<float>::infinity());
+    if (!mayMeasure(space, rays, shots.centre.z() - shots.radius - range.maximum * shots.slope)) {
+      std::fill_n(one.begin(), count, std::numeric_limits<float>::infinity());
+      std::fill_n(other.begin(), count, std::numeric_limits<float>::infinity());
       return;
     }
+    constexpr std::size_t kRays = 2 * Readings::kSamples;
     std::array<Segment, kRays> segments;
     std::array<RayHit, kRays> hits;
-    for (std::size_t i = 0; i < Readings::kSamples; ++i) {
-      segments[i] = {centre, centre + range.maximum * directions[i]};
-      segments[Readings::kSamples + i] = {centre, centre + range.maximum * -directions[i]};
+    for (std::size_t i = 0; i < count; ++i) {
+      segments[i] = {shots.from[i], shots.from[i] + range.maximum * directions[i]};
+      segments[count + i] = {shots.from[i], shots.from[i] + range.maximum * -directions[i]};
     }
-    rays.segments = Span<const Segment>(segments.data(), kRays);
-    castDistances(space, rays, Span<RayHit>(hits.data(), kRays));
-    for (std::size_t k = 0; k < kRays; ++k) {
+    rays.segments = Span<const Segment>(segments.data(), 2 * count);
+    castDistances(space, rays, Span<RayHit>(hits.data(), 2 * count));
+    for (std::size_t k = 0; k < 2 * count; ++k) {
       const double distance = hits[k].isHit() ? hits[k].fraction * range.maximum : kInfinity;
-      (k < Readings::kSamples ? one : other)[k % Readings::kSamples] = Distance::reading(distance, range);
+      (k < count ? one : other)[k % count] =
+          folds_ ? Distance::foldedReading(distance, range) : Distance::reading(distance, range);
     }
   }
+
+  double rate_ = 0.0;   // samples of a beam in a second; 0: as many in each tick as readings hold
+  bool folds_ = false;  // whether what is too close reads as something farther away
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // The ground sensors of any robot, where its description has them.
 #include "swarmanoid_interface/devices/ground.hpp"
 
-#include "ground_spots.hpp"
+#include "printed_floor.hpp"
 #include "span_readings.hpp"
 
 namespace swarmanoid::devices {
@@ -35,4 +35,4 @@ class GroundSensor : public GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynam
 }  // namespace
 }  // namespace swarmanoid::devices
 
-REGISTER_RING(swarmanoid::devices::GroundSensor)
+REGISTER_GROUND_SENSOR(swarmanoid::devices::GroundSensor)

@@ -1,5 +1,5 @@
 /// What all ground sensors have in common: each spot reads the colour of the floor where its line of sight meets the
-/// ground, by the law of Ground::reflection, and 0 if that is farther than the range. The spots are where links of the
+/// ground, by a GroundResponse, and 0 if that is farther than the range. The spots are where links of the
 /// robot's description are, and look along the x axes of these.
 ///
 /// Engines let bodies sink in by a little: a spot that is pressed into the ground by up to 1 cm reads the floor there.
@@ -20,6 +20,7 @@
 #include <string>
 
 #include "field_numbers.hpp"
+#include "ground_response.hpp"
 #include "parameters.hpp"
 #include "ring_geometry.hpp"
 #include "sampled_ring.hpp"
@@ -66,6 +67,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
   double range() const { return range_; }
 
  protected:
+  void setResponse(const GroundResponse& response) { response_ = response; }
   void setRange(const SampleTable& table) { range_ = table.farthest() + kSampledMargin; }
 
   template <class Visit>
@@ -74,7 +76,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
                 [&](std::size_t i, const Eigen::Vector3d& spot, const Eigen::Vector3d& direction, double way) {
                   const Color color = space.floor.colorAt(spot + way * direction, space.tick);
                   const double tilt = std::atan2(direction.head<2>().norm(), -direction.z());
-                  visit(i, std::max(way, 0.0), tilt, static_cast<double>(Ground::reflection(color)));
+                  visit(i, std::max(way, 0.0), tilt, static_cast<double>(response_(color)));
                 });
   }
 
@@ -152,7 +154,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
         const Eigen::Vector3d spot(0.0, 0.0, ring.from(2, column) + height);
         const Eigen::Vector3d direction(0.0, 0.0, ring.direction(2, column));
         const double way = wayToGround(space, spot, direction, range_);
-        level.values[i] = way == kInfinity ? 0.0F : Ground::reflection(space.floor.bare);
+        level.values[i] = way == kInfinity ? 0.0F : response_(space.floor.bare);
       }
     }
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -166,7 +168,7 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
     const Eigen::Matrix3d rotation = pose.orientation.toRotationMatrix();
     LevelReadings unused;
     const bool is_bare = space.floor.isBareAround(pose.position, reachOf(ring, unused));
-    const float bare = Ground::reflection(space.floor.bare);
+    const float bare = response_(space.floor.bare);
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const auto column = static_cast<Eigen::Index>(i);
       const Eigen::Vector3d spot = rotation * ring.from.col(column) + pose.position;
@@ -176,12 +178,13 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
       if (way == kInfinity || is_bare) {
         value = way == kInfinity ? 0.0F : bare;
       } else {
-        value = Ground::reflection(space.floor.colorAt(spot + way * direction, space.tick));
+        value = response_(space.floor.colorAt(spot + way * direction, space.tick));
       }
     }
   }
 
   double range_ = Ground::kUsualRange;
+  GroundResponse response_;
   Rings<count> rings_;
 };
 

@@ -1,6 +1,7 @@
-// The inertial measurement unit of any robot, from the velocities of the last two ticks.
+// The inertial measurement unit of any robot, from the velocities at the ends of the last two ticks.
 #include "swarmanoid_interface/devices/imu.hpp"
 
+#include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/sensor.hpp"
 #include "tick_guard.hpp"
 
@@ -8,8 +9,8 @@ namespace swarmanoid::devices {
 namespace {
 
 struct ImuInstance : BasicSensorInstance<Imu> {
-  Imu::Motion before;  // in the tick before the last one that was sensed
-  Imu::Motion last;    // in that
+  Imu::Motion before;  // at the end of the tick before the last one that was sensed
+  Imu::Motion last;    // at the end of that
   TickGuard tick;
 };
 
@@ -47,7 +48,9 @@ class ImuSensor final : public SensorOf<Imu, ImuInstance> {
   static void senseOne(const Space& space, double dt, ImuInstance& instance) {
     const Eigen::Quaterniond to_body = space.entities.pose[instance.row].orientation.conjugate();
     const Twist& twist = space.entities.twist[instance.row];
-    const Imu::Motion now{to_body * twist.linear, to_body * twist.angular, to_body * Eigen::Vector3d::UnitZ()};
+    const Engine* engine = space.mover[instance.row];
+    const Imu::Motion now{to_body * twist.linear, to_body * twist.angular, to_body * Eigen::Vector3d::UnitZ(),
+                          engine == nullptr ? Engine::kUsualGravity : engine->gravity()};
     const bool is_added = !instance.tick.hasBegun();
     if (instance.tick.begins(space.tick)) {
       instance.before = instance.last;

@@ -47,6 +47,8 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   void configure(const Configuration& parameters) override {
     const double range = parameters.number("range", Light::kUsualRange);
     reach_ = {range, std::min(range, parameters.number("led_range", kFarthest))};
+    response_ = {parameters.number("red_weight", 1.0), parameters.number("green_weight", 1.0),
+                 parameters.number("blue_weight", 1.0)};
   }
 
   void prepare(const Space& space) override {
@@ -101,7 +103,10 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, kFarthest},
                                      "Distance beyond which a source gives no light."),
                               number("led_range", "m", numberText(kFarthest), {0.001, kFarthest},
-                                     "The same for LEDs of robots, if it is less than `range`.")};
+                                     "The same for LEDs of robots, if it is less than `range`."),
+                              number("red_weight", "", "1", kWeights, "How strongly sensors respond to red light."),
+                              number("green_weight", "", "1", kWeights, "The same for green light."),
+                              number("blue_weight", "", "1", kWeights, "The same for blue light.")};
     return description;
   }
 
@@ -127,6 +132,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
 
  private:
   static constexpr double kFarthest = 100.0;  // m
+  static constexpr Range kWeights{0.0, 3.0};
   using Sensors = std::array<IlluminatedSensor, RingGeometry<count>::kMost>;
 
   /// What shines on a ring. The list is kept between calls so that a steady state allocates
@@ -152,6 +158,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     placed.lowest = kInfinity;
     placed.highest = -kInfinity;
     placed.reach = reach_;
+    placed.response = response_;
     placed.sensors = {sensors.data(), ring.size()};
     const Eigen::Matrix3d turn = pose.orientation.toRotationMatrix();
     for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -184,6 +191,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   }
 
   LightReach reach_;
+  SpectralResponse response_;
   LitEntities lit_;  // of this tick
   Rings<count> rings_;
 };

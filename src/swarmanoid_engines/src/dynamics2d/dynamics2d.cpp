@@ -214,7 +214,10 @@ void Dynamics2d::putBody(const Space& space, BodyIndex index) {
   const Twist& twist = space.entities.twist[body.row];
   const double turn_rate = plane.along(twist.angular);
   const Eigen::Vector2d arm = body.pose.rotated(rigid_body.arm);
-  const Eigen::Vector2d velocity = plane.toLocal(twist.linear) + turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
+  // a mirror goes straight to where its entity's arc leads
+  const Eigen::Vector3d linear =
+      body.role == Role::kMirror ? meanVelocity(twist, toSeconds(space.clocktick)) : twist.linear;
+  const Eigen::Vector2d velocity = plane.toLocal(linear) + turn_rate * Eigen::Vector2d(-arm.y(), arm.x());
   rigid_body.setVelocity(velocity, turn_rate);
 }
 

@@ -60,6 +60,7 @@ class Dynamics2d final : public planar::PlanarEngine {
   void move(Space& space, Duration dt) override;
   void connect(Space& space) override;
   void draw(EngineDrawing& drawing) const override;
+  double gravity() const override { return material_.gravity; }
 
   /// Box2D's world: what stands, mirrors, and the movers that something may reach in a tick.
   const b2World& world() const { return *world_; }

@@ -116,6 +116,9 @@ void Dynamics3d::takePose(const Space& space, Body& body) {
   if (!body.is_dynamic && !(twist.linear.norm() < kFastest && twist.angular.norm() < kFastestTurn)) {
     twist = Twist{};
   }
+  if (!body.is_dynamic) {
+    twist.linear = meanVelocity(twist, toSeconds(space.clocktick));  // straight to where its entity's arc leads
+  }
   body.setTwist(twist, joints);
   takeTurret(body, space);
   if (body.model->wheels) {

@@ -80,6 +80,7 @@ class Dynamics3d final : public Engine {
   bool blocks(Row row, const RayBundle& ray) const override;
   void draw(EngineDrawing& drawing) const override;
   EngineHealth health() const override;
+  double gravity() const override { return settings_.gravity; }
   const SolverCounts& solverCounts() const { return counts_; }
 
   /// Notes what the treels of every robot that has them do from now on, by step and entity number; null: no longer. For

@@ -180,8 +180,10 @@ void Kinematics2d::finishBody(Space& space, BodyIndex index, const planar::Plana
   }
   writePose(space, index, before.heading);
   const planar::Plane& plane = bodies_.plane();
-  twist.linear = plane.toGlobal((body.pose.position - before.position) / tick, 0.0);
-  twist.angular = plane.normal() * (wrapAngle(body.pose.heading - before.heading) / tick);
+  const double turn = wrapAngle(body.pose.heading - before.heading);
+  const Eigen::Vector2d mean = (body.pose.position - before.position) / tick;
+  twist.linear = plane.toGlobal(planar::velocityAtEnd(mean, turn), 0.0);
+  twist.angular = plane.normal() * (turn / tick);
 }
 
 }  // namespace swarmanoid::kinematics2d

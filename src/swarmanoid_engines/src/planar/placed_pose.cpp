@@ -20,4 +20,13 @@ PlacedPose integrateTurning(const PlacedPose& start, const Eigen::Vector2d& velo
   return PlacedPose::at(start.position + dt * shortening * start.rotated(chord), wrapAngle(start.heading + turn));
 }
 
+Eigen::Vector2d velocityAtEnd(const Eigen::Vector2d& mean, double turn) {
+  if (turn == 0.0) {
+    return mean;
+  }
+  // the chord's direction turned by half the turn, times half / sin(half)
+  const double half = 0.5 * turn;
+  return half / std::tan(half) * mean + half * Eigen::Vector2d(-mean.y(), mean.x());
+}
+
 }  // namespace swarmanoid::planar

@@ -41,4 +41,8 @@ inline PlacedPose integrate(const PlacedPose& start, const Eigen::Vector2d& velo
   return end;
 }
 
+/// The inverse: the velocity at the end of an arc of constant speed and turn rate.
+/// @param mean along the chord [m/s]; @param turn from the start of the arc to its end, in (-pi, pi]
+Eigen::Vector2d velocityAtEnd(const Eigen::Vector2d& mean, double turn);
+
 }  // namespace swarmanoid::planar

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/engine.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment_file/realism.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 
@@ -179,6 +181,20 @@ void writeImplementation(const PluginDescription& description, bool is_only_one,
       << (description.parameters.empty() ? "It has no parameters.\n" : parameterTable(description.parameters).text());
 }
 
+/// Writes the presets of a device, each as an experiment file would say it.
+void writePresets(const std::string& device, PluginKind kind, std::ostream& out) {
+  for (const RealismPreset& preset : realismPresets()) {
+    if (preset.device != device || preset.kind != kind) {
+      continue;
+    }
+    out << "\n## Preset " << asCode(preset.name) << "\n\n" << preset.source << "\n\n";
+    std::istringstream lines(preset.content);
+    for (std::string line; std::getline(lines, line);) {
+      out << "    " << line << '\n';
+    }
+  }
+}
+
 void writeDevice(const std::string& name, const Implementations& implementations, std::ostream& out) {
   const DeviceType* type = findDeviceType(name);
   const PluginDescription& first = implementations.front()->description;
@@ -198,6 +214,7 @@ void writeDevice(const std::string& name, const Implementations& implementations
   for (const Registry::Entry* entry : implementations) {
     writeImplementation(entry->description, implementations.size() == 1, out);
   }
+  writePresets(name, implementations.front()->kind, out);
 }
 
 /// @param device whose name it is; "": all of the suite

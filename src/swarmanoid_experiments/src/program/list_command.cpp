@@ -14,6 +14,7 @@
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 #include "swarmanoid_space/experiment_file/experiment_tags.hpp"
+#include "swarmanoid_space/experiment_file/realism.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -40,6 +41,10 @@ void write(const ErrorKind& kind, std::ostream& out) {
   for (const Parameter& parameter : kind.description.parameters) {
     write(parameter, "attribute, " + allowedValues(parameter), out);
   }
+}
+
+void write(const RealismPreset& preset, std::ostream& out) {
+  out << "  " << preset.name << ": " << toString(preset.kind) << ' ' << preset.device << ": " << preset.source << '\n';
 }
 
 /// Writes the fields that controllers read from a sensor and write to an actuator.
@@ -84,6 +89,7 @@ std::vector<std::string> headings() {
       names.push_back(tag.heading);
     }
   }
+  names.emplace_back("realism");
   return names;
 }
 
@@ -102,6 +108,11 @@ void writeHeading(const std::string& heading, const PluginOrigins& origins, std:
   if (heading == "error") {
     for (const ErrorKind* kind : errorKinds()) {
       write(*kind, out);
+    }
+  }
+  if (heading == "realism") {
+    for (const RealismPreset& preset : realismPresets()) {
+      write(preset, out);
     }
   }
   for (const Registry::Entry* entry : allPlugins()) {

@@ -33,21 +33,14 @@ TEST(ModelsPageTest, InertialReading) {
   });
   auto simulation = world.start();
   tick(*simulation, static_cast<int>(std::size(drives)));
-  // the velocity of a tick is that along the chord of its arc, seen from where the robot looks at its end
-  const auto velocity_of = [](const Drive& drive) -> Eigen::Vector3d {
-    const double half_turn = 0.5 * drive.omega * kTick;
-    const double speed = drive.v * (half_turn == 0.0 ? 1.0 : std::sin(half_turn) / half_turn);
-    return {speed * std::cos(half_turn), -speed * std::sin(half_turn), 0.0};
-  };
   ASSERT_EQ(readings.size(), std::size(drives));
   EXPECT_EQ(readings[0].linear_acceleration, Eigen::Vector3d(0.0, 0.0, 9.81)) << "before it has moved";
   for (std::size_t k = 1; k < readings.size(); ++k) {
     const Drive before = k == 1 ? Drive{0.0, 0.0} : drives[k - 2];
     const Drive& now = drives[k - 1];
-    const Eigen::Vector3d change = (velocity_of(now) - velocity_of(before)) / kTick;
-    const Eigen::Vector3d mean = (velocity_of(now) + velocity_of(before)) / 2.0;
+    // at the ends of both ticks it moves straight ahead, seen from the robot
     const double turning = (now.omega + before.omega) / 2.0;
-    const Eigen::Vector3d expected(change.x() - turning * mean.y(), change.y() + turning * mean.x(), 9.81);
+    const Eigen::Vector3d expected((now.v - before.v) / kTick, turning * (now.v + before.v) / 2.0, 9.81);
     EXPECT_NEAR((readings[k].linear_acceleration - expected).norm(), 0.0, 1e-9) << "tick " << k;
     EXPECT_NEAR((readings[k].angular_velocity - Eigen::Vector3d(0.0, 0.0, now.omega)).norm(), 0.0, 1e-9) << k;
   }
@@ -88,6 +81,77 @@ TEST(InertialEngineTest, AnArcIsFeltTowardsItsCentre) {
       EXPECT_NEAR(mean.y(), omega * kSpeed, kAllowed) << where;
       EXPECT_NEAR(mean.z(), 9.81, 0.01) << where;
     }
+  }
+}
+
+/// A robot that drives an arc feels v omega towards its centre, and no difference where another engine takes it over.
+/// The velocity of dynamics2d is that at the end of a tick to half a step, v omega / (2 * 20) here.
+TEST(InertialEngineTest, AHandoverOnAnArcIsNotFelt) {
+  constexpr double kSpeed = 0.137;  // m/s
+  for (const double omega : {0.58, -0.58}) {
+    ModelWorld world;
+    world.more_engines = "<dynamics2d id='flat'><subclock>20</subclock></dynamics2d>";
+    world.wheels = "<differential_drive/>";
+    world.footbot_sensors = "<imu/>";
+    world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 71.0);
+    world.members = "fb";
+    std::vector<Imu> readings;
+    setProgram([&](Robot& robot) {
+      robot.actuator<DifferentialDrive>().drive(kSpeed, omega);
+      readings.push_back(robot.sensor<Imu>());
+    });
+    auto simulation = world.start();
+    tick(*simulation, 12);
+    for (const char* engine : {"flat", "engine", "flat", "engine"}) {
+      simulation->apply(HandOverEntity{"fb", engine});
+      tick(*simulation, 7);
+    }
+    constexpr std::size_t kStarting = 3;
+    for (std::size_t k = kStarting; k < readings.size(); ++k) {
+      const Eigen::Vector3d expected(0.0, omega * kSpeed, 9.81);
+      EXPECT_NEAR((readings[k].linear_acceleration - expected).norm(), 0.0, 1.2 * 0.58 * kSpeed / 40.0)
+          << "tick " << k << ": " << readings[k].linear_acceleration.transpose();
+      EXPECT_NEAR(readings[k].angular_velocity.z(), omega, 1e-5) << "tick " << k;
+    }
+  }
+}
+
+/// At rest it feels the gravity of the engine that moves the robot; in kinematics2d, which has none, that of the Earth.
+TEST(InertialEngineTest, GravityIsThatOfTheEngine) {
+  for (const char* engine : {"kinematics2d", "dynamics2d", "dynamics3d"}) {
+    ModelWorld world;
+    world.engine = engine;
+    const bool has_gravity = world.engine != "kinematics2d";
+    world.engine_parameters = has_gravity ? "<gravity>3.71</gravity>" : "";
+    world.footbot_sensors = "<imu/>";
+    world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 71.0);
+    world.members = "fb";
+    Imu imu;
+    setProgram([&](Robot& robot) { imu = robot.sensor<Imu>(); });
+    auto simulation = world.start();
+    tick(*simulation, 30);
+    EXPECT_NEAR(imu.linear_acceleration.z(), has_gravity ? 3.71 : 9.81, 0.02) << engine;
+  }
+}
+
+/// In free fall it feels nothing, also in the tick after gravity changes.
+TEST(InertialEngineTest, GravityThatChangesInFreeFallIsNotFelt) {
+  ModelWorld world;
+  world.engine = "dynamics3d";
+  world.engine_parameters = "<gravity>1.62</gravity>";
+  world.footbot_sensors = "<imu/>";
+  world.entities = robot("footbot", "fb", 5.0, 5.0, 6.0, 71.0);
+  world.members = "fb";
+  std::vector<double> readings;
+  setProgram([&](Robot& robot) { readings.push_back(robot.sensor<Imu>().linear_acceleration.norm()); });
+  auto simulation = world.start();
+  tick(*simulation, 3);
+  simulation->apply(SetEngineParameters{"engine", {{"gravity", "3.71"}}});
+  tick(*simulation, 4);
+  ASSERT_EQ(readings.size(), 7U);
+  EXPECT_NEAR(readings[0], 1.62, 1e-9) << "before it falls nothing is known of its motion";
+  for (std::size_t k = 1; k < readings.size(); ++k) {
+    EXPECT_NEAR(readings[k], 0.0, 1e-9) << "tick " << k;
   }
 }
 

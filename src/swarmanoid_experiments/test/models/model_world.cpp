@@ -44,8 +44,8 @@ std::unique_ptr<Simulation> ModelWorld::start() const {
       controller("eyebot", eyebot_actuators, eyebot_sensors),
       has_handbot ? controller("handbot", handbot_actuators, handbot_sensors) : "",
       "</controllers><arena size='20,20,10' optimization='2D'>", entities, extras, "</arena><engines><", engine,
-      " id='engine'>", engine_parameters, "</", engine, "></engines><arena_physics><engine id='engine'>", mapping,
-      "</engine></arena_physics></ahss-config>");
+      " id='engine'>", engine_parameters, "</", engine, ">", more_engines,
+      "</engines><arena_physics><engine id='engine'>", mapping, "</engine></arena_physics></ahss-config>");
   auto simulation = std::make_unique<Simulation>(parseExperiment(text, "model.xml"));
   simulation->start();
   return simulation;

@@ -63,6 +63,7 @@ struct ModelWorld {
   std::string members;  ///< ids of what the engine moves, with spaces between
   std::string engine = "kinematics2d";
   std::string engine_parameters;
+  std::string more_engines;  ///< more elements of <engines>
   std::string footbot_sensors;
   std::string eyebot_sensors;
   std::string eyebot_actuators = "<eyebot_velocity/><eyebot_laser/>";

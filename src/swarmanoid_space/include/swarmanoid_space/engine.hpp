@@ -148,6 +148,11 @@ class Engine {
   /// model where it is. Lines of sight count on both.
   virtual bool hitsPrisms() const { return false; }
 
+  /// The gravity that acts on its entities in the tick to come, downwards [m/s2]: what an inertial unit at rest reads.
+  /// An engine without gravity stands for level ground on the Earth.
+  virtual double gravity() const { return kUsualGravity; }
+  static constexpr double kUsualGravity = 9.81;  ///< also where no engine moves an entity [m/s2]
+
   /// Shows people what the engine works with. Allocates; called on request only.
   virtual void draw(EngineDrawing& /*drawing*/) const {}
 

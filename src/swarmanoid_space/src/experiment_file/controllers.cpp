@@ -75,6 +75,7 @@ DeviceDescription readDevice(PluginKind kind, const XmlElement& element, Reader&
                    "', which has no default, allowed: " + joinNames(implementationsOf(kind, device.type)));
   }
   device.implementation = entry->description.implementation;
+  element.child("realism");  // at most one: applyRealism has read it
   refuseErrorParameter(element, entry->description);
   std::vector<std::string> others = valuesOf(path);
   others.emplace_back("error");
@@ -135,7 +136,11 @@ void readControllers(const XmlElement& section, Reader& reader) {
     if (controller.script.empty()) {
       findController(element, controller, reader);
     }
-    element.allowChildren(tagsIn("controllers/*"));
+    std::vector<std::string> allowed = tagsIn("controllers/*");
+    const std::vector<std::string> values = valuesOf("controllers/*");
+    allowed.insert(allowed.end(), values.begin(), values.end());
+    element.allowChildren(allowed);
+    element.child("realism");  // at most one: applyRealism has read it
     if (const auto actuators = element.child("actuators")) {
       controller.actuators = readDevices(PluginKind::kActuator, *actuators, reader);
     }

@@ -1,6 +1,7 @@
 #include "parameter_table.hpp"
 
 #include "swarmanoid_interface/contains.hpp"
+#include "swarmanoid_space/experiment_file/realism.hpp"
 
 namespace swarmanoid::experiment {
 namespace {
@@ -82,6 +83,15 @@ Configuration readParameters(const XmlElement& element, const std::vector<Parame
   return result;
 }
 
+Parameter realismParameter(const std::string& usual) {
+  Parameter parameter =
+      makeParameter("realism", Parameter::Type::kChoice, "", usual, {},
+                    usual.empty() ? "Preset of what the file does not say; else that of the element around it."
+                                  : "Preset of all devices: ideal, or as on a robot.");
+  parameter.choices = realismNames();
+  return parameter;
+}
+
 const std::vector<Parameter>& frameworkParameters() {
   using Type = Parameter::Type;
   static const std::vector<Parameter> table{
@@ -94,7 +104,8 @@ const std::vector<Parameter>& frameworkParameters() {
       makeParameter("threads", Type::kInteger, "", "1", limits::kThreads,
                     "Threads that the run may use; results do not depend on it."),
       makeParameter("real_time_factor", Type::kNumber, "", "0", {0.0, 1e6},
-                    "Simulated seconds for each real one; 0: as fast as possible. Headless runs ignore it.")};
+                    "Simulated seconds for each real one; 0: as fast as possible. Headless runs ignore it."),
+      realismParameter(kIdealRealism)};
   return table;
 }
 

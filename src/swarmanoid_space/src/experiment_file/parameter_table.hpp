@@ -25,6 +25,9 @@ void checkValue(const Parameter& parameter, const std::string& text, const Sourc
 std::string readChoice(const XmlElement& element, const char* name, const std::vector<std::string>& choices,
                        const std::optional<std::string>& fallback);
 
+/// `<realism>` of devices. @param usual meant where nothing is said: that of the element around it, if it is ""
+Parameter realismParameter(const std::string& usual = "");
+
 // The tables of the sections themselves.
 const std::vector<Parameter>& frameworkParameters();
 /// Where an entity is. In <distribute> it has no position, and need not be turned.

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "door.hpp"
+#include "realism_presets.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 #include "swarmanoid_space/experiment_file/unchecked_experiment.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -226,7 +227,8 @@ void readText(const std::string& text, const std::string& name, const std::vecto
   if (root_element.name() != "ahss-config") {
     root_element.refuse("found the root element <" + root_element.name() + ">, allowed: <ahss-config>");
   }
-  const auto marks = experiment::applyOverrides(*document, overrides);
+  auto marks = experiment::applyOverrides(*document, overrides);
+  experiment::applyRealism(*document, name, experiment::installedPresets, marks);
   reader.experiment.file = name;
   reader.experiment.name = std::filesystem::path(name).stem().string();
   reader.experiment.text = text;

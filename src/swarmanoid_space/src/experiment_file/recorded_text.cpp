@@ -6,6 +6,7 @@
 #include <new>
 
 #include "reader.hpp"
+#include "realism_presets.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::experiment {
@@ -79,7 +80,9 @@ bool isFileOfLibrary(const std::string& library) {
 std::string recordedText(const Experiment& experiment, const std::vector<std::string>& new_names) {
   SWARMANOID_EXPECTS(new_names.size() + 1 == experiment.files.size());
   const XmlDocument document = parseXml(experiment.text, experiment.file, XmlNamespaces::kRefused);
-  const auto marks = applyOverrides(*document, overridesOf(experiment));
+  auto marks = applyOverrides(*document, overridesOf(experiment));
+  applyRealism(*document, experiment.file, installedPresets, marks);
+  removeRealism(*document);
   const fs::path folder = fs::path(experiment.file).parent_path();
   std::vector<bool> is_named(new_names.size(), false);
   const Exchange exchange = [&](const std::string& name, const std::string& value) {

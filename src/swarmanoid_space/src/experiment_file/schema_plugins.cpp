@@ -55,7 +55,7 @@ std::vector<Parameter> deviceParameters(const std::vector<const Registry::Entry*
   std::vector<Parameter> table;
   for (const Registry::Entry* entry : implementations) {
     for (Parameter parameter : entry->description.parameters) {
-      if (parameter.name == "implementation" || parameter.name == "error") {
+      if (parameter.name == "implementation" || parameter.name == "realism" || parameter.name == "error") {
         continue;  // which mean something else in a device
       }
       if (implementations.size() > 1) {
@@ -97,6 +97,7 @@ void writeDeviceParts(const std::vector<const Registry::Entry*>& implementations
   // <xs:all> cannot hold what stands there several times, so that values stand there once is left to the reader
   out.open("choice", {{"minOccurs", "0"}, {"maxOccurs", "unbounded"}});
   out.choiceElement("implementation", choices);
+  out.parameters({realismParameter()});
   out.parameters(deviceParameters(implementations));
   out.tag(tagAt("controllers/*/sensors/*/error"));
   out.close();
@@ -124,6 +125,7 @@ void writePlugin(PluginKind kind, const std::string& tag, const Registry::Entry&
     for (const char* part : {"actuators", "sensors", "parameters"}) {
       out.leaf("element", {{"ref", part}, {"minOccurs", "0"}});
     }
+    out.parameters(tagAt("controllers/*").values);
     out.close();
   } else if (entry.description.free_parameters) {
     out.anyElements("skip");

@@ -55,7 +55,8 @@ ExperimentTag device(const std::string& section, const std::string& heading) {
           heading,
           "In <" + section + ">.",
           {text("library", "", "As for controllers.")},
-          {makeParameter("implementation", Type::kText, "", "", {}, "In brackets below; else the type's default.")}};
+          {makeParameter("implementation", Type::kText, "", "", {}, "In brackets below; else the type's default."),
+           realismParameter()}};
 }
 
 /// In a device. The attributes of all kinds stand here; which of them one kind has, `readErrors` knows.
@@ -189,7 +190,7 @@ std::vector<ExperimentTag> makeTags() {
   std::vector<ExperimentTag> tags{
       {"", "framework", "framework", "The section: what concerns the whole run.", {}, frameworkParameters()},
       {"", "controllers", "controller", "The section: which controllers there are, with their devices.", {}, {}},
-      {"controllers", "*", "controller", "In <controllers>, by its label.", scriptAttributes(), {}},
+      {"controllers", "*", "controller", "In <controllers>, by its label.", scriptAttributes(), {realismParameter()}},
       {"controllers/*", "actuators", "controller", "In a controller: the actuators that it uses.", {}, {}},
       {"controllers/*", "sensors", "controller", "In a controller: the sensors that it uses.", {}, {}},
       {"controllers/*", "parameters", "controller", "In a controller: whatever it reads.", {}, {}},

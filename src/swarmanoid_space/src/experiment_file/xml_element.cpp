@@ -9,6 +9,9 @@ namespace swarmanoid::experiment {
 SourceLocation XmlElement::location() const {
   for (const xmlNode* node = element_; node != nullptr; node = node->parent) {
     const auto* marks = static_cast<const OverrideMarks*>(node->_private);
+    if (marks != nullptr && !marks->file.empty()) {
+      return {marks->file, lineOf(element_)};
+    }
     if (marks != nullptr && !marks->text.empty()) {
       return {"--set " + marks->text, 0};
     }

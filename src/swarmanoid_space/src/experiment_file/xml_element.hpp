@@ -12,8 +12,9 @@
 
 namespace swarmanoid::experiment {
 
-/// Which overrides have set something of an element; hung on the element as its private data.
+/// Where something of an element is from that the file does not say; hung on the element as its private data.
 struct OverrideMarks {
+  std::string file;                               ///< that the element is from, with presets; "": the document's
   std::string text;                               ///< path of the override that set the element's text; "" for none
   std::map<std::string, std::string> attributes;  ///< and of those that set attributes, by attribute
 };

@@ -84,7 +84,7 @@ class Search {
     std::ostringstream text;
     text << std::ifstream(file).rdbuf();
     if (text.str().find("<swarmanoid") == std::string::npos) {
-      return;  // of hundreds of packages few have robots: the others are not worth parsing
+      return;  // of hundreds of packages few have either: the others are not worth parsing
     }
     try {
       readManifest(package, file, text.str());
@@ -96,6 +96,9 @@ class Search {
   RobotFiles take() {
     std::sort(found_.robots.begin(), found_.robots.end(), [](const RobotFile& a, const RobotFile& b) {
       return std::tie(a.type, a.file) < std::tie(b.type, b.file);
+    });
+    std::sort(found_.presets.begin(), found_.presets.end(), [](const std::string& a, const std::string& b) {
+      return std::make_pair(fs::path(a).filename(), a) < std::make_pair(fs::path(b).filename(), b);
     });
     return std::move(found_);
   }
@@ -109,9 +112,27 @@ class Search {
     if (name == nullptr || element == nullptr || !packages_.insert(textIn(name->children)).second) {
       return;
     }
-    const std::optional<std::string> value = attributeOf(*element, "robots");
+    const std::vector<fs::path> robots = filesIn("robots", ".urdf", package, file, *element);
+    const std::vector<fs::path> presets = filesIn("realism", ".xml", package, file, *element);
+    if (!attributeOf(*element, "robots") && !attributeOf(*element, "realism")) {
+      throw ConfigError({file, lineOf(element)},
+                        "<swarmanoid> needs the attribute robots=\"${prefix}/...\" or realism=\"${prefix}/...\"");
+    }
+    for (const fs::path& robot : robots) {
+      found_.robots.push_back({robot.stem().string(), robot.string(), textIn(name->children)});
+    }
+    for (const fs::path& preset : presets) {
+      found_.presets.push_back(preset.string());
+    }
+  }
+
+  /// The files with an ending in the folder that an attribute names; none without the attribute.
+  static std::vector<fs::path> filesIn(const char* attribute, const char* ending, const fs::path& package,
+                                       const std::string& manifest, const xmlNode& element) {
+    std::vector<fs::path> files;
+    const std::optional<std::string> value = attributeOf(element, attribute);
     if (!value) {
-      throw ConfigError({file, lineOf(element)}, "<swarmanoid> needs the attribute robots=\"${prefix}/...\"");
+      return files;
     }
     std::string folder = *value;
     const std::string prefix = "${prefix}";
@@ -120,14 +141,16 @@ class Search {
     }
     std::error_code ignored;
     if (!fs::is_directory(folder, ignored)) {
-      throw ConfigError({file, lineOf(element)},
-                        "robots: found '" + *value + "', allowed: a folder, such as ${prefix}/urdf");
+      throw ConfigError({manifest, lineOf(&element)}, std::string(attribute) + ": found '" + *value +
+                                                          "', allowed: a folder, such as ${prefix}/" +
+                                                          (ending == std::string(".urdf") ? "urdf" : "realism"));
     }
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
-      if (entry.path().extension() == ".urdf") {
-        found_.robots.push_back({entry.path().stem().string(), entry.path().string(), textIn(name->children)});
+      if (entry.path().extension() == ending) {
+        files.push_back(entry.path());
       }
     }
+    return files;
   }
 
   std::set<std::string> packages_;  // names

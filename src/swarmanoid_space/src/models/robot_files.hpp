@@ -1,8 +1,10 @@
-/// Finds the robots of this installation: packages say in their package.xml where the descriptions of theirs are,
+/// Finds the robots and the presets of devices of this installation: packages say in their package.xml where theirs
+/// are,
 ///
-///     <export><swarmanoid robots="${prefix}/urdf"/></export>
+///     <export><swarmanoid robots="${prefix}/urdf" realism="${prefix}/realism"/></export>
 ///
-/// and each <type>.urdf in that folder is a robot type. Packages are searched in share/ of every prefix, and in the
+/// one of the two or both. Each <type>.urdf in the first folder is a robot type, each .xml in the second has presets
+/// (experiment_file/realism_presets.hpp). Packages are searched in share/ of every prefix, and in the
 /// source folders of those prefixes that are devel spaces. A package that is there more than once is taken from the
 /// first prefix where its package.xml has that element.
 #pragma once
@@ -20,7 +22,8 @@ struct RobotFile {
 
 struct RobotFiles {
   std::vector<RobotFile> robots;      ///< sorted by type; a type may be there twice, which is for the caller to refuse
-  std::vector<std::string> problems;  ///< packages whose robots cannot be found: "package.xml:12: found ..."
+  std::vector<std::string> presets;   ///< files with presets of devices, sorted by name, then by folder
+  std::vector<std::string> problems;  ///< packages whose robots or presets cannot be found: "package.xml:12: found ..."
 };
 
 /// Searched once a process. Thread-safe.

@@ -20,7 +20,8 @@ struct BatteryNumber {
 constexpr BatteryNumber kBatteryNumbers[] = {{"battery_capacity", &BatteryModel::capacity},
                                              {"battery_level", &BatteryModel::first_share},
                                              {"battery_capacitor", &BatteryModel::capacitor},
-                                             {"battery_enough", &BatteryModel::enough}};
+                                             {"battery_enough", &BatteryModel::enough},
+                                             {"battery_stall", &BatteryModel::stall}};
 
 /// A number that would be without effect. Defaults are filled in before, so these are not refused.
 void refuseBatteryNumbers(const Configuration& parameters, const BatteryModel& usual) {
@@ -52,10 +53,11 @@ class RobotType final : public EntityType {
     for (const auto& [name, value] : kBatteryNumbers) {
       battery.*value = parameters.number(name, battery.*value);
     }
-    using Key = std::pair<std::string, std::array<double, 4>>;
+    using Key = std::pair<std::string, std::array<double, 5>>;
     static SharedModels<Key> models;
-    return models.get({name_, {battery.capacity, battery.capacitor, battery.first_share, battery.enough}},
-                      [&] { return robotWithBattery(*robot, battery); });
+    return models.get(
+        {name_, {battery.capacity, battery.capacitor, battery.first_share, battery.enough, battery.stall}},
+        [&] { return robotWithBattery(*robot, battery); });
   }
 
   bool isRobot() const override { return true; }
@@ -75,7 +77,9 @@ std::vector<Parameter> batteryParameters(const BatteryModel& battery) {
           makeParameter("battery_capacitor", Type::kNumber, "J", numberText(battery.capacitor), kChargeRange,
                         "Of the super-capacitor that keeps it alive while the battery is out."),
           makeParameter("battery_enough", Type::kNumber, "", numberText(battery.enough), {0.001, 1.0},
-                        "Part of the capacity with which it goes on after it was empty.")};
+                        "Part of the capacity with which it goes on after it was empty."),
+          makeParameter("battery_stall", Type::kNumber, "W", numberText(battery.stall), kPowerRange,
+                        "Of both wheels' motors at full voltage while they are held; 0: load draws nothing.")};
 }
 
 /// Empty where the description is wrong; robotModel says what is wrong to whoever uses the robot.

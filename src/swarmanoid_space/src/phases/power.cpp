@@ -20,6 +20,32 @@ double standbyPower(const BatteryModel& battery, const ControllerDescription* co
   return power;
 }
 
+namespace {
+
+/// What a motor draws beyond its drive because it turns slower than its voltage would have it, by the law of a motor of
+/// direct current. All speeds are parts of the fastest. @param voltage part of the full one, from -1 to 1
+double loadPower(double stall, double voltage, double speed) {
+  const double forward = voltage < 0.0 ? -speed : speed;
+  const double lag = std::clamp(std::abs(voltage) - forward, 0.0, std::abs(voltage));
+  return stall * std::abs(voltage) * lag;
+}
+
+/// Of both wheels. @pre the robot has wheels that are driven
+double loadPower(const Space& space, Row row, const BatteryModel& battery) {
+  const EntityModel::Wheels& geometry = *space.entities.model[row]->wheels;
+  const WheelsCommand& wheels = space.wheels[row];
+  const Eigen::Quaterniond to_body = space.entities.pose[row].orientation.conjugate();
+  const double ahead = (to_body * space.entities.twist[row].linear).x();
+  const double aside = 0.5 * geometry.separation * (to_body * space.entities.twist[row].angular).z();
+  const double left = geometry.radius * geometry.max_speed * wheels.grip.left;  // m/s of the ground at full voltage
+  const double right = geometry.radius * geometry.max_speed * wheels.grip.right;
+  const double stall = 0.5 * std::max(0.0, battery.stall - battery.drive);
+  return loadPower(stall, geometry.radius * wheels.left / left, (ahead - aside) / left) +
+         loadPower(stall, geometry.radius * wheels.right / right, (ahead + aside) / right);
+}
+
+}  // namespace
+
 double powerDemand(const Space& space, Row row, const BatteryModel& battery, double standby) {
   const EntityModel& model = *space.entities.model[row];
   double power = standby;
@@ -30,6 +56,7 @@ double powerDemand(const Space& space, Row row, const BatteryModel& battery, dou
   if (wheels.is_driven && model.wheels) {
     const double turned = std::abs(wheels.left) / wheels.grip.left + std::abs(wheels.right) / wheels.grip.right;
     power += battery.drive * turned / (2.0 * model.wheels->max_speed);
+    power += battery.stall > 0.0 ? loadPower(space, row, battery) : 0.0;
   }
   if (battery.flight > 0.0 && space.flight[row].is_driven && !isCarried(space, row)) {
     power += battery.flight;

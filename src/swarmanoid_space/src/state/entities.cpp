@@ -1,11 +1,26 @@
 #include "swarmanoid_space/state/entities.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid {
+
+Eigen::Vector3d meanVelocity(const Twist& twist, double dt) {
+  const double turn_rate = twist.angular.norm();
+  const double turn = turn_rate * dt;
+  constexpr double kStraight = 1e-9;  // rad
+  if (!(std::abs(turn) > kStraight)) {
+    return twist.linear;
+  }
+  const Eigen::Vector3d axis = twist.angular / turn_rate;
+  const Eigen::Vector3d along = axis * axis.dot(twist.linear);
+  const double half_sine = std::sin(0.5 * turn);
+  return along + (twist.linear - along) * (std::sin(turn) / turn) +
+         axis.cross(twist.linear) * (2.0 * half_sine * half_sine / turn);
+}
 
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& /*owner*/, const Pose& pose) {
   visitor.vector({name, "position"}, pose.position);

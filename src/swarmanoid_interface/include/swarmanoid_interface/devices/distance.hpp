@@ -1,6 +1,7 @@
 /// Sensor: the infrared distance sensors of any robot, as many as it has, wherever they look.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -39,6 +40,16 @@ struct Distance {
     constexpr float kInfinite = std::numeric_limits<float>::infinity();
     return distance > range.maximum ? kInfinite : distance < range.minimum ? -kInfinite : static_cast<float>(distance);
   }
+
+  /// The same of a sensor that measures by triangulation and does not know that something is too close. Its voltage is
+  /// proportional to 1 / distance within its range, and falls below the minimum, where the light spot leaves the
+  /// detector: in proportion to the distance, by assumption. So it reads the larger distance of the same voltage.
+  static float foldedReading(double distance, Range range) {
+    const bool is_too_close = distance < range.minimum;
+    const double seen = is_too_close ? range.minimum * range.minimum / std::max(distance, kTouching) : distance;
+    return reading(seen, range);
+  }
+  static constexpr double kTouching = 1e-6;  ///< nearer counts as this [m]
 };
 
 /// Distances before the first tick: NaN (REP-117).

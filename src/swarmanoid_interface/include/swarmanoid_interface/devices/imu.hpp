@@ -10,24 +10,23 @@ namespace swarmanoid {
 /// Readings in the robot's own frame (x ahead, y left, z up), as REP-145 has them.
 struct Imu {
   static constexpr const char* kType = "imu";
-  static constexpr double kGravity = 9.81;  ///< that accelerometers feel at rest [m/s2]
+  static constexpr double kGravity = 9.81;  ///< that accelerometers feel at rest on the Earth [m/s2]
 
   Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< right-handed about x, y, z [rad/s]
-  /// What accelerometers measure: of a robot that stands still kGravity upwards; of one that falls freely 0, where
-  /// gravity is kGravity [m/s2].
+  /// What accelerometers measure: of a robot that stands still gravity, but upwards; of one that falls freely 0 [m/s2].
   Eigen::Vector3d linear_acceleration{0.0, 0.0, kGravity};
 
-  /// How a robot moves and leans, in its own frame.
+  /// How a robot moves and leans at a moment, in its own frame.
   struct Motion {
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();          ///< of its origin [m/s]
     Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();  ///< [rad/s]
     Eigen::Vector3d up = Eigen::Vector3d::UnitZ();               ///< where up is, of length 1
+    double gravity = kGravity;                                   ///< downwards, from this moment on [m/s2]
   };
 
   /// The law by which all units of the suite respond. The acceleration is that between two moments: how the velocity
   /// changes in the robot's frame, what turning adds to it, and gravity; what changes meanwhile counts with its mean.
-  /// From velocities at the ends of ticks an arc at constant speed has exactly speed * turn rate; from mean velocities
-  /// of ticks, as those of kinematics2d, a little less, and not straight to the centre.
+  /// An arc at constant speed has exactly speed * turn rate.
   /// @param before the motion `dt` earlier; the same as `now` if none is known @param dt greater than 0 [s]
   static Imu reading(const Motion& before, const Motion& now, double dt) {
     const Eigen::Vector3d velocity = 0.5 * (before.velocity + now.velocity);
@@ -35,7 +34,7 @@ struct Imu {
     const Eigen::Vector3d up = 0.5 * (before.up + now.up);
     Imu imu;
     imu.angular_velocity = now.angular_velocity;
-    imu.linear_acceleration = (now.velocity - before.velocity) / dt + turning.cross(velocity) + kGravity * up;
+    imu.linear_acceleration = (now.velocity - before.velocity) / dt + turning.cross(velocity) + before.gravity * up;
     return imu;
   }
 };
@@ -43,7 +42,8 @@ struct Imu {
 template <class Visitor>
 void fields(Visitor& visit, Imu& imu) {
   visit(imu.angular_velocity, {"angular_velocity", "rad/s", "right-handed about the robot's axes"});
-  visit(imu.linear_acceleration, {"linear_acceleration", "m/s2", "as accelerometers measure it: 9.81 upwards at rest"});
+  visit(imu.linear_acceleration,
+        {"linear_acceleration", "m/s2", "as accelerometers measure it: gravity, but upwards, at rest"});
 }
 REGISTER_DEVICE_OF_SUITE(Imu, kSensor, "Gyroscopes and accelerometers.")
 

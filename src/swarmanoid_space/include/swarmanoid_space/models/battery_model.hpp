@@ -33,10 +33,11 @@ struct BatteryModel {
   double first_share = 1.0;  ///< of the capacity that is in it at first
   double enough = 0.3;       ///< of the capacity with which a robot goes on that was empty
 
-  double electronics = 0.0;                            ///< what is always on [W]
-  double drive = 0.0;                                  ///< of both wheels at their limit of speed [W]
-  double led = 0.0;                                    ///< of a white LED [W]
-  double flight = 0.0;                                 ///< of rotors that carry the robot [W]
+  double electronics = 0.0;  ///< what is always on [W]
+  double drive = 0.0;        ///< of both wheels at their limit of speed [W]
+  double stall = 0.0;        ///< of both at full voltage while they are held; 0: as `drive` [W]
+  double led = 0.0;          ///< of a white LED [W]
+  double flight = 0.0;       ///< of rotors that carry the robot [W]
   std::map<std::string, double, std::less<>> devices;  ///< of each that a controller lists, by type [W]
 
   /// What devices draw that are on. @param device a type; others than those of `devices` are part of the electronics

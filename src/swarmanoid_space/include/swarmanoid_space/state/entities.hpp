@@ -31,11 +31,15 @@ struct Pose {
   bool isUpright() const { return orientation.x() == 0.0 && orientation.y() == 0.0; }
 };
 
-/// Velocities of the body's origin, expressed in W.
+/// Velocities of the body's origin at the end of the last tick, expressed in W.
 struct Twist {
   Eigen::Vector3d linear = Eigen::Vector3d::Zero();   ///< [m/s]
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();  ///< [rad/s]
 };
+
+/// The mean velocity of an origin whose body keeps its speed and turn rate for `dt`, which is along the chord of its
+/// arc [m/s, in W]. @param twist when the time begins; with a negative `dt` [s], when it ends
+Eigen::Vector3d meanVelocity(const Twist& twist, double dt);
 
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Pose& pose);
 void visitCell(StateVisitor& visitor, const char* name, const CellOwner& owner, const Twist& twist);

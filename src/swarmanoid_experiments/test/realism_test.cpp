@@ -1,0 +1,174 @@
+// Presets of devices: one word in the file chooses them, what the file says itself goes first, and a record has them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "swarmanoid_interface/controller.hpp"
+#include "swarmanoid_interface/devices/eyebot_pressure.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
+#include "swarmanoid_space/experiment_file/realism.hpp"
+#include "swarmanoid_space/records/run_record.hpp"
+#include "test_world.hpp"
+
+namespace swarmanoid::test {
+namespace {
+
+class Idle final : public Controller {
+ public:
+  void init(Robot&, const Configuration&) override {}
+  void step(Time, Duration) override {}
+};
+
+/// An eyebot at 1 m, with the parts of a file that may choose a preset.
+struct EyebotFile {
+  std::string framework = {};
+  std::string controller = {};
+  std::string pressure = {};
+  std::string more = {};
+
+  std::string xml() const {
+    return "<ahss-config><framework><clocktick>100</clocktick><maxclock>5000</maxclock>" + framework +
+           "</framework><controllers><realism_idle id='c' library='swarmanoid_devices'>" + controller +
+           "<sensors><eyebot_pressure>\n" + pressure + "</eyebot_pressure>" + more +
+           "</sensors><parameters/></realism_idle></controllers>"
+           "<arena size='10,10,4' optimization='2D'><eyebot id='eb'><position>5,5,1</position>"
+           "<orientation>0,0,0</orientation><controller>c</controller></eyebot></arena>"
+           "<engines><kinematics2d id='sky'><distance>1</distance></kinematics2d></engines>"
+           "<arena_physics><engine id='sky'><entity id='eb'/></engine></arena_physics></ahss-config>";
+  }
+  Experiment read(const std::vector<Override>& overrides = {}) const {
+    loadBuiltInPlugins();
+    return parseExperiment(xml(), "eyebot.xml", overrides);
+  }
+};
+
+/// "gaussian quantisation": the kinds of errors of the pressure sensor.
+std::string errorsOf(const Experiment& experiment) {
+  std::string kinds;
+  for (const ErrorModelDescription& error : experiment.controllers.at(0).sensors.at(0).errors) {
+    kinds += (kinds.empty() ? "" : " ") + error.kind;
+  }
+  return kinds;
+}
+
+std::string messageOf(const EyebotFile& file, const std::vector<Override>& overrides = {}) {
+  try {
+    file.read(overrides);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+constexpr const char* kTypical = "<realism>typical</realism>";
+constexpr const char* kIdeal = "<realism>ideal</realism>";
+
+TEST(RealismTest, TheInnermostElementThatSaysSoChooses) {
+  EXPECT_EQ(errorsOf(EyebotFile{}.read()), "") << "ideal, where nothing is said";
+  EXPECT_EQ(errorsOf(EyebotFile{kTypical}.read()), "gaussian quantisation");
+  EXPECT_EQ(errorsOf(EyebotFile{kTypical, kIdeal}.read()), "");
+  EXPECT_EQ(errorsOf(EyebotFile{"", kTypical}.read()), "gaussian quantisation");
+  EXPECT_EQ(errorsOf(EyebotFile{kTypical, kIdeal, kTypical}.read()), "gaussian quantisation");
+  EXPECT_EQ(errorsOf(EyebotFile{kTypical, "", kIdeal}.read()), "");
+}
+
+TEST(RealismTest, OneOverrideChoosesForARow) {
+  EXPECT_EQ(errorsOf(EyebotFile{}.read({{"framework.realism", "typical"}})), "gaussian quantisation");
+  EXPECT_EQ(errorsOf(EyebotFile{kTypical}.read({{"framework.realism", "ideal"}})), "");
+  EXPECT_EQ(errorsOf(EyebotFile{}.read({{"controllers.c.realism", "typical"}})), "gaussian quantisation");
+}
+
+TEST(RealismTest, ErrorsOfTheFileReplaceThoseOfThePreset) {
+  const Experiment experiment = EyebotFile{kTypical, "", "<error kind='bias' offset='3'/>"}.read();
+  EXPECT_EQ(errorsOf(experiment), "bias");
+}
+
+TEST(RealismTest, ANameThatNoPresetHasIsRefusedWhereItStands) {
+  EXPECT_EQ(messageOf({"<realism>typcal</realism>"})
+                .rfind("eyebot.xml:1: realism: found the value 'typcal', allowed: "
+                       "ideal, ",
+                       0),
+            0U)
+      << messageOf({"<realism>typcal</realism>"});
+  EXPECT_NE(messageOf({"", "", "\n\n<realism>none</realism>"}).find("eyebot.xml:4: realism: found the value 'none'"),
+            std::string::npos)
+      << messageOf({"", "", "\n\n<realism>none</realism>"});
+  EXPECT_NE(messageOf({}, {{"framework.realism", "real"}}).find("--set framework.realism: "), std::string::npos);
+  EXPECT_NE(messageOf({std::string(kTypical) + kTypical}).find("found a second <realism>"), std::string::npos);
+  EXPECT_NE(messageOf({"", std::string(kTypical) + kTypical}).find("found a second <realism>"), std::string::npos);
+  EXPECT_NE(messageOf({"", "", std::string(kTypical) + kTypical}).find("found a second <realism>"), std::string::npos);
+}
+
+/// A record says itself what the preset held: it stays that run when the presets of an installation change.
+TEST(RealismTest, ARecordSpellsThePresetOut) {
+  const Experiment experiment = EyebotFile{kTypical}.read();
+  const RunRecord record = recordOf(experiment, "1.2.3");
+  EXPECT_NE(record.text.find("<error kind=\"gaussian\" deviation=\"5\"/>"), std::string::npos) << record.text;
+  EXPECT_NE(record.text.find("<realism>ideal</realism>"), std::string::npos) << record.text;
+  EXPECT_EQ(record.text.find("<realism>typical"), std::string::npos);
+  const Experiment again = parseExperiment(record.text, "again.xml");
+  EXPECT_EQ(errorsOf(again), "gaussian quantisation");
+  const auto run = [](const Experiment& described) {
+    Simulation simulation(described);
+    simulation.start();
+    std::vector<std::uint64_t> hashes;
+    for (int tick = 0; tick < 20; ++tick) {
+      simulation.tick();
+      hashes.push_back(deepHash(simulation.space()));
+    }
+    return hashes;
+  };
+  EXPECT_EQ(run(experiment), run(again));
+}
+
+/// Of the data sheet: 0.05 hPa RMS, in steps of 0.01 hPa, whose rounding adds 1 Pa / sqrt(12).
+TEST(RealismTest, TheTypicalBarometerIsAsItsDataSheetSays) {
+  Simulation simulation(EyebotFile{kTypical}.read());
+  simulation.start();
+  const Space& space = simulation.space();
+  std::vector<double> readings;
+  constexpr int kTicks = 4000;
+  for (int tick = 0; tick < kTicks; ++tick) {
+    simulation.tick();
+    readings.push_back(space.readings.find<EyebotPressure>(space.entities.find("eb"))->difference);
+    EXPECT_NEAR(readings.back(), std::round(readings.back()), 1e-9);
+  }
+  double mean = 0.0;
+  double squares = 0.0;
+  for (const double reading : readings) {
+    mean += reading / kTicks;
+    squares += reading * reading / kTicks;
+  }
+  EXPECT_NEAR(mean, 0.0, 4.0 * 5.0 / std::sqrt(kTicks)) << "it stays at the height where it was put";
+  EXPECT_NEAR(std::sqrt(squares), std::sqrt(25.0 + 1.0 / 12.0), 4.0 * 5.0 / std::sqrt(2.0 * kTicks));
+}
+
+/// What is installed must be readable for the devices that it is for, each preset by itself.
+TEST(RealismTest, AllInstalledPresetsAreAsTheirDevicesNeedThem) {
+  loadBuiltInPlugins();
+  const std::vector<RealismPreset> presets = realismPresets();
+  ASSERT_FALSE(presets.empty());
+  for (const RealismPreset& preset : presets) {
+    const bool is_sensor = preset.kind == PluginKind::kSensor;
+    const std::string section = is_sensor ? "sensors" : "actuators";
+    const std::string text = "<ahss-config><framework><clocktick>100</clocktick><maxclock>1</maxclock><realism>" +
+                             preset.name +
+                             "</realism></framework><controllers><realism_idle id='c' library='swarmanoid_devices'><" +
+                             section + "><" + preset.device + "/></" + section +
+                             "></realism_idle></controllers><arena size='1,1,1' optimization='2D'/></ahss-config>";
+    Experiment experiment;
+    ASSERT_NO_THROW(experiment = parseExperiment(text, "preset.xml")) << preset.file;
+    const ControllerDescription& controller = experiment.controllers.at(0);
+    const DeviceDescription& device = (is_sensor ? controller.sensors : controller.actuators).at(0);
+    const auto count = std::count(preset.content.begin(), preset.content.end(), '\n') + 1;
+    EXPECT_GT(count, 0) << preset.file;
+    EXPECT_EQ(device.errors.empty(), preset.content.find("<error") == std::string::npos) << preset.file;
+    EXPECT_GT(preset.source.size(), 20U) << preset.file << " says where its numbers are from";
+  }
+}
+
+}  // namespace
+}  // namespace swarmanoid::test
+
+REGISTER_CONTROLLER(swarmanoid::test::Idle, "realism_idle")
