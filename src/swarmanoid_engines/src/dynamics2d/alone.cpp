@@ -1,8 +1,5 @@
-// Bodies that nothing can reach in a tick are moved without Box2D, whose work would all be for finding contacts that
-// cannot be there. In a swarm those are nearly all robots, so what is near can be moved in as fine steps as it needs.
-//
-// Box2D goes through all bodies of its world several times a step, whether they are enabled or not, and takes one out
-// in a time that grows with the number of those that came in since the last step. So it gets a body when it is needed.
+// Bodies that nothing can reach in a tick are moved alone, without a search for contacts that cannot be there. In a
+// swarm those are nearly all robots, so the others can be moved in as fine steps as they need.
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +14,13 @@ constexpr double kFastWay = 0.14;  // m in a tick: for so few, others need not l
 Dynamics2d::Rates Dynamics2d::highestRates(BodyIndex index) {
   const Body& body = bodies_[index];
   const RigidBody& rigid_body = rigid(index);
-  return {std::sqrt(std::max(rigid_body.velocityNow().squaredNorm(), body.velocity.squaredNorm())),
-          std::max(std::abs(rigid_body.spinNow()), std::abs(body.turn_rate))};
+  return {std::sqrt(std::max(rigid_body.velocity.squaredNorm(), body.velocity.squaredNorm())),
+          std::max(std::abs(rigid_body.spin), std::abs(body.turn_rate))};
+}
+
+double Dynamics2d::highestSpeed(BodyIndex index) {
+  const Rates most = highestRates(index);
+  return most.speed + most.turn * bodies_[index].model->radius;
 }
 
 void Dynamics2d::measureWay(BodyIndex index, double tick, double jump) {
@@ -49,22 +51,19 @@ void Dynamics2d::sortOut() {
   present_.clear();
   for (const BodyIndex index : movers_) {
     RigidBody& rigid_body = rigid(index);
-    bool may_leave =
-        !rigid_body.is_reached && rigid_body.isFree() && (rigid_body.drive != Drive::kNone || rigid_body.isAtRest());
-    if (may_leave && !rigid_body.is_fast) {
+    bool is_alone = !rigid_body.is_reached && !rigid_body.isConnected() &&
+                    (rigid_body.drive != Drive::kNone || rigid_body.isAtRest());
+    if (is_alone && !rigid_body.is_fast) {
       if (travelled_ + longest_slow_way_ > rigid_body.free_until) {
         lookAround(index);
       }
-      may_leave = travelled_ + longest_slow_way_ <= rigid_body.free_until;
+      is_alone = travelled_ + longest_slow_way_ <= rigid_body.free_until;
     }
-    if (may_leave) {
-      leaveBox2d(index);
-    } else {
+    rigid_body.is_present = !is_alone;
+    if (!is_alone) {
+      rigid_body.rank = static_cast<int>(present_.size());
       present_.push_back(index);
     }
-  }
-  for (const BodyIndex index : present_) {  // after all have left: taking one out is fast while none has come in
-    enterBox2d(index);
   }
   travelled_ += longest_slow_way_;
 }
@@ -107,37 +106,15 @@ void Dynamics2d::lookAround(BodyIndex index) {
   rigid(index).free_until = travelled_ + 0.5 * gap;  // both may come
 }
 
-void Dynamics2d::enterBox2d(BodyIndex index) {
-  if (rigid(index).isAlone()) {
-    makeBody(index);
-    if (!bodies_[index].isDriven()) {
-      joinGround(index);
-    }
-  }
-}
-
-/// @pre it touches and holds nothing
-void Dynamics2d::leaveBox2d(BodyIndex index) {
-  RigidBody& rigid_body = rigid(index);
-  if (!rigid_body.isAlone()) {
-    rigid_body.velocity = rigid_body.velocityNow();
-    rigid_body.spin = rigid_body.spinNow();
-    dropBelt(rigid_body);
-    world_->DestroyBody(rigid_body.body);  // and its joint with the ground
-    rigid_body.body = nullptr;
-    rigid_body.ground = nullptr;
-  }
-}
-
 void Dynamics2d::moveAlone(double tick) {
   const double step = tick / subclock_;
   for (const BodyIndex index : movers_) {
-    if (rigid(index).isAlone() && rigid(index).drive != Drive::kNone) {
+    if (!rigid(index).is_present && rigid(index).drive != Drive::kNone) {
       driveAlone(index, step, subclock_);
     }
   }
   for (planar::Turret& turret : bodies_.turrets()) {
-    if (rigid(turret.body).isAlone()) {
+    if (!rigid(turret.body).is_present) {
       for (int i = 0; i < subclock_; ++i) {
         turnFreely(turret, step);
       }

@@ -1,6 +1,4 @@
-// What Box2D sees, as lines.
-#include <box2d/b2_contact.h>
-
+// What the engine simulates, as lines.
 #include "dynamics2d/dynamics2d.hpp"
 #include "planar/draw_bodies.hpp"
 #include "planar/gripper_reach.hpp"
@@ -10,33 +8,20 @@ namespace swarmanoid::dynamics2d {
 using Kind = EngineDrawing::Kind;
 
 void Dynamics2d::draw(EngineDrawing& drawing) const {
+  constexpr double kLength = 0.05;  // m
   PlanarEngine::draw(drawing);
-  drawContacts(drawing);
+  for (const DrawnContact& contact : contacts_) {
+    planar::drawLine(bodies_, contact.body, Kind::kContact, contact.point, contact.point + kLength * contact.normal,
+                     drawing);
+  }
   for (const BodyIndex index : movers_) {
-    const RigidBody& rigid_body = rigid(index);
-    if (rigid_body.grip.joint != nullptr) {
+    const Grip& grip = rigid(index).grip;
+    if (grip.isHolding()) {
       const Eigen::Vector2d tip = planar::gripperTip(bodies_, index).position;
       planar::drawLine(bodies_, index, Kind::kJoint, bodies_[index].pose.position, tip, drawing);
-      planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[rigid_body.grip.gripped].pose.position, drawing);
+      planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[grip.gripped].pose.position, drawing);
     }
     drawForces(index, drawing);
-  }
-}
-
-void Dynamics2d::drawContacts(EngineDrawing& drawing) const {
-  constexpr double kLength = 0.05;  // m
-  for (b2Contact* contact = world_->GetContactList(); contact != nullptr; contact = contact->GetNext()) {
-    if (!contact->IsTouching()) {
-      continue;
-    }
-    b2WorldManifold manifold;
-    contact->GetWorldManifold(&manifold);
-    const auto body = static_cast<BodyIndex>(contact->GetFixtureA()->GetBody()->GetUserData().pointer);
-    for (int i = 0; i < contact->GetManifold()->pointCount; ++i) {
-      const Eigen::Vector2d point = toMetres(manifold.points[i]);
-      const Eigen::Vector2d normal(manifold.normal.x, manifold.normal.y);
-      planar::drawLine(bodies_, body, Kind::kContact, point, point + kLength * normal, drawing);
-    }
   }
 }
 
@@ -45,14 +30,15 @@ void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
   const auto line = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& force) {
     planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * force, drawing);
   };
-  if (rigid_body.belt.body == nullptr) {
+  if (!rigid_body.is_present || rigid_body.drive != Drive::kTreels) {
     if (rigid_body.drive != Drive::kNone) {
       line(rigid_body.centre, rigid_body.last_push);
     }
     return;
   }
-  for (b2FrictionJoint* treel : rigid_body.belt.treels) {
-    line(toMetres(treel->GetAnchorB()), toMetres(treel->GetReactionForce(static_cast<float>(1.0 / last_step_))));
+  for (std::size_t i = 0; i < rigid_body.treel_forces.size(); ++i) {
+    const Eigen::Vector2d arm = (i == 0 ? 0.5 : -0.5) * rigid_body.axle;
+    line(bodies_[index].pose.position + bodies_[index].pose.rotated(arm), rigid_body.treel_forces[i]);
   }
 }
 

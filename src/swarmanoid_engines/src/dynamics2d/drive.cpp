@@ -1,31 +1,20 @@
-// What drives robots: treels that push on the ground, and flight.
-//
-// A robot without contacts gets in each step the forces that bring it to the commanded velocity within that step, as
-// far as the ground holds; a treel that slips is held back against its slip. What else pushes it would come a step too
-// late in that sum, so a robot that touches or holds anything is driven by joints instead, which Box2D solves together
-// with the contacts.
+// What drives robots that are alone: treels that push on the ground, and flight. A robot gets in each step the forces
+// that bring it to the commanded velocity within that step, as far as the ground holds; a treel that slips is held back
+// against its slip. In islands the same is solved together with contacts (drive_constraints.cpp).
 #include <algorithm>
 #include <cmath>
 
 #include "dynamics2d/dynamics2d.hpp"
+#include "dynamics2d/flight.hpp"
 #include "dynamics2d/friction.hpp"
-#include "dynamics2d/joints.hpp"
 #include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
 
-constexpr double kFlightAcceleration = 4.0;       // m/s2
-constexpr double kFlightTurnAcceleration = 20.0;  // rad/s2
-
 Eigen::Vector2d limited(const Eigen::Vector2d& force, double most) {
   const double squared = force.squaredNorm();
   return squared > most * most ? Eigen::Vector2d(force * (most / std::sqrt(squared))) : force;
-}
-
-/// Where a treel touches the ground, at heading 0. @param side 1: left, -1: right
-Eigen::Vector2d treelPosition(const Body& body, double side) {
-  return side * 0.5 * body.entity->wheels->separation * body.model->left;
 }
 
 /// What treels push with that cannot all do what is asked of them: each with what the ground holds, against its slip.
@@ -109,27 +98,6 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   }
 }
 
-void Dynamics2d::drive(BodyIndex index, double step) {
-  RigidBody& rigid_body = rigid(index);
-  if (rigid_body.drive == Drive::kNone) {
-    return;
-  }
-  if (rigid_body.drive == Drive::kTreels && !rigid_body.isFree() && rigid_body.belt.body == nullptr) {
-    makeBelt(bodies_[index], rigid_body);
-  }
-  if (rigid_body.belt.body != nullptr) {
-    moveBelt(rigid_body, step);
-    return;
-  }
-  const b2Rot& turn = rigid_body.body->GetTransform().q;
-  const Push push = pushOf(rigid_body, toMetres(b2MulT(turn, rigid_body.body->GetLinearVelocity())),
-                           rigid_body.body->GetAngularVelocity(), step);
-  const b2Vec2 force = b2Mul(turn, toUnits(push.force));
-  rigid_body.last_push = toMetres(force);
-  rigid_body.body->ApplyForceToCenter(force, false);
-  rigid_body.body->ApplyTorque(static_cast<float>(push.torque * kSquareUnits), false);
-}
-
 void Dynamics2d::driveAlone(BodyIndex index, double step, int steps) {
   RigidBody& rigid_body = rigid(index);
   planar::PlacedPose pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading, bodies_[index].pose);
@@ -141,37 +109,6 @@ void Dynamics2d::driveAlone(BodyIndex index, double step, int steps) {
     rigid_body.centre += step * rigid_body.velocity;
     rigid_body.heading = wrapAngle(rigid_body.heading + step * rigid_body.spin);
     pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading, pose);
-  }
-}
-
-void Dynamics2d::makeBelt(const Body& body, RigidBody& rigid_body) {
-  b2BodyDef definition;
-  definition.type = b2_kinematicBody;
-  definition.position = rigid_body.body->GetPosition();
-  definition.angle = rigid_body.body->GetAngle();
-  rigid_body.belt.body = world_->CreateBody(&definition);
-  for (std::size_t i = 0; i < rigid_body.belt.treels.size(); ++i) {
-    b2FrictionJointDef treel;
-    treel.bodyA = rigid_body.belt.body;
-    treel.bodyB = rigid_body.body;
-    treel.localAnchorA = toUnits(treelPosition(body, i == 0 ? 1.0 : -1.0));
-    treel.localAnchorB = treel.localAnchorA;
-    treel.maxForce = static_cast<float>(rigid_body.traction * kUnitsPerMetre);
-    rigid_body.belt.treels[i] = makeJoint<TreelJoint, b2FrictionJoint>(*world_, treel);
-  }
-}
-
-void Dynamics2d::moveBelt(RigidBody& rigid_body, double step) {
-  rigid_body.belt.body->SetTransform(rigid_body.body->GetPosition(), rigid_body.body->GetAngle());
-  rigid_body.belt.body->SetLinearVelocity(
-      b2Mul(rigid_body.body->GetTransform().q, toUnits(rigid_body.origin_advance / step)));
-  rigid_body.belt.body->SetAngularVelocity(static_cast<float>(rigid_body.turn_rate));
-}
-
-void Dynamics2d::dropBelt(RigidBody& rigid_body) {
-  if (rigid_body.belt.body != nullptr) {
-    world_->DestroyBody(rigid_body.belt.body);  // and its joints
-    rigid_body.belt = Belt{};
   }
 }
 

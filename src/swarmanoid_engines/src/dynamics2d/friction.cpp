@@ -6,8 +6,8 @@
 namespace swarmanoid::dynamics2d {
 
 Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most, double guess) {
-  constexpr int kMostIterations = 20;
-  constexpr double kExact = 1e-7;  // of `most`
+  constexpr int kMostIterations = 30;
+  constexpr double kExact = 1e-13;  // of `most`
   if (!(most > 0.0)) {
     return Eigen::Vector2d::Zero();
   }

@@ -1,7 +1,5 @@
 // Grips: joints that tear, rigid or with a turret between. They are made and reported in phase `connect`, and tear in
 // any step of `move`.
-#include <box2d/b2_weld_joint.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -26,12 +24,12 @@ void Dynamics2d::connect(Space& space) {
     }
     if (!planar::isGripperClosed(space, body)) {
       grip.must_open = false;
-      if (grip.joint != nullptr) {
+      if (grip.isHolding()) {
         reportGrip(space, Event::Kind::kReleased, body.row, bodies_[grip.gripped].row);
         space.structure.release(body.row);
         letGo(index);
       }
-    } else if (grip.joint == nullptr && !grip.must_open) {
+    } else if (!grip.isHolding() && !grip.must_open) {
       const BodyIndex found = findGrippable(space, index);
       if (found != kNoBody && space.structure.connect(body.row, bodies_[found].row)) {
         hold(index, found);
@@ -52,18 +50,22 @@ BodyIndex Dynamics2d::findGrippable(const Space& space, BodyIndex gripper) const
 void Dynamics2d::hold(BodyIndex gripper_index, BodyIndex gripped_index) {
   RigidBody& gripper = rigid(gripper_index);
   RigidBody& gripped = rigid(gripped_index);
-  enterBox2d(gripper_index);
-  enterBox2d(gripped_index);
-  if (planar::Turret* turret = bodies_.findTurret(gripper_index)) {
-    gripper.grip.joint = makeTurretJoint(*turret, gripped_index);
+  const Body& body = bodies_[gripper_index];
+  planar::Turret* turret = bodies_.findTurret(gripper_index);
+  const planar::PlacedPose& pose = body.pose;
+  Eigen::Vector2d pivot = pose.position;
+  Grip& grip = gripper.grip;
+  grip = Grip{};
+  grip.gripped = gripped_index;
+  grip.has_turret = turret != nullptr;
+  grip.angle = gripped.heading - gripper.heading;
+  if (turret != nullptr) {
+    turret->held.heading = grip.angle - turret->sense * turret->state.angle;
   } else {
-    const Body& body = bodies_[gripper_index];
-    const Eigen::Vector2d tip = body.pose.rotated(body.entity->gripper->tip * body.model->ahead) + body.pose.position;
-    b2WeldJointDef definition;
-    definition.Initialize(gripper.body, gripped.body, toUnits(tip));
-    gripper.grip.joint = world_->CreateJoint(&definition);
+    pivot += pose.rotated(body.entity->gripper->tip * body.model->ahead);
   }
-  gripper.grip.gripped = gripped_index;
+  grip.on_gripper = pose.unrotated(pivot - gripper.centre);
+  grip.on_held = bodies_[gripped_index].pose.unrotated(pivot - gripped.centre);
   ++gripped.held_by;
   const auto older = [&](BodyIndex a, BodyIndex b) { return bodies_[a].number < bodies_[b].number; };
   grippers_.insert(std::upper_bound(grippers_.begin(), grippers_.end(), gripper_index, older), gripper_index);
@@ -71,12 +73,10 @@ void Dynamics2d::hold(BodyIndex gripper_index, BodyIndex gripped_index) {
 
 void Dynamics2d::letGo(BodyIndex gripper) {
   Grip& grip = rigid(gripper).grip;
-  if (grip.joint != nullptr) {
-    world_->DestroyJoint(grip.joint);
+  if (grip.isHolding()) {
     --rigid(grip.gripped).held_by;
     grippers_.erase(std::find(grippers_.begin(), grippers_.end(), gripper));
   }
-  grip.joint = nullptr;
   grip.gripped = kNoBody;
   grip.is_torn = false;
 }
@@ -98,34 +98,28 @@ void Dynamics2d::takeOverGrips(const Space& space, BodyIndex index) {
     const BodyIndex gripper = bodies_.find(gripper_row);
     const BodyIndex gripped = bodies_.find(gripped_row);
     const auto is_here = [&](BodyIndex i) { return i != kNoBody && bodies_[i].role == Role::kMove; };
-    if (is_here(gripper) && is_here(gripped) && bodies_[gripper].entity->gripper &&
-        rigid(gripper).grip.joint == nullptr) {
+    if (is_here(gripper) && is_here(gripped) && bodies_[gripper].entity->gripper && !rigid(gripper).grip.isHolding()) {
       hold(gripper, gripped);
     }
   });
 }
 
-void Dynamics2d::readGrips(double step) {
-  for (const BodyIndex gripper : grippers_) {
-    Grip& grip = rigid(gripper).grip;
-    grip.impulse += static_cast<float>(step) * grip.joint->GetReactionForce(static_cast<float>(1.0 / step));
-  }
-}
-
 void Dynamics2d::tearGrips(double time) {
-  for (std::size_t i = 0; i < grippers_.size();) {
-    Grip& grip = rigid(grippers_[i]).grip;
-    const double force = toMetres(grip.impulse).norm() / time;
-    grip.impulse.SetZero();
-    if (force <= material_.grip_strength) {
-      ++i;
+  for (std::size_t i = 0; i < movable_members_; ++i) {
+    const BodyIndex index = members_[i];
+    Grip& grip = rigid(index).grip;
+    if (!grip.isHolding()) {
       continue;
     }
-    world_->DestroyJoint(grip.joint);
-    --rigid(grip.gripped).held_by;
-    grip.joint = nullptr;
-    grip.is_torn = true;
-    grippers_.erase(grippers_.begin() + static_cast<std::ptrdiff_t>(i));
+    const double force = grip.impulse.norm() / time;
+    grip.impulse.setZero();
+    if (force > material_.grip_strength) {
+      --rigid(grip.gripped).held_by;
+      grip.is_torn = true;
+      grippers_.erase(std::find(grippers_.begin(), grippers_.end(), index));
+      const auto is_torn = [&](const GripConstraint& torn) { return torn.gripper == rigid(index).place; };
+      island_.grips.erase(std::remove_if(island_.grips.begin(), island_.grips.end(), is_torn), island_.grips.end());
+    }
   }
 }
 

@@ -1,4 +1,4 @@
-// Bodies that nothing can reach are moved without Box2D: nobody can tell.
+// Bodies that nothing can reach are moved alone, and move as they would in an island.
 #include <gtest/gtest.h>
 
 #include <vector>
@@ -11,15 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-int bodiesInBox2d(World& world) {
-  int count = 0;
-  for (const b2Body* body = world.engine.world().GetBodyList(); body != nullptr; body = body->GetNext()) {
-    count += body->GetType() == b2_dynamicBody && body->IsEnabled() ? 1 : 0;
-  }
-  return count;
-}
-
-TEST(AloneTest, WhoIsFarFromAllIsNotInBox2d) {
+TEST(AloneTest, ABodyFarFromAllIsInNoIsland) {
   World world({10.0, 10.0, 2.0}, 4);
   const Row row = world.addFootbot(flatPose(1.0, 1.0));
   world.addFootbot(flatPose(8.0, 8.0));
@@ -27,15 +19,15 @@ TEST(AloneTest, WhoIsFarFromAllIsNotInBox2d) {
   world.addBlock({0.1, 4.0, 0.5}, {2.0, 1.0, 0.25});
   world.drive(row, 0.1);
   world.step(2);
-  EXPECT_EQ(bodiesInBox2d(world), 0);
+  EXPECT_EQ(world.engine.bodiesInIslands(), 0U);
   world.step(90);
-  EXPECT_EQ(bodiesInBox2d(world), 1) << "at the wall";
+  EXPECT_EQ(world.engine.bodiesInIslands(), 1U) << "at the wall";
   world.drive(row, -0.1);
   world.step(20);
-  EXPECT_EQ(bodiesInBox2d(world), 0) << "away from it";
+  EXPECT_EQ(world.engine.bodiesInIslands(), 0U) << "away from it";
 }
 
-TEST(AloneTest, TheWayIsTheSameWithAndWithoutBox2d) {
+TEST(AloneTest, TheWayIsTheSameInAnIslandAndAlone) {
   // between two walls, which it does not touch, and far from everything
   std::vector<Pose> ends;
   for (const bool near_wall : {true, false}) {
@@ -48,7 +40,7 @@ TEST(AloneTest, TheWayIsTheSameWithAndWithoutBox2d) {
     for (int i = 0; i < 30; ++i) {
       world.drive(row, i % 6 < 3 ? 0.2 : -0.2, i % 10 < 5 ? -0.3 : 0.4);  // beyond what treels hold in a step
       world.step();
-      ASSERT_EQ(bodiesInBox2d(world), near_wall ? 1 : 0);
+      ASSERT_EQ(world.engine.bodiesInIslands(), near_wall ? 1U : 0U);
     }
     ends.push_back(world.pose(row));
   }
@@ -75,13 +67,13 @@ TEST(AloneTest, AMirrorThatIsPutBesideItIsFelt) {
   const Row prey = world.addPrey(0.1, 0.12, 2.0, 2.0);
   const Row mirror = world.add(cylindricPreyModel(0.1, 0.1), flatPose(8.0, 2.0), Role::kMirror);
   world.step(5);
-  EXPECT_EQ(bodiesInBox2d(world), 0);
+  EXPECT_EQ(world.engine.bodiesInIslands(), 0U);
   world.pose(mirror).position.x() = 1.85;  // at once, and into it
   world.step(30);
   EXPECT_GT((world.pose(prey).position - world.pose(mirror).position).norm(), 0.2 - 0.6e-3);
 }
 
-TEST(AloneTest, OneThatIsFastKeepsOnlyThoseInBox2dWhomItReaches) {
+TEST(AloneTest, AFastBodyHasOnlyThoseInItsIslandThatItReaches) {
   World world({30.0, 10.0, 4.0}, 1);
   for (int i = 0; i < 10; ++i) {
     world.addFootbot(flatPose(1.0 + 2.0 * i, 1.0));
@@ -92,13 +84,13 @@ TEST(AloneTest, OneThatIsFastKeepsOnlyThoseInBox2dWhomItReaches) {
   world.engine.add(world.space, eyebot, Role::kMove);
   world.space.actuation.bank<EyebotVelocity>().find(eyebot)->linear = {3.0, 0.0, 0.0};
   const Row standing = world.add(cylindricPreyModel(0.1, 1.0), flatPose(15.0, 4.0));
-  int most = 0;
+  std::size_t most = 0;
   for (int i = 0; i < 50; ++i) {
     world.step();
-    most = std::max(most, bodiesInBox2d(world));
+    most = std::max(most, world.engine.bodiesInIslands());
     ASSERT_LE(overlapOf(world, eyebot, standing), 0.6e-3);
   }
-  EXPECT_EQ(most, 2) << "the eyebot and what it runs into";
+  EXPECT_EQ(most, 2U) << "the eyebot and what it runs into";
   EXPECT_GT(world.pose(standing).position.x(), 15.1);
 }
 
@@ -144,7 +136,7 @@ TEST(AloneTest, AGripTakesHoldOfWhoWasAlone) {
   const Row row = world.addFootbot(flatPose(1.0, 1.0));
   const Row prey = world.addPrey(0.1, 0.12, 1.0 + 0.11 + 0.1 + 0.015, 1.0);
   world.step(5);
-  EXPECT_EQ(bodiesInBox2d(world), 0) << "both at rest, and not touching";
+  EXPECT_EQ(world.engine.bodiesInIslands(), 0U) << "both at rest, and not touching";
   world.setGripper(row, true);
   world.step();
   ASSERT_EQ(world.space.structure.grippedBy(row), prey);

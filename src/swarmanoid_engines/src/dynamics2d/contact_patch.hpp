@@ -1,0 +1,51 @@
+/// Where two shapes touch, or are so near that they may within a step.
+///
+/// Box2D finds which corners and sides face each other, from the pose of one shape relative to the other; where they
+/// are is computed here, in double precision. So contacts do not depend on where in the world they are, nor on its
+/// axes.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "dynamics2d/contact_shape.hpp"
+#include "planar/placed_pose.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+/// Two points that face each other, in the frames of their bodies' centres of mass.
+struct FacingPoints {
+  Eigen::Vector2d on_a = Eigen::Vector2d::Zero();
+  Eigen::Vector2d on_b = Eigen::Vector2d::Zero();
+  std::uint32_t key = 0;  ///< which features they are: equal in the next step if these face each other still
+};
+
+struct ContactPatch {
+  /// What the normal keeps to when bodies move: the side of a polygon, or the line between the two points.
+  enum class Kind : std::uint8_t { kPoints, kSideOfA, kSideOfB };
+
+  Kind kind = Kind::kPoints;
+  int count = 0;                                   ///< of points; 0: the shapes are farther apart than asked for
+  Eigen::Vector2d side = Eigen::Vector2d::Zero();  ///< normal of that side, out of its body, in its frame
+  double radius_a = 0.0;                           ///< from `on_a` to the surface; 0 but for circles [m]
+  double radius_b = 0.0;                           ///< likewise
+  std::array<FacingPoints, 2> points;
+};
+
+/// A pair of facing points where their bodies are now.
+struct Facing {
+  Eigen::Vector2d normal;  ///< from a to b
+  Eigen::Vector2d arm_a;   ///< from the centre of mass to the surface, in the plane's axes [m]
+  Eigen::Vector2d arm_b;   ///< likewise
+  double gap;              ///< below 0: how deep they are in each other [m]
+};
+
+/// @param a, b poses of the centres of mass; @param margin that is looked at: gaps are below it [m]
+ContactPatch findPatch(const ContactShape& shape_a, const planar::PlacedPose& a, const ContactShape& shape_b,
+                       const planar::PlacedPose& b, double margin);
+
+/// @param point number of it
+Facing facingAt(const ContactPatch& patch, int point, const planar::PlacedPose& a, const planar::PlacedPose& b);
+
+}  // namespace swarmanoid::dynamics2d

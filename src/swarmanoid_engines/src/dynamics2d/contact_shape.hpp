@@ -1,0 +1,41 @@
+/// The shapes of a body as contacts see them: circles and convex polygons in double precision, and the same polygons as
+/// Box2D takes them.
+///
+/// Frame: the body's centre of mass, at heading 0. Units: metres.
+#pragma once
+
+#include <box2d/b2_polygon_shape.h>
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "planar/planar_model.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+/// The thinnest shape that a body may have [m]. @see Dynamics2d::unsupportedReason
+constexpr double kThinnest = 1e-3;
+
+/// A circle, or a convex polygon of at most as many corners as Box2D allows.
+struct ContactShape {
+  static constexpr int kMostCorners = b2_maxPolygonVertices;
+
+  bool is_circle = false;
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the circle, or the middle of the corners
+  double radius = 0.0;  ///< of the circle, or of one around `centre` that holds the polygon
+  int count = 0;        ///< of corners
+  std::array<Eigen::Vector2d, kMostCorners> corners;  ///< counter-clockwise
+  std::array<Eigen::Vector2d, kMostCorners> normals;  ///< outwards; number i of the side from corner i to the next
+  b2PolygonShape polygon;                             ///< the polygon in Box2D's single precision
+  planar::Band band;                                  ///< of heights, relative to the body's origin
+  std::size_t number = 0;                             ///< of the shape in the body's model
+};
+
+/// Replaces `shapes` by those of a model, and keeps their memory. Polygons with more corners than Box2D allows become
+/// several, which share sides. Corners within a micrometre of the line between their neighbours are left out, so sides
+/// have a direction and no assertion of Box2D is reached, whatever the model. @param arm from the origin to the centre
+/// of mass
+void makeContactShapes(const planar::PlanarModel& model, const Eigen::Vector2d& arm, std::vector<ContactShape>& shapes);
+
+}  // namespace swarmanoid::dynamics2d

@@ -1,0 +1,222 @@
+// One island: from the bodies of the engine to the solver's, and back.
+#include <algorithm>
+#include <cmath>
+
+#include "dynamics2d/dynamics2d.hpp"
+#include "dynamics2d/flight.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+int Dynamics2d::placeOf(BodyIndex index) {
+  RigidBody& rigid_body = rigid(index);
+  const Body& body = bodies_[index];
+  if (rigid_body.place >= 0) {
+    return rigid_body.place;
+  }
+  if (rigid_body.shapes.empty()) {
+    makeContactShapes(*body.model, rigid_body.arm, rigid_body.shapes);
+  }
+  SolverBody state;
+  state.pose = planar::PlacedPose::at(rigid_body.centre, rigid_body.heading, body.pose);
+  if (body.is_movable) {
+    state.velocity = rigid_body.velocity;
+    state.spin = rigid_body.spin;
+    state.inverse_mass = body.role == Role::kMove ? 1.0 / rigid_body.mass : 0.0;
+    state.inverse_inertia = body.role == Role::kMove ? 1.0 / rigid_body.inertia : 0.0;
+  }
+  rigid_body.place = island_.add(state, {&rigid_body.shapes, body.along});
+  return rigid_body.place;
+}
+
+void Dynamics2d::addPair(const Near& near) {
+  const Body& other = bodies_[near.second];
+  BodyPair pair;
+  pair.a = placeOf(near.first);
+  pair.b = placeOf(near.second);
+  if (static_cast<std::size_t>(pair.b) >= members_.size()) {
+    members_.push_back(near.second);
+  }
+  if (!other.is_movable) {
+    pair.kind = BodyPair::Kind::kFixed;
+  } else if (other.role == Role::kMirror) {
+    pair.kind = BodyPair::Kind::kMirror;
+  }
+  pair.approach = highestSpeed(near.first) + highestSpeed(near.second);
+  island_.pairs.push_back(pair);
+}
+
+void Dynamics2d::fillIsland() {
+  island_.clear();
+  movable_members_ = members_.size();
+  for (const BodyIndex index : members_) {
+    placeOf(index);
+  }
+  for (const Near& near : near_of_island_) {
+    addPair(near);
+  }
+  std::stable_sort(island_.pairs.begin(), island_.pairs.end(),
+                   [](const BodyPair& a, const BodyPair& b) { return a.kind < b.kind; });
+}
+
+int Dynamics2d::countPieces(double step) {
+  // contacts are solved where they are when a step begins, and should not be far from there when it ends
+  constexpr double kWayAtContact = 0.01;   // m
+  constexpr double kTurnAtContact = 0.03;  // rad
+  // a robot comes up to its speed within some 20 ms, which counts for what it pushes or pulls
+  constexpr double kTimeAtContact = 0.05;    // s
+  constexpr double kTimeUnderLoad = 0.0125;  // s
+  constexpr double kMostWay = 0.03;          // m
+  constexpr double kMostTurn = 0.8;          // rad
+  constexpr double kClose = 1e-3;            // m
+  constexpr double kMostPieces = 1e4;
+  const double tick = step * subclock_;
+  bool is_touching = !island_.grips.empty();
+  for (std::size_t i = 0; i < island_.pairs.size() && !is_touching; ++i) {
+    const BodyPair& pair = island_.pairs[i];
+    const double margin = pair.approach * tick + kClose;
+    is_touching = island_.gapOf(pair, margin) < margin;
+  }
+  const bool has_load = !island_.grips.empty() ||
+                        std::any_of(members_.begin(), members_.begin() + static_cast<std::ptrdiff_t>(movable_members_),
+                                    [&](BodyIndex index) { return !bodies_[index].isDriven(); });
+  const double longest = has_load ? kTimeUnderLoad : kTimeAtContact;
+  double rate = 0.0;  // of pieces [1/s]
+  island_.highest_speed = 0.0;
+  for (const BodyIndex index : members_) {
+    const Rates most = highestRates(index);
+    const double speed = highestSpeed(index);
+    const bool moves = speed > 0.0 && is_touching;
+    island_.highest_speed = std::max(island_.highest_speed, speed);
+    rate = std::max({rate, speed / (is_touching ? kWayAtContact : kMostWay),
+                     most.turn / (is_touching ? kTurnAtContact : kMostTurn), moves ? 1.0 / longest : 0.0});
+  }
+  return static_cast<int>(std::ceil(std::clamp(rate * step - 1e-9, 1.0, kMostPieces)));
+}
+
+void Dynamics2d::addConstraints(BodyIndex index, double step) {
+  const Body& body = bodies_[index];
+  RigidBody& rigid_body = rigid(index);
+  if (body.isDriven()) {
+    prepareDrive(index, step);
+  }
+  const Eigen::Vector2d velocity = rigid_body.centre_advance / step;
+  if (rigid_body.drive == Drive::kFlight) {
+    FlightConstraint flight;
+    flight.body = rigid_body.place;
+    flight.command = velocity;
+    flight.spin = rigid_body.turn_rate;
+    flight.most = rigid_body.mass * kFlightAcceleration * step;
+    flight.most_turn = rigid_body.inertia * kFlightTurnAcceleration * step;
+    island_.flights.push_back(flight);
+    return;
+  }
+  SupportConstraint friction;
+  friction.body = rigid_body.place;
+  friction.support = &supportOf(index);
+  if (rigid_body.drive == Drive::kTreels) {
+    friction.command << velocity, rigid_body.turn_rate;
+    friction.most = 2.0 * rigid_body.traction * step;
+  } else {
+    friction.most = material_.ground_friction * rigid_body.mass * material_.gravity * step;
+  }
+  island_.supports.push_back(friction);
+}
+
+const Support& Dynamics2d::supportOf(BodyIndex index) {
+  RigidBody& rigid_body = rigid(index);
+  std::vector<Support::Point>& points = rigid_body.support.points;
+  if (points.empty() && rigid_body.drive == Drive::kTreels) {
+    points.push_back({0.5 * rigid_body.axle - rigid_body.arm, 0.5});
+    points.push_back({-0.5 * rigid_body.axle - rigid_body.arm, 0.5});
+    rigid_body.support.finish();
+  } else if (points.empty()) {
+    makeSupport(*bodies_[index].model, material_.pressure, rigid_body.support);
+  }
+  return rigid_body.support;
+}
+
+void Dynamics2d::addGrip(BodyIndex index) {
+  const Grip& grip = rigid(index).grip;
+  if (!grip.isHolding()) {
+    return;
+  }
+  GripConstraint constraint;
+  constraint.gripper = rigid(index).place;
+  constraint.held = rigid(grip.gripped).place;
+  constraint.kind = grip.has_turret ? GripConstraint::Kind::kMotor : GripConstraint::Kind::kRigid;
+  constraint.on_gripper = grip.on_gripper;
+  constraint.on_held = grip.on_held;
+  constraint.angle = grip.angle;
+  island_.grips.push_back(constraint);
+}
+
+void Dynamics2d::moveIsland(double tick) {
+  fillIsland();
+  for (std::size_t i = 0; i < movable_members_; ++i) {
+    addGrip(members_[i]);
+  }
+  const int pieces = countPieces(tick / subclock_);
+  const double step = tick / (subclock_ * pieces);
+  for (std::size_t i = 0; i < movable_members_; ++i) {
+    addConstraints(members_[i], step);
+  }
+  const IslandRules rules{material_.contact_friction, material_.restitution, material_.iterations};
+  for (int i = 0; i < subclock_ * pieces; ++i) {
+    driveTurrets(step);
+    island_.move(step, rules);
+    readGrips(step);
+    if ((i + 1) % pieces == 0) {
+      tearGrips(pieces * step);
+    }
+  }
+  readIsland(step);
+}
+
+void Dynamics2d::readGrips(double step) {
+  for (const GripConstraint& grip : island_.grips) {
+    Grip& kept = rigid(members_[static_cast<std::size_t>(grip.gripper)]).grip;
+    kept.impulse += grip.impulse;
+    if (kept.has_turret) {
+      readTurret(grip, step);
+    }
+  }
+}
+
+void Dynamics2d::readIsland(double step) {
+  constexpr double kRest = 1e-9;  // m/s, rad/s: friction with the ground leaves that of a body that it stops
+  for (std::size_t i = 0; i < movable_members_; ++i) {
+    RigidBody& rigid_body = rigid(members_[i]);
+    const SolverBody& state = island_.bodies[i];
+    rigid_body.centre = state.pose.position;
+    rigid_body.heading = state.pose.heading;
+    rigid_body.velocity = state.velocity;
+    rigid_body.spin = state.spin;
+    if (rigid_body.drive == Drive::kNone && std::abs(state.spin) < kRest && state.velocity.norm() < kRest) {
+      rigid_body.velocity.setZero();
+      rigid_body.spin = 0.0;
+    }
+  }
+  for (const SupportConstraint& friction : island_.supports) {
+    RigidBody& rigid_body = rigid(members_[static_cast<std::size_t>(friction.body)]);
+    for (std::size_t i = 0; rigid_body.drive == Drive::kTreels && i < rigid_body.treel_forces.size(); ++i) {
+      rigid_body.treel_forces[i] = friction.impulseAt(i, island_.bodies) / step;
+    }
+  }
+  for (const FlightConstraint& flight : island_.flights) {
+    rigid(members_[static_cast<std::size_t>(flight.body)]).last_push = flight.impulse / step;
+  }
+  for (const ContactConstraint& contact : island_.contacts()) {
+    for (int i = 0; i < contact.patch.count; ++i) {
+      const ContactConstraint::Point& point = contact.points[static_cast<std::size_t>(i)];
+      if (point.impulse > 0.0) {
+        const auto a = static_cast<std::size_t>(contact.a);
+        contacts_.push_back({members_[a], island_.bodies[a].pose.position + point.arm_a, -contact.normal});
+      }
+    }
+  }
+  for (const BodyIndex index : members_) {
+    rigid(index).place = -1;
+  }
+}
+
+}  // namespace swarmanoid::dynamics2d

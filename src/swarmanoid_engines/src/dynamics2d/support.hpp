@@ -1,0 +1,57 @@
+/// The area on which a body rests, and Coulomb's friction on it.
+///
+/// Each element of the support carries its share of the weight, and friction opposes the element's own slip with `most`
+/// times its share. So friction couples sliding and turning: the forces and torques that can hold a body form its limit
+/// surface, and a body that slides has no static torque left (Goyal, Ruina, Papadopoulos, Planar sliding with dry
+/// friction, Wear 143, 1991). The sum over elements is taken over some fifty points; an ellipsoid in place of the limit
+/// surface would turn a block that is pushed off its middle half as far as it should (decision 38).
+///
+/// Frame: the body's centre of mass, at heading 0. SI units.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "planar/planar_model.hpp"
+
+namespace swarmanoid::dynamics2d {
+
+/// How the weight is spread over the outline on which a body rests.
+enum class Pressure {
+  kEven,  ///< the same on each square metre of it
+  kEdge,  ///< on its corners, or around its rim: as `dynamics3d` holds boxes and cylinders
+};
+
+struct Support {
+  struct Point {
+    Eigen::Vector2d arm = Eigen::Vector2d::Zero();  ///< [m]
+    double share = 0.0;                             ///< of the weight; those of all points are 1 in sum
+  };
+  std::vector<Point> points;
+  /// From a velocity to friction, while the velocity is far below that at which a point counts as slipping; of a unit
+  /// of weight.
+  Eigen::Matrix3d resistance_at_rest = Eigen::Matrix3d::Zero();
+
+  /// Once all points are there.
+  void finish();
+};
+
+/// The support of a model: the convex outline of its lowest shapes, moved so that the weight is carried below the
+/// centre of mass. @param support keeps its memory
+void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& support);
+
+/// Velocity along x and y, and turn rate, of a body.
+using PlanarTwist = Eigen::Vector3d;
+
+/// The velocity that a body has after a step in which friction with the ground acts on it: the one of maximal
+/// dissipation, which is the minimum of a convex function.
+/// @param inertia mass twice, and moment of inertia [kg, kg, kg m2]
+/// @param free velocity without friction, in the body's frame @param most impulse of friction in the step [N s]
+/// @param guess of the result; a good one saves time
+PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,
+                                  double most, const PlanarTwist& guess);
+
+/// Friction at a point of the support, as a part of all that there can be. @param slip of the body
+Eigen::Vector2d frictionAt(const Support::Point& point, const PlanarTwist& slip);
+
+}  // namespace swarmanoid::dynamics2d
