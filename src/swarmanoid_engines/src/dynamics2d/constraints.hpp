@@ -14,6 +14,9 @@
 
 namespace swarmanoid::dynamics2d {
 
+/// Changes of turn rates count as those of the velocity at this distance [m].
+constexpr double kTurnArm = 0.1;
+
 /// A body while its island is solved.
 struct SolverBody {
   planar::PlacedPose pose;                             ///< of the centre of mass; the heading is not wrapped

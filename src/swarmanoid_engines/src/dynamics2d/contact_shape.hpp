@@ -20,16 +20,30 @@ constexpr double kThinnest = 1e-3;
 /// A circle, or a convex polygon of at most as many corners as Box2D allows.
 struct ContactShape {
   static constexpr int kMostCorners = b2_maxPolygonVertices;
+  using Corners = std::array<Eigen::Vector2d, kMostCorners>;
+  static Corners noCorners() {
+    Corners none;
+    none.fill(Eigen::Vector2d::Zero());
+    return none;
+  }
+  static b2PolygonShape noPolygon() {
+    b2PolygonShape none;
+    for (int i = 0; i < kMostCorners; ++i) {
+      none.m_vertices[i].SetZero();
+      none.m_normals[i].SetZero();
+    }
+    return none;
+  }
 
   bool is_circle = false;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  ///< of the circle, or the middle of the corners
-  double radius = 0.0;  ///< of the circle, or of one around `centre` that holds the polygon
-  int count = 0;        ///< of corners
-  std::array<Eigen::Vector2d, kMostCorners> corners;  ///< counter-clockwise
-  std::array<Eigen::Vector2d, kMostCorners> normals;  ///< outwards; number i of the side from corner i to the next
-  b2PolygonShape polygon;                             ///< the polygon in Box2D's single precision
-  planar::Band band;                                  ///< of heights, relative to the body's origin
-  std::size_t number = 0;                             ///< of the shape in the body's model
+  double radius = 0.0;                   ///< of the circle, or of one around `centre` that holds the polygon
+  int count = 0;                         ///< of corners
+  Corners corners = noCorners();         ///< counter-clockwise
+  Corners normals = noCorners();         ///< outwards; number i of the side from corner i to the next
+  b2PolygonShape polygon = noPolygon();  ///< the polygon in Box2D's single precision
+  planar::Band band;                     ///< of heights, relative to the body's origin
+  std::size_t number = 0;                ///< of the shape in the body's model
 };
 
 /// Replaces `shapes` by those of a model, and keeps their memory. Polygons with more corners than Box2D allows become

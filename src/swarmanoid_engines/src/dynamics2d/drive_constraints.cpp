@@ -7,9 +7,6 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// A turn counts as what it moves at this distance [m].
-constexpr double kTurnArm = 0.1;
-
 void FlightConstraint::start(SolverBodies& bodies) {
   SolverBody& robot = bodies[static_cast<std::size_t>(body)];
   velocity_ = robot.pose.rotated(command);

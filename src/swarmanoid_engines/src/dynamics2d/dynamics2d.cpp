@@ -40,6 +40,11 @@ Material readMaterial(const Configuration& parameters) {
   result.treel_friction = parameters.number("treel_friction", standard.treel_friction, kFrictionRange);
   result.contact_friction = parameters.number("contact_friction", standard.contact_friction, kFrictionRange);
   result.restitution = parameters.number("restitution", standard.restitution, kFractionRange);
+  const std::string support = parameters.text("support", "even");
+  if (support != "even" && support != "edge") {
+    throw ConfigError(parameters.location(), "support: found '" + support + "', allowed: even, edge");
+  }
+  result.pressure = support == "even" ? Pressure::kEven : Pressure::kEdge;
   result.grip_strength = parameters.number("grip_strength", standard.grip_strength, limits::kStrength);
   return result;
 }
@@ -67,6 +72,11 @@ PluginDescription Dynamics2d::describe() {
   for (const Parameter& own : materialParameters()) {
     description.parameters.push_back(live(own));
   }
+  Parameter support =
+      makeParameter("support", Parameter::Type::kChoice, "", "even", {},
+                    "Where sliding bodies carry their weight: evenly on their outline, or on its edge.");
+  support.choices = {"even", "edge"};
+  description.parameters.push_back(support);
   return description;
 }
 

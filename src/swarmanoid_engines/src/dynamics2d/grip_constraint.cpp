@@ -65,7 +65,8 @@ double GripConstraint::solve(SolverBodies& bodies) {
   impulse += pull;
   turn_impulse += turn;
   give(bodies, pull, turn);
-  return apart.cwiseAbs().maxCoeff();
+  const Eigen::Vector3d change = yield_ * Eigen::Vector3d(pull.x(), pull.y(), turn);
+  return std::max(change.head<2>().cwiseAbs().maxCoeff(), kTurnArm * std::abs(change.z()));
 }
 
 double GripConstraint::correct(SolverBodies& bodies) const {

@@ -6,7 +6,7 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-constexpr double kClose = 1e-3;  // m: bodies that are nearer are looked at, however slow they are
+constexpr double kNear = 1e-3;  // m: gaps below it are contacts, however slow the bodies are
 /// What a mirror pushes with at most, since nothing can hold it back [N].
 constexpr double kMirrorForce = 500.0;
 
@@ -120,7 +120,7 @@ void Island::findContacts(double step, const IslandRules& rules) {
   for (const SolverBody& body : bodies) {
     fastest = std::max(fastest, body.velocity.norm());
   }
-  reach_ = 2.0 * fastest * step + kClose;
+  reach_ = 2.0 * fastest * step + kNear;
   std::swap(contacts_, last_);
   contacts_.clear();
   for (std::size_t i = 0; i < pairs.size(); ++i) {

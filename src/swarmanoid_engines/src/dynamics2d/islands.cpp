@@ -1,6 +1,7 @@
 // Which bodies may meet in a tick, and the islands that they form. Mirrors and what stands join no islands: each island
 // has them for itself.
 #include <algorithm>
+#include <tuple>
 
 #include "dynamics2d/dynamics2d.hpp"
 
@@ -29,12 +30,6 @@ void Dynamics2d::findNear() {
       return true;
     });
   }
-  // the grid's order depends on who came into a cell when
-  std::sort(near_.begin(), near_.end(), [&](const Near& a, const Near& b) {
-    const EntityNumber first_a = bodies_[a.first].number;
-    const EntityNumber first_b = bodies_[b.first].number;
-    return first_a != first_b ? first_a < first_b : bodies_[a.second].number < bodies_[b.second].number;
-  });
 }
 
 int Dynamics2d::rootOf(int rank) {
@@ -81,8 +76,13 @@ void Dynamics2d::moveIslands(double tick) {
   }
   std::sort(order_of_islands_.begin(), order_of_islands_.end());
   const auto rootOfNear = [&](const Near& near) { return rootOf(rigid(near.first).rank); };
-  std::stable_sort(near_.begin(), near_.end(),
-                   [&](const Near& a, const Near& b) { return rootOfNear(a) < rootOfNear(b); });
+  // by entity numbers, since the order of the grid depends on who came into a cell when
+  std::sort(near_.begin(), near_.end(), [&](const Near& a, const Near& b) {
+    const auto key = [&](const Near& near) {
+      return std::make_tuple(rootOfNear(near), bodies_[near.first].number, bodies_[near.second].number);
+    };
+    return key(a) < key(b);
+  });
   auto near = near_.cbegin();
   for (std::size_t i = 0; i < order_of_islands_.size();) {
     const int root = order_of_islands_[i].first;

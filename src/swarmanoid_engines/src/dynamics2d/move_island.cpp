@@ -1,6 +1,7 @@
 // One island: from the bodies of the engine to the solver's, and back.
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "dynamics2d/dynamics2d.hpp"
 #include "dynamics2d/flight.hpp"
@@ -54,8 +55,9 @@ void Dynamics2d::fillIsland() {
   for (const Near& near : near_of_island_) {
     addPair(near);
   }
-  std::stable_sort(island_.pairs.begin(), island_.pairs.end(),
-                   [](const BodyPair& a, const BodyPair& b) { return a.kind < b.kind; });
+  std::sort(island_.pairs.begin(), island_.pairs.end(), [](const BodyPair& a, const BodyPair& b) {
+    return std::tie(a.kind, a.a, a.b) < std::tie(b.kind, b.a, b.b);
+  });
 }
 
 int Dynamics2d::countPieces(double step) {

@@ -13,16 +13,16 @@ namespace {
 /// Below this speed an element counts as at rest: friction grows with the speed there [m/s].
 constexpr double kRest = 1e-7;
 
-/// A circle with the three radii and weights of Gauss's rule for the area of a disc, twelve points on each.
+/// Of a disc: twelve points on each of three rings, or all of them on its rim.
 void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Support& support) {
   constexpr int kAround = 12;
   struct Ring {
     double radius;
     double share;
   };
-  constexpr std::array<Ring, 3> kRings{{{0.3357106870197288, 0.2777777777777778},
-                                        {0.7071067811865476, 0.4444444444444444},
-                                        {0.9419651451198933, 0.2777777777777778}}};
+  // of Gauss's rule along the radius: exact for friction that does not depend on the radius, or falls with it
+  constexpr std::array<Ring, 3> kRings{
+      {{0.1127016653792583, 0.0626120363218102}, {0.5, 0.4444444444444444}, {0.8872983346207417, 0.4929435192337454}}};
   const auto addRing = [&](const Ring& ring, double phase) {
     for (int i = 0; i < kAround; ++i) {
       const double angle = 2.0 * M_PI * (i + phase) / kAround;

@@ -8,7 +8,7 @@ namespace swarmanoid::dynamics3d {
 namespace {
 
 using Eigen::Vector3d;
-using Kind = EntityModel::Holder::Kind;
+using HolderKind = EntityModel::Holder::Kind;
 
 constexpr double kCupReach = 0.01;   // m, from cups, or from a magnet, to the surface
 constexpr double kCupDepth = 0.01;   // m, by which the cups may be pressed into it
@@ -24,15 +24,15 @@ std::string brokenText(const EntityModel::Holder& holder, double strength) {
 
 }  // namespace
 
-double Dynamics3d::strengthOf(Kind kind) const {
+double Dynamics3d::strengthOf(HolderKind kind) const {
   switch (kind) {
-    case Kind::kGripper:
+    case HolderKind::kGripper:
       return settings_.grip_strength;
-    case Kind::kSuction:
+    case HolderKind::kSuction:
       return settings_.suction_strength;
-    case Kind::kMagnet:
+    case HolderKind::kMagnet:
       return settings_.magnet_strength;
-    case Kind::kRope:
+    case HolderKind::kRope:
       break;
   }
   return settings_.rope_strength;
@@ -65,11 +65,11 @@ Dynamics3d::Surface Dynamics3d::findSurface(const Body& robot, const Segment& se
 void Dynamics3d::connectAttachments(Space& space, Body& robot) {
   const Span<const HolderCommand> commands = space.holder_commands[robot.row];
   for (std::size_t holder = 0; holder < commands.size(); ++holder) {
-    const Kind kind = robot.holder(holder).kind;
-    if (!commands[holder].is_commanded || kind == Kind::kGripper) {
+    const HolderKind kind = robot.holder(holder).kind;
+    if (!commands[holder].is_commanded || kind == HolderKind::kGripper) {
       continue;
     }
-    if (kind == Kind::kRope) {
+    if (kind == HolderKind::kRope) {
       connectRope(space, robot, holder, toSeconds(space.clocktick));
     } else {
       connectHold(space, robot, holder);
@@ -98,7 +98,7 @@ void Dynamics3d::connectHold(Space& space, Body& robot, std::size_t holder) {
   const Mount mount = placeOf(*robot.model, space.joints[robot.row], description.mount);
   const Vector3d at = robot.pose.toWorld(mount.position);
   const Vector3d out = robot.pose.orientation * (mount.orientation * Vector3d::UnitX());
-  const bool is_magnetic = description.kind == Kind::kMagnet;
+  const bool is_magnetic = description.kind == HolderKind::kMagnet;
   const Surface surface = findSurface(robot, {at - kCupDepth * out, at + kCupReach * out}, is_magnetic);
   if (surface.can_be_held) {
     attach(space, robot, holder, surface, 0.0);
@@ -109,7 +109,7 @@ void Dynamics3d::connectRope(Space& space, Body& robot, std::size_t holder, doub
   const EntityModel::Holder& description = robot.holder(holder);
   Rope& rope = robot.holding->ropes[holder];
   if (rope.is_broken) {
-    detach(space, robot, holder, brokenText(description, strengthOf(Kind::kRope)));
+    detach(space, robot, holder, brokenText(description, strengthOf(HolderKind::kRope)));
     rope.must_rewind = true;
   }
   if (!space.holder_commands[robot.row][holder].holds) {
@@ -153,7 +153,7 @@ void Dynamics3d::hold(Body& robot, std::size_t holder, Body& object, const Attac
   if (robot.holding == nullptr) {
     robot.holding = std::make_unique<Holding>(*robot.model);
   }
-  if (robot.holder(holder).kind == Kind::kRope) {
+  if (robot.holder(holder).kind == HolderKind::kRope) {
     Rope& rope = robot.holding->ropes[holder];
     rope = Rope{};
     rope.held = &object;
@@ -174,7 +174,7 @@ void Dynamics3d::hold(Body& robot, std::size_t holder, Body& object, const Attac
 void Dynamics3d::detach(Space& space, Body& robot, std::size_t holder, const std::string& why) {
   reportGrip(space, Event::Kind::kReleased, robot.row, space.attachments.of(robot.row, holder).held, why);
   space.attachments.detach(robot.row, holder);
-  if (robot.holder(holder).kind == Kind::kRope) {
+  if (robot.holder(holder).kind == HolderKind::kRope) {
     robot.holding->ropes[holder] = Rope{};
   } else {
     letGo(robot.holding->grips[holder]);
@@ -190,7 +190,7 @@ void Dynamics3d::takeOverAttachments(const Space& space, Body& body) {
       Body* object = find(attachment.held);
       const Body* held = nullptr;
       if (robot.holding != nullptr) {
-        const bool is_rope = robot.holder(holder).kind == Kind::kRope;
+        const bool is_rope = robot.holder(holder).kind == HolderKind::kRope;
         held = is_rope ? robot.holding->ropes[holder].held : robot.holding->grips[holder].gripped;
       }
       if (robot.is_dynamic && object != nullptr && held == nullptr &&

@@ -26,7 +26,7 @@ struct AtWall {
   explicit AtWall(const Case& which)
       : across(Eigen::AngleAxisd(which.wall_heading, Vector3d::UnitZ()) * Vector3d::UnitY()),
         side(Vector3d(2.7, 3.1, 0.0) + 0.5 * which.thickness * across) {
-    world.addBlock({1.4, which.thickness, 0.5}, {2.7, 3.1, 0.25}, which.wall_heading);
+    world.addBlock({4.0, which.thickness, 0.5}, {2.7, 3.1, 0.25}, which.wall_heading);
     const Vector3d place = side + kHalfWidth * across;
     footbot = world.addFootbot(flatPose(place.x(), place.y(), which.wall_heading + which.skew));
     const auto model = which.is_mirror_square ? blockModel({0.1, 0.1, 0.1}, 1.0) : cylindricPreyModel(0.05, 0.1);
