@@ -1,6 +1,5 @@
 #include "dynamics2d/support.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,7 +10,7 @@ namespace swarmanoid::dynamics2d {
 namespace {
 
 /// Below this speed an element counts as at rest: friction grows with the speed there [m/s].
-constexpr double kRest = 1e-7;
+constexpr double kRest = 1e-6;
 
 /// Of a disc: twelve points on each of three rings, or all of them on its rim.
 void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Support& support) {
@@ -177,6 +176,21 @@ Dissipation differentiate(const Support& support, const PlanarTwist& twist) {
   return sum;
 }
 
+/// Of a symmetric, positive definite matrix.
+PlanarTwist solveSymmetric(const Eigen::Matrix3d& m, const Eigen::Vector3d& right) {
+  const double xx = m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2);
+  const double xy = m(0, 2) * m(1, 2) - m(0, 1) * m(2, 2);
+  const double xz = m(0, 1) * m(1, 2) - m(0, 2) * m(1, 1);
+  const double yy = m(0, 0) * m(2, 2) - m(0, 2) * m(0, 2);
+  const double yz = m(0, 1) * m(0, 2) - m(0, 0) * m(1, 2);
+  const double zz = m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1);
+  const double determinant = m(0, 0) * xx + m(0, 1) * xy + m(0, 2) * xz;
+  return Eigen::Vector3d(xx * right.x() + xy * right.y() + xz * right.z(),
+                         xy * right.x() + yy * right.y() + yz * right.z(),
+                         xz * right.x() + yz * right.y() + zz * right.z()) /
+         determinant;
+}
+
 }  // namespace
 
 void Support::finish() { resistance_at_rest = differentiate(*this, PlanarTwist::Zero()).resistance; }
@@ -219,7 +233,7 @@ PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d&
   const auto withResistance = [&](const Eigen::Matrix3d& resistance) -> PlanarTwist {
     Eigen::Matrix3d damped = most * resistance;
     damped.diagonal() += inertia;
-    return damped.llt().solve(inertia.cwiseProduct(free));
+    return solveSymmetric(damped, inertia.cwiseProduct(free));
   };
   PlanarTwist twist = guess;
   for (int i = 0; i < kMostIterations; ++i) {
@@ -230,17 +244,30 @@ PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d&
     }
     Eigen::Matrix3d curvature = most * friction.hessian;
     curvature.diagonal() += inertia;
-    const PlanarTwist newton = twist - curvature.llt().solve(gradient);
+    const PlanarTwist change = solveSymmetric(curvature, gradient);
     const double value = 0.5 * (twist - free).dot(inertia.cwiseProduct(twist - free)) + most * friction.value;
-    if (valueAt(newton) < value) {
+    const PlanarTwist newton = twist - change;
+    const double newton_value = valueAt(newton);
+    if (newton_value < value) {
       twist = newton;
       continue;
     }
-    // Far from the minimum Newton's steps may go too far. Then friction in proportion to the velocity is tried, which
-    // never does: in the proportion that there is now, and in that of a body at rest.
-    const PlanarTwist slower = withResistance(friction.resistance);
-    const PlanarTwist resting = withResistance(support.resistance_at_rest);
-    twist = valueAt(resting) < valueAt(slower) ? resting : slower;
+    // Where an element comes to rest, Newton's step goes too far. Less of it is tried, and friction in proportion to
+    // the velocity, which never goes too far: in the proportion that there is now, and in that of a body at rest.
+    const std::array<PlanarTwist, 4> others{withResistance(support.resistance_at_rest), twist - 0.5 * change,
+                                            twist - 0.125 * change, withResistance(friction.resistance)};
+    double least = value;
+    const PlanarTwist before = twist;
+    for (const PlanarTwist& other : others) {
+      const double other_value = valueAt(other);
+      if (other_value < least) {
+        twist = other;
+        least = other_value;
+      }
+    }
+    if (twist == before) {
+      break;  // as exact as numbers allow
+    }
   }
   return twist;
 }
