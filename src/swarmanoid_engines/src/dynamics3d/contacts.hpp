@@ -53,8 +53,8 @@ class Contacts {
   bool isFrictionCoulombs() { return friction_.isCoulombs(); }
   /// After the last solution of a step: keeps the limits of friction for the next step.
   void rememberFriction() { friction_.remember(); }
-  /// Makes the joints once more, now with the friction that was found. @pre the bodies are back in the state of the last
-  /// make
+  /// Makes the joints once more, now with the friction that was found. @pre the bodies are back in the state of the
+  /// last make
   void makeAgain(const std::vector<Body*>& bodies);
   /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
   /// 0: not at all. Who is near, is as of the last step. @pre an OdeLock is held

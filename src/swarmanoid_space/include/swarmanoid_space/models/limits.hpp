@@ -25,9 +25,6 @@ constexpr Range kCoordinate{-10000.0, 10000.0};
 constexpr Range kLength{0.0001, 10000.0};
 /// Of a floor patch or a hole; 0 where it is not used. Nothing collides with it, so it may be as thin as it likes.
 constexpr Range kPatch{0.0, 10000.0};
-/// Of a plane on which Box2D moves things: the farthest coordinate. It computes in single precision, which there tells
-/// 0.1 mm apart, as much as bodies overlap at rest.
-constexpr double kFarthestInSinglePrecision = 1000.0;
 /// Between neighbours of a heightfield's vertices: a robot stands on some ten thousand triangles then.
 constexpr double kLeastTerrainStep = 0.001;
 /// Of paint on the floor [s]; 0: it does not fade.
