@@ -179,6 +179,7 @@ double Friction::recall(const Rubbing& rubbing) {
 
 void Friction::remember() {
   remembered_.clear();
+  remembered_.reserve(rubbings_.size());
   for (std::size_t i = 0; i < next_; ++i) {
     const Rubbing& rubbing = rubbings_[i];
     remembered_.push_back({rubbing.rigid_a, rubbing.rigid_b, rubbing.arm_a, rubbing.limit});

@@ -29,6 +29,7 @@ void setEnabled(Body& body, bool is_enabled) {
 
 void Islands::find(const std::vector<Body*>& bodies) {
   largest_ = 0;
+  island_.reserve(bodies.size());
   visitStepped(bodies, [](Body& body) {
     body.island = Body::Island::kNotFound;
     dBodySetData(body.rigid, &body);
