@@ -188,7 +188,7 @@ void Dynamics3d::destroyWorld() {
     dWorldDestroy(world_);
     world_ = nullptr;
   }
-  seed_ = 0;
+  dRandSetSeed(0);  // the lock that is held writes it to `seed_` when it ends
   counts_ = SolverCounts{};
   has_reported_trouble_ = false;
   has_reported_islands_ = false;
