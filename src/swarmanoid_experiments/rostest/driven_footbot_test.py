@@ -132,9 +132,7 @@ class DrivenFootbotTest(unittest.TestCase):
         self.assertEqual("fb/base_link", self.driving.header.frame_id)
         self.assertAlmostEqual(TURN_RATE, self.driving.angular_velocity.z, 6)
         acceleration = self.driving.linear_acceleration
-        half_turn = TURN_RATE * TICK / 2.0  # of the mean velocity of a tick, along the chord
-        self.assertAlmostEqual(abs(TURN_RATE) * SPEED * math.sin(half_turn) / half_turn,
-                               math.hypot(acceleration.x, acceleration.y), 6)
+        self.assertAlmostEqual(abs(TURN_RATE) * SPEED, math.hypot(acceleration.x, acceleration.y), 6)
         self.assertLess(acceleration.y, 0.0, "to the right, where the centre is")
         self.assertAlmostEqual(9.81, acceleration.z, 6)
         self.assertEqual(0.0, self.latest("imu/data").angular_velocity.z, "it stands")
