@@ -7,7 +7,6 @@
 
 namespace swarmanoid::dynamics2d {
 namespace {
-constexpr double kClose = 1e-3;    // m: contacts begin before surfaces touch
 constexpr double kFastWay = 0.14;  // m in a tick: for so few, others need not look around each time
 }  // namespace
 
@@ -27,7 +26,7 @@ void Dynamics2d::measureWay(BodyIndex index, double tick, double jump) {
   RigidBody& rigid_body = rigid(index);
   const Rates most = highestRates(index);
   // a body that is hit may be twice as fast as the body that hits it
-  rigid_body.way = 2.0 * (most.speed + most.turn * rigid_body.arm.norm()) * tick + jump + kClose;
+  rigid_body.way = 2.0 * (most.speed + most.turn * rigid_body.arm.norm()) * tick + jump + kContactMargin;
   rigid_body.is_reached = false;
   const bool was_fast = rigid_body.is_fast;
   rigid_body.is_fast = rigid_body.way > kFastWay;

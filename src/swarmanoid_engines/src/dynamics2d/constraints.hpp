@@ -2,7 +2,9 @@
 /// given in the step so far, and solves itself exactly against the velocities of its bodies; the island repeats that
 /// until nothing changes any more (projected Gauss-Seidel).
 ///
-/// Bodies are places in the island. SI units, axes of the plane; impulses in N s.
+/// Bodies are places in the island. SI units, axes of the plane; impulses in N s. `start` begins a step, and gives
+/// again the impulse of the step before; `solve` returns by how much it has changed the velocity of a body, turns
+/// included [m/s].
 #pragma once
 
 #include <Eigen/Core>
@@ -23,8 +25,8 @@ struct SolverBody {
   Eigen::Vector2d velocity = Eigen::Vector2d::Zero();  ///< of the centre of mass [m/s]
   double spin = 0.0;                                   ///< [rad/s]
   double inverse_mass = 0.0;                           ///< 0: mirrors and what is fixed [1/kg]
-  double inverse_inertia = 0.0;                        ///< likewise [1/(kg m2)]
-  int last_change = 0;                                 ///< sweep of the solver that changed its velocity last
+  double inverse_inertia = 0.0;  ///< about the centre of mass; 0 where inverse_mass is 0 [1/(kg m2)]
+  int last_change = 0;           ///< sweep of the solver that changed its velocity last
 
   void noteChange(int sweep) { last_change = inverse_mass > 0.0 ? sweep : last_change; }
   Eigen::Vector2d velocityAt(const Eigen::Vector2d& arm) const {
@@ -118,7 +120,7 @@ struct ContactConstraint {
     Eigen::Vector2d arm_a = Eigen::Vector2d::Zero();
     Eigen::Vector2d arm_b = Eigen::Vector2d::Zero();
     double normal_mass = 0.0;    ///< 1 / change of the approach for each unit of impulse [kg]
-    double tangent_mass = 0.0;   ///< likewise
+    double tangent_mass = 0.0;   ///< the same across the normal [kg]
     double approach = 0.0;       ///< most that is allowed [m/s]
     double speed_before = 0.0;   ///< along the normal, at the start of the step [m/s]
     double impulse = 0.0;        ///< along the normal, on b

@@ -14,6 +14,9 @@
 
 namespace swarmanoid::dynamics2d {
 
+/// Gaps below it are contacts, however slow the bodies are [m].
+constexpr double kContactMargin = 1e-3;
+
 /// Two points that face each other, in the frames of their bodies' centres of mass.
 struct FacingPoints {
   Eigen::Vector2d on_a = Eigen::Vector2d::Zero();
@@ -29,7 +32,7 @@ struct ContactPatch {
   int count = 0;                                   ///< of points; 0: the shapes are farther apart than asked for
   Eigen::Vector2d side = Eigen::Vector2d::Zero();  ///< normal of that side, out of its body, in its frame
   double radius_a = 0.0;                           ///< from `on_a` to the surface; 0 but for circles [m]
-  double radius_b = 0.0;                           ///< likewise
+  double radius_b = 0.0;                           ///< from `on_b` [m]
   std::array<FacingPoints, 2> points;
 };
 
@@ -37,7 +40,7 @@ struct ContactPatch {
 struct Facing {
   Eigen::Vector2d normal;  ///< from a to b
   Eigen::Vector2d arm_a;   ///< from the centre of mass to the surface, in the plane's axes [m]
-  Eigen::Vector2d arm_b;   ///< likewise
+  Eigen::Vector2d arm_b;   ///< the same of b [m]
   double gap;              ///< below 0: how deep they are in each other [m]
 };
 

@@ -85,7 +85,6 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   const Body& body = bodies_[index];
   RigidBody& rigid_body = rigid(index);
   const planar::PlacedPose end = planar::integrate(planar::PlacedPose{}, body.velocity, body.turn_rate, step);
-  rigid_body.origin_advance = end.position;
   rigid_body.centre_advance = end.position + end.rotated(rigid_body.arm) - rigid_body.arm;
   rigid_body.turn_rate = body.turn_rate;
   rigid_body.drive = body.is_wheeled ? Drive::kTreels : Drive::kFlight;

@@ -27,7 +27,7 @@
 
 namespace swarmanoid::dynamics2d {
 
-/// Parameters of the engine, all of which may change live; SI units.
+/// Parameters of the engine, which may change live but for `pressure`; SI units.
 struct Material {
   int iterations = 1000;                ///< at most, of the solver of an island, in each step
   double gravity = 9.81;                ///< that presses on the plane [m/s2]
@@ -113,6 +113,10 @@ class Dynamics2d final : public planar::PlanarEngine {
   void fillIsland();
   int placeOf(BodyIndex index);
   void addPair(const Near& near);
+  /// Whether its bodies hold each other, or may touch in a tick [s] at the speeds that they have or are commanded.
+  bool mayTouch(double tick) const;
+  /// Whether something in it is held, or slides on the ground.
+  bool hasLoad() const;
   /// In how many pieces each step of the island is made in this tick. @param step [s]
   int countPieces(double step);
   void moveIsland(double tick);
@@ -120,7 +124,11 @@ class Dynamics2d final : public planar::PlanarEngine {
   const Support& supportOf(BodyIndex index);
   void addGrip(BodyIndex index);
   void readGrips(double step);
+  /// From `island_` to its bodies, after its last step. @param step that had [s]
   void readIsland(double step);
+  void readMotions();
+  /// For drawings.
+  void noteForces(double step);
 
   // turret.cpp
   /// Of the island.

@@ -5,7 +5,7 @@
 
 namespace swarmanoid::dynamics2d {
 
-Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most, double guess) {
+Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most) {
   constexpr int kMostIterations = 30;
   constexpr double kExact = 1e-13;  // of `most`
   if (!(most > 0.0)) {
@@ -14,7 +14,7 @@ Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vecto
   // The slip that remains is slip + yield * friction, and friction = -remaining / resistance. The resistance is zero if
   // friction ends the slip, otherwise that with which friction is as large as it may be: found by Newton's method on
   // 1 / size, which comes up to it from any that is too small.
-  double resistance = std::max({0.0, guess, slip.norm() / most - yield.trace()});
+  double resistance = std::max(0.0, slip.norm() / most - yield.trace());
   Eigen::Vector2d friction = Eigen::Vector2d::Zero();
   double size = most;
   for (int i = 0; i < kMostIterations; ++i) {

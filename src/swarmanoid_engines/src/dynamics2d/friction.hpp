@@ -10,8 +10,6 @@ namespace swarmanoid::dynamics2d {
 /// @param yield velocity of the place for each unit of friction, symmetric and positive definite [m/s/N]
 /// @param slip velocity of the place over the ground without friction [m/s]
 /// @param most friction [N]; in impulses instead of forces, all in N s
-/// @param guess of the slip that remains, for each unit of friction: a good one saves time
-Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most,
-                                double guess = 0.0);
+Eigen::Vector2d coulombFriction(const Eigen::Matrix2d& yield, const Eigen::Vector2d& slip, double most);
 
 }  // namespace swarmanoid::dynamics2d

@@ -6,7 +6,6 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-constexpr double kNear = 1e-3;  // m: gaps below it are contacts, however slow the bodies are
 /// What a mirror pushes with at most, since nothing can hold it back [N].
 constexpr double kMirrorForce = 500.0;
 
@@ -120,7 +119,7 @@ void Island::findContacts(double step, const IslandRules& rules) {
   for (const SolverBody& body : bodies) {
     fastest = std::max(fastest, body.velocity.norm());
   }
-  reach_ = 2.0 * fastest * step + kNear;
+  reach_ = 2.0 * fastest * step + kContactMargin;
   std::swap(contacts_, last_);
   contacts_.clear();
   for (std::size_t i = 0; i < pairs.size(); ++i) {

@@ -60,6 +60,19 @@ void Dynamics2d::fillIsland() {
   });
 }
 
+bool Dynamics2d::mayTouch(double tick) const {
+  return !island_.grips.empty() || std::any_of(island_.pairs.begin(), island_.pairs.end(), [&](const BodyPair& pair) {
+    const double margin = pair.approach * tick + kContactMargin;
+    return island_.gapOf(pair, margin) < margin;
+  });
+}
+
+bool Dynamics2d::hasLoad() const {
+  const auto movable_end = members_.begin() + static_cast<std::ptrdiff_t>(movable_members_);
+  const auto slides = [&](BodyIndex index) { return !bodies_[index].isDriven(); };
+  return !island_.grips.empty() || std::any_of(members_.begin(), movable_end, slides);
+}
+
 int Dynamics2d::countPieces(double step) {
   // contacts are solved where they are when a step begins, and should not be far from there when it ends
   constexpr double kWayAtContact = 0.01;   // m
@@ -69,28 +82,18 @@ int Dynamics2d::countPieces(double step) {
   constexpr double kTimeUnderLoad = 0.0125;  // s
   constexpr double kMostWay = 0.03;          // m
   constexpr double kMostTurn = 0.8;          // rad
-  constexpr double kClose = 1e-3;            // m
   constexpr double kMostPieces = 1e4;
-  const double tick = step * subclock_;
-  bool is_touching = !island_.grips.empty();
-  for (std::size_t i = 0; i < island_.pairs.size() && !is_touching; ++i) {
-    const BodyPair& pair = island_.pairs[i];
-    const double margin = pair.approach * tick + kClose;
-    is_touching = island_.gapOf(pair, margin) < margin;
-  }
-  const bool has_load = !island_.grips.empty() ||
-                        std::any_of(members_.begin(), members_.begin() + static_cast<std::ptrdiff_t>(movable_members_),
-                                    [&](BodyIndex index) { return !bodies_[index].isDriven(); });
-  const double longest = has_load ? kTimeUnderLoad : kTimeAtContact;
-  double rate = 0.0;  // of pieces [1/s]
+  double turn = 0.0;  // rad/s
   island_.highest_speed = 0.0;
   for (const BodyIndex index : members_) {
-    const Rates most = highestRates(index);
-    const double speed = highestSpeed(index);
-    const bool moves = speed > 0.0 && is_touching;
-    island_.highest_speed = std::max(island_.highest_speed, speed);
-    rate = std::max({rate, speed / (is_touching ? kWayAtContact : kMostWay),
-                     most.turn / (is_touching ? kTurnAtContact : kMostTurn), moves ? 1.0 / longest : 0.0});
+    turn = std::max(turn, highestRates(index).turn);
+    island_.highest_speed = std::max(island_.highest_speed, highestSpeed(index));
+  }
+  const double speed = island_.highest_speed;
+  double rate = std::max(speed / kMostWay, turn / kMostTurn);  // of pieces [1/s]
+  if (speed > 0.0 && mayTouch(step * subclock_)) {
+    rate =
+        std::max({speed / kWayAtContact, turn / kTurnAtContact, 1.0 / (hasLoad() ? kTimeUnderLoad : kTimeAtContact)});
   }
   return static_cast<int>(std::ceil(std::clamp(rate * step - 1e-9, 1.0, kMostPieces)));
 }
@@ -185,6 +188,14 @@ void Dynamics2d::readGrips(double step) {
 }
 
 void Dynamics2d::readIsland(double step) {
+  readMotions();
+  noteForces(step);
+  for (const BodyIndex index : members_) {
+    rigid(index).place = -1;
+  }
+}
+
+void Dynamics2d::readMotions() {
   constexpr double kRest = 1e-9;  // m/s, rad/s: friction with the ground leaves that of a body that it stops
   for (std::size_t i = 0; i < movable_members_; ++i) {
     RigidBody& rigid_body = rigid(members_[i]);
@@ -198,6 +209,9 @@ void Dynamics2d::readIsland(double step) {
       rigid_body.spin = 0.0;
     }
   }
+}
+
+void Dynamics2d::noteForces(double step) {
   for (const SupportConstraint& friction : island_.supports) {
     RigidBody& rigid_body = rigid(members_[static_cast<std::size_t>(friction.body)]);
     for (std::size_t i = 0; rigid_body.drive == Drive::kTreels && i < rigid_body.treel_forces.size(); ++i) {
@@ -215,9 +229,6 @@ void Dynamics2d::readIsland(double step) {
         contacts_.push_back({members_[a], island_.bodies[a].pose.position + point.arm_a, -contact.normal});
       }
     }
-  }
-  for (const BodyIndex index : members_) {
-    rigid(index).place = -1;
   }
 }
 

@@ -59,7 +59,6 @@ struct RigidBody {
   Eigen::Vector2d arm = Eigen::Vector2d::Zero();  ///< from the origin to the centre of mass, at heading 0 [m]
 
   // The motion that the drive is to make in each step of this tick, and its forces; vectors are at heading 0.
-  Eigen::Vector2d origin_advance = Eigen::Vector2d::Zero();  ///< [m]
   Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();  ///< [m]
   double turn_rate = 0.0;                                    ///< [rad/s]
   Eigen::Vector2d ahead = Eigen::Vector2d::Zero();           ///< the way that treels push

@@ -69,32 +69,6 @@ void addPolygon(const std::vector<Eigen::Vector2d>& corners, Pressure pressure, 
   }
 }
 
-/// The corners of the outline, counter-clockwise: the points whose hull it is, by gift wrapping.
-std::vector<Eigen::Vector2d> outlineOf(const std::vector<Eigen::Vector2d>& points) {
-  constexpr double kSame = 1e-9;  // m
-  const auto lowest = std::min_element(points.begin(), points.end(), [](const auto& a, const auto& b) {
-    return a.y() < b.y() || (a.y() == b.y() && a.x() < b.x());
-  });
-  std::vector<Eigen::Vector2d> outline{*lowest};
-  while (outline.size() <= points.size()) {
-    const Eigen::Vector2d& from = outline.back();
-    Eigen::Vector2d next = from;
-    for (const Eigen::Vector2d& point : points) {
-      const double right = planar::cross(next - from, point - from);
-      const bool is_farther = (point - from).squaredNorm() > (next - from).squaredNorm();
-      if ((point - from).norm() > kSame &&
-          (next == from || right < -kSame * kSame || (right <= kSame * kSame && is_farther))) {
-        next = point;
-      }
-    }
-    if ((next - outline.front()).norm() <= kSame) {
-      break;
-    }
-    outline.push_back(next);
-  }
-  return outline;
-}
-
 std::vector<Eigen::Vector2d> pointsAround(const planar::PlanarShape& shape) {
   constexpr int kSides = 24;
   if (!shape.isCircle()) {
@@ -212,7 +186,9 @@ void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& s
       const std::vector<Eigen::Vector2d> around = pointsAround(*shape);
       points.insert(points.end(), around.begin(), around.end());
     }
-    addPolygon(outlineOf(points), pressure, support);
+    std::vector<Eigen::Vector2d> outline;
+    planar::findConvexHull(points, outline);
+    addPolygon(outline, pressure, support);
   }
   centre(support);
   support.finish();

@@ -1,10 +1,13 @@
 /// The area on which a body rests, and Coulomb's friction on it.
 ///
-/// Each element of the support carries its share of the weight, and friction opposes the element's own slip with `most`
-/// times its share. So friction couples sliding and turning: the forces and torques that can hold a body form its limit
-/// surface, and a body that slides has no static torque left (Goyal, Ruina, Papadopoulos, Planar sliding with dry
-/// friction, Wear 143, 1991). The sum over elements is taken over some fifty points; an ellipsoid in place of the limit
-/// surface would turn a block that is pushed off its middle half as far as it should (decision 38).
+/// Each element of the support carries its share of the weight, and friction opposes the element's own slip with that
+/// share of the most that there can be. So friction couples sliding and turning: the forces and torques that can hold a
+/// body form its limit surface, and a body that slides has no static torque left (Goyal, Ruina, Papadopoulos, Planar
+/// sliding with dry friction, Wear 143, 1991). The sum over elements is taken over some fifty points; an ellipsoid in
+/// place of the limit surface would turn a block that is pushed off its middle half as far as it should (decision 38).
+///
+/// An element that slips by less than a micrometre a second is held in proportion to its slip: so a body that rests
+/// under a load creeps by about that.
 ///
 /// Frame: the body's centre of mass, at heading 0. SI units.
 #pragma once

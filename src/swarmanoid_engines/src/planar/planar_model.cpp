@@ -4,11 +4,8 @@
 #include <cmath>
 
 namespace swarmanoid::planar {
-namespace {
-
-/// Counter-clockwise convex hull (monotone chain). `points` are sorted on the way.
-void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vector2d>& hull) {
-  constexpr double kSame = 1e-9;  // m
+void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vector2d>& hull) {  // monotone chain
+  constexpr double kSame = 1e-9;                                                                 // m
   std::sort(points.begin(), points.end(), [](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() < b.x() || (a.x() == b.x() && a.y() < b.y());
   });
@@ -30,6 +27,8 @@ void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vec
     std::reverse(points.begin(), points.end());
   }
 }
+
+namespace {
 
 /// Calls visit(point) for points whose hull is the solid: a box's corners, or a ring around each face of a cylinder.
 template <class Visit>

@@ -56,6 +56,10 @@ struct PlanarModel {
 void projectModel(const EntityModel& model, const Plane& plane, const Eigen::Quaterniond& base, PlanarModel& result,
                   Span<const JointState> joints = {});
 
+/// The convex hull of points, counter-clockwise, without corners that are nearly straight or the same. `points` are
+/// sorted on the way; `hull` keeps its memory.
+void findConvexHull(std::vector<Eigen::Vector2d>& points, std::vector<Eigen::Vector2d>& hull);
+
 /// Puts a shape of a model where a body is. `placed` keeps its memory.
 void placeShape(const PlanarShape& shape, const Eigen::Vector2d& position, double cosine, double sine,
                 PlanarShape& placed);

@@ -267,9 +267,6 @@ TEST(CoulombTest, TheFrictionIsTheLargestAgainstTheSlipThatRemains) {
     for (const double most : {0.01, 0.2, 0.7, 5.0}) {
       const Vector2d slip = 0.83 * along(direction(k));
       const Vector2d friction = coulombFriction(yield, slip, most);
-      for (const double guess : {0.02, 0.7, 30.0}) {
-        EXPECT_LT((coulombFriction(yield, slip, most, guess) - friction).norm(), 1e-6 * most) << "whatever the guess";
-      }
       const Vector2d remaining = slip + yield * friction;
       EXPECT_LE(friction.norm(), most * (1.0 + 1e-8));
       if (friction.norm() < most * (1.0 - 1e-8)) {
