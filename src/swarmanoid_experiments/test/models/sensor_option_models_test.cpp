@@ -1,5 +1,5 @@
-// The formulas of docs/reference/models.md, "Sensing", of sensors as they are on robots: printed floors, light by its
-// colour, distances that fold back, a scanner that samples in time.
+// The formulas of docs/reference/models.md, "Sensing", of sensors as they are on robots: printed floors,
+// distances that fold back, a scanner that samples in time.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,8 +10,6 @@
 #include "swarmanoid_interface/devices/differential_drive.hpp"
 #include "swarmanoid_interface/devices/footbot_ground.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
-#include "swarmanoid_interface/devices/leds.hpp"
-#include "swarmanoid_interface/devices/light.hpp"
 
 namespace swarmanoid::test {
 namespace {
@@ -72,49 +70,6 @@ TEST(SensorOptionTest, PrintedRedLooksAlmostWhiteAndPrintedGreyDark) {
   ASSERT_EQ(values.size(), 2U);
   EXPECT_NEAR(values[0], 0.05 + 0.95 * (0.9 + 0.1 / 3.0), 1e-6);
   EXPECT_NEAR(values[1], 0.05 + 0.95 * 0.215861, 1e-6);
-}
-
-TEST(ModelsPageTest, LightByColour) {
-  const double weights[] = {1.157, 0.972, 0.871};
-  ModelWorld world;
-  world.footbot_sensors =
-      "<light><red_weight>1.157</red_weight><green_weight>0.972</green_weight><blue_weight>0.871</blue_weight></light>";
-  world.entities = robot("footbot", "fb", 5.0, 5.0, 0.0, 17.0) + robot("footbot", "other", 5.9, 4.6, 0.0, 66.0) +
-                   entity("light", "lamp", 4.4, 5.8, 0.37, 0.0, "<color>90,200,10</color>");
-  world.members = "fb other";
-  std::vector<float> values;
-  setProgram([&](Robot& robot) {
-    if (robot.name() == "other") {
-      robot.actuator<FootbotLeds>().ring[3] = {0, 0, 255};
-      return;
-    }
-    values.clear();
-    for (const LightReading& reading : robot.sensor<Light>().sensors) {
-      values.push_back(reading.value);
-    }
-  });
-  auto simulation = world.start();
-  tick(*simulation, 2);
-  const double led = (66.0 + 90.0) * kDegree;  // towards fb
-  const struct {
-    double x, y, z, brightness;
-  } sources[] = {{4.4, 5.8, 0.37, (weights[0] * 90.0 + weights[1] * 200.0 + weights[2] * 10.0) / 765.0},
-                 {5.9 + 0.085 * std::cos(led), 4.6 + 0.085 * std::sin(led), 0.12, weights[2] * 255.0 / 765.0}};
-  ASSERT_EQ(values.size(), 24U);
-  int felt = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const double looks = (17.0 + 15.0 * static_cast<double>(i)) * kDegree;
-    double value = 0.0;
-    for (const auto& source : sources) {
-      const double x = source.x - 5.0 - 0.085 * std::cos(looks);
-      const double y = source.y - 5.0 - 0.085 * std::sin(looks);
-      const double d = std::sqrt(x * x + y * y + (source.z - 0.06) * (source.z - 0.06));
-      value += source.brightness * std::max(0.0, (x * std::cos(looks) + y * std::sin(looks)) / d) * 0.01 / (d * d);
-    }
-    EXPECT_NEAR(values[i], value, 1e-7) << "sensor " << i;
-    felt += value > 0.0 ? 1 : 0;
-  }
-  EXPECT_GE(felt, 12);
 }
 
 /// A scanner whose head stands; its left beam looks at a wall, from 0.12 m to 0.35 m away.
