@@ -23,10 +23,11 @@ double FlightConstraint::solve(SolverBodies& bodies) {
   const double turn = std::clamp(turn_impulse + (spin - robot.spin) / robot.inverse_inertia, -most_turn, most_turn);
   const Eigen::Vector2d change = robot.inverse_mass * (now - impulse);
   robot.velocity += change;
-  robot.spin += robot.inverse_inertia * (turn - turn_impulse);
+  const double turn_change = robot.inverse_inertia * (turn - turn_impulse);
+  robot.spin += turn_change;
   impulse = now;
   turn_impulse = turn;
-  return change.cwiseAbs().maxCoeff();
+  return std::max(change.cwiseAbs().maxCoeff(), kTurnArm * std::abs(turn_change));
 }
 
 void SupportConstraint::start(SolverBodies& bodies) const {
