@@ -13,6 +13,7 @@
 
 #include "dynamics2d/contact_patch.hpp"
 #include "dynamics2d/support.hpp"
+#include "dynamics2d/treels.hpp"
 
 namespace swarmanoid::dynamics2d {
 
@@ -26,8 +27,12 @@ struct SolverBody {
   double spin = 0.0;                                   ///< [rad/s]
   double inverse_mass = 0.0;                           ///< 0: mirrors and what is fixed [1/kg]
   double inverse_inertia = 0.0;  ///< about the centre of mass; 0 where inverse_mass is 0 [1/(kg m2)]
+  double radius = 0.0;           ///< nothing of it is farther from the centre of mass [m]
+  double shifted = 0.0;          ///< no point of it has been shifted farther in this step, all ways added up [m]
   int last_change = 0;           ///< sweep of the solver that changed its velocity last
 
+  /// Change of velocities and turn rate for each unit of impulse at the centre of mass, and of torque.
+  Eigen::Vector3d inverseInertia() const { return {inverse_mass, inverse_mass, inverse_inertia}; }
   void noteChange(int sweep) { last_change = inverse_mass > 0.0 ? sweep : last_change; }
   Eigen::Vector2d velocityAt(const Eigen::Vector2d& arm) const {
     return velocity + spin * Eigen::Vector2d(-arm.y(), arm.x());
@@ -68,19 +73,27 @@ struct FlightConstraint {
   Eigen::Vector2d velocity_ = Eigen::Vector2d::Zero();
 };
 
-/// Friction of a body with the ground, on its support (support.hpp). Treels are a support of two points over which
-/// belts run: nothing slips on it when the body moves as commanded.
+/// Treels that drive a robot (treels.hpp).
+struct TreelConstraint {
+  int body = 0;
+  const Treels* treels = nullptr;
+  PlanarTwist command = PlanarTwist::Zero();                                 ///< at which nothing slips, at heading 0
+  double most = 0.0;                                                         ///< impulse of a treel
+  TreelImpulses impulses{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  ///< at heading 0
+
+  void start(SolverBodies& bodies) const;
+  double solve(SolverBodies& bodies);
+};
+
+/// Friction of a body with the ground on which it slides, on its support (support.hpp).
 struct SupportConstraint {
   int body = 0;
   const Support* support = nullptr;
-  PlanarTwist command = PlanarTwist::Zero();          ///< at which nothing slips, at heading 0; zero: the body slides
   double most = 0.0;                                  ///< impulse of friction
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< with that of torque [N m s], at heading 0
 
   void start(SolverBodies& bodies) const;
   double solve(SolverBodies& bodies);
-  /// That of one point of the support, in the plane.
-  Eigen::Vector2d impulseAt(std::size_t point, const SolverBodies& bodies) const;
 };
 
 /// A gripper and what it holds: rigid, or with a turret between, whose motor is solved together with the pivot.
@@ -126,6 +139,7 @@ struct ContactConstraint {
     double impulse = 0.0;        ///< along the normal, on b
     double rub = 0.0;            ///< across it, to the left
     double allowed_depth = 0.0;  ///< that may be left after the step [m]
+    double clear_until = -1.0;   ///< it is not too deep while the shifts of both bodies are below that in sum [m]
   };
 
   int a = 0;
@@ -146,7 +160,7 @@ struct ContactConstraint {
   /// @param restitution part of the speed that comes back; @param slowest that bounces [m/s]
   void bounce(SolverBodies& bodies, double restitution, double slowest);
   /// Pushes bodies out of each other. @return how deep they were, beyond what is allowed [m]
-  double correct(SolverBodies& bodies) const;
+  double correct(SolverBodies& bodies);
 
  private:
   std::array<double, 2> normalImpulses(const SolverBody& body_a, const SolverBody& body_b) const;

@@ -22,8 +22,13 @@ double yieldAlong(const SolverBody& body, const Eigen::Vector2d& arm, const Eige
 }  // namespace
 
 void SolverBody::shift(const Eigen::Vector2d& impulse, const Eigen::Vector2d& arm, double turn_impulse) {
-  pose = planar::PlacedPose::at(pose.position + inverse_mass * impulse,
-                                pose.heading + inverse_inertia * (planar::cross(arm, impulse) + turn_impulse), pose);
+  if (inverse_mass == 0.0) {
+    return;
+  }
+  const double turn = inverse_inertia * (planar::cross(arm, impulse) + turn_impulse);
+  const Eigen::Vector2d way = inverse_mass * impulse;
+  pose = planar::PlacedPose::nearby(pose, way, turn);
+  shifted += way.norm() + radius * std::abs(turn);
 }
 
 void ContactConstraint::prepare(const SolverBodies& bodies, double step) {
@@ -158,14 +163,20 @@ void ContactConstraint::bounce(SolverBodies& bodies, double restitution, double 
   }
 }
 
-double ContactConstraint::correct(SolverBodies& bodies) const {
+double ContactConstraint::correct(SolverBodies& bodies) {
   SolverBody& body_a = bodies[static_cast<std::size_t>(a)];
   SolverBody& body_b = bodies[static_cast<std::size_t>(b)];
   double deepest = 0.0;
   for (int i = 0; i < patch.count; ++i) {
+    Point& point = points[static_cast<std::size_t>(i)];
+    const double shifted = body_a.shifted + body_b.shifted;
+    if (shifted <= point.clear_until) {
+      continue;
+    }
     const Facing facing = facingAt(patch, i, body_a.pose, body_b.pose);
-    const double depth = -facing.gap - points[static_cast<std::size_t>(i)].allowed_depth - kSlop;
+    const double depth = -facing.gap - point.allowed_depth - kSlop;
     if (depth <= 0.0) {
+      point.clear_until = shifted - depth;
       continue;
     }
     deepest = std::max(deepest, depth);

@@ -199,26 +199,4 @@ ContactPatch findPatch(const ContactShape& shape_a, const planar::PlacedPose& a,
   return patch;
 }
 
-Facing facingAt(const ContactPatch& patch, int point, const planar::PlacedPose& a, const planar::PlacedPose& b) {
-  constexpr double kSame = 1e-9;  // m
-  const FacingPoints& points = patch.points[static_cast<std::size_t>(point)];
-  Facing facing;
-  facing.arm_a = a.rotated(points.on_a);
-  facing.arm_b = b.rotated(points.on_b);
-  const Eigen::Vector2d between = b.position - a.position + facing.arm_b - facing.arm_a;
-  double distance = 0.0;
-  if (patch.kind == ContactPatch::Kind::kPoints) {
-    distance = between.norm();
-    facing.normal = distance > kSame ? Eigen::Vector2d(between / distance) : a.rotated(Eigen::Vector2d::UnitX());
-  } else {
-    facing.normal =
-        patch.kind == ContactPatch::Kind::kSideOfA ? a.rotated(patch.side) : Eigen::Vector2d(-b.rotated(patch.side));
-    distance = facing.normal.dot(between);
-  }
-  facing.gap = distance - patch.radius_a - patch.radius_b;
-  facing.arm_a += patch.radius_a * facing.normal;
-  facing.arm_b -= patch.radius_b * facing.normal;
-  return facing;
-}
-
 }  // namespace swarmanoid::dynamics2d

@@ -5,21 +5,21 @@
 
 namespace swarmanoid::dynamics2d {
 
-using Kind = EngineDrawing::Kind;
+using DrawingKind = EngineDrawing::Kind;
 
 void Dynamics2d::draw(EngineDrawing& drawing) const {
   constexpr double kLength = 0.05;  // m
   PlanarEngine::draw(drawing);
   for (const DrawnContact& contact : contacts_) {
-    planar::drawLine(bodies_, contact.body, Kind::kContact, contact.point, contact.point + kLength * contact.normal,
-                     drawing);
+    planar::drawLine(bodies_, contact.body, DrawingKind::kContact, contact.point,
+                     contact.point + kLength * contact.normal, drawing);
   }
   for (const BodyIndex index : movers_) {
     const Grip& grip = rigid(index).grip;
     if (grip.isHolding()) {
       const Eigen::Vector2d tip = planar::gripperTip(bodies_, index).position;
-      planar::drawLine(bodies_, index, Kind::kJoint, bodies_[index].pose.position, tip, drawing);
-      planar::drawLine(bodies_, index, Kind::kJoint, tip, bodies_[grip.gripped].pose.position, drawing);
+      planar::drawLine(bodies_, index, DrawingKind::kJoint, bodies_[index].pose.position, tip, drawing);
+      planar::drawLine(bodies_, index, DrawingKind::kJoint, tip, bodies_[grip.gripped].pose.position, drawing);
     }
     drawForces(index, drawing);
   }
@@ -28,7 +28,8 @@ void Dynamics2d::draw(EngineDrawing& drawing) const {
 void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
   const RigidBody& rigid_body = rigid(index);
   const auto line = [&](const Eigen::Vector2d& from, const Eigen::Vector2d& force) {
-    planar::drawLine(bodies_, index, Kind::kForce, from, from + EngineDrawing::kMetresPerNewton * force, drawing);
+    planar::drawLine(bodies_, index, DrawingKind::kForce, from, from + EngineDrawing::kMetresPerNewton * force,
+                     drawing);
   };
   if (!rigid_body.is_present || rigid_body.drive != Drive::kTreels) {
     if (rigid_body.drive != Drive::kNone) {
@@ -37,8 +38,8 @@ void Dynamics2d::drawForces(BodyIndex index, EngineDrawing& drawing) const {
     return;
   }
   for (std::size_t i = 0; i < rigid_body.treel_forces.size(); ++i) {
-    const Eigen::Vector2d arm = (i == 0 ? 0.5 : -0.5) * rigid_body.axle;
-    line(bodies_[index].pose.position + bodies_[index].pose.rotated(arm), rigid_body.treel_forces[i]);
+    const Eigen::Vector2d& arm = i == 0 ? rigid_body.treels.left : rigid_body.treels.right;
+    line(rigid_body.centre + bodies_[index].pose.rotated(arm), rigid_body.treel_forces[i]);
   }
 }
 

@@ -6,7 +6,6 @@
 
 #include "dynamics2d/dynamics2d.hpp"
 #include "dynamics2d/flight.hpp"
-#include "dynamics2d/friction.hpp"
 #include "swarmanoid_interface/angle.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -17,53 +16,16 @@ Eigen::Vector2d limited(const Eigen::Vector2d& force, double most) {
   return squared > most * most ? Eigen::Vector2d(force * (most / std::sqrt(squared))) : force;
 }
 
-/// What treels push with that cannot all do what is asked of them: each with what the ground holds, against its slip.
-/// One after the other, again and again, until none changes.
-/// @param velocity, turn_rate of the centre of mass, beyond what is asked for; without any push
-std::array<Eigen::Vector2d, 2> slippingTreels(const RigidBody& rigid_body, Eigen::Vector2d velocity, double turn_rate,
-                                              double step) {
-  constexpr int kMostSweeps = 100;
-  constexpr double kSettled = 1e-7;  // of the traction
-  std::array<Eigen::Vector2d, 2> forces{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
-  double change = 1.0;
-  for (int sweep = 0; sweep < kMostSweeps && change > kSettled * rigid_body.traction; ++sweep) {
-    change = 0.0;
-    for (std::size_t i = 0; i < forces.size(); ++i) {
-      const Eigen::Vector2d place = (i == 0 ? 0.5 : -0.5) * rigid_body.axle - rigid_body.arm;
-      const Eigen::Vector2d across(-place.y(), place.x());
-      const Eigen::Matrix2d yield =
-          step * (Eigen::Matrix2d::Identity() / rigid_body.mass + across * across.transpose() / rigid_body.inertia);
-      const Eigen::Vector2d slip = velocity + turn_rate * across;
-      const Eigen::Vector2d force = coulombFriction(yield, slip - yield * forces[i], rigid_body.traction);
-      const Eigen::Vector2d added = force - forces[i];
-      forces[i] = force;
-      velocity += step / rigid_body.mass * added;
-      turn_rate += step / rigid_body.inertia * across.dot(added);
-      change = std::max(change, added.norm());
-    }
-  }
-  return forces;
-}
-
 /// @param velocity of the centre of mass at heading 0, @param spin before the step
 Push treelPush(const RigidBody& rigid_body, const Eigen::Vector2d& velocity, double spin, double step) {
-  const Eigen::Vector2d excess = velocity - rigid_body.centre_advance / step;
-  const double turn_excess = spin - rigid_body.turn_rate;
-  const Eigen::Vector2d force = -rigid_body.mass / step * excess;
-  const double torque = -rigid_body.inertia / step * turn_excess;
-  // both treels carry half of it, and push in opposite directions to turn
-  const Eigen::Vector2d opposite =
-      (torque + planar::cross(rigid_body.arm, force)) / rigid_body.track * rigid_body.ahead;
-  Eigen::Vector2d left = 0.5 * force + opposite;
-  Eigen::Vector2d right = 0.5 * force - opposite;
-  if (std::max(left.squaredNorm(), right.squaredNorm()) > rigid_body.traction * rigid_body.traction) {
-    const auto slipping = slippingTreels(rigid_body, excess, turn_excess, step);
-    left = slipping[0];
-    right = slipping[1];
-  }
-  const Eigen::Vector2d held = left + right;
-  // the treels lie left and right of the origin, by half the track
-  return {held, 0.5 * planar::cross(rigid_body.axle, left - right) - planar::cross(rigid_body.arm, held)};
+  PlanarTwist excess;
+  excess << velocity - rigid_body.centre_advance / step, spin - rigid_body.turn_rate;
+  constexpr int kMostSweeps = 100;
+  const TreelImpulses nothing{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  const TreelImpulses impulses = treelImpulses(rigid_body.treels, rigid_body.mass, rigid_body.inertia, excess,
+                                               rigid_body.traction * step, nothing, kMostSweeps);
+  const Eigen::Vector3d sum = sumOf(rigid_body.treels, impulses) / step;
+  return {sum.head<2>(), sum.z()};
 }
 
 /// Likewise.
@@ -90,9 +52,9 @@ void Dynamics2d::prepareDrive(BodyIndex index, double step) {
   rigid_body.drive = body.is_wheeled ? Drive::kTreels : Drive::kFlight;
   if (body.is_wheeled) {
     const PlanarModel& model = *body.model;
-    rigid_body.ahead = model.ahead;
-    rigid_body.axle = body.entity->wheels->separation * model.left;
-    rigid_body.track = body.entity->wheels->separation * planar::cross(model.left, model.ahead);
+    const Eigen::Vector2d axle = body.entity->wheels->separation * model.left;
+    rigid_body.treels = {0.5 * axle - rigid_body.arm, -0.5 * axle - rigid_body.arm, model.ahead,
+                         planar::cross(axle, model.ahead)};
     rigid_body.traction = 0.5 * material_.treel_friction * rigid_body.mass * material_.gravity;
   }
 }

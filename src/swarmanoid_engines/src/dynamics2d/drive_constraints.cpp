@@ -6,6 +6,23 @@
 #include "dynamics2d/constraints.hpp"
 
 namespace swarmanoid::dynamics2d {
+namespace {
+
+/// At heading 0.
+PlanarTwist twistOf(const SolverBody& body) {
+  const Eigen::Vector2d velocity = body.pose.unrotated(body.velocity);
+  return {velocity.x(), velocity.y(), body.spin};
+}
+
+/// @param impulse with that of torque, at heading 0 @return by how much the velocity changes
+double give(SolverBody& body, const Eigen::Vector3d& impulse) {
+  const Eigen::Vector3d change = impulse.cwiseProduct(body.inverseInertia());
+  body.velocity += body.pose.rotated(change.head<2>());
+  body.spin += change.z();
+  return std::max(change.head<2>().cwiseAbs().maxCoeff(), kTurnArm * std::abs(change.z()));
+}
+
+}  // namespace
 
 void FlightConstraint::start(SolverBodies& bodies) {
   SolverBody& robot = bodies[static_cast<std::size_t>(body)];
@@ -30,36 +47,32 @@ double FlightConstraint::solve(SolverBodies& bodies) {
   return std::max(change.cwiseAbs().maxCoeff(), kTurnArm * std::abs(turn_change));
 }
 
-void SupportConstraint::start(SolverBodies& bodies) const {
-  SolverBody& slider = bodies[static_cast<std::size_t>(body)];
-  slider.velocity += slider.inverse_mass * slider.pose.rotated(impulse.head<2>());
-  slider.spin += slider.inverse_inertia * impulse.z();
+void TreelConstraint::start(SolverBodies& bodies) const {
+  give(bodies[static_cast<std::size_t>(body)], sumOf(*treels, impulses));
 }
+
+double TreelConstraint::solve(SolverBodies& bodies) {
+  SolverBody& robot = bodies[static_cast<std::size_t>(body)];
+  const Eigen::Vector3d before = sumOf(*treels, impulses);
+  const PlanarTwist excess = twistOf(robot) - before.cwiseProduct(robot.inverseInertia()) - command;
+  impulses = treelImpulses(*treels, 1.0 / robot.inverse_mass, 1.0 / robot.inverse_inertia, excess, most, impulses, 1);
+  return give(robot, sumOf(*treels, impulses) - before);
+}
+
+void SupportConstraint::start(SolverBodies& bodies) const { give(bodies[static_cast<std::size_t>(body)], impulse); }
 
 double SupportConstraint::solve(SolverBodies& bodies) {
   SolverBody& slider = bodies[static_cast<std::size_t>(body)];
   if (most <= 0.0) {
     return 0.0;
   }
-  const Eigen::Vector3d inertia(1.0 / slider.inverse_mass, 1.0 / slider.inverse_mass, 1.0 / slider.inverse_inertia);
-  const Eigen::Vector2d velocity = slider.pose.unrotated(slider.velocity);
-  const PlanarTwist before(velocity.x(), velocity.y(), slider.spin);
-  const PlanarTwist free = before - impulse.cwiseQuotient(inertia);
-  const PlanarTwist slip = free - command;
-  const PlanarTwist after =
-      slip.isZero(0.0) ? free : command + velocityAfterFriction(*support, inertia, slip, most, before - command);
+  const Eigen::Vector3d inertia = slider.inverseInertia().cwiseInverse();
+  const PlanarTwist now = twistOf(slider);
+  const PlanarTwist free = now - impulse.cwiseQuotient(inertia);
+  const PlanarTwist after = free.isZero(0.0) ? free : velocityAfterFriction(*support, inertia, free, most, now);
+  const Eigen::Vector3d before = impulse;
   impulse = inertia.cwiseProduct(after - free);
-  slider.velocity = slider.pose.rotated(after.head<2>());
-  slider.spin = after.z();
-  const PlanarTwist change = after - before;
-  return std::max(change.head<2>().cwiseAbs().maxCoeff(), kTurnArm * std::abs(change.z()));
-}
-
-Eigen::Vector2d SupportConstraint::impulseAt(std::size_t point, const SolverBodies& bodies) const {
-  const SolverBody& slider = bodies[static_cast<std::size_t>(body)];
-  const Eigen::Vector2d velocity = slider.pose.unrotated(slider.velocity);
-  const PlanarTwist slip = PlanarTwist(velocity.x(), velocity.y(), slider.spin) - command;
-  return slider.pose.rotated(most * frictionAt(support->points[point], slip));
+  return give(slider, impulse - before);
 }
 
 }  // namespace swarmanoid::dynamics2d

@@ -6,6 +6,8 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
+/// An island of so many constraints is solved as exactly as numbers allow.
+constexpr std::size_t kSmall = 24;
 /// What a mirror pushes with at most, since nothing can hold it back [N].
 constexpr double kMirrorForce = 500.0;
 
@@ -83,6 +85,7 @@ double gapBetween(const ContactShape& shape_a, const planar::PlacedPose& a, cons
 
 void Island::clear() {
   bodies.clear();
+  treels.clear();
   supports.clear();
   flights.clear();
   grips.clear();
@@ -104,6 +107,7 @@ void Island::move(double step, const IslandRules& rules) {
   solve(rules.iterations);
   for (SolverBody& body : bodies) {
     body.advance(step);
+    body.shifted = 0.0;
   }
   if (rules.restitution > 0.0) {
     for (ContactConstraint& contact : contacts_) {
@@ -151,6 +155,7 @@ void Island::findContactsOf(int pair_index, double step, const IslandRules& rule
 }
 
 void Island::startFromLastStep() {
+  startAll(treels, bodies);
   startAll(supports, bodies);
   startAll(flights, bodies);
   startAll(grips, bodies);
@@ -168,14 +173,17 @@ void Island::startFromLastStep() {
   last_.clear();
 }
 
+std::size_t Island::countConstraints() const {
+  return contacts_.size() + grips.size() + 2 * treels.size() + 4 * supports.size() + flights.size() + 1;
+}
+
 void Island::solve(int most_sweeps) {
   // What a large island is left with when time is up is corrected in positions, and goes on in the next step.
-  constexpr std::size_t kSmall = 24;
   constexpr double kExact = 1e-6;    // m/s
   constexpr double kSettled = 2e-5;  // m/s
   constexpr std::size_t kMostWork = 4000;
-  constexpr std::size_t kLeastSweeps = 25;
-  const std::size_t count = contacts_.size() + grips.size() + 4 * supports.size() + flights.size() + 1;
+  constexpr std::size_t kLeastSweeps = 12;
+  const std::size_t count = countConstraints();
   const double settled = count <= kSmall ? kExact : kSettled;
   const std::size_t fit = count <= kSmall ? static_cast<std::size_t>(most_sweeps) : kMostWork / count;
   const int sweeps = std::min(most_sweeps, static_cast<int>(std::max(kLeastSweeps, fit)));
@@ -184,7 +192,8 @@ void Island::solve(int most_sweeps) {
   }
   bool has_changed = true;
   for (int i = 0; i < sweeps && has_changed; ++i) {
-    has_changed = solveAll(supports, bodies, i, settled);
+    has_changed = solveAll(treels, bodies, i, settled);
+    has_changed = solveAll(supports, bodies, i, settled) || has_changed;
     has_changed = solveAll(flights, bodies, i, settled) || has_changed;
     has_changed = solveAll(grips, bodies, i, settled) || has_changed;
     has_changed = solveAll(contacts_, bodies, i, settled) || has_changed;
@@ -193,16 +202,18 @@ void Island::solve(int most_sweeps) {
 
 void Island::correct() {
   constexpr int kMostCorrections = 40;
-  constexpr double kCorrect = 2e-5;  // m
+  constexpr double kExact = 2e-5;    // m
+  constexpr double kCorrect = 1e-4;  // m
+  const double correct = countConstraints() <= kSmall ? kExact : kCorrect;
   for (int i = 0; i < kMostCorrections; ++i) {
     double wrong = 0.0;
     for (const GripConstraint& grip : grips) {
       wrong = std::max(wrong, grip.correct(bodies));
     }
-    for (const ContactConstraint& contact : contacts_) {
+    for (ContactConstraint& contact : contacts_) {
       wrong = std::max(wrong, contact.correct(bodies));
     }
-    if (wrong <= kCorrect) {
+    if (wrong <= correct) {
       return;
     }
   }

@@ -43,6 +43,7 @@ class Island {
   int add(const SolverBody& body, const Outline& outline);
 
   SolverBodies bodies;
+  std::vector<TreelConstraint> treels;
   std::vector<SupportConstraint> supports;
   std::vector<FlightConstraint> flights;
   std::vector<GripConstraint> grips;
@@ -64,6 +65,8 @@ class Island {
   void findContacts(double step, const IslandRules& rules);
   void findContactsOf(int pair, double step, const IslandRules& rules);
   void startFromLastStep();
+  /// By what they cost.
+  std::size_t countConstraints() const;
   void solve(int most_sweeps);
   void correct();
 

@@ -25,6 +25,7 @@ int Dynamics2d::placeOf(BodyIndex index) {
     state.inverse_mass = body.role == Role::kMove ? 1.0 / rigid_body.mass : 0.0;
     state.inverse_inertia = body.role == Role::kMove ? 1.0 / rigid_body.inertia : 0.0;
   }
+  state.radius = body.model->radius + rigid_body.arm.norm();
   rigid_body.place = island_.add(state, {&rigid_body.shapes, body.along});
   return rigid_body.place;
 }
@@ -115,26 +116,25 @@ void Dynamics2d::addConstraints(BodyIndex index, double step) {
     island_.flights.push_back(flight);
     return;
   }
+  if (rigid_body.drive == Drive::kTreels) {
+    TreelConstraint treels;
+    treels.body = rigid_body.place;
+    treels.treels = &rigid_body.treels;
+    treels.command << velocity, rigid_body.turn_rate;
+    treels.most = rigid_body.traction * step;
+    island_.treels.push_back(treels);
+    return;
+  }
   SupportConstraint friction;
   friction.body = rigid_body.place;
   friction.support = &supportOf(index);
-  if (rigid_body.drive == Drive::kTreels) {
-    friction.command << velocity, rigid_body.turn_rate;
-    friction.most = 2.0 * rigid_body.traction * step;
-  } else {
-    friction.most = material_.ground_friction * rigid_body.mass * material_.gravity * step;
-  }
+  friction.most = material_.ground_friction * rigid_body.mass * material_.gravity * step;
   island_.supports.push_back(friction);
 }
 
 const Support& Dynamics2d::supportOf(BodyIndex index) {
   RigidBody& rigid_body = rigid(index);
-  std::vector<Support::Point>& points = rigid_body.support.points;
-  if (points.empty() && rigid_body.drive == Drive::kTreels) {
-    points.push_back({0.5 * rigid_body.axle - rigid_body.arm, 0.5});
-    points.push_back({-0.5 * rigid_body.axle - rigid_body.arm, 0.5});
-    rigid_body.support.finish();
-  } else if (points.empty()) {
+  if (rigid_body.support.points.empty()) {
     makeSupport(*bodies_[index].model, material_.pressure, rigid_body.support);
   }
   return rigid_body.support;
@@ -212,10 +212,11 @@ void Dynamics2d::readMotions() {
 }
 
 void Dynamics2d::noteForces(double step) {
-  for (const SupportConstraint& friction : island_.supports) {
-    RigidBody& rigid_body = rigid(members_[static_cast<std::size_t>(friction.body)]);
-    for (std::size_t i = 0; rigid_body.drive == Drive::kTreels && i < rigid_body.treel_forces.size(); ++i) {
-      rigid_body.treel_forces[i] = friction.impulseAt(i, island_.bodies) / step;
+  for (const TreelConstraint& treels : island_.treels) {
+    const auto place = static_cast<std::size_t>(treels.body);
+    std::array<Eigen::Vector2d, 2>& forces = rigid(members_[place]).treel_forces;
+    for (std::size_t i = 0; i < forces.size(); ++i) {
+      forces[i] = island_.bodies[place].pose.rotated(treels.impulses[i]) / step;
     }
   }
   for (const FlightConstraint& flight : island_.flights) {

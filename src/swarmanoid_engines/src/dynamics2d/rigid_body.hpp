@@ -8,6 +8,7 @@
 
 #include "dynamics2d/contact_shape.hpp"
 #include "dynamics2d/support.hpp"
+#include "dynamics2d/treels.hpp"
 #include "planar/bodies.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -61,9 +62,7 @@ struct RigidBody {
   // The motion that the drive is to make in each step of this tick, and its forces; vectors are at heading 0.
   Eigen::Vector2d centre_advance = Eigen::Vector2d::Zero();  ///< [m]
   double turn_rate = 0.0;                                    ///< [rad/s]
-  Eigen::Vector2d ahead = Eigen::Vector2d::Zero();           ///< the way that treels push
-  Eigen::Vector2d axle = Eigen::Vector2d::Zero();            ///< from the right treel to the left one [m]
-  double track = 0.0;     ///< between treels; below 0 where a turn to the left is one to the right in the plane [m]
+  Treels treels;
   double traction = 0.0;  ///< the most that a treel pushes with [N]
   Drive drive = Drive::kNone;
   int held_by = 0;  ///< grippers

@@ -194,11 +194,6 @@ void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& s
   support.finish();
 }
 
-Eigen::Vector2d frictionAt(const Support::Point& point, const PlanarTwist& slip) {
-  const Eigen::Vector2d speed(slip.x() - slip.z() * point.arm.y(), slip.y() + slip.z() * point.arm.x());
-  return -point.share / std::sqrt(speed.squaredNorm() + kRest * kRest) * speed;
-}
-
 PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,
                                   double most, const PlanarTwist& guess) {
   constexpr int kMostIterations = 60;

@@ -54,7 +54,4 @@ using PlanarTwist = Eigen::Vector3d;
 PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,
                                   double most, const PlanarTwist& guess);
 
-/// Friction at a point of the support, as a part of all that there can be. @param slip of the body
-Eigen::Vector2d frictionAt(const Support::Point& point, const PlanarTwist& slip);
-
 }  // namespace swarmanoid::dynamics2d

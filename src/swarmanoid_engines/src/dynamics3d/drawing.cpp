@@ -9,7 +9,7 @@ namespace swarmanoid::dynamics3d {
 namespace {
 
 using Eigen::Vector3d;
-using Kind = EngineDrawing::Kind;
+using DrawingKind = EngineDrawing::Kind;
 
 /// A closed line around `centre`, through centre + a and centre + b.
 void drawRing(const Pose& pose, const Vector3d& centre, const Vector3d& a, const Vector3d& b, EngineDrawing& drawing) {
@@ -19,7 +19,7 @@ void drawRing(const Pose& pose, const Vector3d& centre, const Vector3d& a, const
     return pose.toWorld(centre + std::cos(angle) * a + std::sin(angle) * b);
   };
   for (int i = 0; i < kSides; ++i) {
-    drawing.add(Kind::kShape, at(i), at(i + 1));
+    drawing.add(DrawingKind::kShape, at(i), at(i + 1));
   }
 }
 
@@ -31,7 +31,7 @@ void drawBox(const Pose& pose, const Vector3d& half, EngineDrawing& drawing) {
   for (int i = 0; i < 8; ++i) {
     for (const int axis : {1, 2, 4}) {
       if ((i & axis) == 0) {
-        drawing.add(Kind::kShape, corner(i), corner(i | axis));
+        drawing.add(DrawingKind::kShape, corner(i), corner(i | axis));
       }
     }
   }
@@ -56,7 +56,7 @@ void drawShape(const CollisionShape& shape, const Pose& body, EngineDrawing& dra
     drawRing(pose, z, x, y, drawing);
     drawRing(pose, -z, x, y, drawing);
     for (const Vector3d& side : {x, y, Vector3d(-x), Vector3d(-y)}) {
-      drawing.add(Kind::kShape, pose.toWorld(side - z), pose.toWorld(side + z));
+      drawing.add(DrawingKind::kShape, pose.toWorld(side - z), pose.toWorld(side + z));
     }
   }
 }
@@ -73,15 +73,15 @@ void Dynamics3d::drawAttachments(EngineDrawing& drawing) const {
       if (rope.held != nullptr) {
         const Vector3d launcher = launcherOf(*body, i);
         const Vector3d pull = EngineDrawing::kMetresPerNewton * rope.tension * rope.towards;
-        drawing.add(Kind::kJoint, launcher, rope.held->pose.toWorld(rope.anchor));
-        drawing.add(Kind::kForce, launcher, launcher + pull);
+        drawing.add(DrawingKind::kJoint, launcher, rope.held->pose.toWorld(rope.anchor));
+        drawing.add(DrawingKind::kForce, launcher, launcher + pull);
       }
     }
     for (const Grip& hold : body->holding->grips) {
       if (hold.joint != nullptr) {
         const Vector3d holder = toVector(dBodyGetPosition(hold.holder));
-        drawing.add(Kind::kJoint, body->pose.position, holder);
-        drawing.add(Kind::kForce, holder,
+        drawing.add(DrawingKind::kJoint, body->pose.position, holder);
+        drawing.add(DrawingKind::kForce, holder,
                     holder + EngineDrawing::kMetresPerNewton * (body->pose.orientation * hold.force));
       }
     }
@@ -96,15 +96,15 @@ void Dynamics3d::draw(EngineDrawing& drawing) const {
     }
     if (body->grip.joint != nullptr) {
       const Vector3d tip = body->pose.toWorld(gripperTip(*body));
-      drawing.add(Kind::kJoint, body->pose.position, tip);
-      drawing.add(Kind::kJoint, tip, body->grip.gripped->pose.position);
-      drawing.add(Kind::kForce, tip,
+      drawing.add(DrawingKind::kJoint, body->pose.position, tip);
+      drawing.add(DrawingKind::kJoint, tip, body->grip.gripped->pose.position);
+      drawing.add(DrawingKind::kForce, tip,
                   tip + EngineDrawing::kMetresPerNewton * (body->pose.orientation * body->grip.force));
     }
   }
   drawAttachments(drawing);
   for (const Contacts::Point& point : contacts_.points()) {
-    drawing.add(Kind::kContact, point.position, point.position + kNormal * point.normal);
+    drawing.add(DrawingKind::kContact, point.position, point.position + kNormal * point.normal);
   }
 }
 

@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 using Ridge = GroundSurface::Ridge;
-using Kind = CollisionShape::Kind;
+using ShapeKind = CollisionShape::Kind;
 
 /// A face of a solid, in its own frame.
 struct Face {
@@ -24,7 +24,7 @@ struct Face {
 
 /// The face through which `point` is nearest to leave the solid, of those that look against `ground`.
 /// @param ground out of the ground, in the solid's frame
-Face faceOver(Kind kind, const Vector3d& half, const Vector3d& point, const Vector3d& ground) {
+Face faceOver(ShapeKind kind, const Vector3d& half, const Vector3d& point, const Vector3d& ground) {
   constexpr double kAgainst = 0.2;  // cosine
   Face best;
   double least = std::numeric_limits<double>::infinity();
@@ -35,12 +35,12 @@ Face faceOver(Kind kind, const Vector3d& half, const Vector3d& point, const Vect
       best = {out, distance};
     }
   };
-  for (int axis = kind == Kind::kBox ? 0 : 2; axis < 3; ++axis) {
+  for (int axis = kind == ShapeKind::kBox ? 0 : 2; axis < 3; ++axis) {
     look(Vector3d::Unit(axis), half[axis]);
     look(-Vector3d::Unit(axis), half[axis]);
   }
   const double across = point.head<2>().norm();
-  if (kind == Kind::kCylinder && across > 0.0) {
+  if (kind == ShapeKind::kCylinder && across > 0.0) {
     look(Vector3d(point.x() / across, point.y() / across, 0.0), half.x());
   }
   return best;
@@ -87,7 +87,7 @@ void collideRidges(const GroundSurface& ground, const PlacedSolid& solid, double
     const Vector3d way = solid.axes.transpose() * (ridge.to - ridge.from);
     LinePart part;
     part.clipToSlab(start.z(), way.z(), -half.z(), half.z());
-    if (solid.kind == Kind::kBox) {
+    if (solid.kind == ShapeKind::kBox) {
       part.clipToSlab(start.x(), way.x(), -half.x(), half.x());
       part.clipToSlab(start.y(), way.y(), -half.y(), half.y());
     } else {

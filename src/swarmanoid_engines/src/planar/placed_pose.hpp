@@ -1,6 +1,8 @@
 /// A planar pose that things are placed by, and where a constant velocity takes it.
 #pragma once
 
+#include <cmath>
+
 #include "planar/plane.hpp"
 
 namespace swarmanoid::planar {
@@ -19,6 +21,18 @@ struct PlacedPose {
   static PlacedPose at(const Eigen::Vector2d& position, double heading, const PlacedPose& similar) {
     return heading == similar.heading ? PlacedPose{position, heading, similar.cosine, similar.sine}
                                       : at(position, heading);
+  }
+  /// A pose at hand, moved and turned a little: as exact as `at`, in a fraction of the time. @param turn [rad]
+  static PlacedPose nearby(const PlacedPose& pose, const Eigen::Vector2d& way, double turn) {
+    constexpr double kSmall = 1e-3;  // rad: the next term of both series is below the last digit
+    if (std::abs(turn) > kSmall) {
+      return at(pose.position + way, pose.heading + turn);
+    }
+    const double square = turn * turn;
+    const double sine = turn * (1.0 - square / 6.0 * (1.0 - square / 20.0));
+    const double versine = 0.5 * square * (1.0 - square / 12.0 * (1.0 - square / 30.0));
+    return {pose.position + way, pose.heading + turn, pose.cosine - versine * pose.cosine - sine * pose.sine,
+            pose.sine - versine * pose.sine + sine * pose.cosine};
   }
   Eigen::Vector2d rotated(const Eigen::Vector2d& p) const {
     return {cosine * p.x() - sine * p.y(), sine * p.x() + cosine * p.y()};

@@ -6,4 +6,4 @@ import dask
 # program's last line
 dask.config.set({"distributed.worker.profile.enabled": False, "distributed.admin.tick.limit": "1h",
                  "distributed.scheduler.http.routes": [], "distributed.worker.http.routes": [],
-                 "logging": {name: "critical" for name in ("distributed", "distributed.client", "asyncio")}})
+                 "logging": {name: "critical" for name in ("distributed", "distributed.client", "asyncio", "tornado.application")}})

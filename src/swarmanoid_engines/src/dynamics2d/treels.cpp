@@ -1,0 +1,61 @@
+#include "dynamics2d/treels.hpp"
+
+#include <algorithm>
+
+#include "dynamics2d/friction.hpp"
+#include "planar/plane.hpp"
+
+namespace swarmanoid::dynamics2d {
+namespace {
+
+/// Of treels that cannot both do what is asked of them: each with what the ground holds, against its slip. One after
+/// the other, again and again, until none changes.
+TreelImpulses slippingTreels(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
+                             TreelImpulses impulses, int most_sweeps) {
+  constexpr double kSettled = 1e-7;  // of the most that there can be
+  const Eigen::Vector3d sum = sumOf(treels, impulses);
+  Eigen::Vector2d velocity = excess.head<2>() + sum.head<2>() / mass;
+  double turn_rate = excess.z() + sum.z() / inertia;
+  const std::array<Eigen::Vector2d, 2> across{Eigen::Vector2d(-treels.left.y(), treels.left.x()),
+                                              Eigen::Vector2d(-treels.right.y(), treels.right.x())};
+  std::array<Eigen::Matrix2d, 2> yields;
+  for (std::size_t i = 0; i < yields.size(); ++i) {
+    yields[i] = Eigen::Matrix2d::Identity() / mass + across[i] * across[i].transpose() / inertia;
+  }
+  double change = 1.0;
+  for (int sweep = 0; sweep < most_sweeps && change > kSettled * most; ++sweep) {
+    change = 0.0;
+    for (std::size_t i = 0; i < impulses.size(); ++i) {
+      const Eigen::Vector2d slip = velocity + turn_rate * across[i] - yields[i] * impulses[i];
+      const Eigen::Vector2d added = coulombFriction(yields[i], slip, most) - impulses[i];
+      impulses[i] += added;
+      velocity += added / mass;
+      turn_rate += across[i].dot(added) / inertia;
+      change = std::max(change, added.norm());
+    }
+  }
+  return impulses;
+}
+
+}  // namespace
+
+Eigen::Vector3d sumOf(const Treels& treels, const TreelImpulses& impulses) {
+  const Eigen::Vector2d sum = impulses[0] + impulses[1];
+  return {sum.x(), sum.y(), planar::cross(treels.left, impulses[0]) + planar::cross(treels.right, impulses[1])};
+}
+
+TreelImpulses treelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
+                            const TreelImpulses& guess, int most_sweeps) {
+  const Eigen::Vector2d half = -0.5 * mass * excess.head<2>();
+  const double torque = -inertia * excess.z();
+  // both carry half of it, and push in opposite directions to turn
+  const Eigen::Vector2d opposite =
+      (torque - planar::cross(treels.left + treels.right, half)) / treels.track * treels.ahead;
+  const TreelImpulses holding{half + opposite, half - opposite};
+  if (std::max(holding[0].squaredNorm(), holding[1].squaredNorm()) <= most * most) {
+    return holding;
+  }
+  return slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
+}
+
+}  // namespace swarmanoid::dynamics2d
