@@ -96,8 +96,16 @@ std::vector<std::byte*> elementsOf(const Records& records, const ListPlaces& lis
 FieldArrays elementArrays(const Records& records, const ListPlaces& list, const std::string& device,
                           std::int64_t* counts) {
   auto elements = std::make_shared<Records>(
-      Records{records.moment, std::make_shared<std::vector<std::byte*>>(elementsOf(records, list, counts))});
-  return {std::move(elements), list.elements, device + "." + list.name, "", false};
+      Records{records.moment, std::make_shared<std::vector<std::byte*>>(elementsOf(records, list, counts)), {}});
+  return {std::move(elements), list.elements, device + "." + list.name, "", ArrayUse::kCopy};
+}
+
+void forbidWriting(py::array& array) { array.attr("flags").attr("writeable") = false; }
+
+/// Python can change the shape of an array that it has, too.
+bool isWhole(const py::array& array, const FieldPlaces& field, std::size_t records) {
+  return array.dtype().is(dtypeOf(field.type)) && (array.flags() & py::array::c_style) != 0 &&
+         static_cast<std::size_t>(array.size()) == records * field.offsets.size();
 }
 
 /// @return a field, a list or a part; what is no copy keeps the simulation
@@ -154,8 +162,17 @@ py::object FieldArrays::get(const std::string& name) const {
   records_->moment.require();
   const std::string full = prefix_ + name;
   if (const FieldPlaces* field = table_->findField(full)) {
+    const auto written = records_->written.find(field);
+    if (written != records_->written.end()) {
+      return written->second;
+    }
     py::array copy = arrayFor(*field, size());
     gather(*records_->places, *field, copy.mutable_data());
+    if (use_ == ArrayUse::kWrite) {
+      records_->written.emplace(field, copy);
+    } else if (use_ == ArrayUse::kLook) {
+      forbidWriting(copy);
+    }
     return copy;
   }
   if (const ListPlaces* list = table_->findList(full)) {
@@ -164,7 +181,7 @@ py::object FieldArrays::get(const std::string& name) const {
   if (table_->namesBehind(full + ".").empty()) {
     refuse(name);
   }
-  return py::cast(FieldArrays(records_, *table_, device_, full + ".", is_writable_));
+  return py::cast(FieldArrays(records_, *table_, device_, full + ".", use_));
 }
 
 void FieldArrays::set(const std::string& name, const py::object& value) const {
@@ -174,11 +191,25 @@ void FieldArrays::set(const std::string& name, const py::object& value) const {
     refuse(name);
   }
   const std::string full = device_ + "." + prefix_ + name;
-  if (!is_writable_) {
+  if (use_ != ArrayUse::kWrite) {
     throw py::type_error(full + " is not written here: commands are, in the step of a controller");
   }
   const py::array numbers = convert(value, *field, size(), full);
   scatter(numbers.data(), *field, *records_->places);
+  const auto written = records_->written.find(field);
+  if (written != records_->written.end() && isWhole(written->second, *field, size())) {
+    std::memmove(written->second.mutable_data(), numbers.data(), static_cast<std::size_t>(numbers.nbytes()));
+  }
+}
+
+void FieldArrays::writeBack() const {
+  for (auto& [field, array] : records_->written) {
+    if (isWhole(array, *field, size())) {
+      scatter(array.data(), *field, *records_->places);
+    }
+    forbidWriting(array);
+  }
+  records_->written.clear();
 }
 
 std::string FieldArrays::describe() const {

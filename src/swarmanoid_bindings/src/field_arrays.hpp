@@ -1,5 +1,7 @@
 /// The fields of a device of many robots in Python, as NumPy arrays: `readings["footbot_proximity"].value` has the
-/// shape (robots, 24). Arrays are copies; a field is written as a whole, `commands["footbot_wheels"].left = speeds`.
+/// shape (robots, 24). Arrays of readings are copies. Commands are written as a whole, `commands["footbot_wheels"].left
+/// = speeds`, or in place, `commands["footbot_wheels"].left[some] = 3.0`: a step has one array for each field, and what
+/// stands in it when the step is over is the command. Outside a step, arrays of commands cannot be written.
 ///
 /// Threads  under Python's lock.
 #pragma once
@@ -7,6 +9,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,10 +22,18 @@ namespace swarmanoid::bindings {
 /// Where records are, in the order of the robots.
 using Places = std::shared_ptr<const std::vector<std::byte*>>;
 
+/// What may be done with arrays that Python gets.
+enum class ArrayUse {
+  kCopy,  ///< of readings: whatever the caller likes
+  kLook,  ///< at commands
+  kWrite  ///< commands
+};
+
 /// The devices of robots, or elements of lists in them.
 struct Records {
   OfMoment moment;
   Places places;
+  std::map<const FieldPlaces*, pybind11::array> written;  ///< those that Python has got to write into, by field
 
   std::size_t size() const { return places->size(); }
 };
@@ -38,13 +49,13 @@ void scatter(const void* numbers, const FieldPlaces& field, const std::vector<st
 class FieldArrays {
  public:
   /// @param device for messages @param prefix of the part: "" or "joints."
-  FieldArrays(std::shared_ptr<const Records> records, const FieldTable& table, std::string device, std::string prefix,
-              bool is_writable)
+  FieldArrays(std::shared_ptr<Records> records, const FieldTable& table, std::string device, std::string prefix,
+              ArrayUse use)
       : records_(std::move(records)),
         table_(&table),
         device_(std::move(device)),
         prefix_(std::move(prefix)),
-        is_writable_(is_writable) {}
+        use_(use) {}
 
   std::size_t size() const { return records_->size(); }
   /// An array, a list or a part. @throws pybind11::attribute_error naming those that there are
@@ -52,17 +63,19 @@ class FieldArrays {
   /// @param value an array of the field's shape, or what NumPy broadcasts to it
   /// @throws pybind11::type_error if it is not writable here, pybind11::value_error for a wrong shape or number
   void set(const std::string& name, const pybind11::object& value) const;
+  /// Copies to the devices what Python has written into arrays, which cannot be written any more then.
+  void writeBack() const;
   std::vector<std::string> names() const { return table_->namesBehind(prefix_); }
   std::string describe() const;
 
  private:
   [[noreturn]] void refuse(const std::string& name) const;
 
-  std::shared_ptr<const Records> records_;
+  std::shared_ptr<Records> records_;
   const FieldTable* table_;
   std::string device_;
   std::string prefix_;
-  bool is_writable_;
+  ArrayUse use_;
 };
 
 /// A list such as `blobs`: the elements of all robots, one robot's behind those of the one before. `counts` says how

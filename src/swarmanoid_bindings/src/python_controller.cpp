@@ -71,7 +71,9 @@ void PythonController::step(const Space& space, Banks& /*commands*/, Span<const 
   }
   const Pause pause(*moment_);
   try {
-    step_(SteppedRobots(space, moment_, selection_));
+    const py::object robots = py::cast(SteppedRobots(space, moment_, selection_));
+    step_(robots);
+    robots.cast<SteppedRobots&>().commands().writeBack();
   } catch (py::error_already_set& error) {
     const std::string what = describe(error);
     if (thrown_->keep(std::move(error))) {

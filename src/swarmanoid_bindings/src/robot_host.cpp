@@ -88,7 +88,7 @@ py::object RobotHost::elements(const std::string& device, const std::string& lis
                                     [&](const Device& candidate) { return candidate.type == device; });
     if (found != devices->end()) {
       auto place = std::make_shared<std::vector<std::byte*>>(1, found->places->at(robot));
-      return py::cast(ListArrays({*step_, std::move(place)}, *found->table->findList(list), device));
+      return py::cast(ListArrays({*step_, std::move(place), {}}, *found->table->findList(list), device));
     }
   }
   throw py::key_error(device);

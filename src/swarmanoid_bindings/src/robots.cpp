@@ -60,9 +60,14 @@ const FieldArrays& Devices::at(const std::string& type) {
   if (described == nullptr || (places->empty() && !rows_->empty())) {
     throw py::key_error(unknownName("the device", type, types()));
   }
-  auto records = std::make_shared<Records>(Records{moment_, places});
-  return known_.emplace(type, FieldArrays(std::move(records), fieldTableOf(*described), type, "", is_writable_))
-      .first->second;
+  auto records = std::make_shared<Records>(Records{moment_, places, {}});
+  return known_.emplace(type, FieldArrays(std::move(records), fieldTableOf(*described), type, "", use_)).first->second;
+}
+
+void Devices::writeBack() const {
+  for (const auto& [type, arrays] : known_) {
+    arrays.writeBack();
+  }
 }
 
 Places Devices::placesOf(const std::string& type) {
@@ -108,16 +113,16 @@ std::shared_ptr<const std::vector<Row>> rowsIn(const std::shared_ptr<RobotSelect
 }  // namespace
 
 Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::vector<Row> rows)
-    : Robots(space, std::move(moment), selectionOf(std::move(rows)), false) {}
+    : Robots(space, std::move(moment), selectionOf(std::move(rows)), ArrayUse::kLook) {}
 
 Robots::Robots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection,
-               bool is_writable)
+               ArrayUse use_of_commands)
     : space_(&space),
       whole_moment_(std::move(moment)),
       moment_(whole_moment_),
       selection_(std::move(selection)),
-      readings_(moment_, space.readings, rowsIn(selection_), selection_->readings, false),
-      commands_(moment_, space.commands, rowsIn(selection_), selection_->commands, is_writable) {}
+      readings_(moment_, space.readings, rowsIn(selection_), selection_->readings, ArrayUse::kCopy),
+      commands_(moment_, space.commands, rowsIn(selection_), selection_->commands, use_of_commands) {}
 
 Robots robotsOf(const Space& space, std::shared_ptr<const Moment> moment) {
   std::vector<Row> rows;

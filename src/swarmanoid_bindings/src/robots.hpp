@@ -33,17 +33,14 @@ class Devices {
  public:
   /// @param banks outlive the moment
   Devices(OfMoment moment, const Banks& banks, std::shared_ptr<const std::vector<Row>> rows,
-          std::map<std::string, Places>& places, bool is_writable)
-      : moment_(std::move(moment)),
-        banks_(&banks),
-        rows_(std::move(rows)),
-        places_(&places),
-        is_writable_(is_writable) {}
+          std::map<std::string, Places>& places, ArrayUse use)
+      : moment_(std::move(moment)), banks_(&banks), rows_(std::move(rows)), places_(&places), use_(use) {}
 
   /// Of the robots that have such a device. @throws pybind11::key_error if none has
   const FieldArrays& at(const std::string& type);
   bool has(const std::string& type) const;
   std::vector<std::string> types() const;
+  void writeBack() const;
   /// The places, among the robots, of those that have it.
   pybind11::array_t<std::int64_t> owners(const std::string& type) const;
 
@@ -54,7 +51,7 @@ class Devices {
   const Banks* banks_;
   std::shared_ptr<const std::vector<Row>> rows_;  // with it, the selection
   std::map<std::string, Places>* places_;         // in the selection
-  bool is_writable_;
+  ArrayUse use_;
   std::map<std::string, FieldArrays> known_;
 };
 
@@ -83,7 +80,7 @@ class Robots {
 
  protected:
   Robots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection,
-         bool is_writable);
+         ArrayUse use_of_commands);
   const std::vector<Row>& rows() const { return selection_->rows; }
   const std::vector<Robot*>& robots() const { return selection_->robots; }
   const Space& space() const {
@@ -109,7 +106,7 @@ Robots entitiesOf(const Space& space, std::shared_ptr<const Moment> moment);
 class SteppedRobots : public Robots {
  public:
   SteppedRobots(const Space& space, std::shared_ptr<const Moment> moment, std::shared_ptr<RobotSelection> selection)
-      : Robots(space, std::move(moment), std::move(selection), true) {}
+      : Robots(space, std::move(moment), std::move(selection), ArrayUse::kWrite) {}
 
   std::uint64_t tick() const { return space().tick; }
   double time() const { return toSeconds(space().time - kEpoch); }

@@ -79,6 +79,48 @@ class FieldsTest(unittest.TestCase):
         numpy.testing.assert_array_equal(wheels.left, [1.0, 2.0, 3.0])
         numpy.testing.assert_array_equal(wheels.right, [0.5] * 3)
 
+    def test_commands_may_be_written_in_place(self):
+        kept = []
+
+        def drive(robots):
+            wheels = robots.commands["footbot_wheels"]
+            wheels.left[numpy.array([False, True, True])] = 3.0
+            wheels.left += 1.0
+            wheels.right = 5.0
+            wheels.right[0] -= 2.0
+            robots.commands["footbot_leds"].ring.red[1, ::2] = 7
+            kept.append(wheels.right)
+
+        commands = step_once(drive).robots.commands
+        numpy.testing.assert_array_equal(commands["footbot_wheels"].left, [1.0, 4.0, 4.0])
+        numpy.testing.assert_array_equal(commands["footbot_wheels"].right, [3.0, 5.0, 5.0])
+        numpy.testing.assert_array_equal(commands["footbot_leds"].ring.red[1], [7, 0] * 6)
+        numpy.testing.assert_array_equal(commands["footbot_leds"].ring.red[[0, 2]], 0)
+        with self.assertRaisesRegex(ValueError, "read-only"):
+            kept[0][1] = 9.0  # the step is over
+        with self.assertRaisesRegex(ValueError, "read-only"):
+            commands["footbot_wheels"].left[0] = 9.0
+
+    def test_what_is_written_last_holds(self):
+        def drive(robots):
+            wheels = robots.commands["footbot_wheels"]
+            left = wheels.left
+            left[:] = 4.0
+            wheels.left = [1.0, 2.0, 3.0]
+            numpy.testing.assert_array_equal(left, [1.0, 2.0, 3.0])
+            left[1] = 7.0
+
+        wheels = step_once(drive).robots.commands["footbot_wheels"]
+        numpy.testing.assert_array_equal(wheels.left, [1.0, 7.0, 3.0])
+
+    def test_an_array_of_another_shape_is_not_written_back(self):
+        def drive(robots):
+            left = robots.commands["footbot_wheels"].left
+            left[:] = 4.0
+            left.resize(1, refcheck=False)
+
+        numpy.testing.assert_array_equal(step_once(drive).robots.commands["footbot_wheels"].left, [0.0] * 3)
+
     def refused(self, error, message, action):
         with self.assertRaisesRegex(error, message):
             step_once(action)

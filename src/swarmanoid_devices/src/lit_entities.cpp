@@ -8,8 +8,11 @@ namespace {
 /// So many are looked at one by one sooner than all that is around a robot.
 constexpr std::size_t kFew = 32;
 
-bool isLit(const Space& space, Row row) {
+bool isLit(const Space& space, Row row, const LightReach& reach) {
   const EntityModel& model = *space.entities.model[row];
+  if (reachOfLight(model, reach) <= 0.0) {
+    return false;
+  }
   if (!model.is_robot) {
     // the surface of a prey has a colour, and does not shine
     return model.findProperty(kIntensity) >= 0 && space.ownColor(row).isLit();
@@ -19,7 +22,7 @@ bool isLit(const Space& space, Row row) {
 
 }  // namespace
 
-void LitEntities::fill(const Space& space) {
+void LitEntities::fill(const Space& space, const LightReach& reach) {
   for (Group* group : {&robots_, &lamps_}) {
     group->small.clear();
     group->large.clear();
@@ -29,14 +32,14 @@ void LitEntities::fill(const Space& space) {
   is_lit_.resize(space.index.placeCount());
   for (std::size_t place = 0; place < is_lit_.size(); ++place) {
     const PositionalIndex::Outline& outline = space.index.at(static_cast<PositionalIndex::Place>(place));
-    const bool is_lit = isLit(space, outline.row);
+    const bool is_lit = isLit(space, outline.row, reach);
     is_lit_[place] = is_lit ? 1 : 0;
     if (is_lit && group_of(outline.row).count++ < kFew) {
       group_of(outline.row).small.push_back(outline);
     }
   }
   for (const PositionalIndex::LargeOutline& outline : space.index.large()) {
-    if (isLit(space, outline.row)) {
+    if (isLit(space, outline.row, reach)) {
       group_of(outline.row).large.push_back(outline);
     }
   }

@@ -12,7 +12,7 @@
 
 namespace swarmanoid::devices {
 
-/// How far light goes [m].
+/// How far light goes; 0: it is not felt [m].
 struct LightReach {
   double of_lamps = 0.0;
   double of_leds = 0.0;
@@ -30,7 +30,8 @@ inline bool isAnyLit(Span<const Color> leds) {
 
 class LitEntities {
  public:
-  void fill(const Space& space);
+  /// @param reach of the sensors: what has none is not looked at
+  void fill(const Space& space, const LightReach& reach);
 
   /// What shines onto a sphere, by entity number. @param self who is left out @param radius of the sphere [m]
   /// @param found is cleared first; its room grows to what was needed

@@ -50,7 +50,7 @@ Sums sumsIn(DeviceWorld& world) {
   }
   const devices::LightReach reach{2.0, 2.0};
   devices::LitEntities lit;
-  lit.fill(world.space);
+  lit.fill(world.space, reach);
   std::vector<Row> near;
   lit.collect(world.space, kNoRow, kCentre, 0.05, reach, near);
   devices::IlluminatedRing ring;

@@ -14,7 +14,11 @@
 namespace swarmanoid::test {
 namespace {
 
-using LightSensor = SensorUnderTest<Light>;
+/// Feels LEDs at any distance, if the parameters say nothing else.
+struct LightSensor : SensorUnderTest<Light> {
+  LightSensor(DeviceWorld& world, Row row, Parameters parameters = {})
+      : SensorUnderTest<Light>(world, row, (parameters.insert({"led_range", "100"}), parameters)) {}
+};
 
 constexpr std::size_t kCount = 24;
 constexpr double kLightRingRadius = 0.085;  // m, of the ring
@@ -205,6 +209,17 @@ TEST_F(LightTest, BeyondTheRangeThereIsNoLight) {
   EXPECT_EQ(light.sense().sensors[6].value, 0.0F);
   world.pose(lamp).position.x() += 0.002;
   EXPECT_EQ(strongestOf(light.sense()), 0.0);
+}
+
+TEST_F(LightTest, LedsGiveNoLightWhereNothingIsSaidOfThem) {
+  const Row other = world.addFootbot(4.4, 5.0);
+  for (Color& led : world.space.leds[other]) {
+    led = colors::kWhite;
+  }
+  SensorUnderTest<Light> usual(world, robot);
+  EXPECT_EQ(strongestOf(usual.sense()), 0.0);
+  usual.sensor->remove(world.space, robot);
+  EXPECT_GT(strongestOf(LightSensor(world, robot).sense()), 0.01);
 }
 
 TEST_F(LightTest, LedsMayHaveAShorterReachThanLamps) {

@@ -118,11 +118,15 @@ TEST(HandoverTest, TheMembersOfAStructureAreNotInEachOthersWay) {
 }
 
 TEST(HandoverTest, WhatElseIsThereIsInTheWayMoverOrMirror) {
+  // these engines take all that is in them to be in the way
   World world = obstructedWorld();
-  world.engines += "<glide id=\"lift\"><takes_wheels>true</takes_wheels></glide>";
+  for (const std::string id : {"lift", "hover"}) {
+    world.engines += "<glide id=\"" + id + "\"><takes_wheels>true</takes_wheels></glide>";
+  }
   world.physics += "<engine id=\"lift\">" + member("other") + "</engine>";
   auto simulation = started(world);
   tick(*simulation);
+  simulation->apply(HandOverEntity{"other", "hover"});
   EXPECT_THROW(simulation->apply(HandOverEntity{"prey", "lift"}), ConfigError);
   EXPECT_NO_THROW(simulation->apply(HandOverEntity{"other", "lift"}));
   EXPECT_THROW(simulation->apply(HandOverEntity{"prey", "lift"}), ConfigError);

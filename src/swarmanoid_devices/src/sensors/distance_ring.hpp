@@ -15,6 +15,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "distance_rays.hpp"
 #include "parameters.hpp"
@@ -63,7 +64,8 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
 
  protected:
   /// As far as rays reach is the table's business; what can be measured is what stands there as measured.
-  void setRange(const SampleTable& table) {
+  static std::vector<Parameter> parametersBesideTable() { return {}; }
+  void setRange(const SampleTable& table, const Configuration& /*parameters*/) {
     range_ = table.finiteReadings();
     reach_ = table.farthest() + kSampledMargin;
   }

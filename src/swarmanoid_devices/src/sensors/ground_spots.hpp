@@ -18,6 +18,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "field_numbers.hpp"
 #include "ground_response.hpp"
@@ -68,7 +69,10 @@ class GroundSpotsSensor : public SensorOf<Device, InstanceOfSpots> {
 
  protected:
   void setResponse(const GroundResponse& response) { response_ = response; }
-  void setRange(const SampleTable& table) { range_ = table.farthest() + kSampledMargin; }
+  static std::vector<Parameter> parametersBesideTable() { return {}; }
+  void setRange(const SampleTable& table, const Configuration& /*parameters*/) {
+    range_ = table.farthest() + kSampledMargin;
+  }
 
   template <class Visit>
   void visitFelt(const Space& space, const Instance& instance, Visit visit) const {

@@ -46,14 +46,14 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
 
   void configure(const Configuration& parameters) override {
     const double range = parameters.number("range", Light::kUsualRange);
-    reach_ = {range, std::min(range, parameters.number("led_range", kFarthest))};
+    reach_ = {range, std::min(range, parameters.number("led_range", 0.0))};
     response_ = {parameters.number("red_weight", 1.0), parameters.number("green_weight", 1.0),
                  parameters.number("blue_weight", 1.0)};
   }
 
   void prepare(const Space& space) override {
     if (!this->instances_.empty()) {
-      lit_.fill(space);
+      lit_.fill(space, reach_);
     }
   }
 
@@ -69,10 +69,12 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   double range() const { return reach_.of_lamps; }
 
  protected:
-  void setRange(const SampleTable& table) {
+  void setRange(const SampleTable& table, const Configuration& parameters) {
     const double range = table.farthest() + kSampledMargin;
-    reach_ = {range, range};
+    reach_ = {range, std::min(range, parameters.number("led_range", 0.0))};
   }
+
+  static std::vector<Parameter> parametersBesideTable() { return {ledRange()}; }
 
   template <class Visit>
   void visitFelt(const Space& space, const Instance& instance, Visit visit) const {
@@ -102,8 +104,7 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
     description.summary = summary;
     description.parameters = {number("range", "m", numberText(Light::kUsualRange), {0.001, kFarthest},
                                      "Distance beyond which a source gives no light."),
-                              number("led_range", "m", numberText(kFarthest), {0.001, kFarthest},
-                                     "The same for LEDs of robots, if it is less than `range`."),
+                              ledRange(),
                               number("red_weight", "", "1", kWeights, "How strongly sensors respond to red light."),
                               number("green_weight", "", "1", kWeights, "The same for green light."),
                               number("blue_weight", "", "1", kWeights, "The same for blue light.")};
@@ -134,6 +135,11 @@ class LightRingSensor : public SensorOf<Device, InstanceOfRing> {
   static constexpr double kFarthest = 100.0;  // m
   static constexpr Range kWeights{0.0, 3.0};
   using Sensors = std::array<IlluminatedSensor, RingGeometry<count>::kMost>;
+
+  static Parameter ledRange() {
+    return number("led_range", "m", "0", {0.0, kFarthest},
+                  "The same for LEDs of robots, if it is less than `range`; 0: LEDs give no light.");
+  }
 
   /// What shines on a ring. The list is kept between calls so that a steady state allocates
   /// nothing.

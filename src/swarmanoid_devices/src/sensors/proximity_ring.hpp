@@ -6,6 +6,7 @@
 #include <array>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "field_numbers.hpp"
 #include "parameters.hpp"
@@ -52,7 +53,10 @@ class ProximityRingSensor : public SensorOf<Device, InstanceOfRing> {
   double range() const { return range_; }
 
  protected:
-  void setRange(const SampleTable& table) { range_ = table.farthest() + kSampledMargin; }
+  static std::vector<Parameter> parametersBesideTable() { return {}; }
+  void setRange(const SampleTable& table, const Configuration& /*parameters*/) {
+    range_ = table.farthest() + kSampledMargin;
+  }
 
   template <class Visit>
   void visitFelt(const Space& space, const Instance& instance, Visit visit) const {

@@ -8,7 +8,8 @@
 ///
 ///     static constexpr SampledLaw kSampledLaw{...};
 ///     double range() const;                   // as far as it feels anything [m]
-///     void setRange(const SampleTable&);      // that of the table
+///     void setRange(const SampleTable&, const Configuration& parameters);  // that of the table
+///     static std::vector<Parameter> parametersBesideTable();
 ///     template <class Visit> void visitFelt(const Space&, const Instance&, Visit visit) const;
 ///
 /// where visitFelt calls visit(sensor, distance [m], angle [rad], strength) for all that its sensors feel.
@@ -17,6 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 #include "ring_geometry.hpp"
 #include "swarmanoid_space/samples/sample_table.hpp"
@@ -48,13 +50,16 @@ class SampledRing final : public Ideal, public SampledSensor {
     description.parameters = {makeParameter("file", Parameter::Type::kText, "", std::nullopt, {},
                                             "A CSV file of readings by distance and angle; its folder is relative to "
                                             "the experiment file's.")};
+    for (Parameter& parameter : Ideal::parametersBesideTable()) {
+      description.parameters.push_back(std::move(parameter));
+    }
     return description;
   }
 
   void configure(const Configuration& parameters) override {
     const SampledLaw& law = Ideal::kSampledLaw;
     table_ = readSampleTable(parameters.text("file"), {law.readings, law.nothing == kInfinity});
-    this->setRange(table_);
+    this->setRange(table_, parameters);
   }
 
   void sense(const Space& space, std::size_t first, std::size_t last) override {

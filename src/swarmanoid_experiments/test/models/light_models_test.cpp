@@ -63,7 +63,7 @@ void expectFelt(const std::vector<float>& values, const std::vector<LightSource>
 
 TEST(ModelsPageTest, LightResponse) {
   ModelWorld world;
-  world.footbot_sensors = "<light><range>1.7</range></light>";
+  world.footbot_sensors = "<light><range>1.7</range><led_range>1.7</led_range></light>";
   world.entities = entity("light", "seen", 4.4, 5.8, 0.37, 0.0, "<color>90,200,10</color>") +
                    entity("light", "hidden", 5.0, 3.7, 0.06) + block("wall", 5.0, 4.2, 0.25, "0.8,0.05,0.5") +
                    entity("light", "far", 6.9, 5.3, 0.1);
@@ -74,7 +74,8 @@ TEST(ModelsPageTest, LightResponse) {
 TEST(ModelsPageTest, LightByColour) {
   ModelWorld world;
   world.footbot_sensors =
-      "<light><red_weight>1.157</red_weight><green_weight>0.972</green_weight><blue_weight>0.871</blue_weight></light>";
+      "<light><led_range>2</led_range><red_weight>1.157</red_weight><green_weight>0.972</green_weight>"
+      "<blue_weight>0.871</blue_weight></light>";
   world.entities = entity("light", "lamp", 4.4, 5.8, 0.37, 0.0, "<color>90,200,10</color>");
   expectFelt(valuesIn(world, {0, 0, 255}),
              {{4.4, 5.8, 0.37, (1.157 * 90.0 + 0.972 * 200.0 + 0.871 * 10.0) / 765.0}, ledOf(0.871 * 255.0 / 765.0)});

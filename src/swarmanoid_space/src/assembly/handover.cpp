@@ -82,7 +82,7 @@ Handover::Handover(Space& space, const std::vector<Named<Engine>>& engines, cons
   for (const Row other : space.entities.order) {
     for (const Membership& membership : memberships[other]) {
       if (membership.engine == &target && membership.role == Role::kMirror && space.entities.model[other]->is_movable) {
-        call("place", target, [&] { target_.place(space_, other); });
+        mirrors_.push_back(other);
       }
     }
   }
@@ -117,10 +117,40 @@ std::string Handover::problemOf(Row member) const {
     problem = target_.unsupportedStateReason(space_, member);
   }
   if (problem.empty()) {
-    const Row other = target_.overlap(*posed, pose, members_);
+    const Row other = overlapOf(*posed, pose);
     problem = other == kNoRow ? "" : "overlaps '" + space_.entities.name[other] + "'";
   }
   return problem;
+}
+
+Row Handover::overlapOf(const EntityModel& posed, const Pose& pose) const {
+  const auto isOf = [](const std::vector<Row>& rows, Row row) {
+    return std::find(rows.begin(), rows.end(), row) != rows.end();
+  };
+  const auto isOlder = [&](Row row, Row than) {
+    return than == kNoRow || space_.entities.number[row] < space_.entities.number[than];
+  };
+  // the target knows its mirrors where they were a tick ago; where they are now, those who move them know
+  std::vector<Row> moved;
+  std::copy_if(mirrors_.begin(), mirrors_.end(), std::back_inserter(moved),
+               [&](Row mirror) { return space_.mover[mirror] != nullptr; });
+  std::vector<Row> ignored = members_;
+  ignored.insert(ignored.end(), moved.begin(), moved.end());
+  Row found = target_.overlap(posed, pose, ignored);
+  for (const Named<Engine>& engine : engines_) {
+    std::vector<Row> passed = members_;
+    for (Row other = kNoRow; engine.get() != &target_;) {
+      other = engine->overlap(posed, pose, passed);
+      if (other == kNoRow) {
+        break;
+      }
+      if (isOf(moved, other) && space_.mover[other] == engine.get() && isOlder(other, found)) {
+        found = other;
+      }
+      passed.push_back(other);
+    }
+  }
+  return found;
 }
 
 /// Takes the entity out of the engine that moves it, and its mirror out of the one that is to. @return the former
@@ -143,6 +173,9 @@ void Handover::add(Row member, Engine& engine, Role role) {
 
 void Handover::commit(std::vector<Event>& events) {
   SWARMANOID_EXPECTS(problem().empty());
+  for (const Row mirror : mirrors_) {  // who joins them finds them where they are
+    call("place", target_, [&] { target_.place(space_, mirror); });
+  }
   std::vector<Engine*> former;
   former.reserve(members_.size());
   for (const Row member : members_) {

@@ -24,14 +24,13 @@ std::vector<std::string> idleDevices(const Engine& engine, const EntityModel& mo
 /// call that does not return is reported with the name of its engine (UserCode).
 class Handover {
  public:
-  /// Puts the engine's mirrors where their entities are now, else it would decide by where they were a tick ago.
   /// @param row the member of the structure that it is about
   Handover(Space& space, const std::vector<Named<Engine>>& engines, const std::vector<RobotInstance>& instances,
            ByRow<std::vector<Membership>>& memberships, Row row, Engine& target);
 
-  /// Why the engine cannot take charge of all members where they stand; "" if it can. What hinders another member than
-  /// the one that it is about has that one's name. Whether the members overlap each other is not looked at: they stood
-  /// like this, and grip each other, in the engine that they come from.
+  /// Why the engine cannot take charge of all members where they stand; "" if it can. Asking changes nothing. What
+  /// hinders another member than the one that it is about has that one's name. Whether the members overlap each other
+  /// is not looked at: they stood like this, and grip each other, in the engine that they come from.
   std::string problem() const;
 
   /// Lets the engine take charge of them. @param events get one for each of them @pre no problem
@@ -39,6 +38,8 @@ class Handover {
 
  private:
   std::string problemOf(Row member) const;
+  /// What a member would overlap in the target, by entity number; kNoRow if there is nothing.
+  Row overlapOf(const EntityModel& posed, const Pose& pose) const;
   Engine* takeOut(Row member);
   void add(Row member, Engine& engine, Role role);
   template <class Action>
@@ -51,6 +52,7 @@ class Handover {
   Row row_;
   Engine& target_;
   std::vector<Row> members_;  // parents before children
+  std::vector<Row> mirrors_;  // of the target, that can move
 };
 
 /// A rule for one entity, and how far it has come.

@@ -109,14 +109,20 @@ const std::vector<Parameter>& frameworkParameters() {
   return table;
 }
 
-std::vector<Parameter> placementParameters(bool is_distributed) {
+std::vector<Parameter> poseParameters() {
   using Type = Parameter::Type;
-  const std::string turns = "Turns about the space's x, then y, then z axis.";
-  if (is_distributed) {
-    return {makeParameter("orientation", Type::kAngles3, "deg", "0, 0, 0", limits::kTurn, turns)};
-  }
   return {makeParameter("position", Type::kVector3, "m", std::nullopt, limits::kCoordinate, "Of the entity's origin."),
-          makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, limits::kTurn, turns)};
+          makeParameter("orientation", Type::kAngles3, "deg", std::nullopt, limits::kTurn,
+                        "Turns about the space's x, then y, then z axis.")};
+}
+
+std::vector<Parameter> placementParameters(bool is_distributed) {
+  std::vector<Parameter> table = poseParameters();
+  table.back().value = "0, 0, 0";
+  if (is_distributed) {
+    table.erase(table.begin());
+  }
+  return table;
 }
 
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed) {

@@ -30,9 +30,11 @@ Parameter realismParameter(const std::string& usual = "");
 
 // The tables of the sections themselves.
 const std::vector<Parameter>& frameworkParameters();
-/// Where an entity is. In <distribute> it has no position, and need not be turned.
+/// Where an entity is. In <distribute> it has no position.
 std::vector<Parameter> placementParameters(bool is_distributed);
-/// Of an entity: those of its type, and its placement. In <distribute> it has no position, and need not be turned.
+/// Where an entity is put: a position and then an orientation, both of which must be there.
+std::vector<Parameter> poseParameters();
+/// Of an entity: those of its type, and its placement. In <distribute> it has no position.
 std::vector<Parameter> entityParameters(const PluginDescription& type, bool is_distributed);
 /// Of <floor_patch>; `radius` and `size` exclude each other.
 const std::vector<Parameter>& floorPatchParameters();

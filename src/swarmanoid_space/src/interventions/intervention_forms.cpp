@@ -51,7 +51,7 @@ struct InterventionForm<MoveEntity> {
 
   static MoveEntity read(const XmlElement& element, const Experiment& /*experiment*/) {
     MoveEntity result{element.requireAttribute("entity"), {}};
-    std::vector<Parameter> table = experiment::placementParameters(false);
+    std::vector<Parameter> table = experiment::poseParameters();
     const auto quaternion = element.child("quaternion");
     if (quaternion) {
       if (const auto orientation = element.child("orientation")) {
