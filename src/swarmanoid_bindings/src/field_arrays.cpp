@@ -6,6 +6,7 @@
 #include <cstring>
 #include <type_traits>
 
+#include "object_rules.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 
 namespace py = pybind11;
@@ -253,7 +254,10 @@ void bindFieldArrays(py::module_& module) {
       "fields_of", &fieldsOf, py::arg("device"),
       "The fields of a device of a type by name, each a dictionary: shape in one device, dtype, unit, meaning, and "
       "low and high, the bounds that its numbers keep.");
-  py::class_<FieldArrays>(module, "FieldArrays", "Fields of one device of many robots, as arrays.")
+  py::class_<FieldArrays> fields_class(module, "FieldArrays", "Fields of one device of many robots, as arrays.");
+  refuseUnmade<FieldArrays>();
+  refuseCopies(fields_class, kOfAMoment);
+  fields_class
       .def("__getattr__",
            [](const py::object& arrays, const std::string& name) {
              return partOf(arrays, arrays.cast<const FieldArrays&>(), name);
@@ -262,8 +266,11 @@ void bindFieldArrays(py::module_& module) {
       .def("__dir__", &FieldArrays::names)
       .def("__len__", &FieldArrays::size)
       .def("__repr__", &FieldArrays::describe);
-  py::class_<ListArrays>(module, "ListArrays", "A list of elements of many robots, as arrays over all elements.")
-      .def_property_readonly("counts", &ListArrays::counts, "How many elements each robot has.")
+  py::class_<ListArrays> lists_class(module, "ListArrays",
+                                     "A list of elements of many robots, as arrays over all elements.");
+  refuseUnmade<ListArrays>();
+  refuseCopies(lists_class, kOfAMoment);
+  lists_class.def_property_readonly("counts", &ListArrays::counts, "How many elements each robot has.")
       .def_property_readonly("robot", &ListArrays::robot, "Whose each element is: a place among the robots.")
       .def("__getattr__",
            [](const py::object& list, const std::string& name) {

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "holds_objects.hpp"
 #include "moment.hpp"
 #include "robots.hpp"
 #include "swarmanoid_space/group_controller.hpp"
@@ -13,7 +14,7 @@
 
 namespace swarmanoid::bindings {
 
-class PythonController final : public GroupController {
+class PythonController final : public GroupController, public HoldsObjects {
  public:
   /// @throws pybind11::type_error if it is neither
   PythonController(pybind11::object controller, std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
@@ -23,6 +24,14 @@ class PythonController final : public GroupController {
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
   /// What Python throws here stops the robots. As in `init`, it is kept for whoever makes the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
+
+  int visitObjects(visitproc visit, void* argument) const override {
+    return visitEach(visit, argument, controller_, step_);
+  }
+  void releaseObjects() override {
+    controller_ = {};
+    step_ = {};
+  }
 
  private:
   pybind11::object controller_;

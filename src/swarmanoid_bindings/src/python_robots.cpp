@@ -86,6 +86,25 @@ void PythonRobots::regroup(const Space& space, Span<const GroupMember> members) 
   instances_ = std::move(kept);
 }
 
+int PythonRobots::visitObjects(visitproc visit, void* argument) const {
+  int result = visitEach(visit, argument, type_, parameters_);
+  for (auto known = instances_.begin(); result == 0 && known != instances_.end(); ++known) {
+    result = visitEach(visit, argument, known->second.robot, known->second.step);
+  }
+  for (auto stepped = stepped_.begin(); result == 0 && stepped != stepped_.end(); ++stepped) {
+    result = visitEach(visit, argument, stepped->robot, stepped->step);
+  }
+  return result;
+}
+
+void PythonRobots::releaseObjects() {
+  instances_.clear();
+  stepped_.clear();
+  host_ = nullptr;
+  parameters_ = {};
+  type_ = {};
+}
+
 void PythonRobots::step(const Space& space, Banks& /*commands*/, Span<const GroupMember> members) {
   const PythonLock lock;
   if (thrown_->isOver()) {

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "holds_objects.hpp"
 #include "moment.hpp"
 #include "robot_host.hpp"
 #include "swarmanoid_space/group_controller.hpp"
@@ -17,7 +18,7 @@
 
 namespace swarmanoid::bindings {
 
-class PythonRobots final : public GroupController {
+class PythonRobots final : public GroupController, public HoldsObjects {
  public:
   /// @param type the class @param description of the configuration
   /// @throws pybind11::type_error if the class has no step
@@ -29,6 +30,9 @@ class PythonRobots final : public GroupController {
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
   /// What Python throws stops that robot, and is kept for whoever makes the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
+
+  int visitObjects(visitproc visit, void* argument) const override;
+  void releaseObjects() override;
 
  private:
   struct Instance {

@@ -13,13 +13,14 @@
 #include <optional>
 #include <vector>
 
+#include "holds_objects.hpp"
 #include "moment.hpp"
 #include "swarmanoid_space/rule.hpp"
 #include "thrown.hpp"
 
 namespace swarmanoid::bindings {
 
-class PythonRule final : public Rule {
+class PythonRule final : public Rule, public HoldsObjects {
  public:
   /// @throws pybind11::type_error if it has none of the functions
   PythonRule(pybind11::object rule, std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
@@ -30,6 +31,9 @@ class PythonRule final : public Rule {
   void afterTick(const Space& space, InterventionQueue& queue) override;
   bool isFinished() const override { return is_finished_; }
   std::optional<bool> success() const override { return success_; }
+
+  int visitObjects(visitproc visit, void* argument) const override { return visitEach(visit, argument, rule_); }
+  void releaseObjects() override { rule_ = {}; }
 
  private:
   template <class Action>

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "object_rules.hpp"
 #include "swarmanoid_space/space.hpp"
 
 namespace py = pybind11;
@@ -95,8 +96,10 @@ py::object RobotHost::elements(const std::string& device, const std::string& lis
 }
 
 void bindRobotHost(py::module_& module) {
-  py::class_<RobotHost, std::shared_ptr<RobotHost>>(module, "RobotHost", "For _single.py.")
-      .def_property_readonly("sensors", &RobotHost::sensors)
+  py::class_<RobotHost, std::shared_ptr<RobotHost>> host_class(module, "RobotHost", "For _single.py.");
+  refuseUnmade<RobotHost>();
+  refuseCopies(host_class, kOfAMoment);
+  host_class.def_property_readonly("sensors", &RobotHost::sensors)
       .def_property_readonly("actuators", &RobotHost::actuators)
       .def("elements", &RobotHost::elements)
       .def("name", &RobotHost::name)

@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "object_rules.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 
 namespace py = pybind11;
@@ -234,15 +235,19 @@ void SteppedRobots::debug(std::size_t robot, const std::string& key, const std::
 
 void bindRobots(py::module_& module) {
   constexpr auto kInternal = py::return_value_policy::reference_internal;
-  py::class_<Devices>(module, "Devices", "The devices of robots, by type.")
-      .def("__getitem__", &Devices::at, kInternal)
+  py::class_<Devices> devices_class(module, "Devices", "The devices of robots, by type.");
+  refuseUnmade<Devices>();
+  refuseCopies(devices_class, kOfAMoment);
+  devices_class.def("__getitem__", &Devices::at, kInternal)
       .def("__contains__", &Devices::has)
       .def("keys", &Devices::types, "The types that any of the robots has, sorted.")
       .def("__iter__", [](const Devices& devices) { return py::iter(py::cast(devices.types())); })
       .def("__len__", [](const Devices& devices) { return devices.types().size(); })
       .def("owners", &Devices::owners, py::arg("type"), "The places, among the robots, of those that have the device.");
-  py::class_<Robots>(module, "Robots", "Robots of a simulation in one moment, by entity number.")
-      .def("__len__", &Robots::size)
+  py::class_<Robots> robots_class(module, "Robots", "Robots of a simulation in one moment, by entity number.");
+  refuseUnmade<Robots>();
+  refuseCopies(robots_class, kOfAMoment);
+  robots_class.def("__len__", &Robots::size)
       .def_property_readonly("names", &Robots::names, "Their names, a list of str.")
       .def_property_readonly("types", &Robots::types, "Their types, such as 'footbot', a list of str.")
       .def_property_readonly("controllers", &Robots::controllers,
@@ -259,8 +264,9 @@ void bindRobots(py::module_& module) {
                              "Sensors by type: readings['footbot_proximity'].value is (robots that have it, 24).")
       .def_property_readonly("commands", &Robots::commands, kInternal,
                              "Actuators by type: commands['footbot_wheels'].left is (robots that have it,), in rad/s.");
-  py::class_<SteppedRobots, Robots>(module, "SteppedRobots", "The robots of a controller, in its step.")
-      .def_property_readonly("tick", &SteppedRobots::tick, "Number of this tick; the first one is 0.")
+  py::class_<SteppedRobots, Robots> stepped_class(module, "SteppedRobots", "The robots of a controller, in its step.");
+  refuseUnmade<SteppedRobots>();
+  stepped_class.def_property_readonly("tick", &SteppedRobots::tick, "Number of this tick; the first one is 0.")
       .def_property_readonly("time", &SteppedRobots::time, "Simulated time since the start [s].")
       .def_property_readonly("dt", &SteppedRobots::dt, "Time of a tick [s].")
       .def("uniform", &SteppedRobots::uniform, py::arg("low") = 0.0, py::arg("high") = 1.0,

@@ -4,13 +4,17 @@
 
 #include "events.hpp"
 #include "interventions.hpp"
+#include "object_rules.hpp"
 
 namespace py = pybind11;
 
 namespace swarmanoid::bindings {
 
 void bindRuleWorld(py::module_& module) {
-  py::class_<RuleWorld>(module, "World", "The world in a call of a rule: good for this call only.")
+  py::class_<RuleWorld> world_class(module, "World", "The world in a call of a rule: good for this call only.");
+  refuseUnmade<RuleWorld>();
+  refuseCopies(world_class, kOfAMoment);
+  world_class
       .def_property_readonly(
           "ticks", [](const RuleWorld& world) { return world.space().tick; }, "Finished ticks.")
       .def_property_readonly(

@@ -31,6 +31,7 @@ const ControllerDescription& configurationOf(const Experiment& experiment, const
 class Ticking {
  public:
   Ticking(Moment& moment, bool& is_in_tick) : moment_(moment), is_in_tick_(is_in_tick) {
+    ++moment_.number;  // what was got before is not good for callbacks of these ticks either
     moment_.is_ticking = true;
     is_in_tick_ = true;
   }
@@ -52,10 +53,14 @@ class Ticking {
 Run::Run(Experiment experiment, RunContext context, const PythonParts& parts) {
   SuppliedParts supplied;
   for (const auto& [id, controller] : parts.controllers) {
-    supplied.group_controllers[id] = makeController(controller, configurationOf(experiment, id), moment_, thrown_);
+    const auto made = makeController(controller, configurationOf(experiment, id), moment_, thrown_);
+    supplied.group_controllers[id] = made;
+    holders_.push_back(std::dynamic_pointer_cast<HoldsObjects>(made));
   }
   for (const auto& [id, rule] : parts.rules) {
-    supplied.rules.emplace_back(id, std::make_shared<PythonRule>(rule, moment_, thrown_));
+    const auto made = std::make_shared<PythonRule>(rule, moment_, thrown_);
+    supplied.rules.emplace_back(id, made);
+    holders_.push_back(made);
   }
   supplied.scripts = makeScriptsOfPython(moment_, thrown_);
   try {
@@ -171,6 +176,21 @@ void Run::apply(const Intervention& intervention) {
   });
   if (refusal) {
     throw InterventionError(std::string(kindOf(intervention)) + " is refused: " + *refusal);
+  }
+}
+
+int Run::visitObjects(visitproc visit, void* argument) const {
+  for (const auto& holder : holders_) {
+    if (const int result = holder->visitObjects(visit, argument); result != 0) {
+      return result;
+    }
+  }
+  return 0;
+}
+
+void Run::releaseObjects() {
+  for (const auto& holder : holders_) {
+    holder->releaseObjects();
   }
 }
 

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "holds_objects.hpp"
 #include "moment.hpp"
 #include "robots.hpp"
 #include "swarmanoid_space/simulation/simulation.hpp"
@@ -25,11 +26,11 @@ struct PythonParts {
   std::vector<std::pair<std::string, pybind11::object>> rules;  ///< beside those of the experiment file
 };
 
-class Run {
+class Run final : public HoldsObjects {
  public:
   /// @throws ConfigError, pybind11::error_already_set what a part in Python throws
   Run(Experiment experiment, RunContext context, const PythonParts& parts);
-  ~Run() { ++moment_->number; }
+  ~Run() override { ++moment_->number; }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
@@ -50,6 +51,9 @@ class Run {
   Robots robots() const;
   Robots entities() const;
 
+  int visitObjects(visitproc visit, void* argument) const override;
+  void releaseObjects() override;
+
  private:
   /// @throws std::runtime_error
   void requireIdle() const;
@@ -61,6 +65,7 @@ class Run {
 
   std::shared_ptr<Moment> moment_ = std::make_shared<Moment>();
   std::shared_ptr<Thrown> thrown_ = std::make_shared<Thrown>();
+  std::vector<std::shared_ptr<HoldsObjects>> holders_;  // controllers and rules
   std::unique_ptr<Simulation> simulation_;
   bool is_in_tick_ = false;
   bool is_closed_ = false;

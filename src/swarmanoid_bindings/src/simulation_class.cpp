@@ -11,6 +11,7 @@
 
 #include "events.hpp"
 #include "interventions.hpp"
+#include "object_rules.hpp"
 #include "python_text.hpp"
 #include "record_of_run.hpp"
 #include "run.hpp"
@@ -202,6 +203,30 @@ void bindState(py::class_<Run>& simulation) {
       .def_property_readonly("record", &recordOfRun, "What a run is made of, as a dictionary.");
 }
 
+/// null: it has not been made
+Run* madeRun(PyObject* self) {
+  auto* const instance = reinterpret_cast<py::detail::instance*>(self);
+  const auto holder = instance->get_value_and_holder(py::detail::get_type_info(typeid(Run), true));
+  return holder.holder_constructed() ? holder.value_ptr<Run>() : nullptr;
+}
+
+/// Python's collector of garbage asks what a simulation keeps.
+void letBeCollected(PyHeapTypeObject* heap_type) {
+  PyTypeObject& type = heap_type->ht_type;
+  type.tp_flags |= Py_TPFLAGS_HAVE_GC;
+  type.tp_traverse = [](PyObject* self, visitproc visit, void* argument) {
+    const Run* const run = madeRun(self);
+    const int result = visit(reinterpret_cast<PyObject*>(Py_TYPE(self)), argument);
+    return result != 0 || run == nullptr ? result : run->visitObjects(visit, argument);
+  };
+  type.tp_clear = [](PyObject* self) {
+    if (Run* const run = madeRun(self)) {
+      run->releaseObjects();
+    }
+    return 0;
+  };
+}
+
 constexpr const char* kSimulationText = R"(A run of an experiment.
 
 Simulation(experiment=None, *, text=None, seed=None, ticks=None, threads=None, overrides={}, controllers={}, rules={},
@@ -227,7 +252,9 @@ dtype('float32')
 }  // namespace
 
 void bindSimulation(py::module_& module) {
-  py::class_<Run> simulation(module, "Simulation", kSimulationText);
+  py::class_<Run> simulation(module, "Simulation", kSimulationText, py::custom_type_setup(&letBeCollected));
+  refuseUnmade<Run>();
+  refuseCopies(simulation, "make another one, and repeat in it what was done to this one");
   simulation
       .def(py::init([](std::optional<std::string> experiment, std::optional<std::string> text,
                        std::optional<std::uint64_t> seed, std::optional<std::int64_t> ticks,

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "object_rules.hpp"
+
 namespace swarmanoid::bindings {
 
 /// A class whose constructor takes the named properties by place, in that order.
@@ -22,6 +24,7 @@ pybind11::class_<Value> valueClass(pybind11::module_& module, const char* name, 
     return values;
   };
   py::class_<Value> type(module, name, text);
+  refuseUnmade<Value>();
   type.def("__repr__",
            [name, properties](const py::object& self) {
              std::string line;
