@@ -7,9 +7,11 @@ import sys
 import threading
 import traceback
 import types
+import weakref
 
 _numbers = itertools.count(1)
 _loading = threading.RLock()   # what is found by `import` is the whole process's
+_known = weakref.WeakSet()     # scripts that are in use
 
 
 class Script:
@@ -29,6 +31,7 @@ class Script:
         except BaseException:
             self.forget()
             raise
+        _known.add(self)
 
     def _execute(self, code, folder):
         names = modules_in(folder)
@@ -54,6 +57,12 @@ class Script:
         sys.modules.pop(self.module.__name__, None)
         for module in (self.module, *self._beside):
             vars(module).clear()
+
+
+def files_read():
+    """The files of all scripts that are in use, and of what these have imported from beside them."""
+    modules = [module for script in list(_known) for module in (script.module, *script._beside)]
+    return sorted({path for module in modules if (path := getattr(module, "__file__", None))})
 
 
 def take_modules(names):

@@ -2,6 +2,7 @@
 """`swarmanoid batch` from outside: the same rows whoever makes them, and whoever is killed meanwhile."""
 
 import contextlib
+import csv
 import json
 import os
 import random
@@ -36,6 +37,23 @@ FAILS = """<ahss-config>
 </ahss-config>
 """
 
+SCRIPTED = """<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>400</maxclock></framework>
+  <controllers>
+    <Drive id="drive" source="python" file="drive.py"><actuators><footbot_wheels/></actuators></Drive>
+  </controllers>
+  <arena size="9,9,2" optimization="2D"><footbot id="fb"><position>1, 1, 0</position><controller>drive</controller></footbot></arena>
+  <engines><kinematics2d id="ground"/></engines>
+  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
+</ahss-config>
+"""
+SCRIPT = """import speeds
+
+class Drive:
+    def step(self, robots):
+        robots.commands["footbot_wheels"].left = robots.commands["footbot_wheels"].right = speeds.SPEED
+"""
+
 
 class BatchTest(CommandsTest):
     whole = []  # rows of the grid, made once
@@ -45,6 +63,11 @@ class BatchTest(CommandsTest):
             self.call("batch", *GRID, "--jobs", 2, "--out", "whole.csv", "--quiet")
             self.whole.extend(self.rows("whole.csv"))
         return self.whole
+
+    def hashes(self, name):
+        """Of the last states, by row."""
+        with open(self.folder / name, newline="") as file:
+            return [row["state_hash"] for row in csv.DictReader(file)]
 
     def test_rows_are_those_of_the_program_and_of_any_number_of_jobs(self):
         expected = self.uninterrupted()
@@ -111,6 +134,26 @@ class BatchTest(CommandsTest):
         self.assertEqual(psutil.wait_procs(workers, timeout=20)[1], [], "workers outlive the program")
         self.assertLess(self.call("batch", *GRID, *options, "--resume")["made"], RUNS - 8)
         self.assertEqual(self.rows("stopped.csv"), self.uninterrupted())
+
+    def test_a_file_that_changes_ends_the_batch_and_rows_are_of_what_it_was(self):
+        files = {"world.xml": SCRIPTED, "drive.py": SCRIPT, "speeds.py": "SPEED = 2.0\n"}
+        changes = {"world.xml": ("400", "500"), "drive.py": ("= speeds", "= 1.1 * speeds"), "speeds.py": ("2.0", "3.0")}
+        for changed, (old, new) in changes.items():
+            with self.subTest(changed):
+                for name, text in files.items():
+                    (self.folder / name).write_text(text)
+                self.call("batch", "world.xml", "--seeds", "1", "--out", f"{changed}.one.csv", "--quiet", "--no-report")
+                expected = self.hashes(f"{changed}.one.csv")
+                out = f"{changed}.csv"
+                program = self.start("batch", "world.xml", "--seeds", "1..5000", "--jobs", "2", "--out", out, "--quiet", "--no-report")
+                self.wait_for_lines(out, 20, program)
+                (self.folder / changed).write_text(files[changed].replace(old, new))
+                output, errors = program.communicate(timeout=PATIENCE_S)
+                name = "the experiment file" if changed == "world.xml" else changed
+                self.assertEqual(errors, f"swarmanoid: {name} has changed since the runs began; rows so far are of what it was\n")
+                self.assertEqual((program.returncode, output), (STOPPED, ""))
+                self.assertGreater(len(self.hashes(out)), 10)
+                self.assertEqual(set(self.hashes(out)), set(expected))
 
     def test_an_interrupt_keeps_what_is_done(self):
         program = self.start("batch", *GRID, "--jobs", "2", "--out", "runs.csv", "--quiet", start_new_session=True)

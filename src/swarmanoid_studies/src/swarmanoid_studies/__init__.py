@@ -4,9 +4,10 @@ Programs `swarmanoid batch`, `report`, `worker` and `evolve`; see docs/how-to/ru
 bottom up:
 
     mistakes            bad input, and how programs end
+    identity            what makes two runs of different days or computers comparable
+    contents            whether workers make runs of what the program has begun with
     runs                one run: what is asked for, what comes of it
     run_maker           makes runs, in a process of a worker
-    identity            what makes two runs of different days or computers comparable
     workers             processes that make runs: on this computer, or those of a scheduler
     dispatch            sends runs to workers, and takes what comes back
     atomic_file         files that are there as a whole, and that one program writes at a time

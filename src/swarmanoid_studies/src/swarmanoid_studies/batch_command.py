@@ -6,6 +6,7 @@ import time
 from typing import Dict, List, NamedTuple, Optional, Set, Tuple
 
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
+from .contents import Contents, contents_of, merged
 from .grid import Grid, parse_grid
 from .identity import checked, identity_of
 from .mistakes import CONTROLLER_FAILED, FINISHED, STOPPED, Arguments, BadInput, call, interrupted, interrupts_held
@@ -40,15 +41,19 @@ def _arguments() -> Arguments:
     return parser
 
 
-def metric_names(experiment: str, grid: Grid, shared: Dict[str, str]) -> Tuple[str, ...]:
-    """Builds the experiment with each value once, the others being the first ones. @raise BadInput"""
+def look_at_values(experiment: str, grid: Grid, shared: Dict[str, str]) -> Tuple[Tuple[str, ...], Contents]:
+    """Builds the experiment with each value once, the others being the first ones.
+    @return names of metrics, and what all runs are made of @raise BadInput"""
     first = {axis.path: axis.values[0] for axis in grid.axes}
     names: Dict[str, None] = {}
+    contents: List[Contents] = []
     for axis in grid.axes or [None]:
         for value in axis.values if axis else [""]:
             overrides = {**shared, **first, **({axis.path: value} if axis else {})}
-            names.update(dict.fromkeys(checked(experiment, overrides).metrics))
-    return tuple(names)
+            simulation = checked(experiment, overrides)
+            names.update(dict.fromkeys(simulation.metrics))
+            contents.append(contents_of(simulation))
+    return tuple(names), merged(contents)
 
 
 def shared_overrides(grid: Grid, ticks: Optional[int]) -> Dict[str, str]:
@@ -92,7 +97,8 @@ def _main() -> int:
     shared = shared_overrides(grid, arguments.ticks)
     simulation = checked(arguments.experiment, shared)
     identity = identity_of(simulation)
-    columns = Columns(tuple(axis.path for axis in grid.axes), metric_names(arguments.experiment, grid, shared))
+    metrics, contents = look_at_values(arguments.experiment, grid, shared)
+    columns = Columns(tuple(axis.path for axis in grid.axes), metrics)
     path = arguments.out or f"{identity.experiment}.csv"
     report = None if arguments.no_report else arguments.report or os.path.splitext(path)[0] + ".html"
     if report is not None:
@@ -101,7 +107,7 @@ def _main() -> int:
 
     results = ResultsFile(path, identity, columns)
     experiment = portable(arguments.experiment)
-    requests = grid.requests(experiment, shared)
+    requests = grid.requests(experiment, shared, contents)
     done: Set[Tuple[str, ...]] = set()
     if arguments.resume:
         done = results.resume({results.key_of(request) for request in requests})

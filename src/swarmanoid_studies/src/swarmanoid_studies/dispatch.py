@@ -11,6 +11,7 @@ from typing import Deque, Dict, Iterator, List, Sequence, Tuple
 
 from distributed import Client, Future, KilledWorker, as_completed
 
+from .contents import OtherContents
 from .mistakes import RunsStopped, hear_interrupts
 from .run_maker import make_runs
 from .runs import RunOutcome, RunRequest, lost
@@ -63,6 +64,8 @@ def _result(future: Future) -> List[RunOutcome]:
         return future.result()
     except KilledWorker:
         raise
+    except OtherContents as others:
+        raise RunsStopped(str(others)) from None
     except Exception as error:  # runs that fail return: this is of Dask, or of a worker that lacks something
         raise RunsStopped(f"the workers are lost: {type(error).__name__}: {error}") from error
 

@@ -6,6 +6,7 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 from distributed import Client
 
 from .checkpoint import Generation, finite
+from .contents import Contents
 from .dispatch import outcomes
 from .mistakes import BadInput, RunsStopped
 from .optimisers import Losses, front, make_optimiser
@@ -25,10 +26,11 @@ class Found(NamedTuple):
 
 
 class Evolution:
-    def __init__(self, study: Study, experiment: str) -> None:
-        """@param experiment what workers are given for it"""
+    def __init__(self, study: Study, experiment: str, expected: Optional[Contents] = None) -> None:
+        """@param experiment what workers are given for it @param expected what all runs are to be made of"""
         self._study = study
         self._experiment = experiment
+        self._expected = expected
         self._optimiser = make_optimiser(study.optimiser, study.size(), len(study.objectives))
         self._asked = self._optimiser.ask()
         self.generations: List[Generation] = []
@@ -81,7 +83,7 @@ class Evolution:
 
     def _requests(self, genotype: Sequence[float]) -> List[RunRequest]:
         overrides = tuple(self.overrides(genotype).items())
-        return [RunRequest(self._experiment, overrides, seed) for seed in self._study.seeds]
+        return [RunRequest(self._experiment, overrides, seed, self._expected) for seed in self._study.seeds]
 
     def _values(self, runs: Sequence[RunOutcome]) -> List[Optional[float]]:
         """Means over the runs, in the order of the seeds, so to the same bits whoever was first."""

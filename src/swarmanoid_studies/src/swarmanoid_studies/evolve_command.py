@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Callable, Dict, List
 
 from .atomic_file import lock
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
+from .contents import contents_of
 from .identity import checked, identity_of
 from .identity_fields import Identity
 from .mistakes import CONTROLLER_FAILED, FINISHED, Arguments, BadInput, call, interrupted, interrupts_held
@@ -87,11 +88,12 @@ def _main() -> int:
     if not 1 <= generations <= MOST:
         raise BadInput(f"--generations: found {generations}, allowed: 1 to {MOST}")
     _refuse_bad_values(study)
-    identity = identity_of(checked(study.experiment, study.overrides))
+    simulation = checked(study.experiment, study.overrides)
+    identity = identity_of(simulation)
     own = made_of(study, identity)
     from .checkpoint import read_checkpoint, write_checkpoint
     from .evolution import Evolution
-    evolution = Evolution(study, portable(study.experiment))
+    evolution = Evolution(study, portable(study.experiment), contents_of(simulation))
     folder = arguments.out or f"{study.name}_evolution"
     checkpoint = os.path.join(folder, "checkpoint.json")
     _open_folder(folder, checkpoint, arguments)

@@ -2,8 +2,9 @@
 
 import itertools
 import re
-from typing import Dict, List, NamedTuple, Sequence, Tuple
+from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
 
+from .contents import Contents
 from .mistakes import BadInput
 from .runs import RunRequest
 
@@ -22,10 +23,11 @@ class Grid(NamedTuple):
     axes: Tuple[Axis, ...]
     seeds: Tuple[int, ...]
 
-    def requests(self, experiment: str, shared: Dict[str, str]) -> List[RunRequest]:
-        """Seeds change first, so that workers keep what they have read. @param shared overrides of all runs"""
+    def requests(self, experiment: str, shared: Dict[str, str], expected: Optional[Contents] = None) -> List[RunRequest]:
+        """Seeds change first, so that workers keep what they have read.
+        @param shared overrides of all runs @param expected what all are to be made of"""
         combinations = itertools.product(*([(axis.path, value) for value in axis.values] for axis in self.axes))
-        return [RunRequest(experiment, (*shared.items(), *combination), seed)
+        return [RunRequest(experiment, (*shared.items(), *combination), seed, expected)
                 for combination in combinations for seed in self.seeds]
 
     def size(self) -> int:

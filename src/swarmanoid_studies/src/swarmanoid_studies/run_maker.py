@@ -4,6 +4,8 @@ The simulation of the last request is kept: the next one of the same experiment 
 seed, which reads no file. Runs have one thread each, as many are made at the same time."""
 
 import contextlib
+import os
+import socket
 import sys
 import time
 import warnings
@@ -11,6 +13,7 @@ from typing import List, Optional, Sequence, Tuple
 
 import swarmanoid
 
+from .contents import OtherContents, contents_of, refuse_others
 from .runs import RunOutcome, RunRequest, lost, one_line
 
 _kept: Optional[Tuple[Tuple[object, ...], swarmanoid.Simulation]] = None
@@ -30,16 +33,29 @@ def begin(request: RunRequest) -> swarmanoid.Simulation:
             warnings.simplefilter("ignore")  # they were shown where the experiment was checked
             simulation = swarmanoid.Simulation(request.experiment, seed=request.seed, threads=1,
                                                overrides=dict(request.overrides))
+        _refuse_other_contents(simulation, request)
     _kept = (wanted, simulation)
     return simulation
 
 
+def _refuse_other_contents(simulation: swarmanoid.Simulation, request: RunRequest) -> None:
+    """@raise OtherContents"""
+    if request.expected is not None:
+        refuse_others(contents_of(simulation), request.expected, f"the worker {os.getpid()} on {socket.gethostname()}")
+
+
 def make_run(request: RunRequest) -> RunOutcome:
+    """@raise OtherContents if it is not the run that was asked for"""
     global _kept
     start = time.perf_counter()
     try:
         with contextlib.redirect_stdout(sys.stderr):  # what scripts of experiments print; standard output is the result's
-            result = begin(request).run()
+            simulation = begin(request)
+            result = simulation.run()
+        _refuse_other_contents(simulation, request)  # scripts are read anew with each run
+    except OtherContents:
+        _kept = None
+        raise
     except (Exception, SystemExit) as error:  # whatever it is, it belongs into the row of this run
         _kept = None
         return lost(f"{type(error).__name__}: {error}")._replace(wall_s=time.perf_counter() - start)

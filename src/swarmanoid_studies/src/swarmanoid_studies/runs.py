@@ -2,6 +2,8 @@
 
 from typing import Dict, NamedTuple, Optional, Tuple, Union
 
+from .contents import Contents
+
 Metric = Union[float, str, bool]
 
 
@@ -9,6 +11,7 @@ class RunRequest(NamedTuple):
     experiment: str                          # a file, or the name of an installed experiment
     overrides: Tuple[Tuple[str, str], ...]   # path and value, as of --set
     seed: int
+    expected: Optional[Contents] = None      # what the run is to be made of; None: whatever the worker finds
 
 
 class RunOutcome(NamedTuple):

@@ -1,0 +1,82 @@
+"""Whether workers make runs of what the program has begun with: the suite and its mathematics, the experiment, the files that it
+names, what its scripts import, and the libraries.
+
+The identity (identity.py) tells this once, when runs begin. Files may change while runs are made, and workers may join: so each
+worker looks, before its first run of an experiment and after each run."""
+
+import hashlib
+import os
+import sys
+from typing import Dict, FrozenSet, Iterable, NamedTuple
+
+import numpy
+import swarmanoid
+from swarmanoid import _scripts
+
+from .identity import version
+
+EXPERIMENT = "the experiment file"
+
+
+class Contents(NamedTuple):
+    """Plain values, which any process can be sent."""
+    version: str
+    math_library: str
+    python: str
+    numpy: str
+    digests: Dict[str, FrozenSet[str]]   # by file, without its folder; several files may have one name
+
+
+class OtherContents(Exception):
+    """A worker would make other runs."""
+
+
+def _digest(content: bytes) -> FrozenSet[str]:
+    return frozenset((hashlib.sha256(content).hexdigest()[:16],))
+
+
+def _read(path: str) -> bytes:
+    """b"" if it is not there any more."""
+    try:
+        with open(path, "rb") as file:
+            return file.read()
+    except OSError:
+        return b""
+
+
+def contents_of(simulation: swarmanoid.Simulation) -> Contents:
+    """As files are now. The simulation is to be new, or its run just over. @raise OtherContents if a file is gone"""
+    try:
+        record = simulation.record
+    except (RuntimeError, ValueError) as error:
+        raise OtherContents(str(error)) from None
+    digests = {EXPERIMENT: _digest(_read(record["file"]))}
+    for name, content in record["files"].items():
+        named = os.path.basename(name).partition("_")[2]   # "files/1_floor.png"
+        digests[named] = digests.get(named, frozenset()) | _digest(content)
+    for name, value in record["libraries"].items():
+        digests[name] = frozenset((value,))
+    for path in _scripts.files_read():
+        digests[os.path.basename(path)] = digests.get(os.path.basename(path), frozenset()) | _digest(_read(path))
+    return Contents(version(), record["math_library"], sys.version.split()[0], numpy.__version__, digests)
+
+
+def merged(contents: Iterable[Contents]) -> Contents:
+    """Of all that a batch may read: other values may name other files. @param contents at least one"""
+    first, *others = contents
+    digests = dict(first.digests)
+    for other in others:
+        for name, values in other.digests.items():
+            digests[name] = digests.get(name, frozenset()) | values
+    return first._replace(digests=digests)
+
+
+def refuse_others(own: Contents, expected: Contents, worker: str) -> None:
+    """@param worker for the message @raise OtherContents"""
+    for name in ("version", "math_library", "python", "numpy"):
+        if getattr(own, name) != getattr(expected, name):
+            raise OtherContents(f"{worker} makes other runs: {name}: found '{getattr(own, name)}', allowed: "
+                                f"'{getattr(expected, name)}', as here")
+    for name, values in own.digests.items():
+        if name in expected.digests and not values <= expected.digests[name]:
+            raise OtherContents(f"{name} has changed since the runs began; rows so far are of what it was")
