@@ -52,10 +52,8 @@ TreelImpulses treelImpulses(const Treels& treels, double mass, double inertia, c
   const Eigen::Vector2d opposite =
       (torque - planar::cross(treels.left + treels.right, half)) / treels.track * treels.ahead;
   const TreelImpulses holding{half + opposite, half - opposite};
-  if (std::max(holding[0].squaredNorm(), holding[1].squaredNorm()) <= most * most) {
-    return holding;
-  }
-  return slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
+  const bool is_held = std::max(holding[0].squaredNorm(), holding[1].squaredNorm()) <= most * most;
+  return is_held ? holding : slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
 }
 
 }  // namespace swarmanoid::dynamics2d
