@@ -18,7 +18,6 @@ class RunTest(unittest.TestCase):
         self.copy = os.path.join(self.folder.name, "swarmanoid")
         for part in ("scripts", "src/swarmanoid_experiments/experiments"):
             shutil.copytree(os.path.join(REPOSITORY, part), os.path.join(self.copy, part))
-        os.mkdir(os.path.join(self.copy, "examples"))
         for part in ("run", "packages.txt"):
             shutil.copy(os.path.join(REPOSITORY, part), self.copy)
         tools = os.path.join(self.folder.name, "tools")

@@ -1,5 +1,5 @@
 /// What keeps objects of Python for a run, as Python's collector of garbage sees it: a controller that knows its
-/// simulation, and the simulation the controller, are given back once nobody else knows either.
+/// simulation, and the simulation the controller, are given back once nothing else refers to them.
 ///
 /// Threads  under Python's lock.
 #pragma once

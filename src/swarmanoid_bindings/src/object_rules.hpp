@@ -1,7 +1,7 @@
 /// What holds for all classes of the module: an object that was not made, or that cannot be copied, says so.
 ///
 /// Python makes objects without their constructor, by `Class.__new__`, by copy and pickle, and in a subclass that uses
-/// itself before `super().__init__()`. pybind11 would give such an object memory that nobody has filled.
+/// itself before `super().__init__()`. pybind11 would give such an object memory without values.
 #pragma once
 
 #include <pybind11/pybind11.h>

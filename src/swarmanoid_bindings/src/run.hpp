@@ -26,11 +26,11 @@ struct PythonParts {
   std::vector<std::pair<std::string, pybind11::object>> rules;  ///< beside those of the experiment file
 };
 
-class Run final : public HoldsObjects {
+class Run {
  public:
   /// @throws ConfigError, pybind11::error_already_set what a part in Python throws
   Run(Experiment experiment, RunContext context, const PythonParts& parts);
-  ~Run() override { ++moment_->number; }
+  ~Run() { ++moment_->number; }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
 
@@ -51,8 +51,10 @@ class Run final : public HoldsObjects {
   Robots robots() const;
   Robots entities() const;
 
-  int visitObjects(visitproc visit, void* argument) const override;
-  void releaseObjects() override;
+  /// Of its controllers and rules, as of HoldsObjects. @{
+  int visitObjects(visitproc visit, void* argument) const;
+  void releaseObjects();
+  /// @}
 
  private:
   /// @throws std::runtime_error

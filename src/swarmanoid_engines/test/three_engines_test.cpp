@@ -10,28 +10,13 @@
 #include "dynamics3d/world.hpp"
 #include "kinematics2d/kinematics2d.hpp"
 #include "planar_world.hpp"
+#include "turned_frame.hpp"
 
 namespace swarmanoid {
 namespace {
 
-using Eigen::Vector2d;
-
 constexpr double kDegree = M_PI / 180.0;
 constexpr double kAgree = 0.03;
-
-/// A frame in the middle of a world, so that nothing lies along its axes.
-struct TurnedFrame {
-  double angle;
-
-  Pose at(double x, double y, double heading = 0.0, double z = 0.0) const {
-    const Vector2d place = Eigen::Rotation2Dd(angle) * Vector2d(x, y) + Vector2d(5.0, 5.0);
-    return flatPose(place.x(), place.y(), angle + heading, z);
-  }
-  Vector2d back(const Pose& pose) const {
-    return Eigen::Rotation2Dd(-angle) * (pose.position.head<2>() - Vector2d(5.0, 5.0));
-  }
-  double heading(const Pose& pose) const { return std::remainder(dynamics3d::headingOf(pose) - angle, 2.0 * M_PI); }
-};
 
 dynamics3d::World dynamics3dWorld(double friction, const std::string& subclock) {
   return dynamics3d::World({{"friction", std::to_string(friction)}, {"subclock", subclock}});
@@ -66,14 +51,14 @@ class WallTest : public testing::TestWithParam<Case> {
   template <class World>
   static double speedAlong(World world) {
     const Case& values = GetParam();
-    const TurnedFrame turned{values.turn};
+    const TurnedFrame turned(values.turn);
     world.add(blockModel({0.1, 8.0, 0.5}), turned.at(0.05, 0.0, 0.0, 0.25));
     const Row footbot = addFootbot(world, turned.at(-0.12, -1.0, values.degrees * kDegree));
     world.drive(footbot, 0.2);
     world.step(10);
-    const double before = turned.back(world.pose(footbot)).y();
+    const double before = turned.back(world.pose(footbot).position).y();
     world.step(5);
-    return (turned.back(world.pose(footbot)).y() - before) / 0.5;
+    return (turned.back(world.pose(footbot).position).y() - before) / 0.5;
   }
 };
 
@@ -108,7 +93,7 @@ class SqueezeTest : public testing::TestWithParam<SqueezeCase> {
   template <class World>
   static double wayAlong(World world) {
     const SqueezeCase& values = GetParam();
-    const TurnedFrame turned{values.turn};
+    const TurnedFrame turned(values.turn);
     world.add(blockModel({0.1, 6.0, 0.5}), turned.at(0.05, 0.0, 0.0, 0.25));
     const Row block = world.add(blockModel({0.2, 0.2, 0.2}, values.mass), turned.at(-0.1005, 0.0, 0.0, 0.1));
     const Row presser = addFootbot(world, turned.at(-0.32, 0.0, 0.0));
@@ -117,7 +102,7 @@ class SqueezeTest : public testing::TestWithParam<SqueezeCase> {
     world.step(15);
     world.drive(pusher, values.speed);
     world.step(30);
-    return turned.back(world.pose(block)).y();
+    return turned.back(world.pose(block).position).y();
   }
 };
 
@@ -150,12 +135,12 @@ class OffCentreTest : public testing::TestWithParam<PushCase> {
   template <class World>
   static Moved push(World world) {
     const PushCase& values = GetParam();
-    const TurnedFrame turned{values.turn};
+    const TurnedFrame turned(values.turn);
     const Row block = world.add(blockModel({0.2, 0.6, 0.2}, values.mass), turned.at(0.0, 0.0, 0.0, 0.1));
     const Row footbot = addFootbot(world, turned.at(-0.1 - 0.085 - 1e-3, values.offset, M_PI));
     world.drive(footbot, -0.058);
     world.step(35);
-    return {turned.heading(world.pose(block)), turned.back(world.pose(block)).x()};
+    return {turned.heading(world.pose(block)), turned.back(world.pose(block).position).x()};
   }
 };
 

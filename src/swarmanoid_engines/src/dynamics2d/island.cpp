@@ -6,7 +6,7 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-/// An island of so many constraints is solved as exactly as numbers allow.
+/// An island of at most so many constraints, by countConstraints, is solved and corrected more exactly than others.
 constexpr std::size_t kSmall = 24;
 /// What a mirror pushes with at most, since nothing can hold it back [N].
 constexpr double kMirrorForce = 500.0;
@@ -202,9 +202,9 @@ void Island::solve(int most_sweeps) {
 
 void Island::correct() {
   constexpr int kMostCorrections = 40;
-  constexpr double kExact = 2e-5;    // m
-  constexpr double kCorrect = 1e-4;  // m
-  const double correct = countConstraints() <= kSmall ? kExact : kCorrect;
+  constexpr double kExact = 2e-5;   // m
+  constexpr double kEnough = 1e-4;  // m
+  const double allowed = countConstraints() <= kSmall ? kExact : kEnough;
   for (int i = 0; i < kMostCorrections; ++i) {
     double wrong = 0.0;
     for (const GripConstraint& grip : grips) {
@@ -213,7 +213,7 @@ void Island::correct() {
     for (ContactConstraint& contact : contacts_) {
       wrong = std::max(wrong, contact.correct(bodies));
     }
-    if (wrong <= correct) {
+    if (wrong <= allowed) {
       return;
     }
   }

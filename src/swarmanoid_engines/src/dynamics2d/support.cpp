@@ -167,8 +167,6 @@ PlanarTwist solveSymmetric(const Eigen::Matrix3d& m, const Eigen::Vector3d& righ
 
 }  // namespace
 
-void Support::finish() { resistance_at_rest = differentiate(*this, PlanarTwist::Zero()).resistance; }
-
 void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& support) {
   constexpr double kSameHeight = 1e-3;  // m
   support.points.clear();
@@ -191,7 +189,7 @@ void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& s
     addPolygon(outline, pressure, support);
   }
   centre(support);
-  support.finish();
+  support.resistance_at_rest = differentiate(support, PlanarTwist::Zero()).resistance;
 }
 
 PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,

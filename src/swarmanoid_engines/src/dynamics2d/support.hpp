@@ -34,9 +34,6 @@ struct Support {
   /// From a velocity to friction, while the velocity is far below that at which a point counts as slipping; of a unit
   /// of weight.
   Eigen::Matrix3d resistance_at_rest = Eigen::Matrix3d::Zero();
-
-  /// Once all points are there.
-  void finish();
 };
 
 /// The support of a model: the convex outline of its lowest shapes, moved so that the weight is carried below the

@@ -1,7 +1,7 @@
 /// The two treels of a robot and what they push on the ground with: the impulses that bring the robot to the commanded
 /// motion, as far as the ground holds; a treel that slips is held back against its slip (Coulomb).
 ///
-/// Frame: the body's centre of mass, at heading 0. SI units.
+/// Frame: the body's centre of mass, at heading 0. SI units. Threads: any at once.
 #pragma once
 
 #include <Eigen/Core>

@@ -22,7 +22,8 @@ struct PlacedPose {
     return heading == similar.heading ? PlacedPose{position, heading, similar.cosine, similar.sine}
                                       : at(position, heading);
   }
-  /// A pose at hand, moved and turned a little: as exact as `at`, in a fraction of the time. @param turn [rad]
+  /// A pose at hand, moved and turned a little: as exact as `at`, in a fraction of the time.
+  /// @param way [m] @param turn [rad]
   static PlacedPose nearby(const PlacedPose& pose, const Eigen::Vector2d& way, double turn) {
     constexpr double kSmall = 1e-3;  // rad: the next term of both series is below the last digit
     if (std::abs(turn) > kSmall) {

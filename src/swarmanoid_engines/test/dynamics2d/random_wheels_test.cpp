@@ -19,7 +19,7 @@ class Descriptions {
   explicit Descriptions(unsigned seed) : random_(seed) {}
 
   double between(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  /// A multiple of a right angle, as exact as somebody has written it, or any angle [rad].
+  /// A multiple of a right angle, with as many digits as it is written with, or any angle [rad].
   double angle() {
     if (random_() % 4 == 0) {
       return between(-M_PI, M_PI);

@@ -5,6 +5,7 @@
 #include <array>
 #include <ostream>
 
+#include "../turned_frame.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -14,24 +15,6 @@ using Eigen::Vector3d;
 
 constexpr double kDriveSpeed = 0.2;                  // m/s, commanded
 constexpr double kSlipForce = 0.9 * 1.8 * kGravity;  // N, of a footbot whose treels slip
-
-/// A frame in the middle of the world, so that nothing lies along the axes of W.
-class TurnedFrame {
- public:
-  explicit TurnedFrame(double angle) : turn_(Eigen::AngleAxisd(angle, Vector3d::UnitZ())) {}
-  Pose at(double x, double y, double heading, double z = 0.0) const {
-    return {turn_ * Vector3d(x, y, 0.0) + Vector3d(5.0, 5.0, z),
-            turn_ * Eigen::Quaterniond(Eigen::AngleAxisd(heading, Vector3d::UnitZ()))};
-  }
-  Vector3d back(const Vector3d& position) const { return turn_.conjugate() * (position - Vector3d(5.0, 5.0, 0.0)); }
-  double heading(const Pose& pose) const {
-    const Vector3d ahead = turn_.conjugate() * pose.orientation * Vector3d::UnitX();
-    return std::atan2(ahead.y(), ahead.x());
-  }
-
- private:
-  Eigen::Quaterniond turn_;
-};
 
 struct WallCase {
   double friction;

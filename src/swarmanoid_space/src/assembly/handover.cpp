@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "find_overlap.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid {
@@ -124,30 +125,21 @@ std::string Handover::problemOf(Row member) const {
 }
 
 Row Handover::overlapOf(const EntityModel& posed, const Pose& pose) const {
-  const auto isOf = [](const std::vector<Row>& rows, Row row) {
-    return std::find(rows.begin(), rows.end(), row) != rows.end();
-  };
-  const auto isOlder = [&](Row row, Row than) {
-    return than == kNoRow || space_.entities.number[row] < space_.entities.number[than];
-  };
   // the target knows its mirrors where they were a tick ago; where they are now, those who move them know
-  std::vector<Row> moved;
-  std::copy_if(mirrors_.begin(), mirrors_.end(), std::back_inserter(moved),
-               [&](Row mirror) { return space_.mover[mirror] != nullptr; });
   std::vector<Row> ignored = members_;
-  ignored.insert(ignored.end(), moved.begin(), moved.end());
+  std::copy_if(mirrors_.begin(), mirrors_.end(), std::back_inserter(ignored),
+               [&](Row mirror) { return space_.mover[mirror] != nullptr; });
   Row found = target_.overlap(posed, pose, ignored);
   for (const Named<Engine>& engine : engines_) {
-    std::vector<Row> passed = members_;
-    for (Row other = kNoRow; engine.get() != &target_;) {
-      other = engine->overlap(posed, pose, passed);
-      if (other == kNoRow) {
-        break;
-      }
-      if (isOf(moved, other) && space_.mover[other] == engine.get() && isOlder(other, found)) {
-        found = other;
-      }
-      passed.push_back(other);
+    const auto counts = [&](Row other) {
+      return space_.mover[other] == engine.get() &&
+             std::find(mirrors_.begin(), mirrors_.end(), other) != mirrors_.end();
+    };
+    const Row other = engine.get() == &target_ ? kNoRow : call("handover", *engine, [&] {
+      return findOverlap(*engine, posed, pose, members_, counts);
+    });
+    if (other != kNoRow && (found == kNoRow || space_.entities.number[other] < space_.entities.number[found])) {
+      found = other;
     }
   }
   return found;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "../assembly/find_overlap.hpp"
 #include "offers.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
 #include "swarmanoid_interface/step_controller.hpp"
@@ -117,28 +118,13 @@ Row add(World& world, const EntityDescription& entity, const std::shared_ptr<con
 
 }  // namespace
 
-namespace {
-
-/// kNoRow if there is none. What never moves may overlap what never moves: walls meet in their corners.
-Row overlapIn(const World& world, const Engine& engine, const EntityDescription& entity, const EntityModel& model,
-              const Pose& pose) {
-  std::vector<Row> ignored{world.space.entities.find(entity.id)};
-  while (true) {
-    const Row other = engine.overlap(model, pose, ignored);
-    if (other == kNoRow || model.is_movable || world.space.entities.model[other]->is_movable) {
-      return other;
-    }
-    ignored.push_back(other);
-  }
-}
-
-}  // namespace
-
 void refuseBadPlace(const World& world, const EntityDescription& entity, const EntityModel& model, const Pose& pose,
                     const std::vector<Membership>& memberships) {
   for (const Membership& membership : memberships) {
     refuseUnsupported(world, entity, model, pose, memberships, membership);
-    const Row other = overlapIn(world, *membership.engine, entity, model, pose);
+    // what never moves may overlap what never moves: walls meet in their corners
+    const auto counts = [&](Row other) { return model.is_movable || world.space.entities.model[other]->is_movable; };
+    const Row other = findOverlap(*membership.engine, model, pose, {world.space.entities.find(entity.id)}, counts);
     if (other != kNoRow) {
       refuseIn(*membership.engine, entity, "overlaps '" + world.space.entities.name[other] + "'");
     }

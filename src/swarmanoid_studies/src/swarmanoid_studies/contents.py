@@ -71,7 +71,7 @@ def merged(contents: Iterable[Contents]) -> Contents:
     return first._replace(digests=digests)
 
 
-def refuse_others(own: Contents, expected: Contents, worker: str) -> None:
+def require_same(own: Contents, expected: Contents, worker: str) -> None:
     """@param worker for the message @raise OtherContents"""
     for name in ("version", "math_library", "python", "numpy"):
         if getattr(own, name) != getattr(expected, name):

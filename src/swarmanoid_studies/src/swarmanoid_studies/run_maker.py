@@ -13,7 +13,7 @@ from typing import List, Optional, Sequence, Tuple
 
 import swarmanoid
 
-from .contents import OtherContents, contents_of, refuse_others
+from .contents import OtherContents, contents_of, require_same
 from .runs import RunOutcome, RunRequest, lost, one_line
 
 _kept: Optional[Tuple[Tuple[object, ...], swarmanoid.Simulation]] = None
@@ -41,7 +41,7 @@ def begin(request: RunRequest) -> swarmanoid.Simulation:
 def _refuse_other_contents(simulation: swarmanoid.Simulation, request: RunRequest) -> None:
     """@raise OtherContents"""
     if request.expected is not None:
-        refuse_others(contents_of(simulation), request.expected, f"the worker {os.getpid()} on {socket.gethostname()}")
+        require_same(contents_of(simulation), request.expected, f"the worker {os.getpid()} on {socket.gethostname()}")
 
 
 def make_run(request: RunRequest) -> RunOutcome:
