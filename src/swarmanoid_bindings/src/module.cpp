@@ -11,6 +11,7 @@
 #include "rule_world.hpp"
 #include "simulation_class.hpp"
 #include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
+#include "without_lock.hpp"
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "The simulator of robot swarms, in process.";
@@ -22,6 +23,7 @@ PYBIND11_MODULE(_core, module) {
   swarmanoid::bindings::bindRuleWorld(module);
   swarmanoid::bindings::bindSimulation(module);
   module.def("installed_experiments", &swarmanoid::installedExperiments, "Names of the installed experiments, sorted.");
+  swarmanoid::bindings::waitForTicksAtExit();
   // for embedding/python_host.cpp: a library of its own, so that a program without Python needs none of this
   static constexpr swarmanoid::ScriptHostFactory kFactory = &swarmanoid::bindings::makeScriptsOfProgram;
   module.attr("_script_host_factory") = pybind11::capsule(&kFactory);

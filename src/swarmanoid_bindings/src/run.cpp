@@ -9,6 +9,7 @@
 #include "python_scripts.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_space/interventions/intervention_file.hpp"
+#include "without_lock.hpp"
 
 namespace py = pybind11;
 
@@ -126,7 +127,7 @@ std::uint64_t Run::makeTicks(std::uint64_t count) {
   while (made < count && !simulation_->isFinished()) {
     simulation_->tick();
     ++made;
-    if (thrown_->error) {
+    if (thrown_->error || WithoutLock::mustEnd()) {
       break;
     }
     if (std::chrono::steady_clock::now() >= next_look) {
@@ -145,7 +146,7 @@ std::uint64_t Run::tick(std::uint64_t count) {
   requireOpen();
   std::uint64_t made = 0;
   act([&] {
-    const py::gil_scoped_release unlocked;
+    const WithoutLock unlocked;
     made = makeTicks(count);
   });
   return made;
@@ -154,7 +155,7 @@ std::uint64_t Run::tick(std::uint64_t count) {
 void Run::sense() {
   requireOpen();
   act([&] {
-    const py::gil_scoped_release unlocked;
+    const WithoutLock unlocked;
     simulation_->sense();
   });
 }

@@ -4,6 +4,8 @@
 import copy
 import gc
 import pickle
+import subprocess
+import sys
 import unittest
 import weakref
 
@@ -171,6 +173,45 @@ class GarbageTest(unittest.TestCase):
             return env
 
         self.assert_given_back(closed)
+
+
+class EndTest(unittest.TestCase):
+    """Python ends while a daemon thread ticks."""
+
+    PROGRAM = """
+import atexit, threading, time
+{first}
+import swarmanoid
+def idle(robots):
+    {work}
+simulation = swarmanoid.Simulation("diffusion", seed=2, threads={threads}, controllers={{"dc": idle}} if {in_python} else {{}})
+def go():
+    while True:
+        simulation.tick({ticks})
+threading.Thread(target=go, daemon=True).start()
+time.sleep({seconds})
+"""
+
+    def end(self, ticks=1, seconds=0.3, in_python=False, work="pass", threads=1, first=""):
+        program = self.PROGRAM.format(ticks=ticks, seconds=seconds, in_python=in_python, work=work, threads=threads,
+                                      first=first)
+        done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=60, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+
+    def test_a_thread_that_ticks_does_not_abort_it(self):
+        for seconds in (0.1, 0.2, 0.3):
+            with self.subTest(seconds=seconds):
+                self.end(seconds=seconds)
+                self.end(seconds=seconds, ticks=10**9)
+                self.end(seconds=seconds, ticks=10**9, in_python=True)
+                self.end(seconds=seconds, ticks=10**9, threads=2)
+
+    def test_a_controller_that_ticks_another_simulation_comes_to_its_end(self):
+        self.end(ticks=10**9, in_python=True, work="swarmanoid.Simulation('phototaxis', seed=1).tick(20)")
+
+    def test_the_last_lines_of_a_program_may_tick(self):
+        # it is registered before the module is, so it is called after ticks were waited for
+        self.end(first="atexit.register(lambda: swarmanoid.Simulation('phototaxis', seed=1).tick(20))")
 
 
 if __name__ == "__main__":

@@ -51,6 +51,76 @@ class RobotsTest(ProgramTest):
         self.assertEqual(done.returncode, BAD_INPUT)
         self.assertIn("found the device 'ground' on a e_puck, allowed: on robots with links ground_0, ...", done.stderr)
 
+    def test_who_moves_in_no_engine_is_a_warning(self):
+        text = WORLD.replace('<entity id="fb"/>', "")
+        line = 1 + text[:text.index("<footbot id")].count("\n")
+        file = self.world(text=text, visualisations="")
+        warning = (f"swarmanoid: warning: {file}:{line}: found the footbot 'fb' in no engine of <arena_physics>, so its "
+                   "footbot_wheels will not move it\n")
+        for command in (("validate",), ("run", "--quiet")):
+            done = self.call(*command, file)
+            self.assertEqual((done.returncode, done.stderr), (FINISHED, warning))
+        file = self.world(text=text.replace("footbot_wheels", "footbot_leds"), visualisations="")
+        self.assertEqual(self.call("validate", file).stderr, "")
+
+
+class CheckRobotTest(ProgramTest):
+    """`check-robot` on an e-puck, good and damaged."""
+
+    def setUp(self):
+        super().setUp()
+        self.file = self.folder / "e_puck.urdf"
+        self.text = (ROBOT / "urdf/e_puck.urdf").read_text()
+
+    def check(self, *changes):
+        """@return the finished program, on the description with some texts replaced"""
+        text = self.text
+        for old, new in changes:
+            self.assertIn(old, text)
+            text = text.replace(old, new)
+        self.file.write_text(text)
+        return self.call("check-robot", self.file)
+
+    def test_says_what_it_can_do(self):
+        done = self.check()
+        self.assertEqual((done.returncode, done.stderr), (FINISHED, ""))
+        lines = done.stdout.splitlines()
+        self.assertRegex(lines[0], r"^e_puck: 0\.\d+ kg, within 0\.035 m of its middle, up to 0\.053 m high$")
+        self.assertEqual(lines[1], "wheels: radius 0.0205 m, 0.053 m apart, at most 6.28 rad/s (0.1287 m/s)")
+        for line in ("engine: kinematics2d", "engine: dynamics2d", "engine: dynamics3d", "device: wheels",
+                     "device: proximity", "device: ground",
+                     "not: holders: found no holders, allowed: robots that have it"):
+            self.assertIn(line, lines)
+        self.assertFalse([line for line in lines if "footbot" in line], "devices of other robots are not its own")
+
+    def test_what_a_sensor_lacks_is_said(self):
+        lines = self.check(("ground_", "floor_")).stdout.splitlines()
+        self.assertNotIn("device: ground", lines)
+        self.assertTrue([line for line in lines if line.startswith(
+            "not: ground: found the device 'ground' on a e_puck, allowed: on robots with links ground_0, ...")], lines)
+
+    def test_all_mistakes_are_listed_at_once(self):
+        done = self.check(('<cylinder radius="0.035" length="0.049"/>', '<mesh filename="body.stl"/>'),
+                          ('<cylinder radius="0.006" length="0.041"/>', '<cylinder radius="0" length="0.041"/>'),
+                          ('velocity="6.28"', 'velocity="0"'))
+        self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
+        link = f"swarmanoid: {self.file}: link 'base_link': "
+        bad_size = link + "found collision geometry with a size of 0 or less, expected more"
+        self.assertEqual(done.stderr.splitlines(), [
+            link + "found a mesh as collision geometry, allowed are box, cylinder and sphere", bad_size, bad_size,
+            f"swarmanoid: {self.file}: found no collision element, expected at least one: without it the robot has no extent",
+            f"swarmanoid: {self.file}: joint 'left_wheel_joint': found no limit of its velocity, expected one above 0 rad/s"])
+
+    def test_devices_that_nobody_has_are_mistakes(self):
+        done = self.check(('<device type="wheels"/>', '<device type="weels"/>'))
+        self.assertEqual(done.returncode, BAD_INPUT)
+        self.assertRegex(done.stderr, r"^swarmanoid: \S+e_puck\.urdf: .*'weels'.*did you mean 'wheels'\?\n$")
+
+    def test_what_is_no_robot_is_refused(self):
+        self.text = "<robot"
+        self.assertRegex(self.check().stderr, r"^swarmanoid: \S+e_puck\.urdf:1: .*\n$")
+        self.assert_refused("nosuch.urdf", "check-robot", "nosuch.urdf")
+
 
 if __name__ == "__main__":
     unittest.main(argv=[pathlib.Path(__file__).name, "-v"])

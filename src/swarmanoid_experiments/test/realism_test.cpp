@@ -144,12 +144,46 @@ TEST(RealismTest, TheTypicalBarometerIsAsItsDataSheetSays) {
   EXPECT_NEAR(std::sqrt(squares), std::sqrt(25.0 + 1.0 / 12.0), 4.0 * 5.0 / std::sqrt(2.0 * kTicks));
 }
 
+/// Only of robots with a battery, whether they are distributed or not, and not where the file says otherwise.
+TEST(RealismTest, AFootbotsMotorsDrawByLoad) {
+  loadBuiltInPlugins();
+  const auto stallOf = [](const std::string& realism, const std::string& values, bool is_distributed) {
+    const std::string footbot =
+        std::string("<footbot id='fb'>") + (is_distributed ? "" : "<position>1,1,0</position>") + values + "</footbot>";
+    const std::string group =
+        "<distribute quantity='2' layout='uniform'><minimum>0.5,0.5,0</minimum>"
+        "<maximum>2,2,0</maximum>" +
+        footbot + "</distribute>";
+    const Experiment experiment =
+        parseExperiment("<ahss-config><framework><clocktick>100</clocktick><maxclock>1</maxclock>" + realism +
+                            "</framework><arena size='3,3,1' optimization='2D'>" + (is_distributed ? group : footbot) +
+                            "</arena></ahss-config>",
+                        "footbot.xml");
+    Simulation simulation(experiment);
+    simulation.start();
+    const Space& space = simulation.space();
+    const EntityModel& model = *space.entities.model[space.entities.find(is_distributed ? "fb_2" : "fb")];
+    return model.battery ? model.battery->stall : -1.0;
+  };
+  const std::string battery = "<battery>true</battery>";
+  for (const bool is_distributed : {false, true}) {
+    EXPECT_EQ(stallOf(kTypical, battery, is_distributed), 20.0);
+    EXPECT_EQ(stallOf(kTypical, battery + "<battery_stall>7</battery_stall>", is_distributed), 7.0);
+    EXPECT_EQ(stallOf("", battery, is_distributed), 0.0);
+    EXPECT_EQ(stallOf(kTypical, "", is_distributed), -1.0);
+    EXPECT_EQ(stallOf(kTypical, "<battery>false</battery>", is_distributed), -1.0);
+  }
+}
+
 /// What is installed must be readable for the devices that it is for, each preset by itself.
 TEST(RealismTest, AllInstalledPresetsAreAsTheirDevicesNeedThem) {
   loadBuiltInPlugins();
   const std::vector<RealismPreset> presets = realismPresets();
   ASSERT_FALSE(presets.empty());
   for (const RealismPreset& preset : presets) {
+    if (preset.kind == PluginKind::kEntity) {
+      continue;  // AFootbotsMotorsDrawByLoad
+    }
     const bool is_sensor = preset.kind == PluginKind::kSensor;
     const std::string section = is_sensor ? "sensors" : "actuators";
     const std::string text = "<ahss-config><framework><clocktick>100</clocktick><maxclock>1</maxclock><realism>" +

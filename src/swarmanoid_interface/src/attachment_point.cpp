@@ -88,6 +88,20 @@ void AttachmentPoint::detach(PluginKind kind, const std::string& id) {
   }
 }
 
+bool AttachmentPoint::bring(const Request& part, const std::function<std::string(const Request& part)>& load) {
+  const auto is_there = [&] { return this->part(part.kind, part.id) != nullptr; };
+  if (is_there()) {
+    return true;
+  }
+  const std::string reason = load(part);
+  if (reason.empty() || is_there()) {
+    return true;  // who came first while it was loaded is as good
+  }
+  // a nodelet that failed by itself has reported its reason already, and the first reason counts
+  refuse(part.kind, part.id, reason);
+  return false;
+}
+
 bool AttachmentPoint::isDecided() const {
   const auto has_refused = [](const auto& item) { return !item.second.refusal.empty(); };
   const auto is_there = [](const auto& item) { return item.second.part != nullptr; };

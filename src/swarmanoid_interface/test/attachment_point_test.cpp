@@ -83,6 +83,30 @@ TEST(AttachmentPointTest, TakesNothingTwiceAndNothingThatIsNotNeeded) {
             messageOf([&] { point->request(PluginKind::kEngine, "sky"); }));
 }
 
+TEST(AttachmentPointTest, WhatSomebodyElseHasBroughtIsNotMadeAgain) {
+  const auto point = openWithTwo("/space");
+  const AttachmentPoint::Request ground = point->request(PluginKind::kEngine, "ground");
+  const AttachmentPoint::Request controller = point->request(PluginKind::kController, "fc");
+  point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
+  const auto fail = [](const AttachmentPoint::Request&) { return std::string("it does not load"); };
+  EXPECT_TRUE(point->bring(ground, fail));
+  // somebody is faster while the space's own is made
+  const auto be_late = [&](const AttachmentPoint::Request& part) {
+    point->attach(part.kind, part.id, std::make_shared<int>(8));
+    return messageOf([&] { point->attach(part.kind, part.id, std::make_shared<int>(9)); });
+  };
+  EXPECT_TRUE(point->bring(controller, be_late));
+  EXPECT_NO_THROW(point->waitForAll(milliseconds(0)));
+}
+
+TEST(AttachmentPointTest, WhatCannotBeBroughtEndsTheWaiting) {
+  const auto point = openWithTwo("/space");
+  EXPECT_FALSE(point->bring(point->request(PluginKind::kEngine, "ground"),
+                            [](const AttachmentPoint::Request& part) { return part.id + " does not load"; }));
+  EXPECT_EQ("engine 'ground' cannot take part: ground does not load",
+            messageOf([&] { point->waitForAll(milliseconds(5000)); }));
+}
+
 TEST(AttachmentPointTest, KeepsAPartUntilTheSpaceHasStoppedUsingIt) {
   const auto point = openWithTwo("/space");
   point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "dynamics3d/balls.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/rope.hpp"
 
@@ -93,6 +94,11 @@ void Dynamics3d::draw(EngineDrawing& drawing) const {
   for (const Body* body : order_) {
     for (const CollisionShape& shape : body->seen().shapes) {
       drawShape(shape, body->pose, drawing);
+    }
+    if (body->is_dynamic && body->model->wheels) {
+      for (const Ball& ball : ballsOf(*body->model)) {
+        drawShape(ball.shape, body->pose, drawing);
+      }
     }
     if (body->grip.joint != nullptr) {
       const Vector3d tip = body->pose.toWorld(gripperTip(*body));

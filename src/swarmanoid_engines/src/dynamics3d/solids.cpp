@@ -1,14 +1,11 @@
 #include "dynamics3d/solids.hpp"
 
+#include "dynamics3d/balls.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
-// Where a treel's balls are: a footbot that pushes as hard as it can must not rear, and yet they lie under its body.
-constexpr double kSupportReach = 1.75;     // of a wheel's radius, ahead and behind
-constexpr double kSupportSpan = 0.7;       // of the wheels' separation
-constexpr double kBallSize = 0.3;          // of a wheel's radius
 constexpr double kGroundClearance = 5e-3;  // m: how far shapes end above what the balls stand on
-constexpr double kOnGround = 2e-3;         // m: shapes that come nearer to it are cut short
 
 void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, const Eigen::Quaterniond& turn) {
   body.solids.push_back(solid);
@@ -22,42 +19,23 @@ void addSolid(Body& body, const Solid& solid, const Eigen::Vector3d& position, c
   setGeomOffset(solid.geom, position - centre, turn);
 }
 
-/// Cuts off what would drag over the ground.
+/// Cuts off what would drag over the ground: upright shapes at their lower end, others (a lying wheel, the ball of a
+/// caster) all around.
 CollisionShape clearOfGround(CollisionShape shape) {
-  const bool is_upright = std::abs((shape.orientation * Eigen::Vector3d::UnitZ()).z()) > 1.0 - 1e-9;
-  const double low = shape.position.z() - shape.half_extent.z();
+  const double reach = shape.reachAlong(Eigen::Vector3d::UnitZ());
+  const double low = shape.position.z() - reach;
   const double missing = kGroundClearance - low;
-  if (shape.kind != CollisionShape::Kind::kSphere && is_upright && low < kOnGround && missing < shape.half_extent.z()) {
+  if (low >= kOnGround || missing >= reach) {
+    return shape;
+  }
+  const bool is_upright = std::abs((shape.orientation * Eigen::Vector3d::UnitZ()).z()) > 1.0 - 1e-9;
+  if (shape.kind != CollisionShape::Kind::kSphere && is_upright) {
     shape.half_extent.z() -= missing / 2.0;
     shape.position.z() += missing / 2.0;
+  } else {
+    shape.half_extent *= 1.0 - missing / reach;
   }
   return shape;
-}
-
-/// One of a treel's balls. @param side 0 left, 1 right; @param place ahead of the axle, in wheels' radii
-CollisionShape ballOf(const EntityModel::Wheels& wheels, int side, double place) {
-  const double radius = kBallSize * wheels.radius;
-  const double y = (side == 0 ? 0.5 : -0.5) * wheels.separation;
-  CollisionShape ball;
-  ball.kind = CollisionShape::Kind::kSphere;
-  ball.half_extent.setConstant(radius);
-  ball.position = {place * wheels.radius, place == 0.0 ? y : kSupportSpan * y, radius};
-  return ball;
-}
-
-constexpr double kBallPlaces[] = {0.0, kSupportReach, -kSupportReach};
-
-void addBalls(Body& body) {
-  for (int side = 0; side < 2; ++side) {
-    for (const double place : kBallPlaces) {
-      const CollisionShape ball = ballOf(*body.model->wheels, side, place);
-      Solid solid;
-      solid.geom = makeGeom(ball, kMargin / 2.0);
-      solid.kind = place == 0.0 ? Solid::Kind::kWheel : Solid::Kind::kSupport;
-      solid.side = side;
-      addSolid(body, solid, ball.position, ball.orientation);
-    }
-  }
 }
 
 }  // namespace
@@ -83,7 +61,11 @@ void addSolids(Body& body) {
              used.orientation);
   }
   if (is_driven) {
-    addBalls(body);
+    for (const Ball& ball : ballsOf(*body.model)) {
+      const Solid::Kind kind = ball.is_support ? Solid::Kind::kSupport : Solid::Kind::kWheel;
+      addSolid(body, {makeGeom(ball.shape, kMargin / 2.0), kind, ball.side, -1, {}}, ball.shape.position,
+               ball.shape.orientation);
+    }
   }
 }
 
@@ -95,10 +77,8 @@ std::vector<CollisionShape> shapesOnGround(const EntityModel& model) {
   for (const CollisionShape& shape : model.shapes) {
     shapes.push_back(clearOfGround(shape));
   }
-  for (int side = 0; side < 2; ++side) {
-    for (const double place : kBallPlaces) {
-      shapes.push_back(ballOf(*model.wheels, side, place));
-    }
+  for (const Ball& ball : ballsOf(model)) {
+    shapes.push_back(ball.shape);
   }
   return shapes;
 }

@@ -1,9 +1,7 @@
 /// From a model's shapes to ODE's geoms.
 ///
-/// A robot with wheels stands on balls, three for each treel: the wheel in the middle, and one before and one behind it
-/// that keep it from tipping. Balls touch whatever ground in a point under the wheel's axle, so a robot turns as its
-/// wheels' separation says, which flat wheels do not. The balls lie within the shapes as seen from above. Shapes that
-/// reach down to the ground (the treels' outlines) end a little above it, so that the balls alone carry the robot.
+/// A robot with wheels stands on balls (balls.hpp) alone: shapes that reach down to the ground (outlines of treels,
+/// casters) end a little above it.
 #pragma once
 
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "exact_overlap.hpp"
+#include "../exact_overlap.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -56,7 +56,7 @@ TEST(AloneTest, WhoComesFastIsMet) {
   world.drive(comes, 4.0);
   for (int i = 0; i < 20; ++i) {
     world.step();
-    ASSERT_LE(overlapOf(world, standing, comes), 0.6e-3);
+    ASSERT_LE(overlapOf(world.space, standing, comes), 0.6e-3);
     ASSERT_LT(world.pose(comes).position.x(), world.pose(standing).position.x());
   }
   EXPECT_GT(world.pose(standing).position.x(), 6.01) << "pushed along";
@@ -88,7 +88,7 @@ TEST(AloneTest, AFastBodyHasOnlyThoseInItsIslandThatItReaches) {
   for (int i = 0; i < 50; ++i) {
     world.step();
     most = std::max(most, world.engine.bodiesInIslands());
-    ASSERT_LE(overlapOf(world, eyebot, standing), 0.6e-3);
+    ASSERT_LE(overlapOf(world.space, eyebot, standing), 0.6e-3);
   }
   EXPECT_EQ(most, 2U) << "the eyebot and what it runs into";
   EXPECT_GT(world.pose(standing).position.x(), 15.1);
@@ -108,7 +108,7 @@ TEST(AloneTest, WhatAFastOneHitsHitsOthers) {
   rows.insert(rows.begin(), fast);
   for (int i = 0; i < 20; ++i) {
     world.step();
-    ASSERT_LE(deepestOverlap(world, rows), 0.6e-3) << i;
+    ASSERT_LE(deepestOverlap(world.space, rows), 0.6e-3) << i;
     for (std::size_t k = 1; k < rows.size(); ++k) {
       ASSERT_LT(world.pose(rows[k - 1]).position.x(), world.pose(rows[k]).position.x()) << i;
     }
@@ -128,7 +128,7 @@ TEST(AloneTest, WhatIsAddedOrPlacedNearbyIsFelt) {
   EXPECT_NEAR(world.pose(prey).position.x() - world.pose(row).position.x(), 0.21, 0.2e-3);
   const Row wall = world.addBlock({0.1, 4.0, 0.5}, {world.pose(prey).position.x() + 0.1 + 0.02 + 0.05, 1.0, 0.25});
   world.step(20);
-  EXPECT_LE(overlapOf(world, wall, prey), 0.6e-3);
+  EXPECT_LE(overlapOf(world.space, wall, prey), 0.6e-3);
 }
 
 TEST(AloneTest, AGripTakesHoldOfWhoWasAlone) {

@@ -6,7 +6,7 @@
 #include <tuple>
 #include <vector>
 
-#include "exact_overlap.hpp"
+#include "../exact_overlap.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -33,7 +33,7 @@ class ApproachTest : public testing::TestWithParam<std::tuple<double, double, in
       test::carryOut(world.space);
       world.engine.move(world.space, std::chrono::nanoseconds(std::llround(1e9 * dt())));
       world.engine.connect(world.space);
-      deepest = std::max(deepest, deepestOverlap(world, rows));
+      deepest = std::max(deepest, deepestOverlap(world.space, rows));
     }
   }
   void expectNoOverlap(const char* when) { EXPECT_LE(deepest, kDeepest) << when; }

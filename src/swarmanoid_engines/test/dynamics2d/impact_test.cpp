@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "exact_overlap.hpp"
+#include "../exact_overlap.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics2d {
@@ -36,7 +36,7 @@ void fly(World& world, Row row, double speed) {
 
 double radiusOf(Row row, const World& world) {
   double radius = 0.0;
-  for (const planar::PlanarShape& shape : placedShapes(world, row)) {
+  for (const planar::PlanarShape& shape : placedShapes(world.space, row)) {
     radius = std::max(radius, shape.isCircle() ? shape.radius : 0.0);
   }
   return radius;
@@ -51,7 +51,7 @@ TEST(ImpactTest, AFastEyebotIsStoppedByAThinWall) {
       fly(world, eyebot, 3.0);
       for (double time = 0.0; time < 4.0; time += dt) {
         tick(world, dt);
-        ASSERT_LE(overlapOf(world, wall, eyebot), kDeepest);
+        ASSERT_LE(overlapOf(world.space, wall, eyebot), kDeepest);
         ASSERT_LT(world.pose(eyebot).position.x(), 8.0);
       }
       EXPECT_GT(radiusOf(eyebot, world), 0.0);
@@ -71,7 +71,7 @@ TEST(ImpactTest, FastEyebotsDoNotPassThroughEachOther) {
     bool have_met = false;
     for (int i = 0; i < 15; ++i) {
       tick(world, 0.2);
-      ASSERT_LE(overlapOf(world, left, right), kDeepest);
+      ASSERT_LE(overlapOf(world.space, left, right), kDeepest);
       const Vector3d way = world.pose(right).position - world.pose(left).position;
       have_met = have_met || way.norm() < 2.0 * radiusOf(left, world) + 1e-3;
       if (std::abs(way.y()) < 0.1) {
@@ -90,7 +90,7 @@ TEST(ImpactTest, AFastRobotIsStoppedByAThinWall) {
     world.drive(row, 3.1);
     for (double time = 0.0; time < 1.0; time += dt) {
       tick(world, dt);
-      ASSERT_LE(overlapOf(world, wall, row), kDeepest);
+      ASSERT_LE(overlapOf(world.space, wall, row), kDeepest);
     }
     EXPECT_NEAR(world.pose(row).position.x(), 1.998 - 0.1, 0.2e-3);
   }
@@ -124,7 +124,7 @@ TEST(ImpactTest, WhatIsHeldStopsAtAWallToo) {
     world.drive(footbot, 0.2);
     for (int i = 0; i < 60; ++i) {
       world.step();
-      ASSERT_LE(overlapOf(world, wall, prey), kDeepest) << subclock << ", tick " << i;
+      ASSERT_LE(overlapOf(world.space, wall, prey), kDeepest) << subclock << ", tick " << i;
       const double apart = (world.pose(prey).position - world.pose(footbot).position).norm();
       ASSERT_NEAR(apart, 0.215, 1.5e-3) << subclock << ", tick " << i;
     }
@@ -156,7 +156,7 @@ TEST(ImpactTest, NobodyIsDeepInAnybodyInACrowdThatJams) {
       }
       world.step();
       if (i % 4 == 3) {
-        ASSERT_LE(deepestOverlap(world, rows), kDeepest) << subclock << ", tick " << i;
+        ASSERT_LE(deepestOverlap(world.space, rows), kDeepest) << subclock << ", tick " << i;
       }
     }
   }

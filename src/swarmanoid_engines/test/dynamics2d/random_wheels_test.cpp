@@ -8,7 +8,7 @@
 #include <memory>
 #include <random>
 
-#include "exact_overlap.hpp"
+#include "../exact_overlap.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
@@ -67,7 +67,7 @@ TEST(RandomWheelsTest, MeetBlocksWithoutAnAssertion) {
     const Row block = world.add(random.block(), flatPose(3.0, 3.0, random.angle(), 0.15));
     const Pose start = flatPose(3.0 - 0.42 * std::cos(heading), 3.0 - 0.42 * std::sin(heading), heading);
     const Row robot = world.addRobot(random.robot(), start);
-    if (overlapOf(world, robot, block) > 0.0) {
+    if (overlapOf(world.space, robot, block) > 0.0) {
       continue;  // the space would refuse it
     }
     world.drive(robot, 0.3, random.between(-0.5, 0.5));
@@ -75,7 +75,7 @@ TEST(RandomWheelsTest, MeetBlocksWithoutAnAssertion) {
     const Pose& end = world.pose(robot);
     ASSERT_TRUE(end.position.allFinite() && end.orientation.coeffs().allFinite()) << i;
     ASSERT_LT((end.position - start.position).norm(), 0.3) << i;
-    ASSERT_LT(overlapOf(world, robot, block), kMostOverlap) << i;
+    ASSERT_LT(overlapOf(world.space, robot, block), kMostOverlap) << i;
     met += (end.position - start.position).norm() < 0.25 || world.twist(block).linear.norm() > 0.0 ? 1 : 0;
   }
   EXPECT_GT(met, count / 2);

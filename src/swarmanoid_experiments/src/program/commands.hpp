@@ -25,6 +25,8 @@ Command addValidateCommand(CLI::App& app);
 Command addListCommand(CLI::App& app);
 /// `describe [DEVICE]` prints what the code says of a device, as Markdown.
 Command addDescribeCommand(CLI::App& app);
+/// `check-robot FILE` lists all that is wrong with a robot's description, or what the robot can do.
+Command addCheckRobotCommand(CLI::App& app);
 /// `sample DEVICE` writes a table of what a sensor reads, for its implementation `sampled`.
 Command addSampleCommand(CLI::App& app);
 /// `schema` prints the XSD of experiment files, with all that is installed.

@@ -44,8 +44,9 @@ ExitCode call(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", "swarmanoid " + suiteVersion());
   std::vector<std::pair<CLI::App*, Command>> commands;
-  for (const auto add : {addRunCommand, addRerunCommand, addLaunchCommand, addDiffCommand, addValidateCommand,
-                         addListCommand, addDescribeCommand, addSampleCommand, addSchemaCommand}) {
+  for (const auto add :
+       {addRunCommand, addRerunCommand, addLaunchCommand, addDiffCommand, addValidateCommand, addListCommand,
+        addDescribeCommand, addCheckRobotCommand, addSampleCommand, addSchemaCommand}) {
     Command command = add(app);
     commands.emplace_back(app.get_subcommands({}).back(), std::move(command));
   }

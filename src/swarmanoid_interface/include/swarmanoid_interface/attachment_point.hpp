@@ -59,6 +59,12 @@ class AttachmentPoint {
   /// Removes the part from those that are needed. @pre nothing is attached as that part
   void forget(PluginKind kind, const std::string& id);
 
+  /// Has a part made, unless it is attached already: a user's launch file may load the nodelet of an engine, with
+  /// parameters or remappings of its own, before the space does.
+  /// @param load  has the part made and attached; returns why that failed, or ""
+  /// @return false if the part is not there afterwards; it is refused then
+  bool bring(const Request& part, const std::function<std::string(const Request& part)>& load);
+
   /// Waits until all parts are attached or one is refused.
   /// @throws std::runtime_error naming the missing part, or the refused part and the reason
   void waitForAll(std::chrono::milliseconds timeout);

@@ -207,6 +207,7 @@ void experiment::readDocument(const XmlElement& root, Reader& reader) {
   const auto& conflicts = Registry::instance().conflicts();
   const std::size_t first_new = conflicts.size();
   readSections(root, reader);
+  warnOfUnmovedRobots(reader);
   auto& warnings = pendingWarnings();
   warnings.insert(warnings.end(), reader.warnings.begin(), reader.warnings.end());
   for (std::size_t i = first_new; i < conflicts.size(); ++i) {

@@ -104,6 +104,8 @@ void readEngines(const XmlElement& section, Reader& reader);
 void readArenaPhysics(const XmlElement& section, Reader& reader);
 /// @param entities, engines the ids that there are
 void readHandover(const XmlElement& element, const KnownNames& entities, const KnownNames& engines, Reader& reader);
+/// Warns of each robot whose actuators have no engine that carries them out. After all sections are read.
+void warnOfUnmovedRobots(Reader& reader);
 /// All that <engines>, <rules> or <visualisations> lists.
 std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind, Reader& reader);
 

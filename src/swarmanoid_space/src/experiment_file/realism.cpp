@@ -28,6 +28,12 @@ bool saysErrors(const xmlNode& device) {
   });
 }
 
+/// Of an entity.
+bool hasBattery(const xmlNode& entity) {
+  const xmlNode* battery = childOf(entity, "battery");
+  return battery != nullptr && trimmed(textIn(battery->children)) == "true";
+}
+
 /// The type that a tag means, which may be an alias.
 std::string typeOf(PluginKind kind, const std::string& tag) {
   const Registry::Entry* entry = Registry::instance().find(kind, tag);
@@ -52,7 +58,7 @@ class Application {
   }
 
   void complete(xmlNode& device, PluginKind kind, const std::string& outer) const {
-    const std::string name = nameIn(device, outer);
+    const std::string name = kind == PluginKind::kEntity ? outer : nameIn(device, outer);
     const auto* preset = name == kIdealRealism ? nullptr : presets_().find(kind, typeOf(kind, nameOf(device)), name);
     if (preset == nullptr) {
       return;
@@ -61,6 +67,9 @@ class Application {
     const bool takes_errors = !saysErrors(device);
     for (xmlNode* child : elementsOf(*preset->element)) {
       const bool is_error = nameOf(*child) == kError;
+      if (kind == PluginKind::kEntity && nameOf(*child).rfind("battery_", 0) == 0 && !hasBattery(device)) {
+        continue;
+      }
       if (is_error ? takes_errors : takes_values && childOf(device, nameOf(*child)) == nullptr) {
         append(device, *child, preset->about.file);
       }
@@ -117,6 +126,21 @@ void visitControllers(const xmlNode& root, Visit visit) {
   }
 }
 
+/// Calls visit(element) for the entities, also for those that are distributed.
+template <class Visit>
+void visitEntities(const xmlNode& root, Visit visit) {
+  if (const xmlNode* arena = childOf(root, "arena")) {
+    for (xmlNode* entity : elementsOf(*arena)) {
+      visit(*entity);
+      if (nameOf(*entity) == "distribute") {
+        for (xmlNode* distributed : elementsOf(*entity)) {
+          visit(*distributed);
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 
 void applyRealism(xmlDoc& document, const std::string& file, const PresetSource& presets,
@@ -130,6 +154,7 @@ void applyRealism(xmlDoc& document, const std::string& file, const PresetSource&
     visitDevices(controller,
                  [&](xmlNode& device, PluginKind kind) { application.complete(device, kind, of_controller); });
   });
+  visitEntities(root, [&](xmlNode& entity) { application.complete(entity, PluginKind::kEntity, of_all); });
 }
 
 void removeRealism(xmlDoc& document) {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <set>
 #include <tuple>
+#include <utility>
 
 #include "../models/robot_files.hpp"
 #include "reader.hpp"
@@ -27,16 +28,25 @@ std::string contentOf(xmlNode& preset) {
   return text;
 }
 
-RealismPreset deviceOf(const XmlElement& root) {
-  root.allowAttributes({"sensor", "actuator"});
-  const auto sensor = root.attribute("sensor");
-  const auto actuator = root.attribute("actuator");
-  if (sensor.has_value() == actuator.has_value()) {
-    root.refuse("<realism> needs the attribute sensor=\"...\" or actuator=\"...\", one of them");
-  }
+/// Of what the presets of a file are.
+RealismPreset subjectOf(const XmlElement& root) {
+  constexpr std::pair<const char*, PluginKind> kSubjects[] = {
+      {"sensor", PluginKind::kSensor}, {"actuator", PluginKind::kActuator}, {"entity", PluginKind::kEntity}};
+  root.allowAttributes({"sensor", "actuator", "entity"});
   RealismPreset about;
-  about.kind = sensor ? PluginKind::kSensor : PluginKind::kActuator;
-  about.device = sensor ? *sensor : *actuator;
+  for (const auto& [attribute, kind] : kSubjects) {
+    if (const auto type = root.attribute(attribute)) {
+      if (!about.device.empty()) {
+        about.device.clear();
+        break;
+      }
+      about.kind = kind;
+      about.device = *type;
+    }
+  }
+  if (about.device.empty()) {
+    root.refuse("<realism> needs the attribute sensor=\"...\", actuator=\"...\" or entity=\"...\", one of them");
+  }
   return about;
 }
 
@@ -54,7 +64,7 @@ void PresetLibrary::add(const std::string& file) {
   if (root.name() != "realism") {
     root.refuse("found the root element <" + root.name() + ">, allowed: <realism>");
   }
-  RealismPreset about = deviceOf(root);
+  RealismPreset about = subjectOf(root);
   about.file = file;
   root.allowChildren({"preset"});
   for (xmlNode* element : elementsOf(*xmlDocGetRootElement(document.get()))) {

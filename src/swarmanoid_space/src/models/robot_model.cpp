@@ -24,8 +24,10 @@ bool isUpright(const CollisionShape& shape) {
 /// Builds the model of one robot, part by part.
 class RobotReader {
  public:
-  RobotReader(const std::string& type, const std::string& file)
-      : urdf_(readUrdf(file)), description_(readRobotDescription(*urdf_.document, file)) {
+  /// @param problems what is wrong is added to it, and the rest is read; null: it is thrown
+  RobotReader(const std::string& type, const std::string& file, std::vector<std::string>* problems)
+      : urdf_(readUrdf(file)), problems_(problems) {
+    attempt([&] { description_ = readRobotDescription(*urdf_.document, file); });
     model_->type = type;
     model_->title = description_.title;
     model_->holders = description_.holders;
@@ -37,20 +39,26 @@ class RobotReader {
 
   std::shared_ptr<const EntityModel> read() {
     const urdf::LinkConstSharedPtr root = urdf_.robot->getRoot();
-    if (root->name != "base_link") {
-      urdf_.fail("found '" + root->name + "' as the root link, expected 'base_link'");
-    }
+    attempt([&] {
+      if (root->name != "base_link") {
+        urdf_.fail("found '" + root->name + "' as the root link, expected 'base_link'");
+      }
+    });
     readLink(*root, Mount{}, -1);
-    if (model_->shapes.empty()) {
-      urdf_.fail("found no collision element, expected at least one: without it the robot has no extent");
-    }
-    if (description_.wheels) {
-      model_->wheels = readWheels(urdf_, *model_, *description_.wheels);
-    }
-    readGripper();
-    readLeds();
+    attempt([&] {
+      if (model_->shapes.empty()) {
+        urdf_.fail("found no collision element, expected at least one: without it the robot has no extent");
+      }
+    });
+    attempt([&] {
+      if (description_.wheels) {
+        model_->wheels = readWheels(urdf_, *model_, *description_.wheels);
+      }
+    });
+    attempt([&] { readGripper(); });
+    attempt([&] { readLeds(); });
     model_->possible_battery = description_.battery;
-    if (description_.rotors) {
+    if (description_.rotors && model_->possible_battery) {
       model_->possible_battery->flight =
           hoverPower(model_->mass, description_.rotors->area, description_.rotors->efficiency);
     }
@@ -59,6 +67,18 @@ class RobotReader {
   }
 
  private:
+  template <class Part>
+  void attempt(Part read_part) {
+    try {
+      read_part();
+    } catch (const ConfigError& error) {
+      if (problems_ == nullptr) {
+        throw;
+      }
+      problems_->emplace_back(error.what());
+    }
+  }
+
   /// @param turned_by the joint that turns the link, or what carries it; -1: none
   void readLink(const urdf::Link& link, const Mount& frame, int turned_by) {
     Mount& mount = model_->mounts[link.name];
@@ -70,22 +90,28 @@ class RobotReader {
       (turned_by < 0 ? model_->body_part : model_->joints[static_cast<std::size_t>(turned_by)].part).add(inertial);
     }
     for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
-      CollisionShape shape = readShape(link.name, *collision, frame);
-      shape.joint = turned_by;
-      if (link.name == description_.gripping_strip) {
-        readStrip(shape);
-      } else {
-        model_->shapes.push_back(shape);
+      attempt([&] {
+        CollisionShape shape = readShape(link.name, *collision, frame);
+        shape.joint = turned_by;
+        if (link.name == description_.gripping_strip) {
+          readStrip(shape);
+        } else {
+          model_->shapes.push_back(shape);
+        }
+      });
+    }
+    attempt([&] {
+      if (link.name == description_.gripping_strip && !model_->gripping_radius) {
+        urdf_.fail("link '" + link.name + "': found no collision element, expected a cylinder");
       }
-    }
-    if (link.name == description_.gripping_strip && !model_->gripping_radius) {
-      urdf_.fail("link '" + link.name + "': found no collision element, expected a cylinder");
-    }
+    });
     for (const urdf::JointSharedPtr& joint : link.child_joints) {
       const Mount child = chain(frame, toMount(joint->parent_to_joint_origin_transform));
-      const bool turns = isTurningJoint(*joint) && !isWheel(joint->name);
-      readLink(*urdf_.robot->getLink(joint->child_link_name), child,
-               turns ? addJoint(*joint, child, turned_by) : turned_by);
+      int turned_child_by = turned_by;
+      if (isTurningJoint(*joint) && !isWheel(joint->name)) {
+        attempt([&] { turned_child_by = addJoint(*joint, child, turned_by); });
+      }
+      readLink(*urdf_.robot->getLink(joint->child_link_name), child, turned_child_by);
     }
   }
 
@@ -178,6 +204,7 @@ class RobotReader {
   }
 
   UrdfFile urdf_;
+  std::vector<std::string>* problems_;
   RobotDescription description_;
   std::shared_ptr<EntityModel> model_ = std::make_shared<EntityModel>();
 };
@@ -212,7 +239,19 @@ const std::string& fileOf(const std::string& type) {
 }  // namespace
 
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file) {
-  return RobotReader(type, urdf_file).read();
+  return RobotReader(type, urdf_file, nullptr).read();
+}
+
+std::shared_ptr<const EntityModel> checkRobotFile(const std::string& type, const std::string& urdf_file,
+                                                  std::vector<std::string>& problems) {
+  const std::size_t before = problems.size();
+  std::shared_ptr<const EntityModel> model;
+  try {
+    model = RobotReader(type, urdf_file, &problems).read();
+  } catch (const ConfigError& error) {
+    problems.emplace_back(error.what());
+  }
+  return problems.size() == before ? model : nullptr;
 }
 
 std::shared_ptr<const EntityModel> robotModel(const std::string& type) {

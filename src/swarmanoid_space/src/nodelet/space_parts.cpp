@@ -64,10 +64,13 @@ std::vector<AttachmentPoint::Request> partsOf(const Experiment& experiment, cons
 
 void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint& point,
                const std::vector<AttachmentPoint::Request>& parts, double timeout_s) {
+  const auto load = [&](const AttachmentPoint::Request& part) {
+    return loadPart(loader, space, part)
+               ? std::string()
+               : "the manager cannot load " + nodeletType(loader, part) + "; its log says why";
+  };
   for (const AttachmentPoint::Request& part : parts) {
-    if (!loadPart(loader, space, part)) {
-      // a nodelet that failed by itself has reported its reason already, and the first reason counts
-      point.refuse(part.kind, part.id, "the manager cannot load " + nodeletType(loader, part) + "; its log says why");
+    if (!point.bring(part, load)) {
       break;
     }
   }

@@ -1,8 +1,9 @@
-/// Presets of devices: how sensors and actuators differ from ideal ones, as data of the installed packages.
+/// Presets: how sensors, actuators and entities differ from ideal ones, as data of the installed packages.
 ///
 /// An experiment says `<realism>typical</realism>` in <framework>, in a controller or in a device, and each device that
 /// has a preset of that name gets what the preset holds: an implementation, values, errors. What the file itself says
-/// of a device goes first. The name "ideal" is always there, and means no preset.
+/// of a device goes first. What <framework> says holds for entities, too; of their presets, values of a battery
+/// (battery_...) count for robots that have one. The name "ideal" is always there, and means no preset.
 #pragma once
 
 #include <string>
@@ -16,12 +17,12 @@ namespace swarmanoid {
 constexpr const char* kIdealRealism = "ideal";
 
 struct RealismPreset {
-  PluginKind kind = PluginKind::kSensor;  ///< of the device: a sensor or an actuator
+  PluginKind kind = PluginKind::kSensor;  ///< of the device: a sensor, an actuator, or an entity
   std::string device;                     ///< its type
   std::string name;                       ///< of the preset
   std::string source;                     ///< where its numbers are from
-  std::string
-      content;  ///< as an experiment file would say it in the device: one element a line, no line break at the end
+  /// As an experiment file would say it in the device: one element a line, no line break at the end.
+  std::string content;
   std::string file;
 };
 

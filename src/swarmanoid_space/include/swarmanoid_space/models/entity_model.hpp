@@ -206,6 +206,11 @@ struct EntityModel {
 /// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 
+/// The same, for whoever writes such a file: reads on after a mistake.
+/// @param problems what is wrong is added to it, a message each @return null if anything is
+std::shared_ptr<const EntityModel> checkRobotFile(const std::string& type, const std::string& urdf_file,
+                                                  std::vector<std::string>& problems);
+
 /// The model of a robot type of this installation: of <type>.urdf in a folder that a package exports in its
 /// package.xml, as <export><swarmanoid robots="${prefix}/urdf"/></export>. Loaded once a process. Thread-safe.
 /// @throws ConfigError if there is no such robot, or if there are two

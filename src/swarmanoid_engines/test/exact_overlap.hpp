@@ -1,21 +1,21 @@
-/// How deep bodies are in each other, by the exact shapes of their models: nothing of Box2D is asked.
+/// How deep bodies that stand on the ground are in each other, by the exact shapes of their models: no engine is asked.
 #pragma once
 
 #include <algorithm>
 #include <vector>
 
 #include "planar/planar_overlap.hpp"
-#include "world.hpp"
+#include "swarmanoid_space/space.hpp"
 
-namespace swarmanoid::dynamics2d {
+namespace swarmanoid {
 
 /// The shapes of an entity where it is in the plane z = 0, its joints where they are.
-inline std::vector<planar::PlanarShape> placedShapes(const World& world, Row row) {
+inline std::vector<planar::PlanarShape> placedShapes(const Space& space, Row row) {
   const planar::Plane plane;
-  const EntityModel& entity = *world.space.entities.model[row];
-  const Pose& pose = world.pose(row);
+  const EntityModel& entity = *space.entities.model[row];
+  const Pose& pose = space.entities.pose[row];
   planar::PlanarModel model;
-  planar::projectModel(entity, plane, plane.baseOf(pose.orientation), model, world.space.joints[row]);
+  planar::projectModel(entity, plane, plane.baseOf(pose.orientation), model, space.joints[row]);
   std::vector<planar::PlanarShape> placed;
   const double heading = plane.headingOf(pose.orientation);
   planar::placeShapes(model, plane.toLocal(pose.position), std::cos(heading), std::sin(heading), placed);
@@ -23,12 +23,12 @@ inline std::vector<planar::PlanarShape> placedShapes(const World& world, Row row
 }
 
 /// The depth of the deepest overlap of two entities; 0 if they do not overlap [m].
-inline double overlapOf(const World& world, Row a, Row b) {
+inline double overlapOf(const Space& space, Row a, Row b) {
   double deepest = 0.0;
-  const double height_a = world.pose(a).position.z();
-  const double height_b = world.pose(b).position.z();
-  for (const planar::PlanarShape& mine : placedShapes(world, a)) {
-    for (const planar::PlanarShape& other : placedShapes(world, b)) {
+  const double height_a = space.entities.pose[a].position.z();
+  const double height_b = space.entities.pose[b].position.z();
+  for (const planar::PlanarShape& mine : placedShapes(space, a)) {
+    for (const planar::PlanarShape& other : placedShapes(space, b)) {
       if (mine.band.overlaps(other.band, height_a, height_b) && planar::overlap(mine, other)) {
         deepest = std::max(deepest, planar::penetration(mine, other).depth);
       }
@@ -38,17 +38,17 @@ inline double overlapOf(const World& world, Row a, Row b) {
 }
 
 /// The deepest overlap of any two of these entities of which one at least may move [m].
-inline double deepestOverlap(const World& world, const std::vector<Row>& rows) {
+inline double deepestOverlap(const Space& space, const std::vector<Row>& rows) {
   double deepest = 0.0;
-  const auto isMovable = [&](Row row) { return world.space.entities.model[row]->is_movable; };
+  const auto isMovable = [&](Row row) { return space.entities.model[row]->is_movable; };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t k = i + 1; k < rows.size(); ++k) {
       if (isMovable(rows[i]) || isMovable(rows[k])) {
-        deepest = std::max(deepest, overlapOf(world, rows[i], rows[k]));
+        deepest = std::max(deepest, overlapOf(space, rows[i], rows[k]));
       }
     }
   }
   return deepest;
 }
 
-}  // namespace swarmanoid::dynamics2d
+}  // namespace swarmanoid

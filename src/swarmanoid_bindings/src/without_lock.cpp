@@ -1,0 +1,63 @@
+#include "without_lock.hpp"
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+namespace py = pybind11;
+
+namespace swarmanoid::bindings {
+namespace {
+
+constexpr std::chrono::seconds kLongestTick{10};  ///< for which Python waits at its end
+
+struct Ticks {
+  std::mutex mutex;
+  std::condition_variable changed;
+  int under_way = 0;
+  std::atomic<bool> is_ending{false};
+  std::thread::id ending;  ///< the thread that ends Python, which may still tick
+};
+
+/// Never destroyed: threads may wait in it while the process ends.
+Ticks& ticks() {
+  static auto* const kTicks = new Ticks;
+  return *kTicks;
+}
+
+/// Of this thread: a controller in Python may tick another simulation.
+thread_local int depth = 0;
+
+void endTicks() {
+  const py::gil_scoped_release unlocked;
+  std::unique_lock<std::mutex> lock(ticks().mutex);
+  ticks().ending = std::this_thread::get_id();
+  ticks().is_ending = true;
+  ticks().changed.wait_for(lock, kLongestTick, [] { return ticks().under_way == 0; });
+}
+
+}  // namespace
+
+WithoutLock::WithoutLock() {
+  unlocked_.emplace();
+  std::unique_lock<std::mutex> lock(ticks().mutex);
+  ticks().changed.wait(lock, [] { return depth > 0 || !mustEnd(); });  // for ever, when Python ends
+  ++ticks().under_way;
+  ++depth;
+}
+
+WithoutLock::~WithoutLock() {
+  unlocked_.reset();  // Python waits for this thread, so it has the lock to give
+  const std::lock_guard<std::mutex> lock(ticks().mutex);
+  --depth;
+  --ticks().under_way;
+  ticks().changed.notify_all();
+}
+
+bool WithoutLock::mustEnd() { return ticks().is_ending && ticks().ending != std::this_thread::get_id(); }
+
+void waitForTicksAtExit() { py::module_::import("atexit").attr("register")(py::cpp_function(&endTicks)); }
+
+}  // namespace swarmanoid::bindings
