@@ -9,6 +9,7 @@
 #include <random>
 
 #include "../exact_overlap.hpp"
+#include "world.hpp"
 
 namespace swarmanoid::dynamics2d {
 namespace {
