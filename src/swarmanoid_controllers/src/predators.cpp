@@ -31,14 +31,14 @@ class Predators final : public Controller {
   void reset() override { *wheels_ = FootbotWheels{}; }
 
   void step(Time, Duration) override {
-    transmitter_->send({});  // that it is there
+    transmitter_->send({});  // an empty message: its neighbours measure where it comes from
     drive(forceOfNeighbours() + forceOfPrey());
   }
 
  private:
   /// In parts of the distance: between that to the first row of neighbours, 1, and that to the second, sqrt(3).
   static constexpr double kReach = 1.5;
-  static constexpr double kStrongest = 1.291;  // likewise: where the force attracts most
+  static constexpr double kStrongest = 1.291;  // in parts of the distance: where the force attracts most
 
   static Eigen::Vector2d towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
 

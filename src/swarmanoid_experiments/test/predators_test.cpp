@@ -73,6 +73,12 @@ TEST(PredatorsControllerTest, FollowsTheForceOfANeighbourAheadOrBackwards) {
   EXPECT_NEAR(behind.turnRate(), 1.5 * 0.6029 * 0.2, 1e-3);
 }
 
+TEST(PredatorsControllerTest, ARangeThatNoiseHasMadeZeroIsVeryNear) {
+  OnePredator robot;
+  robot.hear(0.0, 0.0);
+  EXPECT_NEAR(robot.speed(), -0.12, 1e-9);
+}
+
 TEST(PredatorsControllerTest, ForcesReachAsFarAsTheFirstRowOfAHexagonalGrid) {
   OnePredator robot;
   robot.hear(0.601, 0.0);

@@ -35,7 +35,7 @@ class BehaviourMachine final : public Controller {
 
   void step(Time, Duration) override {
     if (transmitter_ != nullptr) {
-      transmitter_->send({});  // that it is there
+      transmitter_->send({});  // an empty message: its neighbours measure where it comes from
     }
     if (machine_.advance({shade(), received_ == nullptr ? 0 : received_->messages.size()}, robot_->random())) {
       turn_left_ = 0;
@@ -142,7 +142,8 @@ class BehaviourMachine final : public Controller {
 
   Robot* robot_ = nullptr;
   MobileBase base_;
-  const Light* light_ = nullptr;  // those below: null if the machine needs none
+  // sensors that the machine does not need, and the transmitter, stay null
+  const Light* light_ = nullptr;
   const Ground* ground_ = nullptr;
   RangeAndBearing* transmitter_ = nullptr;
   const RangeAndBearingReceived* received_ = nullptr;

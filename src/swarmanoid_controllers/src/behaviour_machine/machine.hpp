@@ -42,7 +42,7 @@ struct MachineState {
 
 struct Transition {
   std::size_t from = 0;  ///< place of a state
-  std::size_t to = 0;    ///< likewise
+  std::size_t to = 0;    ///< place of a state
   Condition condition = Condition::kAlways;
   double probability = 1.0;  ///< of being taken while the condition is met, each step
   double count = 0.0;        ///< of neighbours with which many and few are as likely
