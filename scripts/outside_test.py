@@ -202,14 +202,22 @@ class OutsideTest(RobotChecks):
         looking = [name for name in files if re.search(r"^find_package\(catkin", read(name), re.M)]
         self.assertGreater(len(looking), 25)
         for name in looking:
-            self.assertRegex(read(name), r"\nset\(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH .*\)\nfind_package\(catkin", name)
+            self.assertRegex(read(name), r"\nset\(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH .*\)\n(set\(Python3.*\n)?find_package\(catkin", name)
 
-    def test_a_package_is_configured_where_another_python_is_first(self):
+    def test_packages_are_configured_alone_where_another_python_is_first(self):
+        """As `catkin build` does, those of the suite and the templates."""
         environment = with_another_python(self.bare, os.path.join(self.folder, "another_python"))
-        for name in ("swarmanoid_interface", "swarmanoid_msgs"):  # alone, as `catkin build` does
-            build = os.path.join(self.folder, "alone", name)
-            succeed(["cmake", "-S", os.path.join(REPOSITORY, "src", name), "-B", build], environment)
-            self.assertIn("PYTHON_EXECUTABLE:FILEPATH=/usr/bin/python3", read(os.path.join(build, "CMakeCache.txt")))
+        folders = [os.path.dirname(name) for part in ("src", "examples")
+                   for name in glob.glob(os.path.join(REPOSITORY, part, "*/CMakeLists.txt"))]
+
+        def cache_of(folder):
+            build = os.path.join(self.folder, "alone", os.path.basename(folder))
+            succeed(["cmake", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={BUILD_FOLDER}/devel"], environment)
+            return read(os.path.join(build, "CMakeCache.txt"))
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            for folder, cache in zip(folders, pool.map(cache_of, folders)):
+                self.assertIn("PYTHON_EXECUTABLE:FILEPATH=/usr/bin/python3", cache, folder)
 
     # --- the install space by itself
 
