@@ -37,6 +37,7 @@ RUN_PAGES = ("docs/tutorial/first_experiment.md", "docs/tutorial/swarm_in_python
              "docs/how-to/measure_a_run.md",
              "docs/how-to/run_a_controller_elsewhere.md",
              "docs/how-to/sample_a_sensor.md", "docs/how-to/simulate_in_python.md", "docs/how-to/train_in_python.md",
+             "docs/how-to/walls_from_a_map.md",
              "docs/explanation/coming_from_argos.md",
              "docs/faq.md")
 LONG_PAGES = ("docs/how-to/use_in_a_catkin_workspace.md",)
@@ -190,6 +191,60 @@ class LinksTest(unittest.TestCase):
                         reached.add(name)
                         new.append(name)
         self.assertEqual([], [page for page in pages() if page not in reached])
+
+
+class ProgramsTest(unittest.TestCase):
+    """Programs that pages have the reader call are in packages that the suite installs for its users, are on every Debian system, or are in a
+    package that the page names. Laws and tables look like commands and are in folders of their own."""
+
+    LAWS = ("docs/reference/devices/", "docs/reference/rules/", "docs/reference/models.md")
+
+    @staticmethod
+    def commands(text):
+        """The first words of the parts of all commands."""
+        lines = [line for fence in FENCE.finditer(text) if fence["language"] == "sh" for line in fence["text"].splitlines()]
+        lines += [line[4:] for line in FENCE.sub("", text).splitlines() if re.match(r"    \S", line)]
+        for line in lines:
+            for part in re.split(r"\||&&|;|\$\(", line):
+                found = re.match(r"(?:\w+=\S+ +)*(?:sudo +)?([\w./+-]+)(?! *=)(?:\s|$)", part.strip())
+                if found:
+                    yield found[1]
+
+    @staticmethod
+    def packages_of(programs):
+        """@return by program the package that it is in and the priority of that; none of what is in no package"""
+        paths = {name: shutil.which(name, path="/usr/bin:/bin:/usr/sbin:/sbin") for name in programs}
+        files = {file for path in paths.values() if path for file in (path, re.sub("^/usr(?=/s?bin/)", "", path))}
+        owners = subprocess.run(["dpkg", "-S", *files], text=True, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False)
+        package_of = {file: owner.split(":")[0] for owner, file in re.findall(r"^(\S+): (/.*)$", owners.stdout, re.M)}
+        listed = subprocess.run(["dpkg-query", "-W", "-f=${Package} ${Priority}\n", *set(package_of.values())], text=True,
+                                stdout=subprocess.PIPE, check=True)
+        priorities = dict(line.split() for line in listed.stdout.splitlines())
+        found = {name: package_of.get(path, package_of.get((path or "").removeprefix("/usr"))) for name, path in paths.items()}
+        return {name: (package, priorities[package]) for name, package in found.items() if package}
+
+    @staticmethod
+    def installed_for_users():
+        """Packages, and those that they need themselves."""
+        rows = [line.split() for line in read("packages.txt").splitlines() if line and not line.startswith("#")]
+        installed = {row[1] for row in rows if row[0] in ("base", "viewer")}
+        needed = subprocess.run(["dpkg-query", "-W", "-f=${Depends}, ${Pre-Depends}, ", *installed], text=True,
+                                stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, check=False).stdout
+        return installed | set(re.findall(r"[\w.+-]+(?=[ ,:])", needed))
+
+    def test_programs_of_pages_are_installed_for_users(self):
+        programs = {page: set(self.commands(read(page))) for page in pages() if not page.startswith(self.LAWS)}
+        everything = set().union(*programs.values())
+        self.assertLessEqual({"/usr/lib/dynamic_reconfigure/dynparam", "rostopic", "swarmanoid", "gdb", "cmake"}, everything)
+        installed = self.installed_for_users() | {"git"}  # they have a clone
+        packages = self.packages_of(everything)
+        self.assertEqual("cmake", packages["cmake"][0])
+        for page, named in programs.items():
+            for program in sorted(named & set(packages)):
+                package, priority = packages[program]
+                if package not in installed and priority not in ("required", "important", "standard"):
+                    with self.subTest(page=page, program=program):
+                        self.assertIn(f"`{package}`", read(page), "its package is not named")
 
 
 class CitationTest(unittest.TestCase):

@@ -1,4 +1,4 @@
-"""What outside_test.py looks at of a robot by its description (examples/example_robot), the e-puck."""
+"""What outside_test.py looks at of robots by their description: the e-puck (examples/example_robot), and the TurtleBot3."""
 
 import json
 import math
@@ -10,7 +10,19 @@ from surroundings import REPOSITORY, read, run, succeed
 
 ROBOTS = os.path.join(REPOSITORY, "examples/example_robot/e_pucks.xml")
 CONFORMANCE = os.path.join(REPOSITORY, "examples/example_robot/conformance.xml")
+SQUARE = os.path.join(REPOSITORY, "examples/example_turtlebot3/square.xml")
 SENSOR_ANGLES = (-0.3008, -0.8008, -math.pi / 2, -2.644, 2.6392, math.pi / 2, 0.7992, 0.2992)  # of the e-puck [rad]
+
+
+def square_with_slip(side, slip):
+    """@return how far from its start a robot comes on a square whose ways and turns are all shorter by a part, and the
+    angle that it has not turned in the end [rad]"""
+    x = y = heading = 0.0
+    for _ in range(4):
+        x += (1 - slip) * side * math.cos(heading)
+        y += (1 - slip) * side * math.sin(heading)
+        heading += (1 - slip) * math.pi / 2
+    return math.hypot(x, y), 2 * math.pi - heading
 
 
 class RobotChecks(RosChecks):
@@ -50,6 +62,34 @@ class RobotChecks(RosChecks):
             verdict = json.loads(succeed(["swarmanoid", "run", changed, "--quiet"], environment))
             self.assertEqual({"e": "passed"}, verdict["metrics"], engine)
         return result["state_hash"]
+
+    def run_square(self, environment, out, *options):
+        """@return metrics of the rule, and the places on the way"""
+        result = json.loads(succeed(["swarmanoid", "run", SQUARE, "--out", out, "--quiet", "--force", *options], environment))
+        self.assertEqual([], result["failed_controllers"])
+        with open(os.path.join(out, "square.txt")) as file:
+            places = [tuple(float(number) for number in line.split("\t")[3:5]) for line in file if "Burger" in line]
+        return {name.split(".")[1]: value for name, value in result["metrics"].items()}, places
+
+    def check_turtlebot(self, environment, out):
+        """A TurtleBot3 by its dimensions drives a square of 1 m: exactly by its odometry, and as geometry has it where wheels slip."""
+        self.assertIn("\n  turtlebot3_burger: A TurtleBot3 Burger: two wheels and a caster.\n",
+                      succeed(["swarmanoid", "list", "entity"], environment))
+        measured, places = self.run_square(environment, out)
+        for name in ("odometry_error", "from_start", "heading_error"):
+            self.assertLess(measured[name], 1e-3, f"{name} of dynamics2d")
+        for corner in ((0.5, 0.5), (1.5, 0.5), (1.5, 1.5), (0.5, 1.5)):
+            self.assertLess(min(math.dist(corner, place) for place in places), 1e-3, corner)
+        speeds = [math.dist(one, other) / 0.1 for one, other in zip(places, places[1:])]
+        self.assertAlmostEqual(0.2, max(speeds), places=3)
+        slip, drive = 0.02, "controllers.square.actuators.differential_drive"
+        measured, _ = self.run_square(environment, out, *(
+            f"--set={drive}.{option}" for option in ("implementation=slipping", f"slip_left={slip}", f"slip_right={slip}",
+                                                     "slip_noise=0")))
+        from_start, heading_error = square_with_slip(1.0, slip)
+        self.assertAlmostEqual(from_start, measured["from_start"], places=3)
+        self.assertAlmostEqual(from_start, measured["odometry_error"], places=3, msg="it believes that it is back")
+        self.assertAlmostEqual(heading_error, measured["heading_error"], places=3)
 
     def check_robot_under_ros(self, environment, headless_out, out):
         """Its devices have topics, as those of the suite's robots, and it goes the same ways."""

@@ -15,10 +15,10 @@ import unittest
 
 from outside_robot import RobotChecks
 from outside_ros import LAUNCH, beside
-from surroundings import REPOSITORY, bare, compiler_cache, read, run, sourced, succeed
+from surroundings import REPOSITORY, bare, compiler_cache, read, run, sourced, succeed, with_another_python
 
 PACKAGES = ("example_arena_object", "example_controller", "example_engine", "example_python_controller", "example_robot",
-            "example_rule", "example_sensor", "example_visualisation")
+            "example_rule", "example_sensor", "example_turtlebot3", "example_visualisation")
 EXPERIMENT = os.path.join(REPOSITORY, "examples/together.xml")
 LANTERNS = os.path.join(REPOSITORY, "examples/example_arena_object/lantern.xml")
 OUTPUTS = ("walked.txt", "waited.txt", "table.txt")
@@ -52,10 +52,11 @@ class OutsideTest(RobotChecks):
         source = os.path.join(folder, "src", name)
         build = os.path.join(folder, "build", name)
         shutil.copytree(os.path.join(REPOSITORY, "examples", name), source)
+        environment = with_another_python(self.bare, os.path.join(folder, "another_python"))
         succeed(["cmake", "-S", source, "-B", build, f"-DCMAKE_PREFIX_PATH={space}",
                  f"-DCMAKE_INSTALL_PREFIX={folder}/installed", "-DSWARMANOID_WARNINGS_AS_ERRORS=ON",
-                 *compiler_cache()], self.bare)
-        succeed(["cmake", "--build", build], self.bare)
+                 *compiler_cache()], environment)
+        succeed(["cmake", "--build", build], environment)
         return build
 
     def build_examples(self, space, folder):
@@ -172,6 +173,7 @@ class OutsideTest(RobotChecks):
         ros_out = os.path.join(folder, "ros")
         result = self.check_run_headless(environment, headless_out)
         robots_hash = self.check_robot(environment, os.path.join(folder, "robots"))
+        self.check_turtlebot(environment, os.path.join(folder, "square"))
         lanterns_hash = self.check_arena_object(environment, os.path.join(folder, "lanterns"))
         self.check_run_under_ros(environment, headless_out, ros_out)
         self.check_robot_under_ros(environment, os.path.join(folder, "robots"), os.path.join(folder, "robots_ros"))
@@ -191,6 +193,31 @@ class OutsideTest(RobotChecks):
                               sourced(self.bare, f"{self.installed}/setup.bash"))
         self.assertEqual(2, code)
         self.assertIn("together.xml:9: library 'patrol': found no libpatrol.so in", errors)
+
+    # --- whatever python3 is first in PATH
+
+    def test_every_package_chooses_the_python_of_ros_before_it_looks_for_catkin(self):
+        files = [name for part in ("src", "examples") for name in glob.glob(os.path.join(REPOSITORY, part, "*/CMakeLists.txt"))]
+        files += glob.glob(os.path.join(REPOSITORY, "docs/**/*.md"), recursive=True)
+        looking = [name for name in files if re.search(r"^find_package\(catkin", read(name), re.M)]
+        self.assertGreater(len(looking), 25)
+        for name in looking:
+            self.assertRegex(read(name), r"\nset\(PYTHON_EXECUTABLE /usr/bin/python3 CACHE FILEPATH .*\)\n(set\(Python3.*\n)?find_package\(catkin", name)
+
+    def test_packages_are_configured_alone_where_another_python_is_first(self):
+        """As `catkin build` does, those of the suite and the templates."""
+        environment = with_another_python(self.bare, os.path.join(self.folder, "another_python"))
+        folders = [os.path.dirname(name) for part in ("src", "examples")
+                   for name in glob.glob(os.path.join(REPOSITORY, part, "*/CMakeLists.txt"))]
+
+        def cache_of(folder):
+            build = os.path.join(self.folder, "alone", os.path.basename(folder))
+            succeed(["cmake", "-S", folder, "-B", build, f"-DCMAKE_PREFIX_PATH={BUILD_FOLDER}/devel"], environment)
+            return read(os.path.join(build, "CMakeCache.txt"))
+
+        with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+            for folder, cache in zip(folders, pool.map(cache_of, folders)):
+                self.assertIn("PYTHON_EXECUTABLE:FILEPATH=/usr/bin/python3", cache, folder)
 
     # --- the install space by itself
 

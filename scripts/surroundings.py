@@ -23,6 +23,19 @@ def bare(home):
             "ROS_HOSTNAME": "localhost", "ROSCONSOLE_STDOUT_LINE_BUFFERED": "1"}
 
 
+def with_another_python(environment, folder):
+    """The environment of someone whose own Python, without the modules of ROS, is first in PATH, as that of pyenv or conda is."""
+    for name in ("python", "python3"):
+        program = os.path.join(folder, name)
+        os.makedirs(folder, exist_ok=True)
+        with open(program, "w") as file:
+            # it has a version, and nothing else
+            file.write('#!/bin/sh\nif [ "$1" = --version ]; then echo Python 3.11.2; exit; fi\n'
+                       'echo "a Python without the modules of ROS" >&2; exit 1\n')
+        os.chmod(program, 0o755)
+    return {**environment, "PATH": f"{folder}:{environment['PATH']}"}
+
+
 def outside_of_workspaces():
     """This environment without what devel or install spaces have put into it, which would be found instead of what is meant."""
     ours = ("CMAKE_PREFIX_PATH", "LD_LIBRARY_PATH", "PKG_CONFIG_PATH", "PYTHONPATH", "ROS_PACKAGE_PATH")

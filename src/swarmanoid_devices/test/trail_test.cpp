@@ -186,6 +186,32 @@ TEST(TripsTest, PatchesMustBeThereAndTwo) {
             "trail.xml:7: to: found 'nest', which is from too, allowed: another floor patch");
   EXPECT_EQ(refusalOfRules("<trips id='t'><to>fod</to></trips>"),
             "trail.xml:7: to: found 'fod', allowed: the id of a floor patch (nest, food); did you mean 'food'?");
+  EXPECT_EQ(refusalOfRules("<trips id='t'><to>food, nest</to></trips>"),
+            "trail.xml:7: to: found 'nest', which is from too, allowed: another floor patch");
+  EXPECT_EQ(refusalOfRules("<trips id='t'><to>food,</to></trips>"),
+            "trail.xml:7: to: found '', allowed: the id of a floor patch (nest, food)");
+  EXPECT_EQ(refusalOfRules("<trips id='t'><from></from></trips>"),
+            "trail.xml:7: from: found '', allowed: the id of a floor patch (nest, food)");
+}
+
+TEST(TripsTest, ASideMayBeSeveralPatchesAndReturnsAreToTheFirstSide) {
+  const auto simulation =
+      make("<trips id='t'><robots>fb_</robots><to>food, berries</to></trips>",
+           "<floor_patch id='berries'><position>1, 4, 0</position><radius>0.4</radius></floor_patch>");
+  simulation->start();
+  const auto expect = [&](double trips, double returns, const char* why) {
+    EXPECT_EQ(metricOf(*simulation, "t.trips"), trips) << why;
+    EXPECT_EQ(metricOf(*simulation, "t.returns"), returns) << why;
+  };
+  put(*simulation, "fb_1", 4.0, 4.0);
+  put(*simulation, "fb_1", 1.0, 4.0);
+  expect(0.0, 0.0, "from one of the same side to the other");
+  put(*simulation, "fb_1", 1.0, 1.0);
+  expect(1.0, 1.0, "home from the berries, whatever came first");
+  put(*simulation, "fb_1", 4.0, 4.0);
+  expect(2.0, 1.0, "out again");
+  put(*simulation, "fb_1", 1.0, 1.0);
+  expect(3.0, 2.0, "home from the food");
 }
 
 }  // namespace

@@ -27,15 +27,16 @@ REMOTE = {"aggregation": ("fb_1", "aggregation"), "battery_foraging": ("fb_1", "
           "chain_formation": ("fb_1", "chain_formation"), "charging": ("fb_1", "footbot_charging"),
           "climbing": ("hb_1", "climbing"), "conformance": ("hb", "conformance"), "diffusion": ("fb_1", "diffusion"),
           "emergent_taxis": ("fb_1", "emergent_taxis"), "evolved_retrieval": ("eb", "eyebot_retrieval"),
-          "flocking": ("fb_1", "flocking"),
+          "eyebot_flocking": ("eb_1", "eyebot_flocking"), "flocking": ("fb_1", "flocking"),
           "foraging": ("fb_1", "footbot_foraging"), "gap": ("fb_3", "chain"), "group_pull": ("fb_7", "pulling"),
           "neural_aggregation": ("fb_1", "recurrent_network"), "neural_phototaxis": ("fb_1", "feed_forward_network"),
           "object_retrieval": ("eb", "eyebot_retrieval"), "phototaxis": ("fb_1", "phototaxis"),
+          "predators": ("fb_1", "predators"),
           "rough_terrain": ("summit_1", "diffusion"), "shelf_retrieval": ("hb_1", "climbing"),
-          "trail": ("fb_1", "trail_following")}
+          "trail": ("fb_1", "trail_following"), "two_spot_foraging": ("fb_1", "behaviour_machine")}
 # all robots of a distribution have one source
-DISTRIBUTED = ("aggregation", "battery_foraging", "chain_formation", "diffusion", "emergent_taxis", "flocking",
-               "neural_aggregation", "neural_phototaxis")
+DISTRIBUTED = ("aggregation", "battery_foraging", "chain_formation", "diffusion", "emergent_taxis",
+               "eyebot_flocking", "flocking", "neural_aggregation", "neural_phototaxis", "predators", "two_spot_foraging")
 QUICK = [("object_retrieval", 0, "false"), ("shelf_retrieval", 1, "false"), ("diffusion", 10, "true")]
 
 
@@ -47,7 +48,8 @@ class LockstepStartTest(RoslaunchTest):
         robot = REMOTE[experiment][0]
         setting = f"arena.{robot}.controller.source=remote"
         if experiment in DISTRIBUTED:
-            setting = "arena.distribute.quantity=1 arena.fb.controller.source=remote"
+            group = robot.split("_")[0]
+            setting = f"arena.distribute.quantity=1 arena.{group}.controller.source=remote"
         elif experiment == "climbing":
             setting = "arena.hb.controller.source=remote"
         process = self.launch("rviz:=false", f"experiment:={experiment}", f"real_time_factor:={factor}",

@@ -31,9 +31,9 @@ class ListTest(ProgramTest):
         self.assertEqual("".join(self.list(heading) for heading in HEADINGS), everything)
         self.assertEqual(self.list("experiment"),
                          "experiment\n  aggregation\n  battery_foraging\n  chain_formation\n  charging\n  climbing\n  conformance\n"
-                         "  diffusion\n  emergent_taxis\n  evolved_retrieval\n  flocking\n  foraging\n  gap\n  group_pull\n"
-                         "  neural_aggregation\n  neural_phototaxis\n  object_retrieval\n  phototaxis\n"
-                         "  rough_terrain\n  shelf_retrieval\n  trail\n")
+                         "  diffusion\n  emergent_taxis\n  evolved_retrieval\n  eyebot_flocking\n  flocking\n  foraging\n  gap\n  group_pull\n"
+                         "  neural_aggregation\n  neural_phototaxis\n  object_retrieval\n  phototaxis\n  predators\n"
+                         "  rough_terrain\n  shelf_retrieval\n  trail\n  two_spot_foraging\n")
         sensors = self.list("sensor")
         self.assertIn("  footbot_proximity (polynomial, default): ", sensors)
         self.assertNotIn("footbot_wheels", sensors)

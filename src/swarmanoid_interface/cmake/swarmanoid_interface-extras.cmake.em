@@ -2,6 +2,8 @@
 set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+# packages that ament configures, such as pluginlib, would take the first python3 of PATH
+set(Python3_EXECUTABLE ${PYTHON_EXECUTABLE} CACHE FILEPATH "that of catkin")
 
 @[if DEVELSPACE]@
 set(_swarmanoid_cmake "@(CMAKE_CURRENT_SOURCE_DIR)/cmake")

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "listed_names.hpp"
 #include "measuring_rule.hpp"
 
 namespace swarmanoid::devices {
@@ -33,7 +34,7 @@ class StateTimes final : public MeasuringRule {
     key_ = parameters.text("key");
     const Configuration& states = *parameters.find("states");
     location_ = states.location();
-    for (const std::string& name : namesOf(states.text())) {
+    for (const std::string& name : listedNames(states.text())) {
       const auto is_same = [&](const State& state) { return state.name == name; };
       if (name.empty() || name == kOther || std::any_of(states_.begin(), states_.end(), is_same)) {
         throw ConfigError(location_, "states: found '" + name + "', allowed: other names than '" + kOther +
@@ -89,20 +90,6 @@ class StateTimes final : public MeasuringRule {
       }
     }
     return nullptr;
-  }
-
-  /// Without white space around them. None of an empty text.
-  static std::vector<std::string> namesOf(const std::string& text) {
-    std::vector<std::string> names;
-    for (std::size_t start = 0; !text.empty() && start <= text.size();) {
-      const std::size_t end = std::min(text.find(',', start), text.size());
-      const std::string part = text.substr(start, end - start);
-      const std::size_t first = part.find_first_not_of(" \t\n");
-      const std::size_t last = part.find_last_not_of(" \t\n");
-      names.push_back(first == std::string::npos ? "" : part.substr(first, last - first + 1));
-      start = end + 1;
-    }
-    return names;
   }
 
   static constexpr const char* kOther = "other";

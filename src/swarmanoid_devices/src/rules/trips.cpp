@@ -1,10 +1,12 @@
-// Trips: how often robots come from one place of the floor to another, to judge foragers that carry nothing.
+// Trips: how often robots come from some places of the floor to others, to judge foragers that carry nothing.
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "../parameters.hpp"
 #include "floor_patch.hpp"
+#include "listed_names.hpp"
 #include "robot_group.hpp"
 #include "swarmanoid_space/rule.hpp"
 #include "tally.hpp"
@@ -20,29 +22,36 @@ class Trips final : public Rule {
     description.label = "trips";
     description.summary = "Counts how often robots come from one floor patch to another, there and back.";
     description.parameters = {
-        RobotGroup::parameter(), makeParameter("from", Type::kText, "", "nest", {}, "Id of a floor patch."),
-        makeParameter("to", Type::kText, "", "food", {}, "Id of another one."),
+        RobotGroup::parameter(),
+        makeParameter("from", Type::kText, "", "nest", {}, "Ids of floor patches, one or several with commas between."),
+        makeParameter("to", Type::kText, "", "food", {}, "Ids of other ones."),
         integer("enough", "0", {0.0, 1e9}, "Trips after which the run ends, a success; 0: it does not.")};
     return description;
   }
 
   void configure(const Configuration& parameters) override {
     group_ = RobotGroup(parameters.text("robots"));
-    ids_ = {parameters.text("from"), parameters.text("to")};
-    if (ids_[0] == ids_[1]) {
-      throw ConfigError(parameters.location(),
-                        "to: found '" + ids_[1] + "', which is from too, allowed: another floor patch");
+    ids_ = {idsIn(parameters.text("from")), idsIn(parameters.text("to"))};
+    for (const std::string& id : ids_[1]) {
+      if (std::find(ids_[0].begin(), ids_[0].end(), id) != ids_[0].end()) {
+        throw ConfigError(parameters.location(),
+                          "to: found '" + id + "', which is from too, allowed: another floor patch");
+      }
     }
     location_ = parameters.location();
-    Metric& trips = addMetric("trips", "", "From one patch to the other, in either direction.");
+    Metric& trips = addMetric("trips", "", "From one side to the other, in either direction.");
     Metric& per_minute = addMetric("trips_per_minute", "1/min", "As many in each minute of simulated time.");
+    returns_ = &addMetric("returns", "", "Those of them that ended on a patch of `from`.");
     tally_ = Tally(trips, per_minute, static_cast<double>(parameters.integer("enough")));
   }
 
   void reset(const Space& space, InterventionQueue&) override {
     last_.clear();
-    for (std::size_t i = 0; i < ids_.size(); ++i) {
-      patches_[i] = requireFloorPatch(space, i == 0 ? "from" : "to", ids_[i], location_);
+    patches_.clear();
+    for (std::size_t side = 0; side < ids_.size(); ++side) {
+      for (const std::string& id : ids_[side]) {
+        patches_.push_back({requireFloorPatch(space, side == kFrom ? "from" : "to", id, location_), side});
+      }
     }
   }
 
@@ -58,35 +67,50 @@ class Trips final : public Rule {
   std::optional<bool> success() const override { return tally_.success(); }
 
  private:
-  /// The patch on which a robot was last.
+  static constexpr std::size_t kFrom = 0;  // of the two sides
+
+  /// A floor patch of one of the two sides.
+  struct Patch {
+    std::size_t place = 0;  // among the floor's patches
+    std::size_t side = kFrom;
+  };
+  /// The side on which a robot was last.
   struct Last {
     EntityNumber robot = kNoEntity;
-    std::size_t patch = 0;
+    std::size_t side = kFrom;
   };
 
+  /// At least one, be it empty: then it is refused as no patch is called so.
+  static std::vector<std::string> idsIn(const std::string& text) {
+    std::vector<std::string> ids = listedNames(text);
+    return ids.empty() ? std::vector<std::string>{""} : ids;
+  }
+
   void look(const Space& space, Row row) {
-    for (std::size_t i = 0; i < patches_.size(); ++i) {
-      if (!space.floor.patches[patches_[i]].contains(space.entities.pose[row].position)) {
+    for (const Patch& patch : patches_) {
+      if (!space.floor.patches[patch.place].contains(space.entities.pose[row].position)) {
         continue;
       }
       const EntityNumber number = space.entities.number[row];
       const auto last = std::lower_bound(last_.begin(), last_.end(), number,
                                          [](const Last& each, EntityNumber robot) { return each.robot < robot; });
       if (last == last_.end() || last->robot != number) {
-        last_.insert(last, {number, i});
-      } else if (last->patch != i) {
-        last->patch = i;
+        last_.insert(last, {number, patch.side});
+      } else if (last->side != patch.side) {
+        last->side = patch.side;
         tally_.add();
+        returns_->value += patch.side == kFrom ? 1.0 : 0.0;
       }
       return;
     }
   }
 
   RobotGroup group_;
-  std::array<std::string, 2> ids_;
-  std::array<std::size_t, 2> patches_{};
+  std::array<std::vector<std::string>, 2> ids_;  // by side
+  std::vector<Patch> patches_;
   SourceLocation location_;
   Tally tally_;
+  Metric* returns_ = nullptr;
   std::vector<Last> last_;  // by number
 };
 

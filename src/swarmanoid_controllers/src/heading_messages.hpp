@@ -1,0 +1,41 @@
+/// Headings that robots of a flock say over range and bearing, and what a robot makes of those that it hears.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <cstdint>
+
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
+
+namespace swarmanoid {
+
+constexpr double kStepsOfTurn = 65536.0;  // that the two bytes of a message tell apart
+
+/// @param heading against a direction that all robots know [rad]
+inline RangeAndBearing::Payload payloadOfHeading(double heading) {
+  // an unsigned number of 16 bits goes round as an angle does
+  const auto steps = static_cast<std::uint16_t>(std::llround(heading / (2.0 * M_PI) * kStepsOfTurn));
+  RangeAndBearing::Payload payload{};
+  payload[0] = static_cast<std::uint8_t>(steps >> 8U);
+  payload[1] = static_cast<std::uint8_t>(steps & 0xFFU);
+  return payload;
+}
+
+/// @return [rad], from 0 to 2 pi
+inline double headingIn(const RangeAndBearing::Payload& payload) {
+  return (256.0 * payload[0] + payload[1]) / kStepsOfTurn * 2.0 * M_PI;
+}
+
+/// @param own_heading against the direction that all robots know [rad]
+/// @return the mean direction of the headings of all neighbours in the robot's frame, of length 1; ahead if it hears
+/// none
+inline Eigen::Vector2d alignment(const RangeAndBearingReceived& received, double own_heading) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const RangeAndBearingMessage& message : received.messages) {
+    const double relative = headingIn(message.payload) - own_heading;
+    sum += Eigen::Vector2d(std::cos(relative), std::sin(relative));
+  }
+  return sum.isZero() ? Eigen::Vector2d::UnitX().eval() : sum.normalized();
+}
+
+}  // namespace swarmanoid
