@@ -3,7 +3,9 @@
 import importlib
 import itertools
 import os
+import site
 import sys
+import sysconfig
 import threading
 import traceback
 import types
@@ -11,6 +13,8 @@ import weakref
 
 _numbers = itertools.count(1)
 _loading = threading.RLock()   # what is found by `import` is the whole process's
+_libraries = {os.path.realpath(folder) for folder in (os.path.dirname(__file__), *map(sysconfig.get_path, ("stdlib", "purelib", "platlib")),
+                                                      *site.getsitepackages())}
 _known = weakref.WeakSet()     # scripts that are in use
 
 
@@ -81,8 +85,14 @@ def modules_in(folder):
     return names - {__package__}
 
 
+def is_in_library(filename):
+    """Whether a file is one of this package, of Python or of an installed package, where users look for no mistake of theirs."""
+    is_file = not filename.startswith("<")    # as NumPy has them, too
+    return not is_file or any(os.path.realpath(filename).startswith(folder + os.sep) for folder in _libraries)
+
+
 def describe(error, trace):
-    """An exception in one line, with the place in a file that has thrown it."""
+    """An exception in one line, with the place of the mistake: where users' own code was, if a library has thrown it."""
     try:
         text = str(error)
     except Exception:
@@ -90,5 +100,6 @@ def describe(error, trace):
     text = " ".join(f"{type(error).__name__}: {text}".split())
     frames = [] if isinstance(error, SyntaxError) else traceback.extract_tb(trace)
     frames = [frame for frame in frames if not frame.filename.startswith("<frozen")]
+    frames = [frame for frame in frames if not is_in_library(frame.filename)] or frames
     place = f" ({frames[-1].filename}:{frames[-1].lineno})" if frames else ""
     return (text + place).encode("utf-8", "backslashreplace").decode()

@@ -35,6 +35,33 @@ class ScriptMistakesTest(ScriptCase):
         self.assertIn("said by Python", done.stderr)
         self.assertEqual(swarmanoid.Simulation(self.experiment("breaks")).run()["failed_controllers"], result["failed_controllers"])
 
+    def test_what_a_library_throws_has_the_place_in_the_users_file(self):
+        text = SWARM + textwrap.dedent("""
+
+            class Mistakes:
+                def init(self, robot, parameters):
+                    self.number = int(robot.name.split("_")[1]) % 4
+
+                def step(self, robot):
+                    if self.number == 0:
+                        robot.commands["footbot_wheels"].lefft = 1.0
+                        robot.readings["footbot_proximity"].valu
+                    if self.number == 1:
+                        robot.commands["footbot_wheels"].left = "fast"
+                    if self.number == 2:
+                        robot.readings["proximity"]
+                    numpy.concatenate([numpy.zeros(2), numpy.linalg.inv(numpy.zeros((2, 2)))])
+            """)
+        self.write("swarm.py", text)
+        lines = text.splitlines()
+        places = set()
+        for failure in swarmanoid.Simulation(self.experiment("Mistakes")).run()["failed_controllers"]:
+            self.assertRegex(failure["reason"], r" \(.*/swarm\.py:\d+\)$")
+            places.add(lines[int(failure["reason"].rsplit(":", 1)[1][:-1]) - 1].strip())
+        self.assertEqual(places, {'robot.commands["footbot_wheels"].lefft = 1.0', 'robot.commands["footbot_wheels"].left = "fast"',
+                                  'robot.readings["proximity"]',
+                                  "numpy.concatenate([numpy.zeros(2), numpy.linalg.inv(numpy.zeros((2, 2)))])"})
+
     def test_an_exit_is_a_failure_as_well(self):
         result = json.loads(self.call("run", self.experiment("leaves"), code=3).stdout)
         self.assertIn("SystemExit: 7", result["failed_controllers"][0]["reason"])

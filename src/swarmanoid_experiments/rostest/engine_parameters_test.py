@@ -69,7 +69,7 @@ class EngineParametersTest(unittest.TestCase):
 
     def test_a_client_learns_why_it_was_refused(self):
         self.updates.clear()
-        reason = "gravity: found '-1', allowed: a number from 0 to 100"
+        reason = "gravity: found '-1', allowed: a number from 0 to 100 (0, or at least 1e-09)"
         with self.assertRaises(DynamicReconfigureCallbackException) as refused:
             self.client.update_configuration({"gravity": -1.0})
         self.assertIn(reason, str(refused.exception.__context__).replace("\\", ""))

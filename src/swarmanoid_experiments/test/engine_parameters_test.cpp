@@ -92,9 +92,32 @@ TEST(EngineParametersTest, ABadValueIsRefusedInWords) {
             "kinematics2d 'ground': 'subclock' cannot change while it runs; none of its parameters may change "
             "while it runs");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"gravity", "-1"}}),
-            "gravity: found '-1', allowed: a number from 0 to 100");
+            "gravity: found '-1', allowed: a number from 0 to 100 (0, or at least 1e-09)");
   EXPECT_EQ(messageOf(*simulation, "deep", {{"gravity", "a lot"}}),
-            "gravity: found 'a lot', allowed: a number from 0 to 100");
+            "gravity: found 'a lot', allowed: a number from 0 to 100 (0, or at least 1e-09)");
+}
+
+TEST(EngineParametersTest, FactorsAreZeroOrLargeEnoughToBeMultiplied) {
+  const NamedValues factors{{"gravity", "1e-9"},       {"friction", "1e-9"},        {"treel_friction", "1e-9"},
+                            {"restitution", "1e-9"},   {"grip_strength", "1e-9"},   {"suction_strength", "1e-9"},
+                            {"rope_strength", "1e-9"}, {"magnet_strength", "1e-9"}, {"rope_drag", "1e-9"}};
+  World world = threeEngines();
+  world.physics = "<engine id='deep'><entity id='falling'/><entity id='driver'/></engine>";
+  const auto simulation = started(world);
+  for (const auto& [name, least] : factors) {
+    for (const char* const value : {"5e-324", "1e-310", "9.99e-10"}) {  // an assertion of ODE at treel_friction 1e-310
+      const std::string message = messageOf(*simulation, "deep", {{name, value}});
+      EXPECT_EQ(message.rfind(name + ": found '" + value + "', allowed: a number from 0 to ", 0), 0U) << message;
+      EXPECT_NE(message.find(" (0, or at least 1e-09)"), std::string::npos) << message;
+    }
+    EXPECT_EQ(messageOf(*simulation, "deep", {{name, "0"}}), "");
+  }
+  simulation->apply(SetEngineParameters{"deep", factors});
+  tick(*simulation, 100);
+  for (const char* const name :
+       {"gravity", "ground_friction", "treel_friction", "contact_friction", "restitution", "grip_strength"}) {
+    EXPECT_NE(messageOf(*started(threeEngines()), "flat", {{name, "9.99e-10"}}), "") << name;
+  }
 }
 
 TEST(EngineParametersTest, OneBadValueAmongGoodOnesChangesNothing) {

@@ -8,6 +8,7 @@
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_interface/readable_number.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -79,7 +80,8 @@ std::string Range::toString() const {
   const bool has_minimum = std::isfinite(minimum);
   const bool has_maximum = std::isfinite(maximum);
   if (has_minimum && has_maximum) {
-    return "from " + shortNumber(minimum) + " to " + shortNumber(maximum);
+    return "from " + shortNumber(minimum) + " to " + shortNumber(maximum) +
+           (least > 0.0 ? " (0, or at least " + shortNumber(least) + ")" : "");
   }
   if (has_minimum) {
     return "at least " + shortNumber(minimum);
@@ -91,6 +93,13 @@ std::string numberText(double value) {
   std::array<char, 32> text{};  // the longest number has 24 letters
   const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
   return {text.data(), end.ptr};
+}
+
+std::string readableNumber(double value) {
+  constexpr double kThousandths = 1e3;
+  constexpr double kLargest = 1e9;  // beyond, a double has hardly a thousandth
+  const bool is_rounded = std::abs(value) < kLargest;
+  return numberText(is_rounded ? std::round(value * kThousandths) / kThousandths + 0.0 : value);  // not -0
 }
 
 double parseNumber(const std::string& text, const std::string& what, const SourceLocation& location, Range range) {

@@ -6,8 +6,23 @@
 
 namespace swarmanoid {
 namespace {
+
 constexpr int kLogsPerSecond = 10;
+constexpr std::size_t kLongestLog = 10000;  // [bytes]
+
+/// Up to so many bytes of a text, without the rest of a letter of several bytes.
+std::string_view beginOf(std::string_view text, std::size_t bytes) {
+  if (text.size() <= bytes) {
+    return text;
+  }
+  const auto continues_letter = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  while (bytes > 0 && continues_letter(text[bytes])) {
+    --bytes;
+  }
+  return text.substr(0, bytes);
 }
+
+}  // namespace
 
 Robot::Robot(std::string name, std::string type, std::uint64_t seed)
     : random_(seed, name, "controller"), name_(std::move(name)), type_(std::move(type)) {}
@@ -47,20 +62,45 @@ void Robot::log(LogLevel level, const std::string& text) {
     return;
   }
   // the sink ends the line; a line break in the text would add a blank one in every log
-  log_sink_(level, name_, text.substr(0, text.find_last_not_of("\r\n") + 1));
+  const std::size_t end = text.find_last_not_of("\r\n") + 1;
+  if (end <= kLongestLog) {
+    log_sink_(level, name_, text.substr(0, end));
+    return;
+  }
+  log_sink_(level, name_,
+            std::string(beginOf(text, kLongestLog)) + " (found " + std::to_string(end) + " bytes; beyond " +
+                std::to_string(kLongestLog) + " they are left out)");
 }
 
 void Robot::debug(std::string_view key, std::string_view value) {
+  if (key.size() > kLongestDebugText || value.size() > kLongestDebugText) {
+    warnOfDebug("a debug key or value of " + std::to_string(std::max(key.size(), value.size())) +
+                " bytes: those beyond " + std::to_string(kLongestDebugText) + " are left out");
+  }
+  key = beginOf(key, kLongestDebugText);
+  value = beginOf(value, kLongestDebugText);
   for (auto& [known, old_value] : debug_values_) {
     if (known == key) {
       old_value = value;
       return;
     }
   }
+  if (debug_values_.size() >= kMostDebugKeys) {
+    warnOfDebug("debug key '" + std::string(key) + "' beyond the first " + std::to_string(kMostDebugKeys) +
+                ": it and further ones are left out");
+    return;
+  }
   constexpr std::size_t kRoom = 64;
   std::string& kept = debug_values_.emplace_back(key, "").second;
   kept.reserve(kRoom);
   kept = value;
+}
+
+void Robot::warnOfDebug(const std::string& problem) {
+  if (!has_warned_of_debug_ && log_sink_) {
+    log_sink_(LogLevel::kWarning, name_, "warning: found " + problem);
+  }
+  has_warned_of_debug_ = true;
 }
 
 void Robot::provideSensor(const std::string& type, const void* readings) {

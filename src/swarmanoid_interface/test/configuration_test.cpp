@@ -6,6 +6,8 @@
 #include <cmath>
 #include <functional>
 
+#include "swarmanoid_interface/readable_number.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -50,6 +52,21 @@ TEST(ConfigurationTest, SaysTheRangeThatANumberLeaves) {
   EXPECT_EQ(numberMessage("3", {-kInfinity, 2.5}), "world.xml:13: range: found '3', allowed: a number at most 2.5");
   EXPECT_EQ(numberMessage("0", {0.0, 1.0}), "");
   EXPECT_EQ(numberMessage("1", {0.0, 1.0}), "");
+  EXPECT_EQ(numberMessage("-0.09", {-1.0, 1.0, 0.1}),
+            "world.xml:13: range: found '-0.09', allowed: a number from -1 to 1 (0, or at least 0.1)");
+  for (const char* const text : {"-0.1", "0", "-0", "0.1"}) {
+    EXPECT_EQ(numberMessage(text, {-1.0, 1.0, 0.1}), "") << text;
+  }
+}
+
+TEST(ConfigurationTest, MessagesHaveNumbersThatPeopleRead) {
+  EXPECT_EQ(readableNumber(2.3456789012345678), "2.346");
+  EXPECT_EQ(readableNumber(-0.1 - 0.2), "-0.3");
+  EXPECT_EQ(readableNumber(-0.0004), "0");
+  EXPECT_EQ(readableNumber(12.0), "12");
+  EXPECT_EQ(readableNumber(1e300), "1e+300");
+  EXPECT_EQ(readableNumber(std::nan("")), "nan");
+  EXPECT_EQ(readableNumber(-kInfinity), "-inf");
 }
 
 TEST(ConfigurationTest, RefusesWhatIsNoWholeNumber) {

@@ -107,6 +107,39 @@ TEST_F(LogTest, GoesOnAfterTimeWasPutBack) {
   EXPECT_EQ(texts_, std::vector<std::string>{"text 0"});
 }
 
+TEST_F(LogTest, ALongTextIsCutBetweenLettersAndSaysSo) {
+  robot_.log(std::string(9999, 'a') + "\u00e9 and more\n");
+  robot_.log(std::string(10000, 'a') + "\n");
+  EXPECT_EQ(texts_,
+            (std::vector<std::string>{std::string(9999, 'a') + " (found 10010 bytes; beyond 10000 they are left out)",
+                                      std::string(10000, 'a')}));
+}
+
+TEST_F(LogTest, DebugKeysBeyondTheMostAreLeftOutAndTheFirstIsReported) {
+  for (int i = 0; i < 1'000'000; ++i) {  // took the square of it in time: an hour
+    robot_.debug("key " + std::to_string(i), std::to_string(i));
+  }
+  robot_.debug("key 7", "again");
+  ASSERT_EQ(robot_.debugValues().size(), Robot::kMostDebugKeys);
+  EXPECT_EQ(robot_.debugValues().front(), Robot::DebugValue("key 0", "0"));
+  EXPECT_EQ(robot_.debugValues()[7], Robot::DebugValue("key 7", "again"));
+  EXPECT_EQ(robot_.debugValues().back(), Robot::DebugValue("key 99", "99"));
+  EXPECT_EQ(texts_, std::vector<std::string>{
+                        "warning: found debug key 'key 100' beyond the first 100: it and further ones are left out"});
+}
+
+TEST_F(LogTest, LongDebugValuesAreCutBetweenLettersAndTheFirstIsReported) {
+  robot_.debug("trace", std::string(Robot::kLongestDebugText, 'a'));
+  EXPECT_TRUE(texts_.empty());
+  for (int i = 0; i < 2; ++i) {
+    robot_.debug("trace", std::string(Robot::kLongestDebugText - 1, 'b') + "\u00e9");
+  }
+  ASSERT_EQ(robot_.debugValues().size(), 1U);
+  EXPECT_EQ(robot_.debugValues()[0].second, std::string(Robot::kLongestDebugText - 1, 'b'));
+  EXPECT_EQ(texts_, std::vector<std::string>{
+                        "warning: found a debug key or value of 1001 bytes: those beyond 1000 are left out"});
+}
+
 TEST(RobotTest, KeepsTheLastDebugValueOfEachKeyInOrderOfAppearance) {
   Robot robot("fb_1", "footbot", 1);
   robot.debug("state", "Search for Laser");

@@ -8,6 +8,7 @@
 #include <assimp/Importer.hpp>
 #include <stdexcept>
 
+#include "mesh_checks.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
 
 namespace swarmanoid {
@@ -30,6 +31,43 @@ std::string fileOf(const std::string& resource) {
                              path + " in any prefix of CMAKE_PREFIX_PATH");
   }
   return file_there;
+}
+
+/// The faces that are drawn, with all copies of nodes. @throws std::runtime_error what takes too long to cut and to
+/// draw
+void checkFaces(const aiScene& scene) {
+  constexpr std::size_t kMostFaces = 10'000'000;
+  for (unsigned number = 0; number < scene.mNumMeshes; ++number) {
+    const aiMesh& mesh = *scene.mMeshes[number];
+    for (unsigned face = 0; face < mesh.mNumFaces; ++face) {
+      const unsigned corners = mesh.mFaces[face].mNumIndices;
+      if (corners == 0 || corners > kMostCorners) {
+        throw std::runtime_error("found a face of " + std::to_string(corners) + " corners, allowed: from 1 to " +
+                                 std::to_string(kMostCorners));
+      }
+    }
+  }
+  std::size_t faces = 0;
+  for (std::vector<const aiNode*> left{scene.mRootNode}; !left.empty();) {
+    const aiNode& node = *left.back();
+    left.pop_back();
+    left.insert(left.end(), node.mChildren, node.mChildren + node.mNumChildren);
+    for (unsigned number = 0; number < node.mNumMeshes; ++number) {
+      faces += scene.mMeshes[node.mMeshes[number]]->mNumFaces;
+    }
+  }
+  if (faces > kMostFaces) {
+    throw std::runtime_error("found " + std::to_string(faces) + " faces with all copies, allowed: at most " +
+                             std::to_string(kMostFaces));
+  }
+}
+
+/// What the library says, in words where it passes on an exception of the standard library.
+std::string reasonOf(const Assimp::Importer& importer) {
+  const std::string reason = importer.GetErrorString();
+  const bool is_about_memory =
+      reason.find("bad_alloc") != std::string::npos || reason.find("length") != std::string::npos;
+  return is_about_memory ? "found a count that needs more memory than there is (" + reason + ")" : reason;
 }
 
 std::optional<Tint> tintOf(const aiScene& scene, const aiMesh& mesh) {
@@ -67,13 +105,26 @@ const std::vector<MeshFiles::Triangle>& MeshFiles::read(const std::string& resou
     return known->second;
   }
   const std::string file = fileOf(resource);
+  const auto refuse = [&resource](const std::string& reason) {
+    throw std::runtime_error("mesh of a robot: '" + resource + "': " + reason);
+  };
   Assimp::Importer importer;
   // rviz leaves the axes of Collada files as they are, too
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
-  // all nodes in the frame of the file
-  const aiScene* scene = importer.ReadFile(file, aiProcess_Triangulate | aiProcess_PreTransformVertices);
+  const aiScene* scene = nullptr;
+  try {
+    checkMeshFile(file);
+    scene = importer.ReadFile(file, 0);
+    if (scene != nullptr && scene->mRootNode != nullptr) {
+      checkFaces(*scene);
+      // all nodes in the frame of the file
+      scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices);
+    }
+  } catch (const std::runtime_error& error) {
+    refuse(error.what());
+  }
   if (scene == nullptr) {
-    throw std::runtime_error("mesh of a robot: '" + resource + "' cannot be read: " + importer.GetErrorString());
+    refuse("cannot be read: " + reasonOf(importer));
   }
   std::vector<Triangle>& triangles = known_[resource];
   take(*scene, triangles);

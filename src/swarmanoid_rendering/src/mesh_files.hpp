@@ -19,7 +19,8 @@ class MeshFiles {
     std::optional<Tint> tint;  ///< of its material, if the file has one
   };
 
-  /// Each file is read once. Valid as long as this. @throws std::runtime_error if it is not there or cannot be read
+  /// Each file is read once: .dae, .obj, .ply or .stl, after checkMeshFile. Valid as long as this.
+  /// @throws std::runtime_error with the file and the reason if it is not there, is refused, or cannot be read
   const std::vector<Triangle>& read(const std::string& resource);
 
  private:

@@ -19,6 +19,16 @@ TEST_F(ExperimentOverridesTest, ValuesOfOverridesStandForThemselves) {
             "--set visualisations.t.file: found bytes that are no text in UTF-8, allowed: UTF-8");
 }
 
+TEST_F(ExperimentOverridesTest, WhatXmlCannotHoldIsRefusedInsteadOfCutOff) {
+  const std::string refused = ": found a control character, such as a zero byte, allowed: text";
+  const std::string path = "visualisations.t.file";
+  EXPECT_EQ(refusal({{path, std::string("a\0b", 3)}}), "--set " + path + refused);
+  EXPECT_EQ(refusal({{path, "\x1b"}}), "--set " + path + refused);
+  const std::string longer_path = path + std::string("\0b", 2);
+  EXPECT_EQ(refusal({{longer_path, "a"}}), "--set " + path + "?b" + refused);
+  EXPECT_EQ(parse({{path, "a\tb"}}).visualisations[0].parameters.text("file"), "a\tb");
+}
+
 TEST_F(ExperimentOverridesTest, OverridesReplaceValues) {
   EXPECT_EQ(parse({{"framework.maxclock", "7"}}).framework.max_clock, 7U) << "the comment before it is no part of it";
   EXPECT_EQ(parse({{"framework.random_seed", "9"}}).framework.seed, 9U) << "not in the file";

@@ -1,4 +1,5 @@
 // Experiment files as text: what is no XML, or would take time and memory without bounds; lines; references.
+#include <fstream>
 #include <string>
 
 #include "experiment_fixture.hpp"
@@ -37,6 +38,53 @@ TEST_F(ExperimentTextTest, RefusesWhatWouldTakeTimeOrMemoryWithoutBounds) {
             "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
   EXPECT_EQ(refusal({}, "<!DOCTYPE a SYSTEM '/etc/passwd'><ahss-config/>"),
             "some.xml:1: found '<!DOCTYPE', allowed: elements and comments <!-- ... -->");
+}
+
+TEST_F(ExperimentTextTest, RefusesADoubleHyphenInACommentWhereItStands) {
+  const std::string refused = "found '--' in a comment, allowed: single hyphens, and '-->' as its end";
+  EXPECT_EQ(refusal({}, "<ahss-config>\n<!--\n a--b --></ahss-config>"), "some.xml:3: " + refused);
+  EXPECT_EQ(refusal({}, "<ahss-config><!-- a --><!-- b --->\n</ahss-config>"), "some.xml:1: " + refused);
+  // the library took time by the square of its length: 50 minutes for this one
+  EXPECT_EQ(refusal({}, "<ahss-config>\n<!--" + std::string(10'000'000, '-') + "></ahss-config>"),
+            "some.xml:2: " + refused);
+  EXPECT_EQ(refusal({}, "<ahss-config>\n<!-- a --"),
+            "some.xml:2: found no well-formed XML: Double hyphen within comment: <!-- a ");
+}
+
+TEST_F(ExperimentTextTest, ReadsHyphensOutsideOfCommentsAndTagsInsideOfThem) {
+  std::string text = kFile;
+  text.insert(text.find("<arena"), "<!----><!-- - -> <a --><!--" + repeated(" b='c'", 1001) + "-->");
+  EXPECT_EQ(refusal({}, text), "(accepted)");
+  text.replace(text.find("500"), 3, "<![CDATA[<!-- -- -->]]>");
+  EXPECT_EQ(refusal({}, text), "some.xml:4: maxclock: found '<!-- -- -->', allowed: a whole number from 1 to 1e+15");
+}
+
+/// Of this process so far.
+long readCalls() {
+  std::ifstream io("/proc/self/io");
+  for (std::string name, value; io >> name >> value;) {
+    if (name == "syscr:") {
+      return std::stol(value);
+    }
+  }
+  return -1;
+}
+
+TEST_F(ExperimentTextTest, LooksForDeclaredLibrariesOnceHoweverManyVisualisationsThereAre) {
+  std::string text = kFile;
+  std::string many;
+  for (int i = 0; i < 3000; ++i) {
+    const std::string number = std::to_string(i);
+    many += "<table id='many_" + number + "'/>";
+  }
+  text.insert(text.find("</visuali"), many);
+  EXPECT_GE(parseExperiment(text, "some.xml").visualisations.size(), 3000U);  // libraries are loaded
+  const long before = readCalls();
+  if (before < 0) {
+    GTEST_SKIP() << "the kernel does not count";
+  }
+  parseExperiment(text, "some.xml");
+  EXPECT_LT(readCalls() - before, 3000) << "some hundred files were read for each of them";
 }
 
 TEST_F(ExperimentTextTest, CountsLinesHoweverManyTheyAreAndWhereverATagEnds) {

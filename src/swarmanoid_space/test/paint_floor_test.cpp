@@ -66,6 +66,20 @@ TEST(PaintFloorTest, WhatIsRefusedLeavesTheFloorAsItWas) {
             "found paint for the floor, allowed: in an arena with <floor_paint>");
 }
 
+TEST(PaintFloorTest, TheWorkOfOneCallIsBounded) {
+  const auto simulation = paintableWorld();  // 100 x 100 cells
+  const std::uint64_t before = stateHash(simulation->space());
+  EXPECT_EQ(refusalOf(*simulation, PaintFloor{std::vector<PaintDisc>(20000, disc(2.5, 2.5, 50.0))}),
+            "found 200000000 cells in the squares around the discs, allowed: at most 16777216 in one call");
+  // a square of 20 x 20 cells in the arena, of one of 40 x 40
+  EXPECT_EQ(refusalOf(*simulation, PaintFloor{std::vector<PaintDisc>(41944, disc(0.0, 5.0, 0.99))}),
+            "found 16777600 cells in the squares around the discs, allowed: at most 16777216 in one call");
+  EXPECT_EQ(stateHash(simulation->space()), before);
+  EXPECT_EQ(refusalOf(*simulation, PaintFloor{std::vector<PaintDisc>(41943, disc(0.0, 5.0, 0.99))}), "");
+  EXPECT_EQ(refusalOf(*simulation, PaintFloor{{disc(2.5, 2.5, 10000.0)}}), "");
+  EXPECT_EQ(simulation->space().floor.paint.spotCount(), 10000U);
+}
+
 TEST(PaintFloorTest, IsInTheHashAndGoneAfterAReset) {
   const auto painted = paintableWorld();
   const auto clean = paintableWorld();

@@ -88,8 +88,71 @@ TEST_F(RobotUrdfTest, MeasuresWheels) {
   EXPECT_EQ(model->wheels->max_speed, 10.0);
 }
 
+/// A link on a joint that turns.
+std::string armOn(const std::string& joint, const std::string& type = "revolute", const std::string& inertial = "") {
+  return "\n<joint name='elbow' type='" + type + "'><parent link='base_link'/><child link='arm'/>" + joint +
+         "<limit lower='-1' upper='1' velocity='2' effort='3'/></joint>\n<link name='arm'>" + inertial + "</link>";
+}
+
+TEST_F(RobotUrdfTest, TurnsThatAreAlmostOfQuartersAreExact) {
+  for (const std::string quarter : {"1.57", "1.5708", "1.57079632679", "1.5715"}) {
+    const auto model = load(robot(
+        wheel("port", "0.08", "0 0.9999999 0.0004") + wheel("starboard", "-0.08", "0.0004 1 0") +
+            link("shelf", "rpy='" + quarter + " 0 " + quarter + "'",
+                 "<collision><origin rpy='-" + quarter + " 0 0'/><geometry><box size='2 4 6'/></geometry></collision>"),
+        kWheels));
+    ASSERT_EQ(model->shapes.size(), 2U);
+    // about x, and about z, and about x back
+    Eigen::Matrix3d expected;
+    expected << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+    EXPECT_LT((model->shapes[1].orientation.toRotationMatrix() - expected).norm(), 1e-15) << quarter;
+  }
+  const auto tilted = load(
+      robot(link("shelf", "rpy='1.5738 0 0'", "<collision><geometry><sphere radius='1'/></geometry></collision>")));
+  EXPECT_NEAR(tilted->shapes[1].orientation.toRotationMatrix()(1, 1), std::cos(1.5738), 1e-12) << "is what it says";
+  const auto elbow = load(robot(armOn("<axis xyz='0.0004 0 1'/>")));
+  EXPECT_EQ(elbow->joints[0].axis, Vector3d::UnitZ());
+  const auto askew = load(robot(armOn("<axis xyz='0.0011 0 1'/>")));
+  EXPECT_EQ(askew->joints[0].axis, Vector3d(0.0011, 0.0, 1.0).normalized());
+}
+
+TEST_F(RobotUrdfTest, RefusesJointsItCannotMove) {
+  expectRefused(robot(armOn("<axis xyz='0 0 1'/>\n<mimic joint='elbow'/>")),
+                "joint 'elbow': found <mimic>, allowed: joints that follow no other one", 3);
+  for (const std::string type : {"prismatic", "floating", "planar"}) {
+    expectRefused(robot(armOn("<axis xyz='0 0 1'/>", type)),
+                  "joint 'elbow': found the type '" + type + "', allowed: fixed, revolute, continuous", 2);
+  }
+  expectRefused(robot(armOn("<axis xyz='0 0 0'/>")), "joint 'elbow': found the axis 0 0 0, allowed: a direction", 2);
+}
+
+TEST_F(RobotUrdfTest, RefusesMassesAndInertiasThatNoBodyHas) {
+  const auto withInertial = [](const std::string& mass, const std::string& x, const std::string& y,
+                               const std::string& z, const std::string& xy = "0") {
+    return robot(armOn("", "fixed",
+                       "\n<inertial><mass value='" + mass + "'/>\n<inertia ixx='" + x + "' ixy='" + xy +
+                           "' ixz='0' iyy='" + y + "' iyz='0' izz='" + z + "'/></inertial>"));
+  };
+  const auto refused = [](const std::string& moments) {
+    return "link 'arm': found the principal moments of inertia " + moments +
+           " kg m2, allowed: none below 0, none above the sum of the other two";
+  };
+  expectRefused(withInertial("1", "1", "2", "3.1"), refused("1, 2 and 3.1"), 5);
+  expectRefused(withInertial("1", "3.1", "2", "1"), refused("1, 2 and 3.1"), 5);
+  expectRefused(withInertial("1", "1", "3.1", "2"), refused("1, 2 and 3.1"), 5);
+  expectRefused(withInertial("1", "1", "1", "-1"), refused("-1, 1 and 1"), 5);
+  expectRefused(withInertial("1", "1", "1", "1", "1.5"), refused("-0.5, 1 and 2.5"), 5);
+  EXPECT_EQ(load(withInertial("1", "1", "2", "3.01"))->mass, 1.0) << "a flat body, of few digits";
+  EXPECT_EQ(load(withInertial("1", "0", "0", "0"))->mass, 1.0) << "a point";
+  expectRefused(withInertial("1000001", "1", "1", "1"),
+                "link 'arm': found a mass of 1000001 kg, allowed: from 0 to 1000000", 4);
+  expectRefused(withInertial("-1", "1", "1", "1"), "link 'arm': found a mass of -1 kg, allowed: from 0 to 1000000", 4);
+  expectRefused(withInertial("0.0009", "1", "1", "1"),
+                "found a mass of 0.0009 kg in all links, allowed: from 0.001 to 1000000");
+}
+
 TEST_F(RobotUrdfTest, RefusesWhatIsNoUrdf) {
-  expectRefused("", "the file cannot be read, or is empty");
+  expectRefused("", "found an empty file, allowed: XML");
   expectRefused("<robot name='r'>\n<link>\n</robot>",
                 "found no well-formed XML: Opening and ending tag mismatch: link line 2 and robot", 3);
   expectRefused("<house/>", "is not a valid URDF: Could not find the 'robot' element in the xml file");
@@ -116,7 +179,7 @@ TEST_F(RobotUrdfTest, RefusesShapesItCannotUse) {
       robot(link("hand", "xyz='0 0 0'", "<collision><geometry><mesh filename='hand.stl'/></geometry></collision>")),
       "link 'hand': found a mesh as collision geometry, allowed are box, cylinder and sphere");
   expectRefused(robot(link("hand", "xyz='0 0 0'", "<collision><geometry><sphere radius='0'/></geometry></collision>")),
-                "link 'hand': found collision geometry with a size of 0 or less, expected more");
+                "link 'hand': found collision geometry with a size of 0 m, allowed: from 0.0001 to 10000");
 }
 
 TEST_F(RobotUrdfTest, RefusesBadWheels) {
@@ -238,7 +301,7 @@ TEST_F(RobotUrdfTest, NamesAFileThatIsNotThere) {
     loadRobotModel("robot", "/nowhere/robot.urdf");
     FAIL();
   } catch (const ConfigError& error) {
-    EXPECT_STREQ(error.what(), "/nowhere/robot.urdf: the file cannot be read, or is empty");
+    EXPECT_STREQ(error.what(), "/nowhere/robot.urdf: cannot be read");
   }
 }
 

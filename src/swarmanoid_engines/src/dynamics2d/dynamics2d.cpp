@@ -10,8 +10,6 @@
 namespace swarmanoid::dynamics2d {
 namespace {
 
-constexpr Range kFrictionRange{0.0, 10.0};
-constexpr Range kFractionRange{0.0, 1.0};
 constexpr Range kIterationsRange{1.0, 1000.0};
 
 std::vector<Parameter> materialParameters() {
@@ -20,12 +18,12 @@ std::vector<Parameter> materialParameters() {
       makeParameter("iterations", Parameter::Type::kInteger, "", std::to_string(standard.iterations), kIterationsRange,
                     "At most, of the solver of contacts, in each step: it ends when nothing changes any more."),
       makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Presses bodies on the plane."),
-      makeNumber("ground_friction", "", standard.ground_friction, kFrictionRange,
+      makeNumber("ground_friction", "", standard.ground_friction, limits::kFriction,
                  "Coefficient of what slides on the plane."),
-      makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
+      makeNumber("treel_friction", "", standard.treel_friction, limits::kFriction,
                  "Coefficient of treels on the plane: beyond it they slip."),
-      makeNumber("contact_friction", "", standard.contact_friction, kFrictionRange, "Coefficient between bodies."),
-      makeNumber("restitution", "", standard.restitution, kFractionRange,
+      makeNumber("contact_friction", "", standard.contact_friction, limits::kFriction, "Coefficient between bodies."),
+      makeNumber("restitution", "", standard.restitution, limits::kRestitution,
                  "Part of the speed that bodies bounce back with."),
       makeNumber("grip_strength", "N", standard.grip_strength, limits::kStrength, "A grip tears beyond this force.")};
 }
@@ -36,10 +34,10 @@ Material readMaterial(const Configuration& parameters) {
   result.iterations =
       static_cast<int>(parameters.integer("iterations", std::int64_t{standard.iterations}, kIterationsRange));
   result.gravity = parameters.number("gravity", standard.gravity, limits::kGravity);
-  result.ground_friction = parameters.number("ground_friction", standard.ground_friction, kFrictionRange);
-  result.treel_friction = parameters.number("treel_friction", standard.treel_friction, kFrictionRange);
-  result.contact_friction = parameters.number("contact_friction", standard.contact_friction, kFrictionRange);
-  result.restitution = parameters.number("restitution", standard.restitution, kFractionRange);
+  result.ground_friction = parameters.number("ground_friction", standard.ground_friction, limits::kFriction);
+  result.treel_friction = parameters.number("treel_friction", standard.treel_friction, limits::kFriction);
+  result.contact_friction = parameters.number("contact_friction", standard.contact_friction, limits::kFriction);
+  result.restitution = parameters.number("restitution", standard.restitution, limits::kRestitution);
   const std::string support = parameters.text("support", "even");
   if (support != "even" && support != "edge") {
     throw ConfigError(parameters.location(), "support: found '" + support + "', allowed: even, edge");

@@ -8,9 +8,7 @@ namespace {
 
 constexpr Range kSubclockRange{1.0, 10000.0};
 constexpr Range kIterationsRange{1.0, 10000.0};
-constexpr Range kFrictionRange{0.0, 10.0};
-constexpr Range kRestitutionRange{0.0, 1.0};
-constexpr Range kDragRange{0.0, 10.0};  // beyond, steps of 10 ms would be too long for it
+constexpr Range kDragRange{0.0, 10.0, limits::kLeastFactor};  // beyond, steps of 10 ms would be too long for it
 
 Settings readSettings(const Configuration& parameters) {
   const Settings fallback;
@@ -26,9 +24,9 @@ Settings readSettings(const Configuration& parameters) {
   s.gravity = parameters.number("gravity", fallback.gravity, limits::kGravity);
   s.has_ground = parameters.boolean("ground", fallback.has_ground);
   s.ground_height = parameters.number("ground_height", fallback.ground_height, limits::kCoordinate);
-  s.friction = parameters.number("friction", fallback.friction, kFrictionRange);
-  s.treel_friction = parameters.number("treel_friction", fallback.treel_friction, kFrictionRange);
-  s.restitution = parameters.number("restitution", fallback.restitution, kRestitutionRange);
+  s.friction = parameters.number("friction", fallback.friction, limits::kFriction);
+  s.treel_friction = parameters.number("treel_friction", fallback.treel_friction, limits::kFriction);
+  s.restitution = parameters.number("restitution", fallback.restitution, limits::kRestitution);
   s.grip_strength = parameters.number("grip_strength", fallback.grip_strength, limits::kStrength);
   s.suction_strength = parameters.number("suction_strength", fallback.suction_strength, limits::kStrength);
   s.rope_strength = parameters.number("rope_strength", fallback.rope_strength, limits::kStrength);
@@ -56,10 +54,10 @@ PluginDescription Dynamics3d::describe() {
       live(makeNumber("gravity", "m/s2", standard.gravity, limits::kGravity, "Downwards along z.")),
       makeParameter("ground", Type::kBoolean, "", "true", {}, "Whether a level ground holds what stands on it."),
       makeNumber("ground_height", "m", standard.ground_height, limits::kCoordinate, "Of the ground."),
-      live(makeNumber("friction", "", standard.friction, kFrictionRange, "Of all surfaces but the treels'.")),
-      live(makeNumber("treel_friction", "", standard.treel_friction, kFrictionRange,
+      live(makeNumber("friction", "", standard.friction, limits::kFriction, "Of all surfaces but the treels'.")),
+      live(makeNumber("treel_friction", "", standard.treel_friction, limits::kFriction,
                       "Of treels on what they stand on.")),
-      live(makeNumber("restitution", "", standard.restitution, kRestitutionRange,
+      live(makeNumber("restitution", "", standard.restitution, limits::kRestitution,
                       "How much of an impact's speed comes back.")),
       live(makeNumber("grip_strength", "N", standard.grip_strength, limits::kStrength,
                       "The force that opens a gripper.")),

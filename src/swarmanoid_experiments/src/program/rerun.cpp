@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
+#include "swarmanoid_interface/read_file.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment_file/override_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -143,7 +143,8 @@ void refuseOtherResult(const RecordedRun& run) {
     return;
   }
   const std::string file = (std::filesystem::path(run.folder) / record_files::kResult).string();
-  const auto result = nlohmann::json::parse(std::ifstream(file), nullptr, false);
+  constexpr std::size_t kLongestResult = 100'000'000;  // [bytes]
+  const auto result = nlohmann::json::parse(readFile(file, kLongestResult), nullptr, false);
   if (!result.is_object() || !result.contains("ticks") || !result["ticks"].is_number_unsigned()) {
     throw ConfigError({file, 0}, "found no JSON object with 'ticks', allowed: the summary of the run");
   }

@@ -230,6 +230,9 @@ TEST_F(ReadBagTest, ParametersAreWordsOrLinesOfAFile) {
     return std::string();
   };
   EXPECT_EQ(file + ":2: found 'nest:', allowed: name: value (of nested ones outer/inner: value)", problem(file));
+  EXPECT_EQ("/dev/zero: found a file without an end in sight, allowed: at most 1000000 characters",
+            problem("/dev/zero"));
+  EXPECT_EQ("/tmp: cannot be read", problem("/tmp"));
   EXPECT_EQ("--parameters: found '/nowhere', allowed: name=value, or a file that can be read", problem("/nowhere"));
 }
 

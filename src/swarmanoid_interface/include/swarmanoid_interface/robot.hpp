@@ -30,6 +30,8 @@ class alignas(64) Robot {
  public:
   using LogSink = std::function<void(LogLevel, const std::string& robot, const std::string& text)>;
   using DebugValue = std::pair<std::string, std::string>;
+  static constexpr std::size_t kMostDebugKeys = 100;
+  static constexpr std::size_t kLongestDebugText = 1000;  ///< [bytes]
 
   /// @param name unique, such as "fb_1"
   /// @param type the name of its description, as in the experiment file: "footbot", or one of the user's own
@@ -66,13 +68,16 @@ class alignas(64) Robot {
   RandomStream& random() { return random_; }
 
   /// Writes a text to the log, prefixed with the robot's name, as a line of its own: line breaks at its end are left
-  /// out. Beyond 10 texts a second of robot time the rest is dropped, and one text reports that.
+  /// out. Beyond 10 texts a second of robot time the rest is dropped, and one text reports that; a text is cut after
+  /// 10,000 bytes, and says so.
   void log(LogLevel level, const std::string& text);
   void log(const std::string& text) { log(LogLevel::kInfo, text); }
 
   /// Sets a named value for people, shown in the text table's companion file, on a topic and as text in rviz. It moves
   /// no robot; only a rule for handover in the experiment file can wait for it. After the first use of a key, a value
-  /// of up to 64 letters allocates nothing.
+  /// of up to 64 letters allocates nothing. A robot has at most kMostDebugKeys keys, since each use of a key searches
+  /// them, and keys and values at most kLongestDebugText bytes: the rest is left out, and one warning in the log
+  /// reports the first case.
   void debug(std::string_view key, std::string_view value);
   const std::vector<DebugValue>& debugValues() const { return debug_values_; }
 
@@ -91,6 +96,7 @@ class alignas(64) Robot {
  private:
   using Devices = std::vector<std::pair<std::string, void*>>;
   void* find(const Devices& devices, const char* type, const char* kind) const;
+  void warnOfDebug(const std::string& problem);
 
   // What startTick writes stands side by side: there may be many robots.
   RandomStream random_;
@@ -101,6 +107,7 @@ class alignas(64) Robot {
   Devices actuators_;
   LogSink log_sink_;
   std::vector<DebugValue> debug_values_;
+  bool has_warned_of_debug_ = false;
   Time log_window_start_ = kEpoch;
   int logged_in_window_ = 0;
 };

@@ -16,6 +16,7 @@
 #include "swarmanoid_space/error_models/error_model_description.hpp"
 #include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/state/entities.hpp"
+#include "swarmanoid_space/state/paint_layer.hpp"
 
 namespace swarmanoid {
 
@@ -77,10 +78,15 @@ struct SetProperty {
 };
 
 /// Paints discs on the floor, each over those before it and over what was there (PaintLayer). Refused: an arena without
-/// <floor_paint>, a middle outside the arena, a radius or strength out of bounds, no disc.
+/// <floor_paint>, a middle outside the arena, a radius or strength out of bounds, no disc, and discs with more than
+/// kMostCells cells in the squares around them. The rest of the world waits for all of them.
 struct PaintFloor {
   static constexpr Range kRadius{0.0, 10000.0};  ///< [m]
   static constexpr Range kStrength{0.001, 1.0};
+  static constexpr std::size_t kMostCells = PaintLayer::kMostCells;  ///< one disc may cover the largest floor
+
+  /// @throws ConfigError if the squares have more than kMostCells cells together
+  static void requireFewCells(std::size_t cells);
 
   std::vector<PaintDisc> discs;
 };

@@ -7,6 +7,7 @@
 
 #include "parameter_table.hpp"
 #include "swarmanoid_interface/contains.hpp"
+#include "swarmanoid_interface/readable_number.hpp"
 #include "swarmanoid_space/models/entity_type.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 }
 
 std::string textOf(const Eigen::Vector3d& v) {
-  return numberText(v.x()) + ", " + numberText(v.y()) + ", " + numberText(v.z());
+  return readableNumber(v.x()) + ", " + readableNumber(v.y()) + ", " + readableNumber(v.z());
 }
 
 SourceLocation locationOf(const EntityDescription& entity, const char* value) {

@@ -1,4 +1,6 @@
 // "path=value" from the command line, put into the document before it is read.
+#include <algorithm>
+
 #include "reader.hpp"
 #include "swarmanoid_interface/contains.hpp"
 
@@ -113,6 +115,11 @@ std::vector<std::string> split(const std::string& path) {
   return parts;
 }
 
+/// What XML cannot hold: the library would end at a zero byte as if the text did.
+bool isControl(unsigned char c) { return c < ' ' && c != '\t' && c != '\n' && c != '\r'; }
+
+bool hasControl(const std::string& text) { return std::any_of(text.begin(), text.end(), isControl); }
+
 OverrideMarks& marksOf(xmlNode* element, std::deque<OverrideMarks>& all) {
   if (element->_private == nullptr) {
     element->_private = &all.emplace_back();
@@ -124,6 +131,11 @@ void apply(xmlNode* root, const Override& change, std::deque<OverrideMarks>& mar
   const std::vector<std::string> parts = split(change.path);
   if (parts.size() < 2 || contains(parts, "")) {
     refuse(change, "allowed: section.name, such as framework.maxclock");
+  }
+  if (hasControl(change.path) || hasControl(change.value)) {
+    std::string shown = change.path;
+    std::replace_if(shown.begin(), shown.end(), isControl, '?');
+    refuse({shown, ""}, "found a control character, such as a zero byte, allowed: text");
   }
   const xmlChar* value = xmlCharacters(change.value.c_str());
   if (xmlCheckUTF8(value) == 0) {

@@ -63,7 +63,7 @@ std::vector<PluginUse> readPluginUses(const XmlElement& section, PluginKind kind
     PluginUse use;
     use.location = element.location();
     use.id = element.requireAttribute("id");
-    use.library = libraryOf(kind, element);
+    use.library = reader.libraryOf(kind, element);
     use.script = kind == PluginKind::kRule ? readScript(element, reader) : "";
     reader.takeId(toString(kind), use.id, element);
     if (use.script.empty()) {

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <map>
 
 #include "door.hpp"
 #include "realism_presets.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/read_file.hpp"
 #include "swarmanoid_space/experiment_file/unchecked_experiment.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 
@@ -107,25 +107,27 @@ void refuseSecondLibrary(const Registry::Entry& entry, const XmlElement& element
   }
 }
 
-/// Libraries by the labels that they have declared.
-std::multimap<std::string, std::string> declaredLabels(PluginKind kind) {
-  std::multimap<std::string, std::string> libraries;
-  if (kind == PluginKind::kObserver) {
+const std::multimap<std::string, std::string>& Reader::declaredLabels(PluginKind kind) {
+  static const std::multimap<std::string, std::string> none;
+  if (kind != PluginKind::kObserver) {
+    return none;
+  }
+  if (!declared_visualisations) {
+    declared_visualisations.emplace();
     for (const DeclaredLibrary& declared : declaredLibraries()) {
       for (const std::string& label : declared.visualisations) {
-        libraries.emplace(label, declared.library);
+        declared_visualisations->emplace(label, declared.library);
       }
     }
   }
-  return libraries;
+  return *declared_visualisations;
 }
 
-std::string libraryOf(PluginKind kind, const XmlElement& element) {
+std::string Reader::libraryOf(PluginKind kind, const XmlElement& element) {
   if (const auto named = element.attribute("library")) {
     return *named;
   }
-  const std::multimap<std::string, std::string> declared = declaredLabels(kind);
-  const auto [first, last] = declared.equal_range(element.name());
+  const auto [first, last] = declaredLabels(kind).equal_range(element.name());
   std::vector<std::string> libraries;
   for (auto own = first; own != last; ++own) {
     libraries.push_back(own->second);
@@ -246,23 +248,7 @@ std::string experiment::takeFile(const std::string& name, Reader& reader) {
   return reader.experiment.files.back();
 }
 
-std::string experiment::textOf(const std::string& file) {
-  std::error_code ignored;
-  std::ifstream in(file, std::ios::binary);
-  if (!in || std::filesystem::is_directory(file, ignored)) {
-    throw ConfigError({file, 0}, "cannot be read");
-  }
-  std::string text;
-  for (std::vector<char> part(std::size_t{1} << 16U); in;) {
-    in.read(part.data(), static_cast<std::streamsize>(part.size()));
-    text.append(part.data(), static_cast<std::size_t>(in.gcount()));
-    if (text.size() > limits::kLongestText) {
-      throw ConfigError({file, 0}, "found a file without an end in sight, allowed: at most " +
-                                       std::to_string(limits::kLongestText) + " characters");
-    }
-  }
-  return text;
-}
+std::string experiment::textOf(const std::string& file) { return readFile(file, limits::kLongestText); }
 
 Experiment parseExperiment(const std::string& text, const std::string& name, const std::vector<Override>& overrides) {
   experiment::Reader reader;

@@ -3,6 +3,7 @@
 
 #include <deque>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -35,6 +36,8 @@ struct Reader {
   bool loads_libraries = true;
   std::set<std::string> unloaded;       ///< libraries that were named, if it does not load them
   std::deque<Registry::Entry> unknown;  ///< stand for what is in these
+  /// Libraries by the labels of visualisations that they have declared, once these were asked for: files are read.
+  std::optional<std::multimap<std::string, std::string>> declared_visualisations;
 
   /// As experiment::takeId; an entity's id may not be among the numbered ones either.
   void takeId(const std::string& kind, const std::string& id, const XmlElement& element);
@@ -46,6 +49,12 @@ struct Reader {
 
   /// For a plugin that is in a library which was not loaded: reads whatever stands there.
   const Registry::Entry& standIn(PluginKind kind, const std::string& label);
+
+  /// Libraries by the labels that they have declared.
+  const std::multimap<std::string, std::string>& declaredLabels(PluginKind kind);
+  /// The library that an element of a plugin names, or that has declared its label for elements that name none; "": one
+  /// that is loaded anyway. @throws ConfigError if several have declared it
+  std::string libraryOf(PluginKind kind, const XmlElement& element);
 
   /// The registry's entry for a tag; loads `library` first if it is not empty.
   /// @throws ConfigError naming what there is
@@ -63,10 +72,6 @@ struct KnownNames {
   }
   bool has(const std::string& name) const { return lookup.count(name) != 0; }
 };
-
-/// The library that an element of a plugin names, or that has declared its label for elements that name none; "": one
-/// that is loaded anyway. @throws ConfigError if several have declared it
-std::string libraryOf(PluginKind kind, const XmlElement& element);
 
 /// Which of two libraries with one label is meant must not depend on which was loaded first.
 /// @param library that the element asks for; "": any

@@ -1,5 +1,6 @@
 // Paint on the floor: trails that robots leave, signs that a rule gives.
 #include "carry_out.hpp"
+#include "swarmanoid_interface/readable_number.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -18,15 +19,23 @@ void requireIn(const Range& range, double value, const std::string& what) {
 void check(const PaintDisc& disc, const std::string& what, const Eigen::Vector3d& size) {
   const Eigen::Vector2d& at = disc.position;
   if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= size.x() && at.y() <= size.y())) {
-    throw ConfigError({}, what + "position: found " + numberText(at.x()) + ", " + numberText(at.y()) +
-                              ", allowed: in the arena, from 0, 0 to " + numberText(size.x()) + ", " +
-                              numberText(size.y()));
+    throw ConfigError({}, what + "position: found " + readableNumber(at.x()) + ", " + readableNumber(at.y()) +
+                              ", allowed: in the arena, from 0, 0 to " + readableNumber(size.x()) + ", " +
+                              readableNumber(size.y()));
   }
   requireIn(PaintFloor::kRadius, disc.radius, what + "radius");
   requireIn(PaintFloor::kStrength, disc.strength, what + "strength");
 }
 
 }  // namespace
+
+void PaintFloor::requireFewCells(std::size_t cells) {
+  if (cells > kMostCells) {
+    throw ConfigError({}, "found " + std::to_string(cells) +
+                              " cells in the squares around the discs, allowed: at most " + std::to_string(kMostCells) +
+                              " in one call");
+  }
+}
 
 bool carryOut(World& world, const PaintFloor& intervention) {
   PaintLayer& paint = world.space.floor.paint;
@@ -36,9 +45,12 @@ bool carryOut(World& world, const PaintFloor& intervention) {
   if (intervention.discs.empty()) {
     throw ConfigError({}, "found no disc to paint, allowed: one or more");
   }
+  std::size_t cells = 0;
   for (std::size_t i = 0; i < intervention.discs.size(); ++i) {
     check(intervention.discs[i], describeDisc(intervention, i), world.space.size);
+    cells += paint.cellsAround(intervention.discs[i]);
   }
+  PaintFloor::requireFewCells(cells);
   for (const PaintDisc& disc : intervention.discs) {
     paint.paint(disc, world.space.tick);
   }

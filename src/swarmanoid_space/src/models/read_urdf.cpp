@@ -8,6 +8,8 @@
 
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
+#include "swarmanoid_interface/read_file.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -45,11 +47,19 @@ class ErrorListener : public console_bridge::OutputHandler {
 
 void UrdfFile::fail(const std::string& message) const { throw ConfigError({file}, message); }
 
+std::string readUrdfText(const std::string& file) {
+  std::string text = readFile(file, limits::kLongestText);
+  if (text.empty()) {
+    throw ConfigError({file}, "found an empty file, allowed: XML");
+  }
+  return text;
+}
+
 UrdfFile readUrdf(const std::string& file) {
   static std::mutex one_listener;
   UrdfFile result;
   result.file = file;
-  result.text = readTextFile(file);
+  result.text = readUrdfText(file);
   result.document = parseXml(result.text, file,
                              XmlNamespaces::kAllowed);  // urdfdom's own parser says neither what is wrong nor where
   const std::lock_guard<std::mutex> lock(one_listener);
@@ -66,7 +76,23 @@ Mount toMount(const urdf::Pose& pose) {
   Mount mount;
   mount.position = {pose.position.x, pose.position.y, pose.position.z};
   mount.orientation = Eigen::Quaterniond(q.w, q.x, q.y, q.z).normalized();
+  const Eigen::Matrix3d turn = mount.orientation.toRotationMatrix();
+  Eigen::Matrix3d quarters;
+  for (int i = 0; i < 3; ++i) {
+    quarters.col(i) = toAxis(turn.col(i), 2.0 * kSameDirection);  // the errors of three angles together
+  }
+  constexpr double kRounding = 1e-14;  // what is as exact as that keeps its bits
+  const bool are_quarters = quarters.cwiseAbs().sum() == 3.0 && quarters.determinant() == 1.0;
+  if (are_quarters && !turn.isApprox(quarters, kRounding)) {
+    mount.orientation = Eigen::Quaterniond(quarters);
+  }
   return mount;
+}
+
+Eigen::Vector3d toAxis(const Eigen::Vector3d& direction, double tolerance) {
+  const Eigen::Vector3d straight = direction.normalized();
+  const Eigen::Vector3d axis = straight.array().round() + 0.0;  // without a minus sign at 0
+  return (straight - axis).norm() < tolerance ? axis : straight;
 }
 
 Mount chain(const Mount& frame, const Mount& inner) {

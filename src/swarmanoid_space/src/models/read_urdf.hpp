@@ -12,8 +12,11 @@
 
 namespace swarmanoid {
 
-/// How exactly a file must say what has to be equal, straight or centred [m, rad].
+/// How exactly a file must say what has to be equal or centred [m].
 constexpr double kSamePlace = 1e-6;
+/// How exactly it must say what has to be straight [rad]: published files have 1.57 for a quarter turn. Turns and axes
+/// so near to one are taken for it.
+constexpr double kSameDirection = 1e-3;
 
 struct UrdfFile {
   std::string file;
@@ -25,11 +28,18 @@ struct UrdfFile {
   [[noreturn]] void fail(const std::string& message) const;
 };
 
+/// @throws ConfigError if the file cannot be read, is empty, or longer than limits::kLongestText
+std::string readUrdfText(const std::string& file);
+
 /// Thread-safe.
 /// @throws ConfigError naming the file if it cannot be read, is not XML, or if urdfdom complains about anything in it
 UrdfFile readUrdf(const std::string& file);
 
+/// Turns by quarters are exact if each of the three angles is within kSameDirection of one.
 Mount toMount(const urdf::Pose& pose);
+
+/// Of length 1, in a frame; what is within the tolerance of an axis of that is exactly the axis.
+Eigen::Vector3d toAxis(const Eigen::Vector3d& direction, double tolerance = kSameDirection);
 
 /// Where something is in the body frame, given where it is in a frame on the body.
 Mount chain(const Mount& frame, const Mount& inner);

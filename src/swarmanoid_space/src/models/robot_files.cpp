@@ -5,13 +5,14 @@
 #include <fstream>
 #include <optional>
 #include <set>
-#include <sstream>
 #include <tuple>
 
 #include "../xml/xml_document.hpp"
 #include "../xml/xml_node.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
+#include "swarmanoid_interface/read_file.hpp"
+#include "swarmanoid_space/models/limits.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -81,13 +82,11 @@ class Search {
  public:
   void look(const fs::path& package) {
     const std::string file = (package / kManifest).string();
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    if (text.str().find("<swarmanoid") == std::string::npos) {
-      return;  // of hundreds of packages few have either: the others are not worth parsing
-    }
     try {
-      readManifest(package, file, text.str());
+      const std::string text = readFile(file, limits::kLongestText);
+      if (text.find("<swarmanoid") != std::string::npos) {  // of hundreds of packages few are worth parsing
+        readManifest(package, file, text);
+      }
     } catch (const ConfigError& error) {
       found_.problems.emplace_back(error.what());
     }

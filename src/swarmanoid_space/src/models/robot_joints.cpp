@@ -19,7 +19,7 @@ EntityModel::Joint readJoint(const UrdfFile& urdf, const urdf::Joint& joint, con
   result.link = joint.child_link_name;
   result.carrier = carrier;
   result.frame = frame;
-  result.axis = frame.orientation * Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
+  result.axis = frame.orientation * toAxis(Eigen::Vector3d(joint.axis.x, joint.axis.y, joint.axis.z));
   result.lower = is_endless ? -kEndless : joint.limits->lower;
   result.upper = is_endless ? kEndless : joint.limits->upper;
   result.max_speed = joint.limits->velocity;

@@ -12,13 +12,15 @@
 #include "robot_wheels.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
+#include "swarmanoid_space/models/limits.hpp"
+#include "urdf_checks.hpp"
 
 namespace swarmanoid {
 namespace {
 
 bool isUpright(const CollisionShape& shape) {
   const Eigen::Vector3d axis = shape.orientation * Eigen::Vector3d::UnitZ();
-  return std::hypot(axis.x(), axis.y()) < kSamePlace;
+  return std::hypot(axis.x(), axis.y()) < kSameDirection;
 }
 
 /// Builds the model of one robot, part by part.
@@ -28,6 +30,7 @@ class RobotReader {
   RobotReader(const std::string& type, const std::string& file, std::vector<std::string>* problems)
       : urdf_(readUrdf(file)), problems_(problems) {
     attempt([&] { description_ = readRobotDescription(*urdf_.document, file); });
+    attempt([&] { checkUrdf(urdf_); });
     model_->type = type;
     model_->title = description_.title;
     model_->holders = description_.holders;
@@ -148,8 +151,17 @@ class RobotReader {
     } else {
       urdf_.fail("link '" + link + "': found a mesh as collision geometry, allowed are box, cylinder and sphere");
     }
-    if (!(shape.half_extent.minCoeff() > 0.0)) {
-      urdf_.fail("link '" + link + "': found collision geometry with a size of 0 or less, expected more");
+    const bool is_box = shape.kind == CollisionShape::Kind::kBox;
+    const bool is_sphere = shape.kind == CollisionShape::Kind::kSphere;
+    // as the file has them: a radius, or a whole length
+    const Eigen::Vector3d sizes = shape.half_extent.cwiseProduct(is_box      ? Eigen::Vector3d(2.0, 2.0, 2.0)
+                                                                 : is_sphere ? Eigen::Vector3d(1.0, 1.0, 1.0)
+                                                                             : Eigen::Vector3d(1.0, 1.0, 2.0));
+    for (const double size : sizes) {
+      if (!limits::kLength.contains(size)) {
+        urdf_.fail("link '" + link + "': found collision geometry with a size of " + numberText(size) +
+                   " m, allowed: " + limits::kLength.toString());
+      }
     }
     return shape;
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "../xml/xml_document.hpp"
+#include "read_urdf.hpp"
 #include "robot_description.hpp"
 #include "robot_files.hpp"
 #include "swarmanoid_space/models/arena_object.hpp"
@@ -85,7 +86,7 @@ std::vector<Parameter> batteryParameters(const BatteryModel& battery) {
 /// Empty where the description is wrong; robotModel says what is wrong to whoever uses the robot.
 RobotDescription descriptionOf(const RobotFile& robot) {
   try {
-    const XmlDocument document = parseXml(readTextFile(robot.file), robot.file, XmlNamespaces::kAllowed);
+    const XmlDocument document = parseXml(readUrdfText(robot.file), robot.file, XmlNamespaces::kAllowed);
     return readRobotDescription(*document, robot.file);
   } catch (const ConfigError&) {
     return {};

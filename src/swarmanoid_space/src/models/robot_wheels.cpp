@@ -40,7 +40,7 @@ Wheel readWheel(const UrdfFile& urdf, const EntityModel& model, const urdf::Join
   }
   const Mount& mount = model.mount(joint.child_link_name);
   const Vector3d axis = mount.orientation * Vector3d(joint.axis.x, joint.axis.y, joint.axis.z).normalized();
-  if (!((axis - Vector3d::UnitY()).norm() < kSamePlace)) {
+  if (!((axis - Vector3d::UnitY()).norm() < kSameDirection)) {
     urdf.fail("joint '" + joint.name + "': found the axis " + coordinates(axis) +
               " in the body frame, expected 0 1 0 (a positive turn drives ahead)");
   }

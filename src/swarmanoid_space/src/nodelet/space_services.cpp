@@ -210,15 +210,18 @@ bool SpaceServices::setProperty(swarmanoid_msgs::SetProperty::Request& request,
 
 bool SpaceServices::paintFloor(swarmanoid_msgs::PaintFloor::Request& request,
                                swarmanoid_msgs::PaintFloor::Response& response) {
+  const auto cells = std::make_shared<std::size_t>(0);
   return intervene(thread_, request.positions, response,
-                   [radius = request.radius, color = request.color, strength = request.strength](
+                   [cells, radius = request.radius, color = request.color, strength = request.strength](
                        Simulation& simulation, const geometry_msgs::Point& position) {
                      PaintDisc disc;
                      disc.position = {position.x, position.y};
                      disc.radius = radius;
                      disc.color = parseColorOrThrow(color, "color", {});
                      disc.strength = strength == 0.0 ? 1.0 : strength;
+                     PaintFloor::requireFewCells(*cells);
                      simulation.apply(PaintFloor{{disc}});
+                     *cells += simulation.space().floor.paint.cellsAround(disc);
                    });
 }
 

@@ -178,7 +178,8 @@ const std::string* commandedByOthers(const Intervention& intervention) {
 RecordedRun readRecordedRun(const std::string& folder) {
   RecordedRun run;
   run.folder = folder;
-  for (const char* name : {record_files::kRecord, record_files::kHashes, record_files::kInterventions}) {
+  for (const char* name :
+       {record_files::kRecord, record_files::kHashes, record_files::kInterventions, record_files::kResult}) {
     refuseSpecialFile(inFolder(run, name));
   }
   const std::string file = inFolder(run, record_files::kRecord);

@@ -83,18 +83,27 @@ PaintLayer::Spot PaintLayer::spot(std::size_t number, std::uint64_t tick) const 
           strength < kInvisible ? 0.0 : strength};
 }
 
+std::size_t PaintLayer::columnAt(double x) const { return cellAt(std::clamp(x, 0.0, size_.x()), cell_size_, columns_); }
+
+std::size_t PaintLayer::rowAt(double y) const { return cellAt(std::clamp(y, 0.0, size_.y()), cell_size_, rows_); }
+
+PaintLayer::Square PaintLayer::squareAround(const PaintDisc& disc) const {
+  return {columnAt(disc.position.x() - disc.radius), columnAt(disc.position.x() + disc.radius),
+          rowAt(disc.position.y() - disc.radius), rowAt(disc.position.y() + disc.radius)};
+}
+
+std::size_t PaintLayer::cellsAround(const PaintDisc& disc) const {
+  SWARMANOID_EXPECTS(exists());
+  const Square square = squareAround(disc);
+  return (square.last_column - square.first_column + 1) * (square.last_row - square.first_row + 1);
+}
+
 void PaintLayer::paint(const PaintDisc& disc, std::uint64_t tick) {
   SWARMANOID_EXPECTS(exists());
-  const auto within = [this](double coordinate, double length, std::size_t count) {
-    return cellAt(std::clamp(coordinate, 0.0, length), cell_size_, count);
-  };
-  const std::size_t first_column = within(disc.position.x() - disc.radius, size_.x(), columns_);
-  const std::size_t last_column = within(disc.position.x() + disc.radius, size_.x(), columns_);
-  const std::size_t first_row = within(disc.position.y() - disc.radius, size_.y(), rows_);
-  const std::size_t last_row = within(disc.position.y() + disc.radius, size_.y(), rows_);
+  const Square square = squareAround(disc);
   bool is_painted = false;
-  for (std::size_t row = first_row; row <= last_row; ++row) {
-    for (std::size_t column = first_column; column <= last_column; ++column) {
+  for (std::size_t row = square.first_row; row <= square.last_row; ++row) {
+    for (std::size_t column = square.first_column; column <= square.last_column; ++column) {
       const Eigen::Vector2d middle =
           cell_size_ * Eigen::Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
       if ((middle - disc.position).squaredNorm() <= disc.radius * disc.radius) {
@@ -104,8 +113,7 @@ void PaintLayer::paint(const PaintDisc& disc, std::uint64_t tick) {
     }
   }
   if (!is_painted) {
-    paintCell(within(disc.position.y(), size_.y(), rows_) * columns_ + within(disc.position.x(), size_.x(), columns_),
-              disc, tick);
+    paintCell(rowAt(disc.position.y()) * columns_ + columnAt(disc.position.x()), disc, tick);
   }
 }
 

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <fstream>
 #include <limits>
 #include <optional>
 
 #include "swarmanoid_interface/configuration.hpp"
-#include "swarmanoid_interface/plain_text.hpp"
 #include "xml_node.hpp"
 
 namespace swarmanoid {
@@ -140,24 +138,50 @@ void onProcessingInstruction(void* context, const xmlChar* target, const xmlChar
   throw ConfigError({file, 1 + static_cast<int>(std::count(text.begin(), end, '\n'))}, message);
 }
 
+/// Where a comment, a section of characters or an instruction that begins at a place ends; the place itself if none
+/// does. At the first double hyphen in a comment the library goes on, and takes the square of its length in time.
+std::size_t endOfSection(const std::string& text, std::size_t begin, const std::string& file) {
+  const auto after = [&](const std::string& opening, const std::string& closing) {
+    if (text.compare(begin, opening.size(), opening) != 0) {
+      return begin;
+    }
+    const std::size_t end = text.find(closing, begin + opening.size());
+    return end == std::string::npos ? text.size() : end + closing.size();  // the library reports what is not closed
+  };
+  const std::size_t hyphens = after("<!--", "--");
+  if (hyphens != begin && hyphens < text.size() && text[hyphens] != '>') {
+    refuseAt(hyphens, "found '--' in a comment, allowed: single hyphens, and '-->' as its end", text, file);
+  }
+  return std::max({hyphens, after("<![CDATA[", "]]>"), after("<?", "?>")});
+}
+
 /// The library ends at a zero byte as if the file did, and takes the square of a tag's attributes in time.
 void checkForTheLibrary(const std::string& text, const std::string& file) {
   if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     throw ConfigError({file}, "found a text of " + std::to_string(text.size()) + " characters, allowed: fewer");
   }
+  if (const std::size_t zero = text.find('\0'); zero != std::string::npos) {
+    refuseAt(zero, "found a zero byte, allowed: text", text, file);
+  }
   int attributes = 0;
   char before = '\0';  // but for white space
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '\0') {
-      refuseAt(i, "found a zero byte, allowed: text", text, file);
+  std::size_t i = 0;
+  while (i < text.size()) {
+    if (text[i] == '<') {
+      attributes = 0;
+      if (const std::size_t end = endOfSection(text, i, file); end != i) {
+        i = end;
+        continue;
+      }
     }
     const bool begins_value = before == '=' && (text[i] == '"' || text[i] == '\'');
-    attributes = text[i] == '<' ? 0 : attributes + (begins_value ? 1 : 0);
+    attributes += begins_value ? 1 : 0;
     if (attributes > kMostAttributes) {
       refuseAt(i, "found a tag with more than " + std::to_string(kMostAttributes) + " attributes, allowed: fewer", text,
                file);
     }
     before = isSpace(text[i]) ? before : text[i];
+    ++i;
   }
 }
 
@@ -189,15 +213,6 @@ XmlDocument parseXml(const std::string& text, const std::string& file, XmlNamesp
     throw ConfigError({file}, "found no well-formed XML");
   }
   return document;
-}
-
-std::string readTextFile(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  PlainTextStream text;
-  if (!(text << stream.rdbuf())) {
-    throw ConfigError({file}, "the file cannot be read, or is empty");
-  }
-  return text.str();
 }
 
 int lineOf(const xmlNode* node) { return static_cast<int>(reinterpret_cast<std::intptr_t>(node->psvi)); }

@@ -27,9 +27,6 @@ enum class XmlNamespaces {
 /// MB)
 XmlDocument parseXml(const std::string& text, const std::string& file, XmlNamespaces namespaces);
 
-/// The text of a file, for parseXml. @throws ConfigError if it cannot be read, or is empty
-std::string readTextFile(const std::string& file);
-
 /// Where an element begins, or the text of a text node but for white space; 0 for what was not in the file.
 int lineOf(const xmlNode* node);
 

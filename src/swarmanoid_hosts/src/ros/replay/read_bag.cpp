@@ -4,10 +4,12 @@
 #include <rosbag/view.h>
 
 #include <algorithm>
-#include <fstream>
+#include <filesystem>
+#include <sstream>
 #include <tuple>
 
 #include "swarmanoid_hosts/ros/frame_messages.hpp"
+#include "swarmanoid_interface/read_file.hpp"
 
 namespace swarmanoid::replay {
 namespace {
@@ -186,10 +188,12 @@ std::vector<ParameterValue> readParameters(const std::string& word) {
     const std::string name = word.substr(0, equals);
     return {{name, word.substr(equals + 1), {"--parameters " + name, 0}}};
   }
-  std::ifstream in(word);
-  if (!in) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(word, ignored)) {
     throw ConfigError({"--parameters", 0}, "found '" + word + "', allowed: name=value, or a file that can be read");
   }
+  constexpr std::size_t kLongestFile = 1'000'000;  // [bytes]
+  std::istringstream in(readFile(word, kLongestFile));
   const auto trimmed = [](const std::string& text) {
     const char* const white = " \t\r";
     const auto first = text.find_first_not_of(white);

@@ -38,10 +38,17 @@ constexpr Range kTurn{-36000.0, 36000.0};
 /// Of what can move [kg]. Solvers add up masses that touch: a thousand tonnes beside a gram is the most that the
 /// fifteen digits of a double keep apart with forces in between.
 constexpr Range kMass{0.001, 1e6};
+/// Of parameters of engines that are multiplied with each other (frictions, gravity, strengths), unless they are 0:
+/// below it they change nothing that can be seen, and products of several would leave the range of a double.
+constexpr double kLeastFactor = 1e-9;
 /// Of gravity [m/s2]: ten times that of the Earth. Beyond, steps of 10 ms are too long for what rests.
-constexpr Range kGravity{0.0, 100.0};
+constexpr Range kGravity{0.0, 100.0, kLeastFactor};
 /// That a grip, a hand or a magnet holds [N].
-constexpr Range kStrength{0.0, 1e6};
+constexpr Range kStrength{0.0, 1e6, kLeastFactor};
+/// Coefficients of Coulomb friction.
+constexpr Range kFriction{0.0, 10.0, kLeastFactor};
+/// Part of the speed of an impact that comes back.
+constexpr Range kRestitution{0.0, 1.0, kLeastFactor};
 
 // Counts.
 

@@ -54,6 +54,8 @@ class PaintLayer {
   /// Paints the cells whose middles are in the disc; if there are none, the one below the disc's middle.
   /// @pre the layer exists, and the middle is in the arena @param tick that is to come
   void paint(const PaintDisc& disc, std::uint64_t tick);
+  /// How many cells `paint` looks at: those of the square around the disc that lie in the arena. @pre as for `paint`
+  std::size_t cellsAround(const PaintDisc& disc) const;
 
   /// The colour that is seen where the floor below the paint has a colour. @param tick under way
   Color over(Color floor, const Eigen::Vector2d& point, std::uint64_t tick) const {
@@ -85,6 +87,13 @@ class PaintLayer {
     Color color;
   };
 
+  /// The cells of the square around a disc that lie in the arena; the last ones included.
+  struct Square {
+    std::size_t first_column, last_column, first_row, last_row;
+  };
+  Square squareAround(const PaintDisc& disc) const;
+  std::size_t columnAt(double x) const;
+  std::size_t rowAt(double y) const;
   Color blend(Color floor, const Eigen::Vector2d& point, std::uint64_t tick) const;
   double strengthOf(const Cell& cell, std::uint64_t tick) const;
   void paintCell(std::size_t index, const PaintDisc& disc, std::uint64_t tick);

@@ -1,0 +1,57 @@
+/// The tags of a large XML text, one after the other, in time proportional to its length and without a copy of it: for
+/// checks of files before a library reads them whole.
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace swarmanoid {
+
+struct XmlTag {
+  enum class Kind { kOpening, kClosing };
+
+  Kind kind = Kind::kOpening;
+  std::string_view name;
+  std::map<std::string_view, std::string_view> attributes;  ///< as they are written, with references such as &amp;
+  std::string_view text;                                    ///< up to the next tag or comment
+  bool has_only_text = false;                               ///< the element is closed right after its text
+  int line = 0;
+};
+
+class XmlTags {
+ public:
+  static constexpr std::size_t kMostNested = 200;
+
+  /// @param text stays as long as this and all tags
+  explicit XmlTags(std::string_view text) : text_(text) {}
+
+  /// Reads the next tag; an element without content gives two. Comments and instructions are passed over.
+  /// @return whether there is one
+  /// @throws std::runtime_error "line N: found ..., allowed: ...": a document type, sections of characters, deep
+  /// nesting, tags that are not closed
+  bool next(XmlTag& tag);
+
+  /// Names of the elements around what follows.
+  const std::vector<std::string_view>& open() const { return open_; }
+
+ private:
+  bool findTag();
+  void skipPast(std::string_view end, const char* what);
+  void readName(XmlTag& tag);
+  void readAttributes(XmlTag& tag);
+  void close(const XmlTag& tag);
+  void skipSpace();
+  [[noreturn]] void refuse(const std::string& problem);
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t counted_ = 0;  ///< up to where lines are counted
+  int line_ = 1;
+  bool is_empty_element_ = false;  ///< its closing tag comes next
+  std::vector<std::string_view> open_;
+};
+
+}  // namespace swarmanoid
