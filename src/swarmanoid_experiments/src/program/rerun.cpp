@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "swarmanoid_interface/plain_text.hpp"
@@ -139,11 +138,11 @@ void part(Simulation& simulation, const Fork& fork) {
 }
 
 void refuseOtherResult(const RecordedRun& run) {
-  if (!run.has_result) {
+  if (!run.hasResult()) {
     return;
   }
   const std::string file = (std::filesystem::path(run.folder) / record_files::kResult).string();
-  const auto result = nlohmann::json::parse(std::ifstream(file), nullptr, false);
+  const auto result = nlohmann::json::parse(run.result, nullptr, false);
   if (!result.is_object() || !result.contains("ticks") || !result["ticks"].is_number_unsigned()) {
     throw ConfigError({file, 0}, "found no JSON object with 'ticks', allowed: the summary of the run");
   }
