@@ -81,18 +81,30 @@ class RecordedReadings:
 
 def load(path: Any) -> Recording:
     """A rosbag of the suite, or a file of trajectories. @raise RecordingError"""
-    file = pathlib.Path(path)
-    if not file.exists():
-        raise RecordingError(f"{path}: no such file")
     try:
-        with open(file, "rb") as opened:
+        return _load(pathlib.Path(path))
+    except RecordingError:
+        raise
+    except MemoryError as problem:
+        raise RecordingError(f"{path}: does not fit into memory: {problem}") from None
+    except Exception as problem:  # libraries raise errors of many kinds where a file is damaged
+        raise RecordingError(f"{path}: is damaged: {type(problem).__name__}: {' '.join(str(problem).split())}") from None
+
+
+def _load(path: pathlib.Path) -> Recording:
+    if not path.exists():
+        raise RecordingError(f"{path}: no such file")
+    if not path.is_file() and not path.is_dir():
+        raise RecordingError(f"{path}: cannot be read: it is no regular file")
+    try:
+        with open(path, "rb") as opened:
             first = opened.read(8)
     except OSError as problem:
         raise RecordingError(f"{path}: cannot be read: {problem.strerror}") from None
     if first == b"\x89HDF\r\n\x1a\n":
         from .trajectory_file import load_trajectories
-        return load_trajectories(file)
+        return load_trajectories(path)
     if first.startswith(b"#ROSBAG"):
         from .bag_file import load_bag
-        return load_bag(file)
+        return load_bag(path)
     raise RecordingError(f"{path}: found neither a bag nor trajectories, allowed: a file of `swarmanoid run --bag` or --trajectories")

@@ -10,6 +10,8 @@ from .recording import RecordedReadings, Recording, RecordingError
 
 FORMAT = "swarmanoid trajectories"
 VERSION = 1
+ATTRIBUTES = ("complete", "math_library", "seed", "version")                          # that a file must have
+ARRAYS = ("entities/name", "entities/type", "pose", "run", "tick", "time")
 
 
 def _open(file: pathlib.Path) -> h5py.File:
@@ -97,12 +99,13 @@ def load_trajectories(file: pathlib.Path) -> Recording:
         found = _text(opened.attrs.get("format", "no format"))
         if found != FORMAT:
             raise RecordingError(f"{file}: found an HDF5 file with {found!r}, allowed: {FORMAT!r}")
-        if int(opened.attrs["format_version"]) != VERSION:
-            raise RecordingError(f"{file}: found format {int(opened.attrs['format_version'])}, allowed: {VERSION}")
-        try:
-            return _recording(file, opened)
-        except (KeyError, OSError, RuntimeError) as problem:
-            raise RecordingError(f"{file}: is damaged: {problem}") from None
+        version = opened.attrs.get("format_version", "no format_version")
+        if version != VERSION:
+            raise RecordingError(f"{file}: found format {version}, allowed: {VERSION}")
+        missing = [name for name in ATTRIBUTES if name not in opened.attrs] + [name for name in ARRAYS if name not in opened]
+        if missing:
+            raise RecordingError(f"{file}: found no '{missing[0]}', allowed: a file as `swarmanoid run --trajectories` writes it")
+        return _recording(file, opened)
 
 
 def _recording(file: pathlib.Path, opened: h5py.File) -> Recording:

@@ -206,6 +206,13 @@ class RerunTest(ProgramTest):
         (self.folder / "done/result.json").write_text("ticks: 20")
         self.assert_refused("done/result.json: found no JSON object with 'ticks', allowed: the summary of the run",
                             "rerun", "done")
+        (self.folder / "done/result.json").unlink()
+        os.mkfifo(self.folder / "done/result.json")
+        self.assert_refused("done/result.json: is a pipe or a device, allowed: a file", "rerun", "done")
+        (self.folder / "done/result.json").unlink()
+        with open(self.folder / "done/result.json", "w") as endless:
+            endless.truncate(1 << 40)
+        self.assert_refused("done/result.json: found a file without an end in sight, allowed: at most 268435456 characters", "rerun", "done")
         os.mkdir(self.folder / "empty")
         self.assert_refused("empty: found no record.xml and 0 bags in this folder, allowed: a folder of `swarmanoid run "
                             "--record`, or one with one bag", "rerun", "empty")

@@ -112,6 +112,12 @@ class RefusalTest(ProgramTest):
         self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
         self.assertRegex(done.stderr, "^swarmanoid: difusion: found neither such a file nor an installed experiment of "
                                       "that name; installed: .*; did you mean 'diffusion'\\?\n$")
+        launched = self.call("launch", "difusion")
+        self.assertEqual((launched.returncode, launched.stdout, launched.stderr), (BAD_INPUT, "", done.stderr))
+        launched = self.call("launch", "")
+        self.assertEqual((launched.returncode, launched.stdout), (BAD_INPUT, ""))
+        self.assertRegex(launched.stderr, "^swarmanoid: found neither such a file nor an installed experiment of that name; "
+                                          "installed: .*\n$")
         file = self.world(text="<ahss-config>\n</ahss>")
         self.assert_refused(file + ":2: found no well-formed XML: Opening and ending tag mismatch: ahss-config line 1 and ahss",
                             "run", file)

@@ -9,12 +9,13 @@ import unittest
 from unittest import mock
 
 from swarmanoid_studies import batch_command, mistakes
+from swarmanoid_studies.grid import Requests, parse_grid
 from swarmanoid_studies.identity_fields import Identity
 from swarmanoid_studies.progress import Progress
 from swarmanoid_studies.results_file import Columns, ResultsFile
-from swarmanoid_studies.runs import RunOutcome, RunRequest
+from swarmanoid_studies.runs import RunOutcome
 
-REQUESTS = [RunRequest("gap", (), seed) for seed in range(1, 6)]
+REQUESTS = Requests(parse_grid("1..5", []), "gap", {})
 OUTCOME = RunOutcome({}, None, 7, 0.25, "00ff", "", True)
 
 
@@ -39,8 +40,8 @@ class BatchRowsTest(unittest.TestCase):
 
         def main():
             done = ((number, OUTCOME) for number in range(len(REQUESTS)))
-            with mock.patch("swarmanoid_studies.dispatch.outcomes", lambda client, requests: done):
-                made.append(batch_command.make_rows(results, REQUESTS, None, Progress("gap", 5, 0, True)))
+            with mock.patch("swarmanoid_studies.dispatch.outcomes", lambda client, requests, count: done):
+                made.append(batch_command.make_rows(results, REQUESTS, bytearray(5), None, Progress("gap", 5, 0, True)))
             return mistakes.FINISHED
 
         self.assertEqual(mistakes.call(main), mistakes.FINISHED)

@@ -14,7 +14,7 @@ import time
 import unittest
 
 import psutil
-from commands import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, STOPPED, CommandsTest, workers_of
+from commands import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED, PATIENCE_S, SCRIPTED, STOPPED, CommandsTest, workers_of
 
 EXPERIMENT = "phototaxis"
 SPEED = "controllers.pc.parameters.speed"
@@ -37,16 +37,6 @@ FAILS = """<ahss-config>
 </ahss-config>
 """
 
-SCRIPTED = """<ahss-config>
-  <framework><clocktick>100</clocktick><maxclock>400</maxclock></framework>
-  <controllers>
-    <Drive id="drive" source="python" file="drive.py"><actuators><footbot_wheels/></actuators></Drive>
-  </controllers>
-  <arena size="9,9,2" optimization="2D"><footbot id="fb"><position>1, 1, 0</position><controller>drive</controller></footbot></arena>
-  <engines><kinematics2d id="ground"/></engines>
-  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
-</ahss-config>
-"""
 SCRIPT = """import speeds
 
 class Drive:
@@ -167,6 +157,28 @@ class BatchTest(CommandsTest):
         self.assertEqual(summary["made"], len(self.rows("runs.csv")))
         self.assertEqual(summary["made"] + summary["missing"], RUNS)
 
+    def test_millions_of_runs_begin_at_once_and_take_no_memory(self):
+        program = self.start("batch", EXPERIMENT, "--seeds", "1..9999999", "--ticks", 3, "--jobs", 1, "--out", "runs.csv", "--quiet",
+                             "--no-report", start_new_session=True)
+        self.wait_for_lines("runs.csv", 50, program)
+        self.assertLess(psutil.Process(program.pid).memory_info().rss, 400e6)
+        os.killpg(program.pid, signal.SIGINT)
+        output, _ = program.communicate(timeout=60)
+        self.assertEqual((program.returncode, json.loads(output)["runs"]), (INTERRUPTED, 9999999))
+
+    def test_a_full_output_and_a_full_file_are_told_by_name(self):
+        limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))}
+        program = self.start("batch", EXPERIMENT, "--seeds", "1..200", "--ticks", 3, "--jobs", 1, "--out", "runs.csv", "--quiet",
+                             "--no-report", **limited)
+        self.assertEqual(program.communicate(timeout=PATIENCE_S), ("", "swarmanoid: runs.csv: cannot be written: File too large\n"))
+        self.assertEqual(program.returncode, STOPPED)
+        self.assertTrue((self.folder / "runs.csv").read_bytes().endswith(b"\n"))
+        program = self.start("report", "runs.csv", **limited)
+        self.assertEqual(program.communicate(timeout=PATIENCE_S), ("", "swarmanoid: runs.html: cannot be written: File too large\n"))
+        with open("/dev/full", "w") as full:
+            done = subprocess.run(["swarmanoid", "report", "runs.csv"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual((done.returncode, done.stderr), (STOPPED, "swarmanoid: standard output: cannot be written: No space left on device\n"))
+
     def test_the_port_of_a_dashboard_may_be_taken(self):
         with socket.socket() as other:
             with contextlib.suppress(OSError):  # somebody else has it
@@ -205,6 +217,9 @@ class BatchTest(CommandsTest):
                 ("--jobs: found 0, allowed: 1 to 1024", EXPERIMENT, "--seeds", "1", "--jobs", "0"),
                 ("found --jobs and --scheduler, allowed: one of them", EXPERIMENT, "--seeds", "1", "--jobs", "1", "--scheduler",
                  "tcp://localhost:1"),
+                ("--scheduler: found 'ucx://localhost:1', allowed: tcp://host:port, or tls://host:port with certificates in Dask's "
+                 "configuration", EXPERIMENT, "--seeds", "1", "--scheduler", "ucx://localhost:1"),
+                ("/nope/x.html: cannot be written: No such file or directory", EXPERIMENT, "--seeds", "1", "--report", "/nope/x.html"),
                 ("no.pdf: found another ending, allowed: .html or .png", EXPERIMENT, "--seeds", "1", "--report", "no.pdf"),
                 ("nowhere/runs.csv: cannot be written: No such file or directory", EXPERIMENT, "--seeds", "1", "--out",
                  "nowhere/runs.csv"),

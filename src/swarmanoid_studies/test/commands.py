@@ -13,6 +13,17 @@ import psutil
 
 FINISHED, BAD_INPUT, CONTROLLER_FAILED, STOPPED, INTERRUPTED = 0, 2, 3, 4, 130
 PATIENCE_S = 120
+# a robot whose controller is in drive.py
+SCRIPTED = """<ahss-config>
+  <framework><clocktick>100</clocktick><maxclock>400</maxclock></framework>
+  <controllers>
+    <Drive id="drive" source="python" file="drive.py"><actuators><footbot_wheels/></actuators></Drive>
+  </controllers>
+  <arena size="9,9,2" optimization="2D"><footbot id="fb"><position>1, 1, 0</position><controller>drive</controller></footbot></arena>
+  <engines><kinematics2d id="ground"/></engines>
+  <arena_physics><engine id="ground"><entity id="fb"/></engine></arena_physics>
+</ahss-config>
+"""
 
 
 class CommandsTest(unittest.TestCase):
@@ -67,6 +78,13 @@ class CommandsTest(unittest.TestCase):
 
 
 def workers_of(program):
-    """Processes that make runs for a program."""
+    """Processes that make runs for a program: workers, and the processes in which these have them made."""
     return [child for child in psutil.Process(program.pid).children(recursive=True)
-            if any("spawn_main" in word for word in child.cmdline())]
+            if any("spawn_main" in word or "maker_process" in word for word in command_of(child))]
+
+
+def command_of(process):
+    try:
+        return process.cmdline()
+    except psutil.NoSuchProcess:
+        return []

@@ -17,6 +17,7 @@
 #include "commands.hpp"
 #include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/process/temporary_folder.hpp"
+#include "swarmanoid_space/experiment_file/experiment_lookup.hpp"
 
 namespace swarmanoid::program {
 namespace {
@@ -112,6 +113,7 @@ ExitCode launch(const std::string& experiment, const std::vector<std::string>& o
       }
     }
   }
+  findExperiment(experiment);  // roslaunch would bury a mistyped name, and take its own default for an empty one
   const TemporaryFolder folder("launch");
   const std::filesystem::path file = std::filesystem::absolute(folder.path() / "exit_code");
   // this is no parameter: users who can reach the master could name files of this user there

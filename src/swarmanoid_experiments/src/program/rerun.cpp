@@ -6,7 +6,6 @@
 
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_interface/process/user_code.hpp"
-#include "swarmanoid_interface/read_file.hpp"
 #include "swarmanoid_interface/registry.hpp"
 #include "swarmanoid_space/experiment_file/override_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -139,12 +138,11 @@ void part(Simulation& simulation, const Fork& fork) {
 }
 
 void refuseOtherResult(const RecordedRun& run) {
-  if (!run.has_result) {
+  if (!run.hasResult()) {
     return;
   }
   const std::string file = (std::filesystem::path(run.folder) / record_files::kResult).string();
-  constexpr std::size_t kLongestResult = 100'000'000;  // [bytes]
-  const auto result = nlohmann::json::parse(readFile(file, kLongestResult), nullptr, false);
+  const auto result = nlohmann::json::parse(run.result, nullptr, false);
   if (!result.is_object() || !result.contains("ticks") || !result["ticks"].is_number_unsigned()) {
     throw ConfigError({file, 0}, "found no JSON object with 'ticks', allowed: the summary of the run");
   }

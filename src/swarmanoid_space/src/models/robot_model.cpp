@@ -30,7 +30,9 @@ class RobotReader {
   RobotReader(const std::string& type, const std::string& file, std::vector<std::string>* problems)
       : urdf_(readUrdf(file)), problems_(problems) {
     attempt([&] { description_ = readRobotDescription(*urdf_.document, file); });
-    attempt([&] { checkUrdf(urdf_); });
+    for (const ConfigError& mistake : mistakesIn(urdf_)) {
+      attempt([&] { throw ConfigError(mistake); });
+    }
     model_->type = type;
     model_->title = description_.title;
     model_->holders = description_.holders;

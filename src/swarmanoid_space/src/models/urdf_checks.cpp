@@ -4,7 +4,6 @@
 
 #include "../xml/xml_node.hpp"
 #include "robot_joints.hpp"
-#include "swarmanoid_interface/configuration.hpp"
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_interface/plain_text.hpp"
 #include "swarmanoid_space/models/limits.hpp"
@@ -30,7 +29,7 @@ class UrdfChecks {
  public:
   explicit UrdfChecks(const UrdfFile& urdf) : urdf_(urdf) {}
 
-  void run() {
+  std::vector<ConfigError> run() {
     const xmlNode& robot = *xmlDocGetRootElement(urdf_.document.get());
     for (const xmlNode* element : elementsOf(robot)) {
       const std::string name = attributeOf(*element, "name").value_or("");
@@ -43,16 +42,19 @@ class UrdfChecks {
     }
     // a robot without any mass can be used where there are no forces
     if (mass_ > 0.0 && !limits::kMass.contains(mass_)) {
-      urdf_.fail("found a mass of " + massText(mass_) + " kg in all links, allowed: " + limits::kMass.toString());
+      mistakes_.emplace_back(
+          SourceLocation{urdf_.file, 0},
+          "found a mass of " + massText(mass_) + " kg in all links, allowed: " + limits::kMass.toString());
     }
+    return std::move(mistakes_);
   }
 
  private:
-  [[noreturn]] void refuse(const xmlNode& element, const std::string& message) const {
-    throw ConfigError({urdf_.file, lineOf(&element)}, message);
+  void refuse(const xmlNode& element, const std::string& message) {
+    mistakes_.emplace_back(SourceLocation{urdf_.file, lineOf(&element)}, message);
   }
 
-  void checkJoint(const xmlNode& element, const std::string& name) const {
+  void checkJoint(const xmlNode& element, const std::string& name) {
     static const std::vector<std::string> kTypes{"fixed", "revolute", "continuous"};
     const std::string type = attributeOf(element, "type").value_or("");
     if (!contains(kTypes, type)) {
@@ -93,10 +95,11 @@ class UrdfChecks {
 
   const UrdfFile& urdf_;
   double mass_ = 0.0;  // [kg]
+  std::vector<ConfigError> mistakes_;
 };
 
 }  // namespace
 
-void checkUrdf(const UrdfFile& urdf) { UrdfChecks(urdf).run(); }
+std::vector<ConfigError> mistakesIn(const UrdfFile& urdf) { return UrdfChecks(urdf).run(); }
 
 }  // namespace swarmanoid

@@ -185,22 +185,23 @@ RecordedRun readRecordedRun(const std::string& folder) {
   const std::string file = inFolder(run, record_files::kRecord);
   run.record = parseRecord(experiment::textOf(file), file, folder);
   std::error_code ignored;
-  run.has_result = fs::exists(inFolder(run, record_files::kResult), ignored) &&
-                   fs::file_size(inFolder(run, record_files::kResult), ignored) > 0;
+  if (const std::string result = inFolder(run, record_files::kResult); fs::exists(result, ignored)) {
+    run.result = experiment::textOf(result);
+  }
   const std::string hashes = inFolder(run, record_files::kHashes);
   std::string rest;
   run.hashes = parseHashes(experiment::textOf(hashes), hashes, run.record.every, rest);
-  if (run.hashes.empty() || (run.has_result && !rest.empty())) {
+  if (run.hashes.empty() || (run.hasResult() && !rest.empty())) {
     throw ConfigError({hashes, static_cast<int>(run.hashes.size()) + 1},
                       "found '" + rest + "' at the end, allowed: whole lines, at least that of tick 0");
   }
   run.interventions = experiment::textOf(inFolder(run, record_files::kInterventions));
   const bool is_cut = completeInterventions(run.interventions, run.record);
-  if (is_cut && run.has_result) {
+  if (is_cut && run.hasResult()) {
     throw ConfigError({inFolder(run, record_files::kInterventions), 0},
                       "found no </interventions> at the end, allowed: a file that ends with it");
   }
-  if (!run.has_result) {
+  if (!run.hasResult()) {
     run.missing.push_back("the run has no result: it was killed, or is not over; what there is ends with tick " +
                           std::to_string(run.ticks()));
   }

@@ -3,14 +3,43 @@
 import fcntl
 import os
 import tempfile
+from typing import Tuple
 
-from .mistakes import BadInput
+from .mistakes import BadInput, RunsStopped
+
+
+def unwritable(path: str, error: OSError) -> RunsStopped:
+    """What is raised when a file cannot be written though it was begun: the disk is full, or a limit is reached."""
+    return RunsStopped(f"{path}: cannot be written: {error.strerror or error}")
+
+
+def refuse_unwritable(path: str) -> None:
+    """Asked before anything is made that takes time. @raise BadInput if `write_atomically` cannot write the file"""
+    try:
+        if os.path.isdir(path):
+            raise BadInput(f"{path}: found a folder, allowed: a file")
+        number, name = _beside(path)
+        os.close(number)
+        os.unlink(name)
+    except (OSError, ValueError) as error:  # ValueError: a name that no file can have
+        raise BadInput(f"{path}: cannot be written: {getattr(error, 'strerror', None) or error}") from None
+
+
+def _beside(path: str) -> Tuple[int, str]:
+    """A new file in the same folder."""
+    return tempfile.mkstemp(prefix=f".{os.path.basename(path)}.", dir=os.path.dirname(os.path.abspath(path)))
 
 
 def write_atomically(path: str, content: bytes) -> None:
-    """Replaces a file, also when the program or the computer dies meanwhile. @raise OSError"""
-    folder = os.path.dirname(os.path.abspath(path))
-    number, name = tempfile.mkstemp(prefix=f".{os.path.basename(path)}.", dir=folder)
+    """Replaces a file, also when the program or the computer dies meanwhile. @raise RunsStopped"""
+    try:
+        _replace(path, content)
+    except OSError as error:
+        raise unwritable(path, error) from None
+
+
+def _replace(path: str, content: bytes) -> None:
+    number, name = _beside(path)
     try:
         with os.fdopen(number, "wb") as file:
             file.write(content)

@@ -3,16 +3,16 @@
 import json
 import os
 import time
-from typing import Dict, List, NamedTuple, Optional, Set, Tuple
+from typing import Dict, List, NamedTuple, Optional, Tuple
 
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
-from .contents import Contents, contents_of, merged
-from .grid import Grid, parse_grid
+from .contents import contents_of, merged
+from .contents_fields import Contents
+from .grid import Grid, Requests, parse_grid
 from .identity import checked, identity_of
-from .mistakes import CONTROLLER_FAILED, FINISHED, STOPPED, Arguments, BadInput, call, interrupted, interrupts_held
+from .mistakes import CONTROLLER_FAILED, FINISHED, STOPPED, Arguments, BadInput, call, interrupted, interrupts_held, print_result
 from .progress import Progress
 from .results_file import Columns, ResultsFile
-from .runs import RunRequest
 
 DESCRIPTION = "Runs an experiment with each seed and each combination of values. Writes one row a run into a CSV file, and a report."
 TICKS_PATH = "framework.maxclock"
@@ -65,12 +65,14 @@ def shared_overrides(grid: Grid, ticks: Optional[int]) -> Dict[str, str]:
     return {TICKS_PATH: str(ticks)}
 
 
-def make_rows(results: ResultsFile, requests: List[RunRequest], client, progress: Progress) -> Tuple[Counts, bool]:
-    """@return what was made, and whether somebody has interrupted it"""
+def make_rows(results: ResultsFile, requests: Requests, done: bytearray, client, progress: Progress) -> Tuple[Counts, bool]:
+    """@param done 1 for each run that has a row already
+    @return what was made, and whether somebody has interrupted it"""
     from .dispatch import outcomes
     counts = Counts()
     try:
-        for number, outcome in outcomes(client, requests):
+        missing = ((number, requests[number]) for number, is_done in enumerate(done) if not is_done)
+        for number, outcome in outcomes(client, missing, done.count(0)):
             failed = bool(outcome.failure)
             with interrupts_held():
                 results.append(requests[number], outcome)
@@ -107,13 +109,11 @@ def _main() -> int:
 
     results = ResultsFile(path, identity, columns)
     experiment = portable(arguments.experiment)
-    requests = grid.requests(experiment, shared, contents)
-    done: Set[Tuple[str, ...]] = set()
-    if arguments.resume:
-        done = results.resume({results.key_of(request) for request in requests})
-    elif not arguments.force:
+    requests = Requests(grid, experiment, shared, contents)
+    done = results.resume(requests) if arguments.resume else bytearray(len(requests))
+    if not arguments.resume and not arguments.force:
         results.refuse_existing()
-    missing = [request for request in requests if results.key_of(request) not in done]
+    missing = done.count(0)
 
     counts, is_interrupted, wall_s = Counts(), False, 0.0
     if missing:
@@ -123,17 +123,17 @@ def _main() -> int:
             if not arguments.resume:
                 results.create(arguments.force)  # now that nothing is refused any more
             start = time.monotonic()
-            counts, is_interrupted = make_rows(results, missing, client,
-                                               Progress(identity.experiment, len(requests), len(done), arguments.quiet))
+            counts, is_interrupted = make_rows(results, requests, done, client,
+                                               Progress(identity.experiment, len(requests), done.count(1), arguments.quiet))
             wall_s = time.monotonic() - start  # without what processes take to begin and to end
     results.close()
-    if report is not None and len(done) + counts.made:
+    if report is not None and done.count(1) + counts.made:
         from .report import write_report
         write_report(path, report)
-    print(json.dumps({"version": identity.version, "experiment": identity.experiment, "runs": len(requests),
-                      "made": counts.made, "missing": len(missing) - counts.made, "incomplete": counts.incomplete,
-                      "controllers_failed": counts.controllers_failed, "csv": path, "report": report,
-                      "wall_s": round(wall_s, 3), "runs_per_s": round(counts.made / wall_s, 2) if wall_s else 0.0}))
+    print_result(json.dumps({
+        "version": identity.version, "experiment": identity.experiment, "runs": len(requests), "made": counts.made,
+        "missing": missing - counts.made, "incomplete": counts.incomplete, "controllers_failed": counts.controllers_failed, "csv": path,
+        "report": report, "wall_s": round(wall_s, 3), "runs_per_s": round(counts.made / wall_s, 2) if wall_s else 0.0}))
     if is_interrupted:
         return interrupted()
     return STOPPED if counts.incomplete else CONTROLLER_FAILED if counts.controllers_failed else FINISHED

@@ -1,16 +1,20 @@
 """What an evolution has found so far: each generation's genotypes and what they were worth.
 
 That is all that it needs to go on: its optimiser is told again what it was told before, and asks for the same genotypes again, to
-the last bit. The file is JSON, and replaced as a whole after each generation."""
+the last bit. The file is JSON, and replaced as a whole after each generation. Its digest shows whether a value has been changed:
+a wrong one would only lead the evolution elsewhere."""
 
+import hashlib
 import json
 import math
 from typing import Dict, List, NamedTuple, Optional
 
 from .atomic_file import write_atomically
+from .input_file import read_file, shown
 from .mistakes import BadInput
 
-FORMAT = 1
+FORMAT = 2
+MOST_BYTES = 4_000_000_000
 
 
 class Generation(NamedTuple):
@@ -25,21 +29,35 @@ def finite(value: float) -> Optional[float]:
 
 
 def write_checkpoint(path: str, made_of: Dict[str, object], generations: List[Generation]) -> None:
-    """@param made_of what must be the same when it is continued @raise OSError"""
+    """@param made_of what must be the same when it is continued @raise RunsStopped"""
     content = {"format": FORMAT, **made_of, "generations": [generation._asdict() for generation in generations]}
+    content["digest"] = _digest(content)
     write_atomically(path, (json.dumps(content, indent=1, allow_nan=False) + "\n").encode())
 
 
 def read_checkpoint(path: str, made_of: Dict[str, object]) -> List[Generation]:
-    """@raise BadInput if it is of something else"""
+    """@raise BadInput if it is damaged, or of something else"""
+    content = _undamaged(path)
+    for name, own in {"format": FORMAT, **made_of}.items():
+        if content.get(name) != own:
+            raise BadInput(f"{path}: {name}: found {shown(json.dumps(content.get(name)))}, allowed: {shown(json.dumps(own))}, as now")
+    return [Generation(**generation) for generation in content["generations"]]
+
+
+def _digest(content: Dict[str, object]) -> str:
+    """Of all but the digest itself."""
+    others = {name: value for name, value in content.items() if name != "digest"}
+    return hashlib.sha256(json.dumps(others).encode()).hexdigest()[:16]
+
+
+def _undamaged(path: str) -> Dict[str, object]:
+    """@raise BadInput"""
     try:
-        with open(path, encoding="utf-8") as file:
-            content = json.load(file)
-        for name, own in {"format": FORMAT, **made_of}.items():
-            if content[name] != own:
-                raise BadInput(f"{path}: {name}: found {json.dumps(content[name])}, allowed: {json.dumps(own)}, as now")
-        return [Generation(**generation) for generation in content["generations"]]
-    except OSError as error:
-        raise BadInput(f"{path}: cannot be continued: {error.strerror}") from None
-    except (ValueError, KeyError, TypeError) as error:
-        raise BadInput(f"{path}: is no checkpoint of an evolution: {type(error).__name__}: {error}") from None
+        content = json.loads(read_file(path, MOST_BYTES).decode())
+        if isinstance(content, dict) and content.get("digest") == _digest(content):
+            return content
+    except json.JSONDecodeError as error:
+        raise BadInput(f"{path}:{error.lineno}: {error.msg}, allowed: a checkpoint as `swarmanoid evolve` has written it") from None
+    except (ValueError, RecursionError):  # bytes that are no UTF-8, numbers of thousands of digits, lists in lists
+        pass
+    raise BadInput(f"{path}: is damaged: its content and its digest differ, allowed: a checkpoint as `swarmanoid evolve` has written it")

@@ -1,9 +1,13 @@
 """Options that several commands have, and what they share of their rules."""
 
 import os
+import re
 from typing import Optional
 
+from .input_file import shown
 from .mistakes import Arguments, BadInput
+
+ADDRESS = re.compile(r"(?:tcp|tls)://(?:[A-Za-z0-9._-]+|\[[0-9A-Fa-f:.]+\]):([0-9]{1,5})")
 
 
 def add_worker_options(parser: Arguments) -> None:
@@ -11,11 +15,21 @@ def add_worker_options(parser: Arguments) -> None:
     parser.add_argument("--scheduler", metavar="ADDRESS", help="of a dask-scheduler, tcp://host:port, whose workers make the runs")
 
 
+def check_scheduler(address: str, option: str = "--scheduler") -> None:
+    """@raise BadInput"""
+    found = ADDRESS.fullmatch(address)
+    if not found or not 0 < int(found[1]) < 65536:
+        raise BadInput(f"{option}: found '{shown(address)}', allowed: tcp://host:port, or tls://host:port with certificates in Dask's "
+                       "configuration")
+
+
 def check_worker_options(jobs: Optional[int], scheduler: Optional[str]) -> int:
     """@return how many processes to start; 0 if a scheduler has them @raise BadInput"""
     from .workers import MOST_JOBS, allow_files
     if jobs is not None and scheduler is not None:
         raise BadInput("found --jobs and --scheduler, allowed: one of them")
+    if scheduler is not None:
+        check_scheduler(scheduler)
     if jobs is not None and not 1 <= jobs <= MOST_JOBS:
         raise BadInput(f"--jobs: found {jobs}, allowed: 1 to {MOST_JOBS}")
     return allow_files(jobs) if scheduler is None else 0

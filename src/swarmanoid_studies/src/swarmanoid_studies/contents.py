@@ -7,28 +7,16 @@ worker looks, before its first run of an experiment and after each run."""
 import hashlib
 import os
 import sys
-from typing import Dict, FrozenSet, Iterable, NamedTuple
+from typing import FrozenSet, Iterable
 
 import numpy
 import swarmanoid
 from swarmanoid import _scripts
 
+from .contents_fields import Contents, OtherContents
 from .identity import version
 
 EXPERIMENT = "the experiment file"
-
-
-class Contents(NamedTuple):
-    """Plain values, which any process can be sent."""
-    version: str
-    math_library: str
-    python: str
-    numpy: str
-    digests: Dict[str, FrozenSet[str]]   # by file, without its folder; several files may have one name
-
-
-class OtherContents(Exception):
-    """A worker would make other runs."""
 
 
 def _digest(content: bytes) -> FrozenSet[str]:

@@ -1,24 +1,30 @@
 """Sends runs to workers, and takes what comes back, whoever dies meanwhile.
 
-Short runs go in bundles, so that sending costs little beside them; a bundle takes some half a second. Dask gives what a dead
-worker had to others. A bundle that several workers died of is taken apart: each of its runs is made alone, and the one that
-ends its process is told by name."""
+Short runs go in bundles, so that sending costs little beside them; a bundle takes some half a second. Runs that end their process
+have rows that say so, see makers.py. Dask gives what a dead worker had to others. A bundle that several workers died of is taken
+apart: each of its runs is made alone."""
 
-import collections
+import itertools
+import queue
+import sys
 import time
 import uuid
-from typing import Deque, Dict, Iterator, List, Sequence, Tuple
+from typing import Dict, Iterable, Iterator, List, Sequence, Tuple
 
-from distributed import Client, Future, KilledWorker, as_completed
+from distributed import Client, Future, KilledWorker
 
-from .contents import OtherContents
+from .contents_fields import OtherContents
+from .makers import make_runs
 from .mistakes import RunsStopped, hear_interrupts
-from .run_maker import make_runs
+from .progress import duration
 from .runs import RunOutcome, RunRequest, lost
 
 BUNDLE_S = 0.5
 MOST_IN_BUNDLE = 50
 AHEAD = 2  # bundles a process, so that none waits for the next one
+LOOK_S = 1.0       # between looks at which workers there are [s]
+SILENCE_S = 5.0    # without workers, before that is reported [s]
+WAIT_S = 600.0     # without workers, before it ends: a cluster may start them after the batch [s]
 Numbered = Tuple[int, RunRequest]
 
 
@@ -40,18 +46,33 @@ class _Pace:
 
 
 class _Processes:
-    """How many there are: on a cluster they come and go."""
+    """How many there are: on a cluster they come and go, and may never come."""
 
     def __init__(self, client: Client) -> None:
         self._client = client
         self._count = 1
         self._next_look = 0.0
+        self._last_seen = time.monotonic()
+        self._is_reported = False
 
     def count(self) -> int:
-        if time.monotonic() >= self._next_look:
-            self._count = max(1, sum(self._client.nthreads().values()))
-            self._next_look = time.monotonic() + 1.0
-        return self._count
+        """@raise RunsStopped if there were none for too long"""
+        now = time.monotonic()
+        if now >= self._next_look:
+            self._count = sum(self._client.nthreads().values())
+            self._next_look = now + LOOK_S
+            if self._count:
+                self._last_seen = now
+            elif self._client.cluster is None:   # of this computer: worker_processes starts them again
+                self._report(now - self._last_seen)
+        return max(1, self._count)
+
+    def _report(self, idle_s: float) -> None:
+        if idle_s >= WAIT_S:
+            raise RunsStopped(f"the scheduler has had no workers for {duration(idle_s)}")
+        if idle_s >= SILENCE_S and not self._is_reported:
+            self._is_reported = True
+            print(f"swarmanoid: the scheduler has no workers, waiting up to {duration(WAIT_S)} for `swarmanoid worker`", file=sys.stderr)
 
 
 def _submit(client: Client, bundle: Sequence[Numbered]) -> Future:
@@ -62,7 +83,7 @@ def _result(future: Future) -> List[RunOutcome]:
     """@raise KilledWorker, RunsStopped"""
     try:
         return future.result()
-    except KilledWorker:
+    except (KilledWorker, RunsStopped):
         raise
     except OtherContents as others:
         raise RunsStopped(str(others)) from None
@@ -79,27 +100,53 @@ def _alone(client: Client, suspects: Sequence[Numbered]) -> Iterator[Tuple[int, 
         yield number, outcome
 
 
-def outcomes(client: Client, requests: Sequence[RunRequest]) -> Iterator[Tuple[int, RunOutcome]]:
-    """Makes all runs. @return index of the request and its outcome, each once, in the order in which they are done
-    @raise RunsStopped if the scheduler is lost"""
-    waiting: Deque[Numbered] = collections.deque(enumerate(requests))
-    sent: Dict[Future, List[Numbered]] = {}
+class _Sent:
+    """Bundles that are on their way, and those that came back."""
+
+    def __init__(self, client: Client, processes: _Processes) -> None:
+        self._client = client
+        self._processes = processes
+        self._bundles: Dict[Future, List[Numbered]] = {}
+        self._finished: "queue.SimpleQueue[Future]" = queue.SimpleQueue()
+
+    def __len__(self) -> int:
+        return len(self._bundles)
+
+    def send(self, bundle: List[Numbered]) -> None:
+        future = _submit(self._client, bundle)
+        self._bundles[future] = bundle
+        future.add_done_callback(self._finished.put)
+
+    def take(self) -> Tuple[Future, List[Numbered]]:
+        """Waits for the next one. @raise RunsStopped, KeyboardInterrupt"""
+        while True:
+            hear_interrupts()
+            try:
+                future = self._finished.get(timeout=LOOK_S)
+                return future, self._bundles.pop(future)
+            except queue.Empty:
+                self._processes.count()
+
+
+def outcomes(client: Client, requests: Iterable[Numbered], count: int) -> Iterator[Tuple[int, RunOutcome]]:
+    """Makes all runs. @param requests taken as they are needed @param count how many there are
+    @return number of the request and its outcome, each once, in the order in which they are done
+    @raise RunsStopped if the scheduler is lost, or has no workers for too long"""
+    waiting, left = iter(requests), count
     suspects: List[Numbered] = []
     pace, processes = _Pace(), _Processes(client)
-    completed = as_completed()
+    sent = _Sent(client, processes)
 
     def send() -> None:
-        while waiting and len(sent) < AHEAD * processes.count():
-            size = pace.bundle(len(waiting), processes.count())
-            bundle = [waiting.popleft() for _ in range(min(size, len(waiting)))]
-            future = _submit(client, bundle)
-            sent[future] = bundle
-            completed.add(future)
+        nonlocal left
+        while left and len(sent) < AHEAD * processes.count():
+            bundle = list(itertools.islice(waiting, pace.bundle(left, processes.count())))
+            left -= len(bundle)
+            sent.send(bundle)
 
     send()
-    for future in completed:
-        hear_interrupts()
-        bundle = sent.pop(future)
+    while len(sent):
+        future, bundle = sent.take()
         try:
             results = _result(future)
         except KilledWorker:

@@ -6,7 +6,7 @@ from typing import Callable, Dict, List, NamedTuple, Optional, Sequence, Tuple
 from distributed import Client
 
 from .checkpoint import Generation, finite
-from .contents import Contents
+from .contents_fields import Contents
 from .dispatch import outcomes
 from .mistakes import BadInput, RunsStopped
 from .optimisers import Losses, front, make_optimiser
@@ -51,7 +51,7 @@ class Evolution:
         """Makes the runs of the next generation. @param note called for each run that is done @raise RunsStopped"""
         requests = [request for genotype in self._asked for request in self._requests(genotype)]
         made: List[Optional[RunOutcome]] = [None] * len(requests)
-        for number, outcome in outcomes(client, requests):
+        for number, outcome in outcomes(client, enumerate(requests), len(requests)):
             if not outcome.is_complete:
                 raise RunsStopped(f"generation {len(self.generations) + 1}: a run has no result: {outcome.failure} "
                                   f"({_text(requests[number])})")

@@ -12,7 +12,7 @@ from .command_options import add_worker_options, check_worker_options, portable,
 from .contents import contents_of
 from .identity import checked, identity_of
 from .identity_fields import Identity
-from .mistakes import CONTROLLER_FAILED, FINISHED, Arguments, BadInput, call, interrupted, interrupts_held
+from .mistakes import CONTROLLER_FAILED, FINISHED, Arguments, BadInput, call, interrupted, interrupts_held, print_result
 from .progress import Progress
 from .study import Study
 from .study_file import MOST, find_study, read_study
@@ -156,9 +156,9 @@ def _conclude(study: Study, identity: Identity, evolution: "Evolution", folder: 
     failures = sum(generation.failed_controllers for generation in evolution.generations)
     told = [f"generation {number}, {failure}" for number, generation in enumerate(evolution.generations, 1)
             for failure in generation.first_failures][:MOST_TOLD]
-    print(json.dumps({"study": study.name, "generations": len(evolution.generations), "population": evolution.population(),
-                      "runs_with_failed_controllers": failures, "first_failures": told, "folder": folder,
-                      "wall_s": round(wall_s, 3), "best": best}))
+    print_result(json.dumps({
+        "study": study.name, "generations": len(evolution.generations), "population": evolution.population(),
+        "runs_with_failed_controllers": failures, "first_failures": told, "folder": folder, "wall_s": round(wall_s, 3), "best": best}))
     if is_interrupted:
         return interrupted()
     if failures:

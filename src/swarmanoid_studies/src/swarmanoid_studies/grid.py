@@ -1,16 +1,15 @@
-"""The runs of a batch: each combination of values with each seed."""
+"""The runs of a batch: each combination of values with each seed. Runs have numbers, and are made as they are needed."""
 
-import itertools
 import re
-from typing import Dict, List, NamedTuple, Optional, Sequence, Tuple
+from typing import Dict, NamedTuple, Optional, Sequence, Tuple
 
-from .contents import Contents
+from .contents_fields import Contents
+from .input_file import shown
 from .mistakes import BadInput
 from .runs import RunRequest
+from .seeds import MOST_RUNS, Seeds, parse_seeds
 
 SEED_PATH = "framework.random_seed"
-MOST_RUNS = 10_000_000
-LARGEST_SEED = 2 ** 64 - 1
 
 
 class Axis(NamedTuple):
@@ -21,14 +20,7 @@ class Axis(NamedTuple):
 
 class Grid(NamedTuple):
     axes: Tuple[Axis, ...]
-    seeds: Tuple[int, ...]
-
-    def requests(self, experiment: str, shared: Dict[str, str], expected: Optional[Contents] = None) -> List[RunRequest]:
-        """Seeds change first, so that workers keep what they have read.
-        @param shared overrides of all runs @param expected what all are to be made of"""
-        combinations = itertools.product(*([(axis.path, value) for value in axis.values] for axis in self.axes))
-        return [RunRequest(experiment, (*shared.items(), *combination), seed, expected)
-                for combination in combinations for seed in self.seeds]
+    seeds: Seeds
 
     def size(self) -> int:
         size = len(self.seeds)
@@ -37,43 +29,68 @@ class Grid(NamedTuple):
         return size
 
 
-def parse_seeds(text: str, option: str = "--seeds") -> Tuple[int, ...]:
-    """Of "1..5,8": 1, 2, 3, 4, 5, 8. @raise BadInput"""
-    seeds: List[int] = []
-    for part in text.split(","):
-        found = re.fullmatch(r"\s*(\d{1,20})\s*(?:\.\.\s*(\d{1,20})\s*)?", part, re.ASCII)
-        first, last = (int(found[1]), int(found[2] or found[1])) if found else (1, 0)
-        if first > last or last > LARGEST_SEED:
-            raise BadInput(f"{option}: found '{text}', allowed: seeds and ranges of seeds, such as 1..1000 or 1,2,10..20")
-        if last - first >= MOST_RUNS:
-            raise BadInput(f"{option}: found {last - first + 1} seeds, allowed: up to {MOST_RUNS}")
-        seeds.extend(range(first, last + 1))
-    return tuple(_without_repeats(seeds, option))
+class Requests(Sequence[RunRequest]):
+    """Of all runs of a grid, by number. Seeds change first, so that workers keep what they have read."""
+
+    def __init__(self, grid: Grid, experiment: str, shared: Dict[str, str], expected: Optional[Contents] = None) -> None:
+        """@param shared overrides of all runs @param expected what all are to be made of"""
+        self._grid = grid
+        self._experiment = experiment
+        self._shared = tuple(shared.items())
+        self._expected = expected
+        self._places = [{value: place for place, value in enumerate(axis.values)} for axis in grid.axes]
+
+    def __len__(self) -> int:
+        return self._grid.size()
+
+    def __getitem__(self, number: int) -> RunRequest:  # type: ignore[override]  # no slices
+        if not 0 <= number < len(self):
+            raise IndexError(number)
+        combination, place = divmod(number, len(self._grid.seeds))
+        chosen = []
+        for axis in reversed(self._grid.axes):
+            combination, value = divmod(combination, len(axis.values))
+            chosen.append((axis.path, axis.values[value]))
+        return RunRequest(self._experiment, (*self._shared, *reversed(chosen)), self._grid.seeds[place], self._expected)
+
+    def number(self, values: Sequence[str], seed: str) -> Optional[int]:
+        """Of the run with these values, one an axis; None: the grid has no such run."""
+        number = 0
+        for places, value in zip(self._places, values):
+            if value not in places:
+                return None
+            number = number * len(places) + places[value]
+        place = self._grid.seeds.place(int(seed))
+        return None if place is None else number * len(self._grid.seeds) + place
 
 
 def parse_axis(text: str) -> Axis:
     r"""Of "path=a,b,c"; a comma inside of a value is written "\,". @raise BadInput"""
     path, equals, values = text.partition("=")
     if not equals or not path:
-        raise BadInput(f"--set: found '{text}', allowed: path=value or path=value,value,...")
+        raise BadInput(f"--set: found '{shown(text)}', allowed: path=value or path=value,value,...")
+    if not text.isprintable():  # a row of the CSV file is a line of UTF-8
+        raise BadInput(f"--set: found '{shown(text)}', allowed: printable characters")
     if path == SEED_PATH:
-        raise BadInput(f"--set: found '{text}', allowed: --seeds for seeds")
+        raise BadInput(f"--set: found '{shown(text)}', allowed: --seeds for seeds")
     split = [value.replace("\\,", ",").strip() for value in re.split(r"(?<!\\),", values)]
-    return Axis(path, tuple(_without_repeats(split, f"--set {path}")))
+    _refuse_repeats(split, f"--set {path}")
+    return Axis(path, tuple(split))
 
 
 def parse_grid(seeds: str, settings: Sequence[str]) -> Grid:
     """@raise BadInput"""
     grid = Grid(tuple(parse_axis(setting) for setting in settings), parse_seeds(seeds))
-    _without_repeats([axis.path for axis in grid.axes], "--set")
+    _refuse_repeats([axis.path for axis in grid.axes], "--set")
     if grid.size() > MOST_RUNS:
         raise BadInput(f"found {grid.size()} runs, allowed: up to {MOST_RUNS}")
     return grid
 
 
-def _without_repeats(values: Sequence, option: str) -> Sequence:
-    if len(set(values)) == len(values):
-        return values
+def _refuse_repeats(values: Sequence[str], option: str) -> None:
+    """@raise BadInput"""
     seen = set()
-    repeated = next(value for value in values if value in seen or seen.add(value))
-    raise BadInput(f"{option}: found '{repeated}' twice, allowed: once")
+    for value in values:
+        if value in seen:
+            raise BadInput(f"{option}: found '{value}' twice, allowed: once")
+        seen.add(value)

@@ -74,6 +74,16 @@ def interrupted() -> int:
     return INTERRUPTED
 
 
+def print_result(text: str) -> None:
+    """The program's line on standard output. @raise RunsStopped"""
+    try:
+        sys.stdout.write(text.encode(errors="backslashreplace").decode() + "\n")
+        sys.stdout.flush()
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter flushes once more as it ends
+        raise RunsStopped(f"standard output: cannot be written: {error.strerror}") from None
+
+
 def call(main: Callable[[], int]) -> int:
     """Calls the body of a program. @return its exit code"""
     sys.unraisablehook = _note_lost
@@ -81,16 +91,12 @@ def call(main: Callable[[], int]) -> int:
         if signal.getsignal(number) != signal.SIG_IGN:  # as nohup sets it
             signal.signal(number, _interrupt)
     try:
-        code = main()
-        sys.stdout.flush()
-        return code
+        return main()
     except BadInput as mistake:
         print(f"swarmanoid: {mistake}", file=sys.stderr)
         return BAD_INPUT
     except (OSError, RunsStopped) as problem:
         print(f"swarmanoid: {problem}", file=sys.stderr)
-        if isinstance(problem, BrokenPipeError):
-            os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the interpreter flushes once more as it ends
         return STOPPED
     except KeyboardInterrupt:
         print("swarmanoid: interrupted", file=sys.stderr)

@@ -2,7 +2,8 @@
 
 import os
 
-from .mistakes import FINISHED, Arguments, BadInput, call
+from .atomic_file import refuse_unwritable
+from .mistakes import FINISHED, Arguments, BadInput, call, print_result
 
 
 def check_report_name(report: str, results: str) -> None:
@@ -11,6 +12,7 @@ def check_report_name(report: str, results: str) -> None:
         raise BadInput(f"{report}: found another ending, allowed: .html or .png")
     if os.path.abspath(report) == os.path.abspath(results):
         raise BadInput(f"{report}: found the CSV file, allowed: another name")
+    refuse_unwritable(report)
 
 
 def main() -> int:
@@ -26,5 +28,5 @@ def _main() -> int:
     check_report_name(report, arguments.csv)
     from .report import write_report
     write_report(arguments.csv, report)
-    print(report)
+    print_result(report)
     return FINISHED

@@ -1,8 +1,10 @@
 """The columns of a batch's CSV file."""
 
+import collections
 from typing import List, NamedTuple, Sequence, Tuple
 
 from .identity_fields import Identity
+from .input_file import shown
 from .mistakes import BadInput
 
 OUTCOME = ("success", "ticks", "wall_s", "state_hash", "failure", "overrides")
@@ -20,6 +22,9 @@ class Columns(NamedTuple):
 def columns_of(header: Sequence[str], file: str) -> Columns:
     """@raise BadInput if it is no file of a batch"""
     own = len(Identity._fields)
+    for name, count in collections.Counter(header).items():
+        if count > 1:
+            raise BadInput(f"{file}:1: found the column '{shown(name)}' {count} times, allowed: once")
     if tuple(header[:own]) == Identity._fields and "seed" in header:
         seed = header.index("seed")
         metrics = seed + 1 + len(OUTCOME)

@@ -8,29 +8,34 @@ import csv
 import io
 import json
 import os
-from typing import Dict, Sequence, Set, Tuple
+import stat
+from typing import Dict, NoReturn, Sequence
 
-from .atomic_file import lock
+from .atomic_file import lock, unwritable
+from .grid import Requests
 from .identity_fields import Identity
+from .input_file import open_file, shown
 from .mistakes import BadInput
-from .results_columns import Columns, columns_of
-from .runs import Metric, RunOutcome, RunRequest
+from .results_columns import Columns
+from .results_rows import RowReader
+from .runs import Metric, RunOutcome, RunRequest, one_line
 
 
 def text_of(value: object) -> str:
-    """Numbers keep all their digits."""
+    """Numbers keep all their digits, and a row is a line."""
     if value is None:
         return ""
     if isinstance(value, bool):
         return "true" if value else "false"
-    return repr(value) if isinstance(value, float) else str(value)
+    text = repr(value) if isinstance(value, float) else str(value)
+    return text if text.isprintable() else one_line(text)
 
 
 def line_of(values: Sequence[object]) -> bytes:
     """Of a CSV file."""
     text = io.StringIO()
     csv.writer(text, lineterminator="\n").writerow([text_of(value) for value in values])
-    return text.getvalue().encode()
+    return text.getvalue().encode(errors="backslashreplace")
 
 
 def overrides_text(request: RunRequest) -> str:
@@ -53,20 +58,23 @@ class ResultsFile:
             raise self._exists()
 
     def create(self, is_replaced: bool) -> None:
-        """@param is_replaced a file that is there @raise BadInput, OSError"""
+        """@param is_replaced a file that is there @raise BadInput, RunsStopped"""
         try:
             self._file = os.open(self._path, os.O_RDWR | os.O_CREAT | os.O_APPEND | (0 if is_replaced else os.O_EXCL), 0o666)
         except FileExistsError:
             raise self._exists() from None
         except OSError as error:
             raise BadInput(f"{self._path}: cannot be written: {error.strerror}") from None
+        if not stat.S_ISREG(os.fstat(self._file).st_mode):
+            self.close()
+            raise BadInput(f"{self._path}: cannot be written: it is no regular file")
         self._lock()
         os.ftruncate(self._file, 0)
         self._write(line_of(self._columns.names()))
 
-    def resume(self, wanted: Set[Tuple[str, ...]]) -> Set[Tuple[str, ...]]:
-        """Continues a file. @param wanted keys of the runs of the batch, @see key_of
-        @return keys of those that are in the file @raise BadInput if it is the file of another batch"""
+    def resume(self, wanted: Requests) -> bytearray:
+        """Continues a file. @param wanted runs of the batch
+        @return by their number, 1: it is in the file @raise BadInput if it is the file of another batch"""
         try:
             self._file = os.open(self._path, os.O_RDWR | os.O_APPEND)
         except OSError as error:
@@ -82,19 +90,16 @@ class ResultsFile:
         return done
 
     def append(self, request: RunRequest, outcome: RunOutcome) -> None:
-        """@raise OSError"""
+        """@raise RunsStopped"""
         values: Dict[str, Metric] = outcome.metrics
         unknown = sorted(set(values) - set(self._columns.metrics))
         if unknown:  # overrides have brought another rule in
             outcome = outcome._replace(failure=f"{outcome.failure} metrics without a column: {', '.join(unknown)}".strip())
-        row = [*self._identity, *self.key_of(request), outcome.success, outcome.ticks, outcome.wall_s, outcome.state_hash,
-               outcome.failure, overrides_text(request), *(values.get(name) for name in self._columns.metrics)]
+        overrides = dict(request.overrides)
+        row = [*self._identity, *(overrides[path] for path in self._columns.paths), request.seed, outcome.success, outcome.ticks,
+               outcome.wall_s, outcome.state_hash, outcome.failure, overrides_text(request),
+               *(values.get(name) for name in self._columns.metrics)]
         self._write(line_of(row))
-
-    def key_of(self, request: RunRequest) -> Tuple[str, ...]:
-        """What tells the run from others of the file."""
-        values = dict(request.overrides)
-        return (*(values[path] for path in self._columns.paths), str(request.seed))
 
     def close(self) -> None:
         if self._file >= 0:
@@ -112,38 +117,40 @@ class ResultsFile:
             raise
 
     def _write(self, line: bytes) -> None:
-        written = os.write(self._file, line)
-        if written != len(line):  # the disk is full: the beginning of a row is worth nothing
-            os.ftruncate(self._file, os.fstat(self._file).st_size - written)
-            raise OSError(f"{self._path}: cannot be written: no space left")
+        """@raise RunsStopped"""
+        written = 0
+        try:
+            while written < len(line):   # a second call says why the first one has written a part
+                written += os.write(self._file, line[written:])
+        except OSError as error:
+            os.ftruncate(self._file, os.fstat(self._file).st_size - written)   # the beginning of a row is worth nothing
+            raise unwritable(self._path, error) from None
 
-    def _read(self, wanted: Set[Tuple[str, ...]]) -> Set[Tuple[str, ...]]:
-        with open(self._path, "rb") as file:
-            content = file.read()
-        whole = content.rfind(b"\n") + 1
-        os.ftruncate(self._file, whole)
-        rows = list(csv.reader(io.StringIO(content[:whole].decode(errors="replace"))))
-        if not rows:
-            return set()
-        if rows[0] != self._columns.names():
-            columns_of(rows[0], self._path)
-            raise BadInput(f"{self._path}:1: found the columns of another batch, allowed: {','.join(self._columns.names())}")
-        done: Set[Tuple[str, ...]] = set()
-        for line, row in enumerate(rows[1:], 2):  # rows have no line breaks in them
-            done.add(self._checked(line, row, wanted, done))
+    def _read(self, wanted: Requests) -> bytearray:
+        done = bytearray(len(wanted))
+        with open_file(self._path) as file:
+            reader = RowReader(file, self._path)
+            if not reader.is_empty and reader.columns != self._columns:
+                raise BadInput(f"{self._path}:1: found the columns of another batch, allowed: {','.join(self._columns.names())}")
+            for line, row in reader.rows() if not reader.is_empty else ():
+                number = self._checked(line, row, wanted)
+                if done[number]:
+                    self._refuse(line, "found a run a second time, allowed: once")
+                done[number] = 1
+        os.ftruncate(self._file, reader.whole_bytes)
         return done
 
-    def _checked(self, line: int, row: Sequence[str], wanted: Set[Tuple[str, ...]], done: Set[Tuple[str, ...]]) -> Tuple[str, ...]:
-        where = f"{self._path}:{line}"
-        if len(row) != len(self._columns.names()):
-            raise BadInput(f"{where}: found {len(row)} values, allowed: {len(self._columns.names())}")
+    def _checked(self, line: int, row: Sequence[str], wanted: Requests) -> int:
+        """@return the number of the row's run"""
         for name, found, own in zip(Identity._fields, row, self._identity):
-            if found != own:
-                raise BadInput(f"{where}: found a run of another {name} ('{found}'), allowed: '{own}'")
-        key = tuple(row[len(Identity._fields):len(Identity._fields) + len(self._columns.paths) + 1])
-        if key not in wanted:
-            names = ", ".join(f"{name}={value}" for name, value in zip([*self._columns.paths, "seed"], key))
-            raise BadInput(f"{where}: found the run {names}, allowed: runs of this batch")
-        if key in done:
-            raise BadInput(f"{where}: found a run a second time, allowed: once")
-        return key
+            if found != text_of(own):
+                self._refuse(line, f"found a run of another {name} ('{shown(found)}'), allowed: '{own}'")
+        *values, seed = row[len(Identity._fields):len(Identity._fields) + len(self._columns.paths) + 1]
+        number = wanted.number(values, seed)
+        if number is None:
+            names = ", ".join(f"{name}={shown(value)}" for name, value in zip([*self._columns.paths, "seed"], [*values, seed]))
+            self._refuse(line, f"found the run {names}, allowed: runs of this batch")
+        return number
+
+    def _refuse(self, line: int, problem: str) -> NoReturn:
+        raise BadInput(f"{self._path}:{line}: {problem}")

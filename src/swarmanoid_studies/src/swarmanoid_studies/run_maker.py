@@ -1,4 +1,4 @@
-"""Makes runs, in a process of a worker.
+"""Makes runs, in a process of its own.
 
 The simulation of the last request is kept: the next one of the same experiment and overrides begins it anew with another
 seed, which reads no file. Runs have one thread each, as many are made at the same time."""
@@ -9,11 +9,12 @@ import socket
 import sys
 import time
 import warnings
-from typing import List, Optional, Sequence, Tuple
+from typing import Optional, Tuple
 
 import swarmanoid
 
-from .contents import OtherContents, contents_of, require_same
+from .contents import contents_of, require_same
+from .contents_fields import OtherContents
 from .runs import RunOutcome, RunRequest, lost, one_line
 
 _kept: Optional[Tuple[Tuple[object, ...], swarmanoid.Simulation]] = None
@@ -56,7 +57,7 @@ def make_run(request: RunRequest) -> RunOutcome:
     except OtherContents:
         _kept = None
         raise
-    except (Exception, SystemExit) as error:  # whatever it is, it belongs into the row of this run
+    except BaseException as error:  # whatever user code raises, KeyboardInterrupt too: it belongs into the row of this run
         _kept = None
         return lost(f"{type(error).__name__}: {error}")._replace(wall_s=time.perf_counter() - start)
     failures = result["failed_controllers"]
@@ -66,7 +67,3 @@ def make_run(request: RunRequest) -> RunOutcome:
         text = f"{len(failures)} controllers failed, first {first['robot']} in tick {first['tick']}: {first['reason']}"
     return RunOutcome(result["metrics"], result["success"], result["ticks"], time.perf_counter() - start,
                       result["state_hash"], one_line(text), True)
-
-
-def make_runs(requests: Sequence[RunRequest]) -> List[RunOutcome]:
-    return [make_run(request) for request in requests]

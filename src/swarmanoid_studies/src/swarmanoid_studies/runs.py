@@ -2,7 +2,7 @@
 
 from typing import Dict, NamedTuple, Optional, Tuple, Union
 
-from .contents import Contents
+from .contents_fields import Contents
 
 Metric = Union[float, str, bool]
 

@@ -2,29 +2,21 @@
 
 Intervals are of the mean, at 95 % (Student's t). Pairs are runs that differ in one value alone, seed included, so chance that the
 seed brings is in both. The effect size of pairs is Cohen's d_z, mean over standard deviation of the differences; p is of
-Wilcoxon's signed-rank test, not corrected for the number of pairs of values."""
+Wilcoxon's signed-rank test. A report makes many such tests, so each p stands also corrected for their number: Holm, S. (1979), A
+simple sequentially rejective multiple test procedure, Scandinavian Journal of Statistics 6, 65-70."""
 
-from typing import Dict, Iterator, List, NamedTuple, Tuple
+import math
+import warnings
+from typing import Dict, Iterator, List, NamedTuple, Sequence, Tuple
 
 import numpy
-import pandas
 import scipy.stats
 
-from .identity_fields import IDENTITY
-from .mistakes import BadInput
-from .results_columns import Columns, columns_of
+from .results_table import Results
 
 LEVEL = 0.95
 ALL = "all runs"
-
-
-class Results(NamedTuple):
-    rows: pandas.DataFrame     # values of paths are texts, metrics numbers or texts
-    columns: Columns
-
-    def numeric(self) -> List[str]:
-        """Metrics that have a distribution: numbers, and true or false as 1 and 0."""
-        return [name for name in self.columns.metrics if pandas.api.types.is_numeric_dtype(self.rows[name])]
+Panel = Tuple[str, str]   # metric, and path by whose values it is compared; path "": by none
 
 
 class Summary(NamedTuple):
@@ -49,82 +41,101 @@ class Comparison(NamedTuple):
     high: float
     effect: float       # Cohen's d_z
     p: float            # Wilcoxon
+    corrected: float    # p for all tests of the report together, Holm
 
 
-def read_results(path: str) -> Results:
-    """@raise BadInput"""
-    try:
-        with open(path, encoding="utf-8", errors="replace") as file:
-            columns = columns_of(file.readline().rstrip("\n").split(","), path)
-        texts = {name: str for name in (*IDENTITY, *columns.paths, "success", "state_hash", "failure", "overrides", *columns.metrics)}
-        rows = pandas.read_csv(path, dtype=texts, keep_default_na=False, encoding_errors="replace")
-    except (OSError, ValueError) as error:
-        raise BadInput(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
-    for name in columns.metrics:
-        rows[name] = _numbers(rows[name])
-    return Results(rows, columns)
-
-
-def _numbers(texts: pandas.Series) -> pandas.Series:
-    """Numbers, NaN where a run has none, if all that are there are numbers; else the texts."""
-    numbers = pandas.to_numeric(texts.replace({"true": "1", "false": "0", "": "nan"}), errors="coerce")
-    is_text = numbers.isna() & ~texts.isin(("", "nan", "inf", "-inf"))
-    return texts if is_text.any() or not len(texts) else numbers.astype(float)
+def panels(results: Results) -> List[Panel]:
+    """What a report shows, in its order."""
+    paths = [path for path, axis in results.axes.items() if len(axis.values) > 1] or [""]
+    return [(metric, path) for metric in results.metrics for path in paths]
 
 
 def interval(values: numpy.ndarray) -> Tuple[float, float, float]:
     """@return mean, and its interval; a single value has none"""
-    mean = float(numpy.mean(values)) if len(values) else float("nan")
-    if len(values) < 2:
-        return mean, float("nan"), float("nan")
-    half = scipy.stats.t.ppf(0.5 + LEVEL / 2, len(values) - 1) * float(numpy.std(values, ddof=1)) / len(values) ** 0.5
-    return mean, mean - half, mean + half
+    with numpy.errstate(all="ignore"):   # sums of numbers near the largest one are inf
+        mean = float(numpy.mean(values)) if len(values) else math.nan
+        if len(values) < 2:
+            return mean, math.nan, math.nan
+        half = float(scipy.stats.t.ppf(0.5 + LEVEL / 2, len(values) - 1) * numpy.std(values, ddof=1) / len(values) ** 0.5)
+        return mean, mean - half, mean + half
 
 
 def groups(results: Results, path: str, metric: str) -> Iterator[Tuple[str, numpy.ndarray]]:
-    """Values of a metric by value of a path, in the order of the file's grid. @param path "": all in one"""
-    finite = results.rows[numpy.isfinite(results.rows[metric])]
+    """Values of a metric by value of a path, in the order of the axis. @param path "": all in one"""
+    values = results.metrics[metric]
+    is_finite = numpy.isfinite(values)
     if not path:
-        yield ALL, finite[metric].to_numpy()
+        yield ALL, values[is_finite]
         return
-    for value in values_of(results, path):
-        yield value, finite.loc[finite[path] == value, metric].to_numpy()
-
-
-def values_of(results: Results, path: str) -> List[str]:
-    """Numbers by size, else texts as they came first; rows are in no order."""
-    values = list(dict.fromkeys(results.rows[path]))
-    try:
-        return sorted(values, key=float)
-    except ValueError:
-        return sorted(values)
+    axis = results.axes[path]
+    for place, value in enumerate(axis.values):
+        yield value, values[is_finite & (axis.places == place)]
 
 
 def summaries(results: Results, path: str, metric: str) -> List[Summary]:
     rows = []
     for value, found in groups(results, path, metric):
         if len(found):
-            rows.append(Summary(value, len(found), *interval(found), float(numpy.median(found)), float(found.min()),
-                                float(found.max())))
+            with numpy.errstate(all="ignore"):
+                rows.append(Summary(value, len(found), *interval(found), float(numpy.median(found)), float(found.min()),
+                                    float(found.max())))
     return rows
 
 
-def comparisons(results: Results, path: str, metric: str) -> List[Comparison]:
-    """Each value with the first one."""
-    finite = results.rows[numpy.isfinite(results.rows[metric])]
-    others = [name for name in results.columns.paths if name != path] + ["seed"]
-    by_value: Dict[str, pandas.Series] = {
-        value: finite[finite[path] == value].set_index(others)[metric] for value in values_of(results, path)}
-    first, *rest = by_value
+def comparisons(results: Results) -> Dict[Panel, List[Comparison]]:
+    """All that a report has: of each panel with a path, each value with the first one."""
+    pairs = {path: _pair_numbers(results, path) for path in results.axes}
+    found = {panel: _compare(results, panel, pairs[panel[1]]) for panel in panels(results) if panel[1]}
+    corrected = iter(holm([each.p for rows in found.values() for each in rows]))
+    return {panel: [each._replace(corrected=next(corrected)) for each in rows] for panel, rows in found.items()}
+
+
+def holm(p: Sequence[float]) -> List[float]:
+    """Each p as it is for all tests together: the chance that any of them would be so small."""
+    corrected = [0.0] * len(p)
+    largest = 0.0
+    for rank, index in enumerate(sorted(range(len(p)), key=p.__getitem__)):
+        largest = max(largest, min(1.0, (len(p) - rank) * p[index]))
+        corrected[index] = largest
+    return corrected
+
+
+def _pair_numbers(results: Results, path: str) -> numpy.ndarray:
+    """(rows,): equal for runs that differ in the value of the path alone."""
+    others = [axis.places for other, axis in results.axes.items() if other != path]
+    _, seeds = numpy.unique(results.seeds, return_inverse=True)
+    if not others:
+        return seeds
+    return numpy.unique(numpy.stack([*others, seeds], axis=1), axis=0, return_inverse=True)[1]
+
+
+def _compare(results: Results, panel: Panel, pairs: numpy.ndarray) -> List[Comparison]:
+    metric, path = panel
+    axis, values = results.axes[path], results.metrics[metric]
+    rows = [numpy.flatnonzero(numpy.isfinite(values) & (axis.places == place)) for place in range(len(axis.values))]
     found = []
-    for value in rest:
-        pairs = pandas.concat([by_value[first], by_value[value]], axis=1, join="inner").to_numpy()
-        if len(pairs) < 2:
-            continue
-        differences = pairs[:, 1] - pairs[:, 0]
-        deviation = float(numpy.std(differences, ddof=1))
-        is_equal = not differences.any()
-        p = 1.0 if is_equal else float(scipy.stats.wilcoxon(differences, zero_method="pratt").pvalue)
-        effect = float(numpy.mean(differences)) / deviation if deviation > 0 else (0.0 if is_equal else float("inf"))
-        found.append(Comparison(first, value, len(pairs), *interval(differences), effect, p))
+    for place in range(1, len(rows)):
+        _, first, second = numpy.intersect1d(pairs[rows[0]], pairs[rows[place]], assume_unique=True, return_indices=True)
+        with numpy.errstate(all="ignore"):
+            differences = values[rows[place][second]] - values[rows[0][first]]
+        if len(differences) >= 2 and numpy.isfinite(differences).all():
+            found.append(Comparison(axis.values[0], axis.values[place], len(differences), *interval(differences), _effect(differences),
+                                    _wilcoxon(differences), math.nan))
     return found
+
+
+def _effect(differences: numpy.ndarray) -> float:
+    with numpy.errstate(all="ignore"):
+        mean, deviation = float(numpy.mean(differences)), float(numpy.std(differences, ddof=1))
+    if deviation > 0:
+        return mean / deviation
+    return math.copysign(math.inf, mean) if differences.any() else 0.0
+
+
+def _wilcoxon(differences: numpy.ndarray) -> float:
+    if not differences.any():
+        return 1.0
+    with warnings.catch_warnings():   # of few pairs, or of equal ones: p is right, and stands with the number of pairs
+        warnings.simplefilter("ignore")
+        p = float(scipy.stats.wilcoxon(differences, zero_method="pratt").pvalue)
+    return p if math.isfinite(p) else 1.0

@@ -19,8 +19,10 @@ from typing import Dict, List, NamedTuple, NoReturn, Tuple
 
 from lxml import etree
 
-from .grid import SEED_PATH, parse_seeds
+from .grid import SEED_PATH
+from .input_file import NUMBER, read_file, shown
 from .mistakes import BadInput
+from .seeds import parse_seeds
 from .study import Gene, Objective, OptimiserChoice, Study
 
 
@@ -32,7 +34,9 @@ class Bounds(NamedTuple):
 
 
 MOST = 1_000_000
+MOST_BYTES = 10_000_000   # of a file
 MOST_GENES = 10_000   # of one value
+MOST_SEEDS = 100_000  # each genotype has as many runs
 COMMON = {"generations": Bounds(20, 1, MOST), "random_seed": Bounds(1, 0, 2 ** 63)}
 OF_GA = {"population": Bounds(20, 4, 100_000), "crossover": Bounds(0.9, 0, 1, False), "mutation": Bounds(0, 0, 1, False)}
 # what each optimiser takes; 0 where the optimiser computes a value of its own
@@ -45,14 +49,14 @@ OPTIMISERS: Dict[str, Dict[str, Bounds]] = {
 
 def read_study(path: str) -> Study:
     """@raise BadInput with file and line"""
+    content = read_file(path, MOST_BYTES)
     try:
         # no entities: they could read other files; no network
         parser = etree.XMLParser(resolve_entities=False, no_network=True, remove_comments=True, remove_pis=True)
-        root = etree.parse(path, parser).getroot()
+        root = etree.fromstring(content, parser)
     except etree.XMLSyntaxError as error:
-        raise BadInput(f"{path}:{error.lineno or 1}: {error.msg}") from None
-    except OSError as error:
-        raise BadInput(f"{path}: cannot be read: {error.strerror or error}") from None
+        problem = " ".join((error.msg or "found nothing").split())
+        raise BadInput(f"{path}:{error.lineno or 1}: {problem}, allowed: XML with <study>") from None
     return _Reader(path).study(root)
 
 
@@ -76,7 +80,7 @@ def find_study(file_or_name: str) -> str:
 
 def _unknown(what: str, name: str, known: List[str]) -> str:
     near = difflib.get_close_matches(name, known, 1)
-    return f"found {what} '{name}', allowed: {', '.join(known)}" + (f"; did you mean '{near[0]}'?" if near else "")
+    return f"found {what} '{shown(name)}', allowed: {', '.join(known)}" + (f"; did you mean '{near[0]}'?" if near else "")
 
 
 class _Reader:
@@ -85,7 +89,7 @@ class _Reader:
 
     def study(self, root: etree._Element) -> Study:
         if root.tag != "study":
-            self._refuse(root, f"found <{root.tag}>, allowed: <study>")
+            self._refuse(root, f"found <{shown(root.tag)}>, allowed: <study>")
         self._attributes(root)
         parts = self._children(root, {"experiment": True, "overrides": False, "genotype": True, "fitness": True, "optimiser": True})
         genes = self._genes(parts["genotype"])
@@ -125,6 +129,8 @@ class _Reader:
             self._text(child, is_empty=True)
             if gene.minimum >= gene.maximum:
                 self._refuse(child, f"found the range {values['minimum']} to {values['maximum']}, allowed: minimum < maximum")
+            if math.isinf(gene.maximum - gene.minimum):
+                self._refuse(child, f"found the range {values['minimum']} to {values['maximum']}, allowed: one whose width is finite")
             if any(other.path == gene.path for other in genes):
                 self._refuse(child, f"found the path '{gene.path}' twice, allowed: once")
             genes.append(gene)
@@ -133,7 +139,7 @@ class _Reader:
         return tuple(genes)
 
     def _fitness(self, element: etree._Element) -> Tuple[Tuple[int, ...], Tuple[Objective, ...]]:
-        seeds = parse_seeds(self._attributes(element, "seeds")["seeds"], f"{self._where(element)}: seeds")
+        seeds = parse_seeds(self._attributes(element, "seeds")["seeds"], f"{self._where(element)}: seeds", MOST_SEEDS)
         objectives: List[Objective] = []
         for child in self._all(element, ("minimise", "maximise")):
             metric = self._attributes(child, "metric")["metric"]
@@ -141,7 +147,7 @@ class _Reader:
             self._text(child, is_empty=True)
         if not objectives:
             self._refuse(element, "found no objective, allowed: <minimise metric=\"...\"/> and <maximise metric=\"...\"/>")
-        return seeds, tuple(objectives)
+        return tuple(seeds), tuple(objectives)
 
     def _optimiser(self, element: etree._Element, objectives: int) -> OptimiserChoice:
         self._attributes(element)
@@ -166,18 +172,18 @@ class _Reader:
 
     def _within(self, element: etree._Element, name: str, text: str, bounds: Bounds) -> float:
         value = self._number(element, name, text)
-        if not bounds.least <= value <= bounds.most or bounds.is_whole and value != int(value):
+        is_digits = text.isdecimal() and len(text) < 20
+        if bounds.is_whole and is_digits:
+            value = int(text)   # with all its digits
+        if not bounds.least <= value <= bounds.most or bounds.is_whole and not is_digits:
             kind = "a whole number" if bounds.is_whole else "a number"
-            self._refuse(element, f"{name}: found '{text}', allowed: {kind} from {bounds.least} to {bounds.most}")
-        return int(value) if bounds.is_whole else value
+            self._refuse(element, f"{name}: found '{shown(text)}', allowed: {kind} from {bounds.least} to {bounds.most}")
+        return value
 
     def _number(self, element: etree._Element, name: str, text: str) -> float:
-        try:
-            value = float(text)
-        except ValueError:
-            value = math.nan
+        value = float(text) if NUMBER.fullmatch(text) else math.nan
         if not math.isfinite(value):
-            self._refuse(element, f"{name}: found '{text}', allowed: a number")
+            self._refuse(element, f"{name}: found '{shown(text)}', allowed: a number")
         return value
 
     def _children(self, element: etree._Element, names: Dict[str, bool]) -> Dict[str, etree._Element]:
@@ -195,7 +201,7 @@ class _Reader:
     def _all(self, element: etree._Element, names: Tuple[str, ...]) -> List[etree._Element]:
         for text in (element.text, *(child.tail for child in element)):
             if text and text.strip():
-                self._refuse(element, f"found the text '{text.strip()}' in <{element.tag}>, allowed: elements")
+                self._refuse(element, f"found the text '{shown(text.strip())}' in <{element.tag}>, allowed: elements")
         for child in element:
             if child.tag not in names:
                 self._refuse(child, _unknown("the element", str(child.tag), list(names)))
@@ -205,7 +211,7 @@ class _Reader:
         for name in element.attrib:
             if name not in names:
                 self._refuse(element, _unknown("the attribute", str(name), list(names)) if names else
-                             f"found the attribute '{name}', allowed: none in <{element.tag}>")
+                             f"found the attribute '{shown(name)}', allowed: none in <{element.tag}>")
         for name in names:
             if name not in element.attrib:
                 self._refuse(element, f"found <{element.tag}> without {name}=\"...\", allowed: with it")

@@ -11,12 +11,13 @@ def main() -> int:
 
 
 def _main() -> int:
-    from .command_options import check_worker_options
+    from .command_options import check_scheduler, check_worker_options
     from .workers import SETUP
     parser = Arguments("worker", "Makes runs for a dask-scheduler, until that ends. What follows goes on to `dask worker`.")
     parser.add_argument("scheduler", help="its address, tcp://host:port")
     parser.add_argument("--jobs", type=int, metavar="N", help="processes that make runs; without it one a processor")
     arguments, others = parser.parse_known_args()
+    check_scheduler(arguments.scheduler, "scheduler")
     jobs = check_worker_options(arguments.jobs, None)
     command = [sys.executable, "-m", "distributed.cli.dask_worker", arguments.scheduler, "--nworkers", str(jobs),
                "--nthreads", "1", "--memory-limit", "0", "--no-dashboard", "--preload", SETUP, *others]

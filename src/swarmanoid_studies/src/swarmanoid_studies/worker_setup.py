@@ -4,9 +4,10 @@ import signal
 
 
 def set_up() -> None:
-    import swarmanoid  # noqa: F401  the first run need not wait for it
+    from .makers import start
     # Ctrl-C goes to all processes of a terminal: whoever has started the worker ends it
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    start()
 
 
 def dask_setup(_worker: object) -> None:

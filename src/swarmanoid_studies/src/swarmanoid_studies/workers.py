@@ -12,6 +12,7 @@ from distributed import Client, LocalCluster
 
 from .identity import identify
 from .identity_fields import Identity
+from .input_file import shown
 from .mistakes import BadInput
 from .worker_processes import WorkerProcesses
 
@@ -46,9 +47,9 @@ def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
     if scheduler is not None:
         try:
             client = Client(scheduler, timeout=SCHEDULER_S)
-        except (OSError, ValueError) as error:
+        except Exception as error:  # of Dask, or of its transports: no answer, no certificates, no such host
             raise BadInput(f"--scheduler: found '{scheduler}', allowed: the address of a dask-scheduler that answers "
-                           f"({error})") from None
+                           f"({shown(error)})") from None
         with client:
             yield client
         return

@@ -23,10 +23,11 @@ struct RecordedRun {
   RunRecord record;                  ///< without texts and contents, which are in the folder
   std::string interventions;         ///< text of a file of interventions, with its end
   std::vector<RecordedHash> hashes;  ///< from tick 0 on, RunRecord::every ticks apart; at least one
-  bool has_result = false;
+  std::string result;                ///< text of the summary; empty: the run was killed, or is not over
   std::vector<std::string> missing;  ///< what a run that was killed has not written, in sentences
 
   std::uint64_t ticks() const { return hashes.back().tick; }
+  bool hasResult() const { return !result.empty(); }
 };
 
 /// @throws ConfigError
