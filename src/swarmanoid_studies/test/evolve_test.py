@@ -9,7 +9,7 @@ import subprocess
 import time
 import unittest
 
-from commands import CONTROLLER_FAILED, INTERRUPTED, CommandsTest, workers_of
+from commands import CONTROLLER_FAILED, INTERRUPTED, PATIENCE_S, CommandsTest, workers_of
 
 SPEED, THRESHOLD = "controllers.pc.parameters.speed", "controllers.pc.parameters.threshold"
 STUDY = f"""<study>
@@ -141,13 +141,13 @@ class EvolveTest(CommandsTest):
                 self.assertEqual(pictures[-1][-8:-4], b"IEND", "it is there as a whole")
             time.sleep(0.01)
         program.terminate()
-        program.communicate(timeout=60)
+        program.communicate(timeout=PATIENCE_S)
 
     def test_controllers_that_fail_are_named_and_the_exit_code_says_it(self):
         (self.folder / "fails.xml").write_text(FAILS)
         self.study.write_text(STUDY_THAT_FAILS)
         program = self.start("evolve", "study.xml", "--out", "run", "--quiet", "--jobs", 2)
-        output, errors = program.communicate(timeout=60)
+        output, errors = program.communicate(timeout=PATIENCE_S)
         self.assertEqual(program.returncode, CONTROLLER_FAILED)
         summary = json.loads(output)
         self.assertEqual(summary["runs_with_failed_controllers"], 32)
@@ -175,7 +175,7 @@ class EvolveTest(CommandsTest):
         program = self.start("evolve", "study.xml", "--out", "run", "--quiet", "--jobs", 2)
         self.wait_for_lines("run/checkpoint.json", 1, program)
         program.terminate()
-        output, errors = program.communicate(timeout=60)
+        output, errors = program.communicate(timeout=PATIENCE_S)
         self.assertEqual((program.returncode, errors), (INTERRUPTED, "swarmanoid: interrupted; --resume goes on\n"))
         self.assertTrue((self.folder / "run/best.xml").exists())
 
@@ -188,7 +188,7 @@ class EvolveTest(CommandsTest):
                             "lamps.distance_before_switch, lamps.switches", "evolve", "study.xml")
         self.study.write_text(STUDY.replace('maximum="2"', 'maximum="20"'))
         program = self.start("evolve", "study.xml")
-        _, errors = program.communicate(timeout=60)
+        _, errors = program.communicate(timeout=PATIENCE_S)
         self.assertRegex(errors, f"^swarmanoid: study.xml:6: --set {THRESHOLD}: .*found '?20.0'?, allowed: .*\n$")
 
     def test_another_study_is_not_continued(self):

@@ -28,7 +28,7 @@ def runs(seeds="1..5"):
 
 
 def outcome(number):
-    return RunOutcome({"m.x": number, "m.done": True}, None, 7, 0.25, "00ff", "", True)
+    return RunOutcome({"m.x": number, "m.done": True}, None, 7, 0.25, "00ff00ff00ff00ff", "", True)
 
 
 class ResultsFileTest(unittest.TestCase):

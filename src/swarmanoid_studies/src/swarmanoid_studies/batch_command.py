@@ -5,6 +5,7 @@ import os
 import time
 from typing import Dict, List, NamedTuple, Optional, Tuple
 
+from .atomic_file import refuse_unwritable
 from .command_options import add_worker_options, check_worker_options, portable, refuse_resume_with_force
 from .contents import contents_of, merged
 from .contents_fields import Contents
@@ -102,6 +103,8 @@ def _main() -> int:
     metrics, contents = look_at_values(arguments.experiment, grid, shared)
     columns = Columns(tuple(axis.path for axis in grid.axes), metrics)
     path = arguments.out or f"{identity.experiment}.csv"
+    if not os.path.lexists(path) and not arguments.resume:
+        refuse_unwritable(path)
     report = None if arguments.no_report else arguments.report or os.path.splitext(path)[0] + ".html"
     if report is not None:
         from .report_command import check_report_name
