@@ -15,12 +15,15 @@ void requireIn(const Range& range, double value, const std::string& what) {
   }
 }
 
-void check(const PaintDisc& disc, const std::string& what, const Eigen::Vector3d& size) {
+std::string textOf(const Eigen::Vector2d& v) { return numberText(v.x()) + ", " + numberText(v.y()); }
+
+void check(const PaintDisc& disc, const std::string& what, const Space& space) {
   const Eigen::Vector2d& at = disc.position;
-  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= size.x() && at.y() <= size.y())) {
-    throw ConfigError({}, what + "position: found " + numberText(at.x()) + ", " + numberText(at.y()) +
-                              ", allowed: in the arena, from 0, 0 to " + numberText(size.x()) + ", " +
-                              numberText(size.y()));
+  const Eigen::Vector2d least = space.corner.head<2>();
+  const Eigen::Vector2d most = space.farCorner().head<2>();
+  if (!((at.array() >= least.array()).all() && (at.array() <= most.array()).all())) {
+    throw ConfigError({}, what + "position: found " + textOf(at) + ", allowed: in the arena, from " + textOf(least) +
+                              " to " + textOf(most));
   }
   requireIn(PaintFloor::kRadius, disc.radius, what + "radius");
   requireIn(PaintFloor::kStrength, disc.strength, what + "strength");
@@ -37,7 +40,7 @@ bool carryOut(World& world, const PaintFloor& intervention) {
     throw ConfigError({}, "found no disc to paint, allowed: one or more");
   }
   for (std::size_t i = 0; i < intervention.discs.size(); ++i) {
-    check(intervention.discs[i], describeDisc(intervention, i), world.space.size);
+    check(intervention.discs[i], describeDisc(intervention, i), world.space);
   }
   for (const PaintDisc& disc : intervention.discs) {
     paint.paint(disc, world.space.tick);
