@@ -45,8 +45,8 @@ class Relocation final : public swarmanoid::Rule {
     }
     if (space.tick % every_ == 0) {
       swarmanoid::Pose pose = space.entities.pose[row];
-      pose.position.x() = random().uniform(0.0, space.size.x());
-      pose.position.y() = random().uniform(0.0, space.size.y());
+      pose.position.x() = random().uniform(space.corner.x(), space.farCorner().x());
+      pose.position.y() = random().uniform(space.corner.y(), space.farCorner().y());
       queue.tryTo(swarmanoid::MoveEntity{entity_, pose});  // something may be in the way there
     }
   }

@@ -1,11 +1,13 @@
 // Which checks the conformance test does on a robot, and in which order.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 
 #include "../src/conformance/checks.hpp"
 #include "swarmanoid_interface/device_type.hpp"
+#include "swarmanoid_interface/devices/lidar.hpp"
 
 namespace swarmanoid::conformance {
 namespace {
@@ -150,6 +152,35 @@ TEST(ConformanceChecks, ThePanTiltCameraMissesThePreyBeforeAnythingElse) {
   EXPECT_EQ("the height of the robot is not known (laser_height is 0)", obstacleWith("0.7", "0"));
   EXPECT_EQ("the prey lies too near below the robot", obstacleWith("0.2", "1.3"));
   EXPECT_EQ("", obstacleWith("0.7", "1.3"));
+}
+
+TEST(ConformanceChecks, ALidarMeasuresTheWallOnTheRight) {
+  TestRobot robot("epuck", {Lidar::kType});
+  Configuration parameters("parameters", "", {});
+  parameters.set("wall_distance", "0.8");
+  Bench bench(robot.robot, parameters);
+  const std::vector<Check> checks = checksFor(bench);
+  ASSERT_EQ(Names{Lidar::kType}, namesOf(checks));
+  EXPECT_EQ("", checks[0].obstacle);
+  std::vector<LidarBeam> beams(36);
+  auto& lidar = *static_cast<Lidar*>(robot.values[0].get());
+  lidar.beams = beams;
+  /// @param bearing of the wall, 0.74 m away
+  const auto failureWithWallTo = [&](double bearing) {
+    for (std::size_t i = 0; i < beams.size(); ++i) {
+      const double angle = (-180.0 + 10.0 * static_cast<double>(i)) * M_PI / 180.0;
+      const double cosine = std::cos(angle - bearing);
+      beams[i] = {Distance::reading(cosine > 0.0 ? 0.74 / cosine : INFINITY, Lidar::kUsualRange),
+                  static_cast<float>(angle)};
+    }
+    bench.startCheck("lidar");
+    checks[0].stages.at(0).end(1.0);
+    return bench.failure();
+  };
+  EXPECT_EQ("", failureWithWallTo(-M_PI / 2.0));
+  EXPECT_EQ("lidar: way from beam 7 to the wall: inf m, expected 0.520 +- 0.280 m", failureWithWallTo(M_PI / 2.0));
+  lidar.beams = Span<const LidarBeam>(beams.data() + 18, 18);  // only those to the left
+  EXPECT_EQ("lidar: not true: some beam looks to the right", failureWithWallTo(M_PI / 2.0));
 }
 
 TEST(ConformanceChecks, UsualSurroundingsFollowFromTheDevicesThatAreListed) {

@@ -12,6 +12,7 @@ LED_HEIGHT = 0.2
 RANGE_AND_BEARING_HEIGHT = 0.22  # in the hub, over its LEDs
 DISTANCE_COUNT = 16  # infrared sensors around the body
 DISTANCE_HEIGHT = 0.29  # half way up the ducts
+LIGHT_COUNT = 24  # light sensors at the same height, as many as the eye-bot of ARGoS has
 OMNIDIRECTIONAL_CAMERA_HEIGHT = 0.42  # on the mast, over the rotors
 PAN_TILT_CAMERA = (0.085, 0, 0.17)  # ahead of the hub, under its LEDs; drawn as it stands at rest
 DUCT_RADIUS = 0.1
@@ -87,6 +88,8 @@ def make():
         robot.link(f"distance_{i}", xyz=xyz, rpy=rpy)
     robot.link(f"distance_{DISTANCE_COUNT}", xyz=(-0.05, 0, 0.36), rpy=UP)  # on the hub
     robot.link(f"distance_{DISTANCE_COUNT + 1}", xyz=(-0.05, 0, 0.15), rpy=DOWN)  # beside the camera
+    for i, xyz, rpy in ring(LIGHT_COUNT, RADIUS, DISTANCE_HEIGHT):
+        robot.link(f"light_{i}", xyz=xyz, rpy=rpy)
     robot.camera("camera", (0, 0, 0.15), DOWN)
     robot.link("omnidirectional_camera", xyz=(0, 0, OMNIDIRECTIONAL_CAMERA_HEIGHT),
                visuals=[disc(0.014, -0.015, 0.015, "black")])

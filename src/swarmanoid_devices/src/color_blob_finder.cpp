@@ -169,7 +169,7 @@ void lookAround(const Space& space, const BlobView& view, std::vector<Sighting>&
   std::sort(near.begin(), near.end(), [&](Row a, Row b) { return entities.number[a] < entities.number[b]; });
   // spots on the ground may be under it by rounding
   constexpr double kBelow = 1e-3;  // m
-  obstacles.begin(space, view.self, eye, near, space.lowestGround() - kBelow, space.size.z());
+  obstacles.begin(space, view.self, eye, near, space.lowestGround() - kBelow, space.farCorner().z());
   Finder finder(space, view, obstacles, shades, found);
   for (const Row row : near) {
     if (row != view.self) {

@@ -25,6 +25,14 @@ Parameter tooCloseParameter() {
   return parameter;
 }
 
+void refuseEmptyRange(const Range& range, const Configuration& parameters) {
+  if (range.minimum >= range.maximum) {
+    throw ConfigError(parameters.location(), "range_min: found " + numberText(range.minimum) +
+                                                 ", allowed: less than range_max, which is " +
+                                                 numberText(range.maximum));
+  }
+}
+
 void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits) {
   space.raycast(rays, hits);
   for (std::size_t k = 0; k < hits.size(); ++k) {

@@ -14,6 +14,10 @@ inline bool mayMeasure(const Space& space, const RayBundle& rays, double lowest)
   return lowest <= 0.0 || space.mayHit(rays);
 }
 
+/// Refuses a range in which nothing can be measured. @param parameters of the sensor, with range_min and range_max
+/// @throws ConfigError
+void refuseEmptyRange(const Range& range, const Configuration& parameters);
+
 /// As Space::raycast, and the level floor stops rays, too: z = 0, where there is neither terrain nor a hole.
 void castDistances(const Space& space, const RayBundle& rays, Span<RayHit> hits);
 

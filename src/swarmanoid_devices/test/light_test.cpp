@@ -276,14 +276,28 @@ TEST_F(LightTest, SensorsOfTheirOwnTakeThePlaceOfInfraredOnes) {
   EXPECT_NEAR(light.sensors[1].angle, M_PI, 1e-6);
 }
 
+/// Around its ducts, 0.25 m from its axis and 0.29 m above its feet.
+TEST_F(LightTest, AnEyebotHas24AroundItsDucts) {
+  const Row eyebot = world.addEyebot(5.0, 5.0, 1.2, 0.41);
+  addLamp({5.9, 4.65, 0.4});
+  LightSensor sensor(world, eyebot);
+  const Light& light = sensor.sense();
+  ASSERT_EQ(light.sensors.size(), 24U);
+  EXPECT_NEAR(light.sensors[0].value, 1.7462311e-3, 1e-9) << "1.3565221 m away, cosine 0.3213331";
+  EXPECT_NEAR(light.sensors[2].value, 1.4017621e-5, 1e-9) << "cosine 0.0028821";
+  EXPECT_EQ(light.sensors[3].value, 0.0F) << "looks away";
+  EXPECT_NEAR(light.sensors[21].value, 3.2279172e-3, 1e-9) << "1.3039458 m away, cosine 0.5488346";
+  EXPECT_NEAR(light.sensors[21].angle, -M_PI / 4.0, 1e-6);
+}
+
 TEST_F(LightTest, RobotsWithoutSensorsAreRefused) {
-  const Row eyebot = world.addEyebot(1.0, 1.0, 1.0);
+  const Row handbot = world.add(robotModel("handbot"), {1.0, 1.0, 0.0});
   try {
-    LightSensor light(world, eyebot);
+    LightSensor light(world, handbot);
     FAIL() << "it has no such links";
   } catch (const ConfigError& error) {
     EXPECT_STREQ(error.what(),
-                 "found the device 'light' on a eyebot, allowed: on robots with links light_0, ... or "
+                 "found the device 'light' on a handbot, allowed: on robots with links light_0, ... or "
                  "proximity_0, ... (1 to 64)");
   }
 }

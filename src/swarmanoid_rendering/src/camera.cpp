@@ -16,7 +16,7 @@ CameraAxes axesOf(const Camera& camera) {
   return {forward, roll * right, roll * right.cross(forward)};
 }
 
-Camera overview(const Vector3d& size, double field_of_view, double aspect) {
+Camera overview(const Eigen::AlignedBox3d& seen, double field_of_view, double aspect) {
   constexpr double kPitch = -0.85;  // that of rviz's view at first
   constexpr double kHeadingNorth = 0.5 * M_PI;
   constexpr double kMargin = 1.04;  // walls stand around the arena
@@ -25,7 +25,7 @@ Camera overview(const Vector3d& size, double field_of_view, double aspect) {
   camera.pitch = kPitch;
   camera.field_of_view = field_of_view;
   const CameraAxes axes = axesOf(camera);
-  const Vector3d middle = 0.5 * size;
+  const Vector3d size = seen.sizes();
   const double across = std::tan(0.5 * field_of_view) / kMargin;
   double distance = 0.0;  // from the middle, so that the nearest of the eight corners is on the border
   for (int corner = 0; corner < 8; ++corner) {
@@ -35,7 +35,7 @@ Camera overview(const Vector3d& size, double field_of_view, double aspect) {
         std::max(std::abs(axes.right.dot(from_middle)), aspect * std::abs(axes.up.dot(from_middle))) / across;
     distance = std::max(distance, beside - axes.forward.dot(from_middle));
   }
-  camera.position = middle - distance * axes.forward;
+  camera.position = seen.center() - distance * axes.forward;
   return camera;
 }
 

@@ -82,8 +82,10 @@ class OpenglRender final : public Observer {
       return;
     }
     if (sees_all_) {
-      camera_ = overview({space.size.x(), space.size.y(), topOf(space)}, camera_.field_of_view,
-                         static_cast<double>(width_) / height_);
+      const Eigen::Vector3d far = space.farCorner();
+      camera_ = overview(
+          {Eigen::Vector3d(space.corner.x(), space.corner.y(), 0.0), Eigen::Vector3d(far.x(), far.y(), topOf(space))},
+          camera_.field_of_view, static_cast<double>(width_) / height_);
       sees_all_ = false;  // from here on it stands
     }
     view_->show(space, *tracer_);

@@ -36,13 +36,14 @@ TEST(CameraTest, AnOverviewHasAllCornersInThePictureAndOneNearItsBorder) {
   for (const double aspect : {0.6, 1.33, 2.4}) {
     for (const Vector3d& size : {Vector3d(3.1, 4.7, 2.0), Vector3d(40.0, 2.5, 0.3), Vector3d(1.0, 9.0, 30.0)}) {
       const double field_of_view = 1.13;
-      const Camera camera = overview(size, field_of_view, aspect);
+      const Vector3d least(-1.7, 0.4, 0.2);
+      const Camera camera = overview({least, Vector3d(least + size)}, field_of_view, aspect);
       const CameraAxes axes = axesOf(camera);
       double farthest = 0.0;  // from the middle of the picture, 1: at its border
       for (int corner = 0; corner < 8; ++corner) {
         const Vector3d at((corner & 1) != 0 ? size.x() : 0.0, (corner & 2) != 0 ? size.y() : 0.0,
                           (corner & 4) != 0 ? size.z() : 0.0);
-        const Vector3d seen = at - camera.position;
+        const Vector3d seen = least + at - camera.position;
         const double depth = axes.forward.dot(seen);
         ASSERT_GT(depth, 0.0);
         const double border = depth * std::tan(0.5 * field_of_view);

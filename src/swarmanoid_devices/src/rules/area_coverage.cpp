@@ -1,4 +1,5 @@
 // Coverage: which part of an area robots have visited so far, square by square.
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -35,9 +36,10 @@ class AreaCoverage final : public MeasuringRule {
   }
 
   void start(const Space& space) override {
-    const Eigen::Vector2d arena = space.size.head<2>();
-    minimum_ = cornerOr("minimum", Eigen::Vector2d::Zero(), arena);
-    const Eigen::Vector2d maximum = cornerOr("maximum", arena, arena);
+    const Eigen::AlignedBox2d arena(Eigen::Vector2d(space.corner.head<2>()),
+                                    Eigen::Vector2d(space.farCorner().head<2>()));
+    minimum_ = cornerOr("minimum", arena.min(), arena);
+    const Eigen::Vector2d maximum = cornerOr("maximum", arena.max(), arena);
     const Eigen::Vector2d size = maximum - minimum_;
     constexpr double kRounding = 1e-9;  // of a square: 3 m / 0.1 m are 30
     const Eigen::Array2d count = (size.array() / cell_ + kRounding).floor();
@@ -69,16 +71,18 @@ class AreaCoverage final : public MeasuringRule {
 
   /// @param otherwise if nothing is said @throws ConfigError if it is not in the arena
   Eigen::Vector2d cornerOr(const std::string& name, const Eigen::Vector2d& otherwise,
-                           const Eigen::Vector2d& arena) const {
+                           const Eigen::AlignedBox2d& arena) const {
     if (parameters_.text(name).empty()) {
       return otherwise;
     }
     Eigen::Vector2d corner = parameters_.vector2(name);
-    if ((corner.array() < 0.0).any() || (corner.array() > arena.array()).any()) {
-      refuse(name, "from 0, 0 to the size of the arena, " + numberText(arena.x()) + ", " + numberText(arena.y()));
+    if (!arena.contains(corner)) {
+      refuse(name, "in the arena, from " + textOf(arena.min()) + " to " + textOf(arena.max()));
     }
     return corner;
   }
+
+  static std::string textOf(const Eigen::Vector2d& v) { return numberText(v.x()) + ", " + numberText(v.y()); }
 
   [[noreturn]] void refuse(const std::string& name, const std::string& allowed) const {
     throw ConfigError(parameters_.find(name)->location(),

@@ -48,7 +48,7 @@ class Trail final : public Rule {
       const Eigen::Vector3d& at = space.entities.pose[row].position;
       if (space.outside[row] == 0 && shows(space.leds[row])) {
         // one on the border counts as inside, and may be beyond it by a hair
-        disc_.position = at.head<2>().cwiseMax(0.0).cwiseMin(space.size.head<2>());
+        disc_.position = at.head<2>().cwiseMax(space.corner.head<2>()).cwiseMin(space.farCorner().head<2>());
         paint.discs.push_back(disc_);
       }
     }

@@ -43,11 +43,7 @@ class DistanceRingSensor : public SensorOf<Device, InstanceOfRing> {
 
   void configure(const Configuration& parameters) override {
     range_ = {parameters.number("range_min"), parameters.number("range_max")};
-    if (range_.minimum >= range_.maximum) {
-      throw ConfigError(parameters.location(), "range_min: found " + numberText(range_.minimum) +
-                                                   ", allowed: less than range_max, which is " +
-                                                   numberText(range_.maximum));
-    }
+    refuseEmptyRange(range_, parameters);
     reach_ = range_.maximum;
     folds_ = parameters.text("too_close", kReported) == kFolded;
   }

@@ -9,6 +9,7 @@
 #include "color_blob_finder.hpp"
 #include "distance_rays.hpp"
 #include "parameters.hpp"
+#include "sample_times.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 #include "swarmanoid_space/device_drawing.hpp"
 #include "swarmanoid_space/models/entity_model.hpp"
@@ -160,8 +161,8 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
 
   /// Those whose time is in the tick, at whole multiples of 1 / rate. The robot has moved evenly meanwhile.
   Shots timedShots(const Space& space, const ScannerInstance& instance, double turn) const {
-    const std::int64_t end = samplesUntil(space.time);
-    const std::int64_t begin = samplesUntil(space.time - space.clocktick);
+    const std::int64_t end = samplesUntil(space.time, rate_);
+    const std::int64_t begin = samplesUntil(space.time - space.clocktick, rate_);
     constexpr auto kMost = static_cast<std::int64_t>(Readings::kSamples);
     const double tick_end = toSeconds(space.time);
     const double dt = toSeconds(space.clocktick);
@@ -180,12 +181,6 @@ class FootbotScannerSensor final : public SensorOf<Readings, ScannerInstance> {
     constexpr double kMargin = 0.01;  // m: while it turns, the head may leave the straight line a little
     shots.radius = 0.5 * (last - first).norm() + kMargin;
     return shots;
-  }
-
-  /// The number of the last sample that was due by then. Whole numbers of nanoseconds are rounded in one way only.
-  std::int64_t samplesUntil(Time time) const {
-    constexpr double kAlmost = 1e-6;  // of a sample, for rounding
-    return static_cast<std::int64_t>(std::floor(toSeconds(time) * rate_ + kAlmost));
   }
 
   /// A beam and the opposite one. @param directions of the first, sample by sample

@@ -40,8 +40,8 @@ void Bodies::findMechanisms(const Space& space, BodyIndex index) {
 
 BodyIndex Bodies::add(const Space& space, Row row, Role role) {
   if (order_.empty()) {
-    grid_.configure(plane_.toLocal(space.size));
-    walls_.configure(plane_.toLocal(space.size));
+    grid_.configure(plane_.toLocal(space.corner), plane_.toLocal(space.size));
+    walls_.configure(plane_.toLocal(space.corner), plane_.toLocal(space.size));
   }
   auto index = static_cast<BodyIndex>(bodies_.size());
   if (holes_.empty()) {

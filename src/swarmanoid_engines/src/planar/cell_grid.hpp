@@ -17,8 +17,8 @@ class CellGrid {
  public:
   static constexpr std::int32_t kEnd = -1;
 
-  /// @param size of the area, which spans from 0 to size [m]
-  void configure(const Eigen::Vector2d& size);
+  /// @param corner of the area, with its least coordinates [m] @param size of the area from there [m]
+  void configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
 
   void add(std::int32_t body, const Eigen::Vector2d& position);
   void remove(std::int32_t body);

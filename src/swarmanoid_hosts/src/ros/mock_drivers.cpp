@@ -34,8 +34,8 @@ struct Options {
 /// @throws ConfigError
 std::vector<std::string> readDevices(ParameterReader& reader) {
   const std::string type = reader.text("type", "");
-  std::vector<std::string> devices = devicesOf(type, reader.words("devices"), reader.location());
-  for (const std::string& left_out : reader.words("without")) {
+  std::vector<std::string> devices = devicesOf(type, reader.optionalWords("devices"), reader.location());
+  for (const std::string& left_out : reader.optionalWords("without")) {
     if (std::find(devices.begin(), devices.end(), left_out) == devices.end()) {
       throw ConfigError({reader.location().file + "/without", 0},
                         "found '" + left_out + "', allowed: " + joinNames(devices) + didYouMean(left_out, devices));

@@ -33,13 +33,18 @@ std::string ParameterReader::text(const std::string& name, const std::string& fa
   return text.str().empty() ? fallback : text.str();
 }
 
+std::string ParameterReader::optional(const std::string& name) {
+  const std::string found = text(name, "");
+  return found == "none" ? "" : found;
+}
+
 double ParameterReader::number(const std::string& name, double fallback, Range range) {
   const std::string found = text(name, "");
   return found.empty() ? fallback : parseNumber(found, "~" + name, location(), range);
 }
 
 std::optional<std::uint64_t> ParameterReader::count(const std::string& name, Range range) {
-  const std::string found = text(name, "");
+  const std::string found = optional(name);
   if (found.empty()) {
     return std::nullopt;
   }
@@ -67,6 +72,14 @@ std::vector<std::string> ParameterReader::words(const std::string& name) {
     result.push_back(word);
   }
   return result;
+}
+
+std::vector<std::string> ParameterReader::optionalWords(const std::string& name) {
+  std::vector<std::string> found = words(name);
+  if (found == std::vector<std::string>{"none"}) {
+    found.clear();
+  }
+  return found;
 }
 
 void ParameterReader::refuseUnread(const std::vector<std::string>& parts) const {

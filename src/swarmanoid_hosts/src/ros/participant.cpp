@@ -28,7 +28,7 @@ Participant::Options Participant::readOptions(ParameterReader& reader) {
   options.robots = reader.words("robots");
   options.space = reader.text("space", options.space);
   options.timeout = reader.number("timeout", options.timeout, kWaiting);
-  options.policy = reader.text("policy", "");
+  options.policy = reader.optional("policy");
   options.uses_topics = reader.boolean("use_topics", options.uses_topics);
   return options;
 }

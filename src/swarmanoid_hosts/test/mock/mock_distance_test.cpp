@@ -9,6 +9,7 @@
 #include "swarmanoid_interface/devices/eyebot_distance.hpp"
 #include "swarmanoid_interface/devices/footbot_scanner.hpp"
 #include "swarmanoid_interface/devices/handbot_distance.hpp"
+#include "swarmanoid_interface/devices/lidar.hpp"
 
 namespace swarmanoid::mock {
 namespace {
@@ -34,6 +35,20 @@ TEST(MockDistance, OfAnyRobotFromTheRingOfTheWorld) {
   EXPECT_EQ(kNothing, distance.sensors[4].distance);
   bench.robot->place({{0.35, 0.0, 0.0}, 0.0});
   EXPECT_EQ(-kNothing, distance.sensors[0].distance) << "0.08 m";
+}
+
+TEST(MockDistance, OfLidars) {
+  Bench bench(std::vector<std::string>{Lidar::kType}, worldWithWallAt(1.5));
+  bench.robot->place({{0.0, 1.0, 0.0}, 0.2});
+  const Lidar& lidar = bench.reading<Lidar>();
+  ASSERT_EQ(360U, lidar.beams.size());
+  EXPECT_NEAR(-1.0, lidar.beams[123].angle, 0.01) << "-180 + 123 degrees";
+  EXPECT_NEAR(1.5 / std::cos(0.2 - 57.0 * M_PI / 180.0), lidar.beams[123].range, 1e-6);
+  EXPECT_NEAR(1.5 / std::cos(0.2 + 40.0 * M_PI / 180.0), lidar.beams[220].range, 1e-6);
+  EXPECT_EQ(kNothing, lidar.beams[0].range) << "looks back";
+  EXPECT_EQ(kNothing, lidar.beams[240].range) << "4.03 m";
+  bench.robot->place({{1.4, 1.0, 0.0}, 0.0});
+  EXPECT_EQ(-kNothing, lidar.beams[180].range) << "0.1 m";
 }
 
 TEST(MockDistance, OfHandbots) {

@@ -8,6 +8,7 @@
 #include "swarmanoid_hosts/ros/device_fields.hpp"
 #include "swarmanoid_hosts/ros/devices/distance.hpp"
 #include "swarmanoid_hosts/ros/devices/footbot_scanner.hpp"
+#include "swarmanoid_hosts/ros/devices/lidar.hpp"
 
 namespace swarmanoid {
 namespace {
@@ -132,6 +133,44 @@ TEST(DistanceMessages, WhereTwoSamplesFallTogetherTheNearerCounts) {
   sensor_msgs::LaserScan scan;
   toMessage(readings, scan);
   EXPECT_EQ(0.25F, scan.ranges[270]);
+}
+
+TEST(DistanceMessages, AScanOfALidarIsItsBeams) {
+  const std::array<LidarBeam, 5> beams{LidarBeam{0.25F, -1.0F}, LidarBeam{kNothing, -0.5F}, LidarBeam{-kNothing, 0.0F},
+                                       LidarBeam{kNotMeasured, 0.5F}, LidarBeam{1.75F, 1.0F}};
+  Lidar lidar;
+  lidar.beams = Span<const LidarBeam>(beams.data(), beams.size());
+  lidar.range_max = 2.5F;
+  lidar.scan_time = 0.2F;
+  sensor_msgs::LaserScan scan;
+  toMessage(lidar, scan);
+  EXPECT_EQ(-1.0F, scan.angle_min);
+  EXPECT_EQ(1.0F, scan.angle_max);
+  EXPECT_EQ(0.5F, scan.angle_increment);
+  EXPECT_EQ(0.0F, scan.time_increment);
+  EXPECT_EQ(0.2F, scan.scan_time);
+  EXPECT_EQ(0.12F, scan.range_min);
+  EXPECT_EQ(2.5F, scan.range_max);
+  ASSERT_EQ(5U, scan.ranges.size());
+  EXPECT_EQ(0.25F, scan.ranges[0]);
+  EXPECT_EQ(-kNothing, scan.ranges[2]);
+  EXPECT_TRUE(std::isnan(scan.ranges[3]));
+  Lidar back;
+  VariableParts parts;
+  detail::receive(scan, back, parts);
+  EXPECT_EQ(bytesOf(Lidar::kType, &lidar), bytesOf(Lidar::kType, &back));
+  scan.angle_increment = kNotMeasured;
+  EXPECT_EQ("found a number that is not finite, allowed: finite numbers", refusalOf(scan, lidar));
+  scan.ranges.resize(4097);
+  EXPECT_EQ("found 4097 ranges, allowed: at most 4096", refusalOf(scan, lidar));
+}
+
+/// The stamp of its message is when the scan was made.
+TEST(DistanceMessages, ALidarSaysHowOldItsScanIs) {
+  Lidar lidar;
+  lidar.age = 0.3;
+  EXPECT_EQ(0.3, mainTopicOf(Lidar::kType)->age(&lidar));
+  EXPECT_EQ(nullptr, mainTopicOf(Distance::kType)->age) << "always of now";
 }
 
 /// By name, too.

@@ -4,7 +4,7 @@
 /// Source  thesis 4.2, camera_view_XYZ_0 and camera_view_HPR_0.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 
 namespace swarmanoid {
 
@@ -24,9 +24,8 @@ struct CameraAxes {
 };
 CameraAxes axesOf(const Camera& camera);
 
-/// A camera that looks from the south down on a box from the origin to `size` [m], which fills the picture but for a
-/// border of 4 %.
-/// @param aspect width of the picture by its height
-Camera overview(const Eigen::Vector3d& size, double field_of_view, double aspect);
+/// A camera that looks from the south down on a box, which fills the picture but for a border of 4 %.
+/// @param seen the box, in W [m] @param aspect width of the picture by its height
+Camera overview(const Eigen::AlignedBox3d& seen, double field_of_view, double aspect);
 
 }  // namespace swarmanoid

@@ -1,7 +1,7 @@
 /// The Swarmanoid Space (thesis 3.4): the state of one world, in parts. Engines, devices, controllers and
 /// observers meet only here.
 ///
-/// Frames: W, the space's own, z up; the arena spans from the origin to `size`. SI units.
+/// Frames: W, the space's own, z up; the arena spans from `corner` by `size`. The ground is at z = 0. SI units.
 /// Which phase writes a part stands beside it; all may read it in the other phases.
 #pragma once
 
@@ -73,7 +73,9 @@ class Space {
   std::uint64_t seed = 1;
 
   // The arena, fixed while it runs.
-  Eigen::Vector3d size = Eigen::Vector3d::Ones();
+  Eigen::Vector3d corner = Eigen::Vector3d::Zero();  ///< with the least coordinates [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();    ///< [m]
+  Eigen::Vector3d farCorner() const { return corner + size; }
   Floor floor;
   std::shared_ptr<const Terrain> terrain;  ///< null: the floor is level
   /// The lowest ground [m]: 0, or less where a terrain has holes.

@@ -13,17 +13,6 @@ namespace {
 
 constexpr double kRadPerDeg = M_PI / 180.0;
 
-/// The tags of entities that may stand in an element. Those that name their library are known once it is loaded.
-std::vector<std::string> entityTagsIn(const XmlElement& parent) {
-  std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
-  for (const XmlElement& child : parent.children()) {
-    if (child.attribute("library") && !contains(tags, child.name())) {
-      tags.push_back(child.name());
-    }
-  }
-  return tags;
-}
-
 std::vector<std::string> childrenOfArena(const XmlElement& section) {
   std::vector<std::string> tags = entityTagsIn(section);
   for (const std::string& other : tagsIn("arena")) {
@@ -116,45 +105,42 @@ EntityDescription readEntity(const XmlElement& element, EntityPlace place, Reade
   return entity;
 }
 
-void readDistribute(const XmlElement& element, Reader& reader) {
-  element.allowAttributes(attributesOf("arena/distribute"));
-  const std::vector<std::string> entity_tags = entityTagsIn(element);
-  const Configuration values = readParameters(element, distributeParameters(), entity_tags);
-  Distribution distribution;
-  distribution.quantity = static_cast<std::size_t>(parseInteger(element.requireAttribute("quantity"), "quantity",
-                                                                element.attributeLocation("quantity"), kQuantityRange));
-  const bool is_grid = readChoice(element, "layout", layouts(), layouts().front()) == "grid";
-  distribution.layout = is_grid ? Distribution::Layout::kGrid : Distribution::Layout::kUniform;
-  distribution.location = element.location();
-  distribution.minimum = values.vector3("minimum");
-  distribution.maximum = values.vector3("maximum");
-  if (!((distribution.maximum - distribution.minimum).minCoeff() >= 0.0)) {
-    element.child("maximum")->refuse("maximum: found '" + values.text("maximum") +
-                                     "', allowed: nothing below minimum, '" + values.text("minimum") + "'");
+/// Where the arena is: its corner at the origin, or its middle at `center`. The ground is in it.
+void readCenter(const XmlElement& section, ArenaDescription& arena) {
+  const auto center = section.attribute("center");
+  if (!center) {
+    return;
   }
-  distribution.random_heading = values.boolean("random_heading");
-  distribution.max_trials = static_cast<int>(values.integer("max_trials"));
-
-  std::vector<EntityDescription> prototypes;
-  for (const XmlElement& child : element.children()) {
-    if (contains(entity_tags, child.name())) {
-      prototypes.push_back(readEntity(child, EntityPlace::kDistributed, reader));
-    }
+  const SourceLocation location = section.attributeLocation("center");
+  const std::vector<double> middle = parseNumbers(*center, 3, "center", location, limits::kCoordinate);
+  arena.corner = Eigen::Vector3d(middle[0], middle[1], middle[2]) - 0.5 * arena.size;
+  const double half = 0.5 * arena.size.z();
+  if (std::abs(middle[2]) > half) {
+    throw ConfigError(location, "center: found '" + *center + "', allowed: a height from " + numberText(-half) +
+                                    " to " + numberText(half) + ", so that the ground, z = 0, is in the arena");
   }
-  if (prototypes.size() != 1) {
-    element.refuse("found " + std::to_string(prototypes.size()) + " entities in <distribute>, allowed: one");
+  const Eigen::Vector3d most = arena.farCorner();
+  if (!limits::kCoordinate.contains(arena.corner.minCoeff()) || !limits::kCoordinate.contains(most.maxCoeff())) {
+    throw ConfigError(location, "center: found '" + *center + "', allowed: an arena whose coordinates are " +
+                                    limits::kCoordinate.toString());
   }
-  if (distribution.random_heading && prototypes[0].angles.z() != 0.0) {
-    const Configuration& orientation = *prototypes[0].parameters.find("orientation");
-    throw ConfigError(orientation.location(), "orientation: found '" + orientation.text() +
-                                                  "' while random_heading is true, allowed: a third angle of 0");
-  }
-  prototypes[0].distribution = distribution;
-  reader.takeNumberedIds(prototypes[0].id, distribution.quantity, element);
-  reader.experiment.arena.entities.push_back(std::move(prototypes[0]));
 }
 
 }  // namespace
+
+std::vector<std::string> entityTagsIn(const XmlElement& parent) {
+  std::vector<std::string> tags = Registry::instance().labels(PluginKind::kEntity);
+  for (const XmlElement& child : parent.children()) {
+    if (child.attribute("library") && !contains(tags, child.name())) {
+      tags.push_back(child.name());
+    }
+  }
+  return tags;
+}
+
+EntityDescription readDistributedEntity(const XmlElement& element, Reader& reader) {
+  return readEntity(element, EntityPlace::kDistributed, reader);
+}
 
 EntityDescription readSpawnedEntity(const XmlElement& element, const Experiment& experiment) {
   Reader reader;
@@ -172,6 +158,7 @@ void readArena(const XmlElement& section, Reader& reader) {
   const std::vector<double> lengths =
       parseNumbers(size, 3, "size", section.attributeLocation("size"), limits::kArenaSide);
   arena.size = {lengths[0], lengths[1], lengths[2]};
+  readCenter(section, arena);
   const bool is_3d = readChoice(section, "optimization", optimizations(), std::nullopt) == "3D";
   arena.optimization = is_3d ? PositionalIndex::Optimization::k3D : PositionalIndex::Optimization::k2D;
   arena.bounded =

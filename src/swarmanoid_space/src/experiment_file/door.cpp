@@ -166,16 +166,22 @@ void check(const EntityDescription& entity, const Experiment& experiment) {
     return;
   }
   const Distribution& places = *entity.distribution;
-  checkPosition("minimum", places.minimum, *model, experiment.arena, places.location);
-  checkPosition("maximum", places.maximum, *model, experiment.arena, places.location);
+  if (!places.around.empty()) {
+    return;  // where that is, is known once it is placed
+  }
+  const bool is_box = places.area == Distribution::Area::kBox;
+  const Eigen::AlignedBox3d bounds = places.bounds();
+  checkPosition(is_box ? "minimum" : "least coordinates", bounds.min(), *model, experiment.arena, places.location);
+  checkPosition(is_box ? "maximum" : "greatest coordinates", bounds.max(), *model, experiment.arena, places.location);
 }
 
 void checkPosition(const std::string& what, const Eigen::Vector3d& position, const EntityModel& model,
                    const ArenaDescription& arena, const SourceLocation& location) {
   constexpr double kEdge = 1e-3;  // m: as for the event left_arena, but for the ground
   const double lowest = arena.terrain ? std::min(0.0, arena.terrain->bounds().min().z()) : 0.0;
-  Eigen::Vector3d least(-kEdge, -kEdge, lowest - kEdge);
-  Eigen::Vector3d most = arena.size.array() + kEdge;
+  const Eigen::Vector3d corner(arena.corner.x(), arena.corner.y(), lowest);
+  Eigen::Vector3d least = corner.array() - kEdge;
+  Eigen::Vector3d most = arena.farCorner().array() + kEdge;
   if (!model.is_movable) {
     least.fill(limits::kCoordinate.minimum);
     most.fill(limits::kCoordinate.maximum);
@@ -187,8 +193,7 @@ void checkPosition(const std::string& what, const Eigen::Vector3d& position, con
   if (!model.is_movable) {
     refuse(location, what, textOf(position), "3 numbers, each " + limits::kCoordinate.toString());
   }
-  refuse(location, what, textOf(position),
-         "in the arena, from 0, 0, " + numberText(lowest) + " to " + textOf(arena.size));
+  refuse(location, what, textOf(position), "in the arena, from " + textOf(corner) + " to " + textOf(arena.farCorner()));
 }
 
 }  // namespace swarmanoid::door

@@ -1,5 +1,7 @@
 #include "parameter_table.hpp"
 
+#include <algorithm>
+
 #include "swarmanoid_interface/contains.hpp"
 #include "swarmanoid_space/experiment_file/realism.hpp"
 
@@ -178,18 +180,64 @@ const std::vector<Parameter>& heightfieldParameters() {
   return table;
 }
 
-const std::vector<Parameter>& distributeParameters() {
+std::vector<Parameter> distributeParameters(Distribution::Area area, bool is_around) {
   using Type = Parameter::Type;
-  static const std::vector<Parameter> table{
-      makeParameter("minimum", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
-                    "Smallest coordinates of the origins."),
-      makeParameter("maximum", Type::kVector3, "m", std::nullopt, limits::kCoordinate,
-                    "Largest coordinates of the origins."),
+  using Area = Distribution::Area;
+  const auto place = [](const char* name, const char* description) {
+    return makeParameter(name, Type::kVector3, "m", std::nullopt, limits::kCoordinate, description);
+  };
+  const auto length = [](const char* name, const Range& range, const char* description) {
+    return makeParameter(name, Type::kNumber, "m", std::nullopt, range, description);
+  };
+  std::vector<Parameter> table;
+  if (area == Area::kBox) {
+    table = {place("minimum", "Of a box: smallest coordinates of the origins."),
+             place("maximum", "Of a box: largest coordinates of the origins.")};
+  } else if (area == Area::kLine) {
+    table = {place("from", "Of a line: its one end."), place("to", "Of a line: its other end.")};
+  } else {
+    table = {place("center", "Of a disc or a ring: its middle; around an entity 0, 0, 0 unless it is given."),
+             length("radius", limits::kLength, "Of a disc or a ring: of its outer border.")};
+    if (is_around) {
+      table[0].value = "0, 0, 0";
+    }
+  }
+  if (area == Area::kRing) {
+    table.push_back(length("inner_radius", limits::kPatch, "Of a ring: of its inner border; at most radius."));
+  }
+  const std::vector<Parameter> of_all{
+      makeParameter("around", Type::kText, "", "", {},
+                    "An entity that stands before these: x and y count from its origin."),
       makeParameter("random_heading", Type::kBoolean, "", "true", {},
                     "Headings uniform about z; otherwise all as <orientation> says."),
       makeParameter("max_trials", Type::kInteger, "", "100", {1.0, 1e6},
                     "Random places tried for each entity before it is an error.")};
+  table.insert(table.end(), of_all.begin(), of_all.end());
   return table;
+}
+
+const std::vector<Parameter>& distributeParameters() {
+  static const std::vector<Parameter> table = [] {
+    using Area = Distribution::Area;
+    std::vector<Parameter> all = distributeParameters(Area::kBox, false);
+    for (const Area area : {Area::kRing, Area::kLine}) {  // a ring has what a disc has
+      for (const Parameter& parameter : distributeParameters(area, false)) {
+        if (std::none_of(all.begin(), all.end(), [&](const auto& known) { return known.name == parameter.name; })) {
+          all.push_back(parameter);
+        }
+      }
+    }
+    for (Parameter& parameter : all) {
+      parameter.value = parameter.value.value_or("");  // each area needs others
+    }
+    return all;
+  }();
+  return table;
+}
+
+const std::vector<std::string>& areas() {
+  static const std::vector<std::string> names{"box", "disc", "ring", "line"};
+  return names;
 }
 
 const std::vector<Parameter>& boxParameters() {

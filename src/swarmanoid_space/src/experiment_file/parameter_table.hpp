@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "swarmanoid_interface/registry.hpp"
+#include "swarmanoid_space/experiment_file/experiment.hpp"
 #include "swarmanoid_space/models/limits.hpp"
 #include "xml_element.hpp"
 
@@ -46,8 +47,12 @@ const std::vector<Parameter>& floorImageParameters();
 const std::vector<Parameter>& floorPaintParameters();
 /// Of <heightfield>.
 const std::vector<Parameter>& heightfieldParameters();
-/// Of <distribute>; quantity and layout are attributes.
+/// Of <distribute>, whichever its area is; quantity, layout and area are attributes.
 const std::vector<Parameter>& distributeParameters();
+/// Those of an area: the others must not be there.
+std::vector<Parameter> distributeParameters(Distribution::Area area, bool is_around);
+/// The names of areas, in the order of Distribution::Area.
+const std::vector<std::string>& areas();
 /// Of <inside> and <outside> in <handover>.
 const std::vector<Parameter>& boxParameters();
 

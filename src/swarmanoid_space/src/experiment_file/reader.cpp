@@ -52,15 +52,20 @@ void takeId(const std::string& kind, const std::string& id, const XmlElement& el
 
 void Reader::takeId(const std::string& kind, const std::string& id, const XmlElement& element) {
   experiment::takeId(kind, id, element, ids);
-  const std::size_t underline = id.rfind('_');
-  const auto group =
-      kind == "entity" && underline != std::string::npos ? groups.find(id.substr(0, underline)) : groups.end();
-  if (group != groups.end()) {
-    const std::size_t number = numberOf(id, group->first);
-    if (number > 0 && number <= group->second.count) {
-      refuseTaken(kind, id, group->second.location, element);
-    }
+  const Group* group = kind == "entity" ? groupOf(id) : nullptr;
+  if (group != nullptr) {
+    refuseTaken(kind, id, group->location, element);
   }
+}
+
+const Reader::Group* Reader::groupOf(const std::string& id) const {
+  const std::size_t underline = id.rfind('_');
+  const auto group = underline == std::string::npos ? groups.end() : groups.find(id.substr(0, underline));
+  if (group == groups.end()) {
+    return nullptr;
+  }
+  const std::size_t number = numberOf(id, group->first);
+  return number > 0 && number <= group->second.count ? &group->second : nullptr;
 }
 
 void Reader::takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element) {

@@ -44,6 +44,9 @@ struct Reader {
   /// Likewise the entities' ids prefix_1, prefix_2, ..., however many.
   void takeNumberedIds(const std::string& prefix, std::size_t count, const XmlElement& element);
 
+  /// The distribution among whose entities one of that id is; null if there is none so far.
+  const Group* groupOf(const std::string& id) const;
+
   /// Loads the library, or notes it. @throws ConfigError
   void needLibrary(const std::string& library, const SourceLocation& location);
 
@@ -90,6 +93,12 @@ std::vector<ErrorModelDescription> readErrors(const XmlElement& element, const s
 /// @throws ConfigError
 void completeError(ErrorModelDescription& error);
 void readArena(const XmlElement& section, Reader& reader);
+/// <distribute> in <arena>.
+void readDistribute(const XmlElement& element, Reader& reader);
+/// The tags of entities that may stand in an element. Those that name their library are known once it is loaded.
+std::vector<std::string> entityTagsIn(const XmlElement& parent);
+/// An entity in <distribute>, which has no position.
+EntityDescription readDistributedEntity(const XmlElement& element, Reader& reader);
 /// An entity as it stands in <arena>, for a run that is under way. Beside <orientation> in degrees it may have
 /// <angles>, the same in radians, to the last bit. Whether its id is taken is not looked at.
 /// @param experiment with the arena, and the controllers

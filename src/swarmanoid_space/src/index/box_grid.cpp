@@ -6,10 +6,10 @@
 
 namespace swarmanoid {
 
-void BoxGrid::configure(const Eigen::Vector2d& size) {
+void BoxGrid::configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size) {
   constexpr double kSmallestCell = 1.0;  // m: robots look around by less
   constexpr double kMostPerAxis = 256.0;
-  layout_ = CellLayout(size, kSmallestCell, kMostPerAxis);
+  layout_ = CellLayout(corner, size, kSmallestCell, kMostPerAxis);
   clear();
 }
 

@@ -27,7 +27,9 @@ bool meetsSphere(const PositionalIndex::Outline& outline, const Eigen::Vector3d&
 
 }  // namespace
 
-void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities) {
+void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities,
+                                const Eigen::Vector3d& corner) {
+  corner_ = corner;
   size_ = size;
   optimization_ = optimization;
   // about one entity a cell: fewer would make large ranges slow, more would make small ones slow
@@ -43,14 +45,13 @@ void PositionalIndex::configure(const Eigen::Vector3d& size, Optimization optimi
   }
   inverse_cell_size_ = 1.0 / cell_size_;
   first_item_.assign(static_cast<std::size_t>(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-  large_grid_.configure(size.head<2>());
+  large_grid_.configure(corner.head<2>(), size.head<2>());
   state_ = State::kRebuilt;
 }
 
 PositionalIndex::Cell PositionalIndex::cellOf(const Eigen::Vector3d& position) const {
-  return {clampedCell(position.x() * inverse_cell_size_, cells_[0]),
-          clampedCell(position.y() * inverse_cell_size_, cells_[1]),
-          clampedCell(position.z() * inverse_cell_size_, cells_[2])};
+  const Eigen::Vector3d cell = (position - corner_) * inverse_cell_size_;
+  return {clampedCell(cell.x(), cells_[0]), clampedCell(cell.y(), cells_[1]), clampedCell(cell.z(), cells_[2])};
 }
 
 std::size_t PositionalIndex::flat(const Cell& cell) const {

@@ -16,12 +16,15 @@ void requireIn(const Range& range, double value, const std::string& what) {
   }
 }
 
-void check(const PaintDisc& disc, const std::string& what, const Eigen::Vector3d& size) {
+std::string textOf(const Eigen::Vector2d& v) { return readableNumber(v.x()) + ", " + readableNumber(v.y()); }
+
+void check(const PaintDisc& disc, const std::string& what, const Space& space) {
   const Eigen::Vector2d& at = disc.position;
-  if (!(at.x() >= 0.0 && at.y() >= 0.0 && at.x() <= size.x() && at.y() <= size.y())) {
-    throw ConfigError({}, what + "position: found " + readableNumber(at.x()) + ", " + readableNumber(at.y()) +
-                              ", allowed: in the arena, from 0, 0 to " + readableNumber(size.x()) + ", " +
-                              readableNumber(size.y()));
+  const Eigen::Vector2d least = space.corner.head<2>();
+  const Eigen::Vector2d most = space.farCorner().head<2>();
+  if (!((at.array() >= least.array()).all() && (at.array() <= most.array()).all())) {
+    throw ConfigError({}, what + "position: found " + textOf(at) + ", allowed: in the arena, from " + textOf(least) +
+                              " to " + textOf(most));
   }
   requireIn(PaintFloor::kRadius, disc.radius, what + "radius");
   requireIn(PaintFloor::kStrength, disc.strength, what + "strength");
@@ -47,7 +50,7 @@ bool carryOut(World& world, const PaintFloor& intervention) {
   }
   std::size_t cells = 0;
   for (std::size_t i = 0; i < intervention.discs.size(); ++i) {
-    check(intervention.discs[i], describeDisc(intervention, i), world.space.size);
+    check(intervention.discs[i], describeDisc(intervention, i), world.space);
     cells += paint.cellsAround(intervention.discs[i]);
   }
   PaintFloor::requireFewCells(cells);

@@ -32,7 +32,7 @@ std::string inFolder(const std::string& folder, const std::string& name) {
 
 std::string readExitCodeFile(const ros::NodeHandle& own) {
   ParameterReader reader(own);
-  const std::string file = reader.text("exit_code", "");
+  const std::string file = reader.optional("exit_code");
   return file.empty() ? "" : inFolder(reader.text("folder", ""), file);
 }
 
@@ -65,17 +65,17 @@ SpaceOptions readSpaceOptions(const ros::NodeHandle& own) {
   }
   options.record_controllers = reader.words("record_controllers");
   options.record_state = reader.boolean("record_state", false);
-  options.hashes = reader.text("hashes", "");
-  options.save_interventions = reader.text("save_interventions", "");
-  options.interventions = reader.text("interventions", "");
+  options.hashes = reader.optional("hashes");
+  options.save_interventions = reader.optional("save_interventions");
+  options.interventions = reader.optional("interventions");
   options.folder = reader.text("folder", "");
   options.force = reader.boolean("force", false);
   options.write_anywhere = reader.boolean("write_anywhere", false);
   if (!options.interventions.empty()) {
     options.interventions = inFolder(options.folder, options.interventions);
   }
-  options.out = inFolder(options.folder, reader.text("out", ""));
-  options.set = parseOverrides(reader.text("set", ""), reader.location().file + ": ~set");
+  options.out = inFolder(options.folder, reader.optional("out"));
+  options.set = parseOverrides(reader.optional("set"), reader.location().file + ": ~set");
   reader.text("exit_code", "");  // marks the parameter as known; it is read elsewhere
   options.tf_level = parseTransformLevel(reader.choice("tf/level", {"auto", "none", "base", "full"}));
   options.tf_odometry = reader.boolean("tf/odometry", false) ? OdometryFrames::kShown : OdometryFrames::kHidden;

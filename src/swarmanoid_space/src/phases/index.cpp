@@ -39,7 +39,8 @@ void index(const Space& space, PositionalIndex& index, ByRow<char>& outside, std
   constexpr double kEdge = 1e-3;  // m
   constexpr double kSunk = 0.1;   // m: below the ground. A hard landing sinks in by centimetres, but leaves no arena
   index.update(space.entities);
-  const Inside inside{{-kEdge, -kEdge, space.lowestGround() - kSunk}, space.size.array() + kEdge};
+  const Inside inside{{space.corner.x() - kEdge, space.corner.y() - kEdge, space.lowestGround() - kSunk},
+                      space.farCorner().array() + kEdge};
   if (!hasAnyoneCrossed(space.entities.pose, outside, inside, workers)) {
     return;
   }

@@ -33,7 +33,8 @@ std::vector<Eigen::AlignedBox2d> around(const Eigen::AlignedBox2d& whole, const 
 void drawFloor(const Space& space, const std_msgs::Header& header, MarkerArray& markers) {
   constexpr double kThickness = 0.01;
   constexpr double kBelowPatches = 0.002;  // apart enough not to flicker in rviz
-  const Eigen::AlignedBox2d whole(Eigen::Vector2d::Zero(), Eigen::Vector2d(space.size.head<2>()));
+  const Eigen::AlignedBox2d whole(Eigen::Vector2d(space.corner.head<2>()),
+                                  Eigen::Vector2d(space.farCorner().head<2>()));
   std::vector<Eigen::AlignedBox2d> parts{whole};
   if (space.terrain) {
     const Eigen::AlignedBox3d& bounds = space.terrain->bounds();
@@ -95,7 +96,7 @@ bool isOverhead(const Space& space, Row row, const CollisionShape& shape) {
   const Pose& pose = space.entities.pose[row];
   const Eigen::Matrix3d orientation = (pose.orientation * shape.orientation).toRotationMatrix();
   const double middle = (pose.toWorld(shape.position)).z();
-  return middle - orientation.row(2).cwiseAbs().dot(shape.half_extent) > 0.5 * space.size.z();
+  return middle - orientation.row(2).cwiseAbs().dot(shape.half_extent) > 0.5 * space.farCorner().z();
 }
 
 MarkerArray arenaMarkers(const Space& space) {

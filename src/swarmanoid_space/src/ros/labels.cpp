@@ -143,7 +143,8 @@ Vector3d freePlace(const Space& space, const Label& label, const std::vector<Are
   for (const double column : {-0.5, 0.5, -1.0, 1.0}) {
     const Vector3d beside = label.place + Vector3d(column * label.width, 0.0, 0.0);
     const Vector3d place = freePlaceAbove(beside, label, taken);
-    const bool is_inside = place.x() > 0.5 * label.width && place.x() < space.size.x() - 0.5 * label.width;
+    const double margin = 0.5 * label.width;
+    const bool is_inside = place.x() > space.corner.x() + margin && place.x() < space.farCorner().x() - margin;
     if (is_inside && badness(place) < least - kBetter) {
       best = place;
       least = badness(place);

@@ -25,15 +25,19 @@ Color between(Color from, Color to, double part) {
 
 std::size_t cellsAlong(double length, double cell) { return static_cast<std::size_t>(std::ceil(length / cell)); }
 
-/// The cell of a coordinate that is in the arena.
+/// The cell of a coordinate that is in the arena, from the arena's corner.
 std::size_t cellAt(double coordinate, double cell, std::size_t count) {
   return std::min(static_cast<std::size_t>(coordinate / cell), count - 1);
 }
 
 }  // namespace
 
-PaintLayer::PaintLayer(const Eigen::Vector2d& size, double cell, double half_life)
-    : size_(size), cell_size_(cell), columns_(cellsAlong(size.x(), cell)), rows_(cellsAlong(size.y(), cell)) {
+PaintLayer::PaintLayer(const Eigen::Vector2d& size, double cell, double half_life, const Eigen::Vector2d& corner)
+    : corner_(corner),
+      size_(size),
+      cell_size_(cell),
+      columns_(cellsAlong(size.x(), cell)),
+      rows_(cellsAlong(size.y(), cell)) {
   SWARMANOID_EXPECTS(cellsFor(size, cell) <= static_cast<double>(kMostCells));
   cells_.resize(columns_ * rows_);
   fade_.fill(1.0);
@@ -67,7 +71,8 @@ double PaintLayer::strengthOf(const Cell& cell, std::uint64_t tick) const {
   return strength;
 }
 
-Color PaintLayer::blend(Color floor, const Eigen::Vector2d& point, std::uint64_t tick) const {
+Color PaintLayer::blend(Color floor, const Eigen::Vector2d& place, std::uint64_t tick) const {
+  const Eigen::Vector2d point = place - corner_;
   if (!(point.x() >= 0.0 && point.y() >= 0.0 && point.x() <= size_.x() && point.y() <= size_.y())) {
     return floor;
   }
@@ -79,13 +84,17 @@ Color PaintLayer::blend(Color floor, const Eigen::Vector2d& point, std::uint64_t
 PaintLayer::Spot PaintLayer::spot(std::size_t number, std::uint64_t tick) const {
   const Cell& cell = cells_[painted_[number]];
   const double strength = strengthOf(cell, tick);
-  return {cell_size_ * Eigen::Vector2d(columnOf(number) + 0.5, rowOf(number) + 0.5), cell.color,
+  return {corner_ + cell_size_ * Eigen::Vector2d(columnOf(number) + 0.5, rowOf(number) + 0.5), cell.color,
           strength < kInvisible ? 0.0 : strength};
 }
 
-std::size_t PaintLayer::columnAt(double x) const { return cellAt(std::clamp(x, 0.0, size_.x()), cell_size_, columns_); }
+std::size_t PaintLayer::columnAt(double x) const {
+  return cellAt(std::clamp(x - corner_.x(), 0.0, size_.x()), cell_size_, columns_);
+}
 
-std::size_t PaintLayer::rowAt(double y) const { return cellAt(std::clamp(y, 0.0, size_.y()), cell_size_, rows_); }
+std::size_t PaintLayer::rowAt(double y) const {
+  return cellAt(std::clamp(y - corner_.y(), 0.0, size_.y()), cell_size_, rows_);
+}
 
 PaintLayer::Square PaintLayer::squareAround(const PaintDisc& disc) const {
   return {columnAt(disc.position.x() - disc.radius), columnAt(disc.position.x() + disc.radius),
@@ -101,12 +110,13 @@ std::size_t PaintLayer::cellsAround(const PaintDisc& disc) const {
 void PaintLayer::paint(const PaintDisc& disc, std::uint64_t tick) {
   SWARMANOID_EXPECTS(exists());
   const Square square = squareAround(disc);
+  const Eigen::Vector2d centre = disc.position - corner_;
   bool is_painted = false;
   for (std::size_t row = square.first_row; row <= square.last_row; ++row) {
     for (std::size_t column = square.first_column; column <= square.last_column; ++column) {
       const Eigen::Vector2d middle =
           cell_size_ * Eigen::Vector2d(static_cast<double>(column) + 0.5, static_cast<double>(row) + 0.5);
-      if ((middle - disc.position).squaredNorm() <= disc.radius * disc.radius) {
+      if ((middle - centre).squaredNorm() <= disc.radius * disc.radius) {
         paintCell(row * columns_ + column, disc, tick);
         is_painted = true;
       }

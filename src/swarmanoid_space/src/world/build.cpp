@@ -111,6 +111,8 @@ void buildBoundary(World& world) {
   }
   constexpr double kThickness = 0.1;
   const Eigen::Vector3d& size = world.experiment.arena.size;
+  const Eigen::Vector3d& least = world.experiment.arena.corner;
+  const Eigen::Vector3d most = world.experiment.arena.farCorner();
   std::vector<Membership> everywhere;
   for (const auto& engine : world.assembly.engines) {
     everywhere.push_back({engine.get(), Role::kMove});
@@ -126,13 +128,13 @@ void buildBoundary(World& world) {
     addEntity(world, wall, everywhere);
   };
   const double half = 0.5 * kThickness;
-  const Eigen::Vector3d middle = 0.5 * size;
+  const Eigen::Vector3d middle = least + 0.5 * size;
   const Eigen::Vector3d along_x(size.x() + 2.0 * kThickness, kThickness, size.z());
   const Eigen::Vector3d along_y(kThickness, size.y(), size.z());
-  addWall("south", {middle.x(), -half, middle.z()}, along_x);
-  addWall("north", {middle.x(), size.y() + half, middle.z()}, along_x);
-  addWall("west", {-half, middle.y(), middle.z()}, along_y);
-  addWall("east", {size.x() + half, middle.y(), middle.z()}, along_y);
+  addWall("south", {middle.x(), least.y() - half, middle.z()}, along_x);
+  addWall("north", {middle.x(), most.y() + half, middle.z()}, along_x);
+  addWall("west", {least.x() - half, middle.y(), middle.z()}, along_y);
+  addWall("east", {most.x() + half, middle.y(), middle.z()}, along_y);
 }
 
 void buildEntities(World& world) {
@@ -157,8 +159,9 @@ void buildEntities(World& world) {
 Floor floorOf(const Experiment& experiment) {
   Floor floor = experiment.arena.floor;
   if (const auto& paint = experiment.arena.paint) {
-    floor.paint = PaintLayer(experiment.arena.size.head<2>(), paint->cell,
-                             paint->half_life / toSeconds(experiment.framework.clocktick));
+    floor.paint =
+        PaintLayer(experiment.arena.size.head<2>(), paint->cell,
+                   paint->half_life / toSeconds(experiment.framework.clocktick), experiment.arena.corner.head<2>());
   }
   return floor;
 }
@@ -193,14 +196,15 @@ void build(World& world) {
   world.space.clocktick = world.experiment.framework.clocktick;
   world.space.tick = 0;
   world.space.time = kEpoch;
+  world.space.corner = world.experiment.arena.corner;
   world.space.size = world.experiment.arena.size;
   world.space.floor = floorOf(world.experiment);
   world.space.terrain = world.experiment.arena.terrain;
   constexpr std::size_t kUsualEvents = 64;  // in one tick; more are possible, but allocate
   world.space.events.reserve(kUsualEvents);
   world.space.index.configure(world.space.size, world.experiment.arena.optimization,
-                              entityCount(world.experiment.arena));
-  world.space.entities_without_engine.configure(world.space.size);
+                              entityCount(world.experiment.arena), world.space.corner);
+  world.space.entities_without_engine.configure(world.space.size, world.space.corner);
   buildControllerGroups(world);
   buildBoundary(world);
   buildEntities(world);

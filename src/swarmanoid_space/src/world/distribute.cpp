@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../experiment_file/door.hpp"
 #include "curve_place.hpp"
 #include "entities.hpp"
 
@@ -16,16 +17,19 @@ class Placing {
       : world_(world),
         memberships_(memberships),
         distribution_(*group.distribution),
-        extent_(distribution_.maximum - distribution_.minimum),
+        bounds_(distribution_.bounds()),
+        extent_(bounds_.sizes()),
         longer_side_(std::max({extent_.x(), extent_.y(), 1e-9})),
+        origin_(originOf(world, group)),
         name_(group.id + "_"),
         model_(modelOf(group)),
         random_(world.space.seed, "distribute", group.id),
         entity_(group) {
     entity_.distribution.reset();
+    refuseOutside();
   }
 
-  void placeInRows();
+  void placeEvenly();
   /// Each is tried at random places until it is free somewhere.
   void placeAtRandom();
   /// Likewise, and who is near in space is near in number, and so in memory: for so many that caches do not hold them.
@@ -39,12 +43,14 @@ class Placing {
     double heading = 0.0;  ///< rad
   };
 
+  static Eigen::Vector3d originOf(const World& world, const EntityDescription& group);
+  /// @throws ConfigError if the area around an entity reaches out of the arena
+  void refuseOutside() const;
+  /// The place of an entity if all of them stand at even distances.
+  Eigen::Vector3d evenPlace(std::size_t number) const;
+  Eigen::Vector3d placeInRows(std::size_t number) const;
   Draw nextAtRandom();
   bool tryPlace(const Draw& draw);
-  /// @param share of the way from minimum to maximum
-  Eigen::Vector3d positionAt(const Eigen::Vector3d& share) const {
-    return distribution_.minimum + extent_.cwiseProduct(share);
-  }
   /// rad
   double nextHeading() { return distribution_.random_heading ? random_.uniform(-M_PI, M_PI) : entity_.angles.z(); }
   void nameNext() { entity_.id = name_ + std::to_string(placed_ + 1); }
@@ -53,8 +59,10 @@ class Placing {
   World& world_;
   const std::vector<Membership>& memberships_;
   const Distribution& distribution_;
-  Eigen::Vector3d extent_;  // m
-  double longer_side_;      // of the ground that they are on, m
+  Eigen::AlignedBox3d bounds_;  // of the area [m]
+  Eigen::Vector3d extent_;      // likewise [m]
+  double longer_side_;          // of the ground that they are on, m
+  Eigen::Vector3d origin_;      // of the area's coordinates, in W [m]
   std::string name_;
   std::shared_ptr<const EntityModel> model_;
   RandomStream random_;
@@ -69,7 +77,50 @@ void Placing::refuse() const {
                                           " trials; allow more area or fewer entities");
 }
 
-void Placing::placeInRows() {
+/// The place of the entity that they are around, at height 0.
+Eigen::Vector3d Placing::originOf(const World& world, const EntityDescription& group) {
+  const std::string& around = group.distribution->around;
+  if (around.empty()) {
+    return Eigen::Vector3d::Zero();
+  }
+  const Row row = world.space.entities.find(around);
+  if (row == kNoRow) {
+    throw ConfigError(group.distribution->location,
+                      "around: found '" + around + "', allowed: an entity that stands before this <distribute>");
+  }
+  const Eigen::Vector3d& position = world.space.entities.pose[row].position;
+  return {position.x(), position.y(), 0.0};
+}
+
+void Placing::refuseOutside() const {
+  if (distribution_.around.empty()) {
+    return;  // the door has looked
+  }
+  for (const Eigen::Vector3d& corner : {bounds_.min(), bounds_.max()}) {
+    door::checkPosition("place around '" + distribution_.around + "'", origin_ + corner, *model_,
+                        world_.experiment.arena, distribution_.location);
+  }
+}
+
+Eigen::Vector3d Placing::evenPlace(std::size_t number) const {
+  const auto quantity = static_cast<double>(distribution_.quantity);
+  switch (distribution_.area) {
+    case Distribution::Area::kDisc:  // refused by the reader
+    case Distribution::Area::kBox:
+      return placeInRows(number);
+    case Distribution::Area::kRing: {
+      const double angle = 2.0 * M_PI * static_cast<double>(number) / quantity;
+      const double distance = 0.5 * (distribution_.inner_radius + distribution_.radius);
+      return distribution_.center + distance * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+    }
+    case Distribution::Area::kLine:
+      break;
+  }
+  const double share = quantity > 1.0 ? static_cast<double>(number) / (quantity - 1.0) : 0.5;
+  return distribution_.pointAt({share, 0.0, 0.0});
+}
+
+Eigen::Vector3d Placing::placeInRows(std::size_t number) const {
   const auto quantity = static_cast<double>(distribution_.quantity);
   const double side_by_side = std::ceil(std::sqrt(quantity * extent_.x() / std::max(extent_.y(), 1e-9)));
   const auto columns = static_cast<std::size_t>(std::clamp(side_by_side, 1.0, quantity));
@@ -77,10 +128,14 @@ void Placing::placeInRows() {
   const auto middle = [](std::size_t k, std::size_t count) {
     return (static_cast<double>(k) + 0.5) / static_cast<double>(count);
   };
+  return distribution_.pointAt({middle(number % columns, columns), middle(number / columns, rows), 0.0});
+}
+
+void Placing::placeEvenly() {
   while (placed_ < distribution_.quantity) {
     nameNext();
     random_.startTick(placed_);
-    entity_.position = positionAt({middle(placed_ % columns, columns), middle(placed_ / columns, rows), 0.0});
+    entity_.position = origin_ + evenPlace(placed_);
     entity_.angles.z() = nextHeading();
     addEntity(world_, entity_, memberships_);
     ++placed_;
@@ -92,8 +147,13 @@ Placing::Draw Placing::nextAtRandom() {
   const double u = random_.uniform();
   const double v = random_.uniform();
   const double w = random_.uniform();
-  draw.place = placeOnCurve(u * extent_.x() / longer_side_, v * extent_.y() / longer_side_);
-  draw.position = positionAt({u, v, w});
+  const Eigen::Vector3d point = distribution_.pointAt({u, v, w});
+  // of a box the shares say it without errors of rounding
+  const Eigen::Vector2d within = distribution_.area == Distribution::Area::kBox
+                                     ? Eigen::Vector2d(u * extent_.x(), v * extent_.y())
+                                     : Eigen::Vector2d((point - bounds_.min()).head<2>().cwiseMax(0.0));
+  draw.place = placeOnCurve(within.x() / longer_side_, within.y() / longer_side_);
+  draw.position = origin_ + point;
   draw.heading = nextHeading();
   return draw;
 }
@@ -153,7 +213,7 @@ void distribute(World& world, const EntityDescription& group, const std::vector<
   constexpr std::size_t kMany = 1000;  // a thousand robots fit into caches
   Placing placing(world, group, memberships);
   if (group.distribution->layout == Distribution::Layout::kGrid) {
-    placing.placeInRows();
+    placing.placeEvenly();
   } else if (group.distribution->quantity <= kMany) {
     placing.placeAtRandom();
   } else {

@@ -19,6 +19,9 @@
 /// The headers in devices/ define the suite's topics; a source of a library that is linked with swarmanoid_hosts_ros
 /// includes the header of a further topic. A device may have more than one topic; the first is the main one.
 ///
+/// Readings that are kept for several ticks have, beside the two, `double ageOf(const MyDevice& device)`: how long ago
+/// they were made [s]. Their stamp is that time, and the simulator publishes each once.
+///
 /// A device that registers no topic has one all the same, of its fields by name (device_fields.hpp): a sensor
 /// `<type>`, in frame base_link; an actuator `<type>/command`.
 ///
@@ -59,6 +62,8 @@ struct DeviceTopic {
   /// @param header stamp, and for readings the frame; it is left out if the message has no header
   void (*publish)(const ros::Publisher& publisher, const DeviceTopic& topic, const void* device,
                   const std_msgs::Header& header) = nullptr;
+  /// Returns how old the readings are [s]. Null if the device has no `ageOf`: they are always of now.
+  double (*age)(const void* device) = nullptr;
   /// Writes each message that comes to `device`, whose variable parts are stored in `parts`, and then calls `receive`,
   /// on the thread that serves the handle's queue. @pre device and parts live as long as the subscriber
   ros::Subscriber (*subscribe)(ros::NodeHandle& robot, const DeviceTopic& topic, void* device, VariableParts& parts,
@@ -112,6 +117,11 @@ template <class Message, class = void>
 struct HasChildFrame : std::false_type {};
 template <class Message>
 struct HasChildFrame<Message, std::void_t<decltype(std::declval<Message&>().child_frame_id)>> : std::true_type {};
+
+template <class Device, class = void>
+struct HasAge : std::false_type {};
+template <class Device>
+struct HasAge<Device, std::void_t<decltype(ageOf(std::declval<const Device&>()))>> : std::true_type {};
 
 /// Sets the header, and for a message that is about another frame too, of whatever moves in the header's, that it is
 /// the robot's base_link: fb_1/base_link for fb_1/odom.
@@ -169,6 +179,9 @@ DeviceTopic makeDeviceTopic(DeviceTopic::Kind kind, const std::string& name, con
     detail::setFrames(message, header);
     publisher.publish(message);
   };
+  if constexpr (detail::HasAge<Device>::value) {
+    topic.age = [](const void* device) { return ageOf(*static_cast<const Device*>(device)); };
+  }
   topic.subscribe = [](ros::NodeHandle& robot, const DeviceTopic& entry, void* device, VariableParts& parts,
                        DeviceTopic::Receiver receive) {
     return detail::subscribe<Message>(

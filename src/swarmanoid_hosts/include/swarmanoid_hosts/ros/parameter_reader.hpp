@@ -16,20 +16,25 @@
 
 namespace swarmanoid {
 
-/// Converts parameters of any scalar type to text first, so that launch files may pass "" for "not given".
+/// Converts parameters of any scalar type to text first, so that launch files may pass "" for "not given"; where the
+/// function says so, "none" too, since roslaunch lists arguments whose default is empty as required.
 class ParameterReader {
  public:
   explicit ParameterReader(const ros::NodeHandle& own) : own_(own) {}
 
   std::string text(const std::string& name, const std::string& fallback);
+  /// "" if it is not given or "none".
+  std::string optional(const std::string& name);
   double number(const std::string& name, double fallback, Range range);
-  /// A whole number; nothing if it is not given.
+  /// A whole number; nothing if it is not given or "none".
   std::optional<std::uint64_t> count(const std::string& name, Range range);
   bool boolean(const std::string& name, bool fallback);
   /// @param allowed the first one is meant if it is not given
   std::string choice(const std::string& name, const std::vector<std::string>& allowed);
   /// What spaces separate.
   std::vector<std::string> words(const std::string& name);
+  /// The same, but none of them if the only word is "none".
+  std::vector<std::string> optionalWords(const std::string& name);
 
   /// To be called when all has been read. @param parts that others read: "engines" stands for ~engines/ground/id, too
   void refuseUnread(const std::vector<std::string>& parts) const;

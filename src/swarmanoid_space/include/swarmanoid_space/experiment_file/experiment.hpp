@@ -4,7 +4,7 @@
 /// radians here, degrees only in the file. Every part has the place that it came from, for messages.
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -55,15 +55,38 @@ struct ControllerDescription {
 
 /// Where many entities go.
 struct Distribution {
-  enum class Layout { kUniform, kGrid };
+  enum class Layout {
+    kUniform,  ///< at random places
+    kGrid      ///< at even distances
+  };
+  /// Where the origins are. Discs and rings lie level.
+  enum class Area {
+    kBox,   ///< `minimum` to `maximum`
+    kDisc,  ///< `radius` around `center`
+    kRing,  ///< `inner_radius` to `radius` around `center`
+    kLine   ///< `from` to `to`
+  };
 
   Layout layout = Layout::kUniform;
+  Area area = Area::kBox;
   std::size_t quantity = 0;
-  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();  ///< of the origins' positions [m]
-  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d minimum = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d maximum = Eigen::Vector3d::Zero();  ///< [m]
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();   ///< [m]
+  double radius = 0.0;                                ///< [m]
+  double inner_radius = 0.0;                          ///< at most `radius` [m]
+  Eigen::Vector3d from = Eigen::Vector3d::Zero();     ///< [m]
+  Eigen::Vector3d to = Eigen::Vector3d::Zero();       ///< [m]
+  /// The entity from whose origin all x and y count; it is placed before these. "": from that of W.
+  std::string around;
   bool random_heading = true;  ///< uniform about z; otherwise the prototype's orientation
   int max_trials = 100;        ///< for each entity, before it is an error
   SourceLocation location;
+
+  /// The smallest box that holds the area.
+  Eigen::AlignedBox3d bounds() const;
+  /// A point of the area, uniform if the shares are. @param shares from 0 to 1; of a box along x, y and z
+  Eigen::Vector3d pointAt(const Eigen::Vector3d& shares) const;
 };
 
 /// Who commands a robot.
@@ -102,7 +125,9 @@ struct EntityDescription {
 };
 
 struct ArenaDescription {
-  Eigen::Vector3d size = Eigen::Vector3d::Ones();  ///< the arena spans from 0 to size [m]
+  Eigen::Vector3d corner = Eigen::Vector3d::Zero();  ///< of the arena, with its least coordinates [m]
+  Eigen::Vector3d size = Eigen::Vector3d::Ones();    ///< of the arena from there [m]
+  Eigen::Vector3d farCorner() const { return corner + size; }
   PositionalIndex::Optimization optimization = PositionalIndex::Optimization::k2D;
   bool bounded = false;  ///< walls along the four sides, in every engine
   std::vector<EntityDescription> entities;

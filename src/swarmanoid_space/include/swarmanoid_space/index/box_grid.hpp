@@ -16,8 +16,9 @@ namespace swarmanoid {
 
 class BoxGrid {
  public:
-  /// Whoever does not call it has one cell. @param size of the area, which spans from 0 to size [m]
-  void configure(const Eigen::Vector2d& size);
+  /// A grid that is not configured has one cell. @param corner of the area, with its least coordinates [m] @param size
+  /// of the area from there [m]
+  void configure(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
   void clear();
 
   /// @param item its number, from 0; what it was added with before is forgotten

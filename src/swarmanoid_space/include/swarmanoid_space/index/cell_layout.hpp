@@ -17,9 +17,10 @@ class CellLayout {
  public:
   /// One cell.
   CellLayout() = default;
-  /// @param size of the area, which spans from 0 to size [m]; @param smallest side of a cell [m], which is longer where
-  /// there would be more than `most_per_axis`
-  CellLayout(const Eigen::Vector2d& size, double smallest, double most_per_axis) {
+  /// @param corner of the area, with its least coordinates [m] @param size of the area from there [m]
+  /// @param smallest side of a cell [m], which is longer where there would be more than `most_per_axis`
+  CellLayout(const Eigen::Vector2d& corner, const Eigen::Vector2d& size, double smallest, double most_per_axis)
+      : corner_(corner) {
     const double side = std::max(smallest, size.maxCoeff() / most_per_axis);
     inverse_side_ = 1.0 / side;
     columns_ = std::max(1, static_cast<int>(std::ceil(size.x() / side)));
@@ -27,8 +28,8 @@ class CellLayout {
   }
 
   /// Of a coordinate [m].
-  int column(double x) const { return clampedCell(x * inverse_side_, columns_); }
-  int line(double y) const { return clampedCell(y * inverse_side_, lines_); }
+  int column(double x) const { return clampedCell((x - corner_.x()) * inverse_side_, columns_); }
+  int line(double y) const { return clampedCell((y - corner_.y()) * inverse_side_, lines_); }
   /// From 0 to count() - 1, line by line.
   std::size_t cell(int column, int line) const {
     return static_cast<std::size_t>(line) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(column);
@@ -36,7 +37,8 @@ class CellLayout {
   std::size_t count() const { return cell(0, lines_); }
 
  private:
-  double inverse_side_ = 1.0;  // 1/m
+  Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();  // m
+  double inverse_side_ = 1.0;                         // 1/m
   int columns_ = 1;
   int lines_ = 1;
 };

@@ -28,9 +28,10 @@ class PositionalIndex {
  public:
   enum class Optimization { k2D, k3D };
 
-  /// @param size of the arena, which spans from 0 to size in each axis [m]; @param expected_entities picks the cell
-  /// size
-  void configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities);
+  /// @param size of the arena [m] @param expected_entities picks the cell size @param corner of the arena, with its
+  /// least coordinates [m]
+  void configure(const Eigen::Vector3d& size, Optimization optimization, std::size_t expected_entities,
+                 const Eigen::Vector3d& corner = Eigen::Vector3d::Zero());
 
   /// Reads every living entity's pose and bounds. No allocation once the number of entities is steady.
   void rebuild(const Entities& entities);
@@ -151,6 +152,7 @@ class PositionalIndex {
   template <class Visit>  // visit(Place, double square of the distance), of later places whose axes are that near
   void visitLaterNear(const Cell& cell, Place place, double distance, Visit visit) const;
 
+  Eigen::Vector3d corner_ = Eigen::Vector3d::Zero();
   Eigen::Vector3d size_ = Eigen::Vector3d::Ones();
   Optimization optimization_ = Optimization::k2D;
   double cell_size_ = 1.0;

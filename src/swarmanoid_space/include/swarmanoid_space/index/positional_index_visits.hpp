@@ -44,7 +44,7 @@ void PositionalIndex::visitUpright(const Eigen::Vector2d& axis, double radius, V
     visit(large_items_[static_cast<std::size_t>(place)].row);
     return true;
   });
-  const Eigen::Vector3d middle(axis.x(), axis.y(), 0.5 * size_.z());
+  const Eigen::Vector3d middle(axis.x(), axis.y(), corner_.z() + 0.5 * size_.z());
   visitPlaces(middle, {radius, radius, kInfinity}, [&](Place place) {
     const double reach = radius + items_[place].radius;
     if ((items_[place].position - axis).squaredNorm() <= reach * reach) {
@@ -71,7 +71,7 @@ void PositionalIndex::visitPairs(const Entities& entities, double distance, IsLa
         visit(row, large_items_[k].row, found);
       }
     }
-    const Eigen::Vector3d middle(origin.x(), origin.y(), 0.5 * size_.z());
+    const Eigen::Vector3d middle(origin.x(), origin.y(), corner_.z() + 0.5 * size_.z());
     visitPlaces(middle, {distance, distance, kInfinity}, [&](Place place) {
       const double found = (items_[place].position - origin).squaredNorm();
       if (found <= square) {

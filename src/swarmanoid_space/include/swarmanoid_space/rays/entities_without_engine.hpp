@@ -13,8 +13,10 @@ namespace swarmanoid {
 
 class EntitiesWithoutEngine {
  public:
-  /// @param size of the arena, which spans from 0 to size [m]
-  void configure(const Eigen::Vector3d& size) { grid_.configure(size.head<2>()); }
+  /// @param size of the arena [m] @param corner of it, with its least coordinates [m]
+  void configure(const Eigen::Vector3d& size, const Eigen::Vector3d& corner = Eigen::Vector3d::Zero()) {
+    grid_.configure(corner.head<2>(), size.head<2>());
+  }
 
   /// Adds an entity, or takes its new pose.
   void place(const Entities& entities, Row row);

@@ -44,8 +44,9 @@ class PaintLayer {
   /// None: nothing can be painted.
   PaintLayer() = default;
   /// Without paint yet. @param size of the arena [m] @param cell its side [m] @param half_life [ticks]; 0: none
-  /// @pre there are at most kMostCells
-  PaintLayer(const Eigen::Vector2d& size, double cell, double half_life);
+  /// @param corner of the arena, with its least coordinates [m] @pre there are at most kMostCells
+  PaintLayer(const Eigen::Vector2d& size, double cell, double half_life,
+             const Eigen::Vector2d& corner = Eigen::Vector2d::Zero());
 
   /// How many cells a layer would have, as a number that may be beyond all bounds.
   static double cellsFor(const Eigen::Vector2d& size, double cell);
@@ -98,6 +99,7 @@ class PaintLayer {
   double strengthOf(const Cell& cell, std::uint64_t tick) const;
   void paintCell(std::size_t index, const PaintDisc& disc, std::uint64_t tick);
 
+  Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();
   Eigen::Vector2d size_ = Eigen::Vector2d::Zero();
   double cell_size_ = 0.0;
   std::size_t columns_ = 0;
