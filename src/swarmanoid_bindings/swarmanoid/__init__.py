@@ -15,14 +15,14 @@ swarmanoid.InterventionError: move is refused: position: found '90, 3, 0', allow
 docs/tutorial/swarm_in_python.md leads through it, docs/how-to/simulate_in_python.md shows controllers, interventions and rules,
 docs/how-to/analyse_trajectories.md what `load` makes of recorded runs. Simulations of different threads run at the same time."""
 
-from ._core import (Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError, ListArrays,
-                    Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
+from ._core import (Answer, Delete, Devices, Disc, ErrorModel, ExperimentError, FieldArrays, HandOver, InterventionError,
+                    ListArrays, Move, Paint, Robots, RuleError, SetCommandSource, SetEngineParameters, SetFault, SetProperty, Simulation,
                     Spawn, SteppedRobots, World, fields_of, installed_experiments)
 
 from ._single import Robot
 from .recording import RecordedEvent, RecordedReadings, Recording, RecordingError, load
 
-__all__ = ["Delete", "Devices", "Disc", "ErrorModel", "ExperimentError", "FieldArrays", "HandOver",
+__all__ = ["Answer", "Delete", "Devices", "Disc", "ErrorModel", "ExperimentError", "FieldArrays", "HandOver",
            "InterventionError", "ListArrays", "Move", "Paint", "RecordedEvent", "RecordedReadings", "Recording",
            "RecordingError", "Robots", "RuleError", "SetCommandSource", "SetEngineParameters", "SetFault", "SetProperty",
            "Simulation", "Spawn", "SteppedRobots", "World", "fields_of", "installed_experiments", "load", "Robot"]

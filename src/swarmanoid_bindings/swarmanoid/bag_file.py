@@ -96,9 +96,8 @@ class _Rows:
         return table
 
 
-def _times(runs: Sequence[int], ticks: Sequence[int], stamps: Sequence[Any]) -> numpy.ndarray:
-    """Since the start of each run, which is not at the bag's beginning if the bag begins later [s]."""
-    times = numpy.empty(len(runs))
+def _starts(runs: Sequence[int], ticks: Sequence[int], stamps: Sequence[Any]) -> Dict[int, int]:
+    """Stamp of the start of each run, which is not at the bag's beginning if the bag begins later [ns]."""
     first: Dict[int, int] = {}
     for row, run in enumerate(runs):
         first.setdefault(run, row)
@@ -112,9 +111,12 @@ def _times(runs: Sequence[int], ticks: Sequence[int], stamps: Sequence[Any]) -> 
             start[run] = now - ticks[row] * (stamps[later].to_nsec() - now) // (ticks[later] - ticks[row])
         else:
             start[run] = EPOCH_NS
-    for row, run in enumerate(runs):
-        times[row] = (stamps[row].to_nsec() - start[run]) / 1e9  # a division rounds once
-    return times
+    return start
+
+
+def _since(start: int, stamp: Any) -> float:
+    """[s]"""
+    return (stamp.to_nsec() - start) / 1e9  # a division rounds once
 
 
 class _About:
@@ -151,7 +153,7 @@ def _value(text: str) -> Any:
 def load_bag(file: Any) -> Recording:
     """@raise BagError"""
     columns, rows, about = _Columns(), _Rows(), _About()
-    events: List[RecordedEvent] = []
+    events: List[Tuple[int, Any]] = []
     numbers: Dict[int, int] = {}  # the space's number of a run to ours: a bag may begin after a reset
     for topic, message in messages(file, [STATES, EVENTS, *ABOUT]):
         if topic in ABOUT:
@@ -159,8 +161,7 @@ def load_bag(file: Any) -> Recording:
             continue
         run = numbers.setdefault(message.run, len(numbers))
         if topic == EVENTS:
-            events.append(RecordedEvent(run, message.tick, message.header.stamp.to_sec(), kind_name(message),
-                                        message.entity, message.other, message.text))
+            events.append((run, message))
         else:
             rows.add(run, message, columns)
     if not rows.runs and not events:
@@ -168,7 +169,8 @@ def load_bag(file: Any) -> Recording:
     return _recording(str(file), columns, rows, about, events)
 
 
-def _recording(file: str, columns: _Columns, rows: _Rows, about: _About, events: List[RecordedEvent]) -> Recording:
+def _recording(file: str, columns: _Columns, rows: _Rows, about: _About, events: List[Tuple[int, Any]]) -> Recording:
+    starts = _starts(rows.runs, rows.ticks, rows.stamps)
     count = len(columns.known)
     result = about.last.get("/space/result")
     seed = about.attribute("seed")
@@ -180,9 +182,11 @@ def _recording(file: str, columns: _Columns, rows: _Rows, about: _About, events:
         finished=result.finished if result is not None else None,
         result={metric.name: _value(metric.value) for metric in result.metrics} if result is not None else {},
         runs=numpy.array(rows.runs, dtype=numpy.int64), ticks=numpy.array(rows.ticks, dtype=numpy.int64),
-        times=_times(rows.runs, rows.ticks, rows.stamps), names=tuple(name for name, _ in columns.known),
+        times=numpy.array([_since(starts[run], stamp) for run, stamp in zip(rows.runs, rows.stamps)], dtype=float), names=tuple(name for name, _ in columns.known),
         types=tuple(kind for _, kind in columns.known), poses=rows.table(rows.poses, count, numpy.nan, float, (7,)),
         present=rows.table([True] * len(rows.runs), count, False, bool),
         stamps=numpy.array([stamp.to_sec() for stamp in rows.stamps]),
         engines=rows.table(rows.engines, count, "", object), gripped=rows.table(rows.gripped, count, "", object),
-        colors=rows.table(rows.colors, count, 0, numpy.float32, (4,)), events=events, orders=rows.orders)
+        colors=rows.table(rows.colors, count, 0, numpy.float32, (4,)), orders=rows.orders,
+        events=[RecordedEvent(run, event.tick, _since(starts.get(run, EPOCH_NS), event.header.stamp), kind_name(event),
+                              event.entity, event.other, event.text) for run, event in events])

@@ -14,7 +14,7 @@ class RecordingError(ValueError):
 class RecordedEvent(NamedTuple):
     run: int          # number of resets in the recording, from 0
     tick: int
-    stamp: float      # [s]
+    time: float       # simulated time since the start of the run [s]
     kind: Any         # name of the constant in Event.msg, in small letters; of one that the file does not name the number
     entity: str
     other: str

@@ -7,7 +7,6 @@ import tempfile
 import unittest
 
 import numpy
-import swarmanoid
 
 URDF = """<robot name="surveyor">
   <swarmanoid title="Surveyor" summary="Looks around.">
@@ -41,11 +40,11 @@ EXPERIMENT = """<?xml version="1.0"?>
 <ahss-config>
   <framework><clocktick>100</clocktick><maxclock>60</maxclock></framework>
   <controllers>
-    <rest id="c" library="diffusion">
+    <diffusion id="c" library="diffusion">
       <actuators><differential_drive/></actuators>
       <sensors><lidar><beams>5</beams><field_of_view>120</field_of_view><rate>2.5</rate><range_max>4</range_max></lidar></sensors>
       <parameters/>
-    </rest>
+    </diffusion>
   </controllers>
   <arena size="6,6,1" optimization="2D">
     <surveyor id="a">
@@ -54,7 +53,7 @@ EXPERIMENT = """<?xml version="1.0"?>
     <surveyor id="b">
       <position>1, 4, 0</position><orientation>0, 0, 0</orientation><controller>c</controller>
     </surveyor>
-    <block id="wall"><position>4, 3, 0.5</position><orientation>0, 0, 0</orientation><size>0.2, 6, 1</size></block>
+    <block id="wall"><position>4, 3, 0.5</position><orientation>0, 0, 0</orientation><size>0.2, 12, 1</size></block>
   </arena>
   <engines><kinematics2d id="ground"/></engines>
   <arena_physics><engine id="ground"><entity id="a"/><entity id="b"/><entity id="wall"/></engine></arena_physics>
@@ -62,21 +61,22 @@ EXPERIMENT = """<?xml version="1.0"?>
 """
 
 
+def put_into(folder):
+    """Writes the robot's package where a workspace that was installed into that folder would have it."""
+    package = pathlib.Path(folder) / "share/surveyor"
+    (package / "urdf").mkdir(parents=True)
+    (package / "package.xml").write_text(PACKAGE)
+    wheels = {f"wheel_{side}": WHEEL.format(side=side, y=y) for side, y in (("left", 0.06), ("right", -0.06))}
+    (package / "urdf/surveyor.urdf").write_text(URDF.format(**wheels))
+
+
+FOLDER = tempfile.TemporaryDirectory(prefix="lidar_test_")
+put_into(FOLDER.name)
+os.environ["CMAKE_PREFIX_PATH"] = f"{FOLDER.name}:{os.environ['CMAKE_PREFIX_PATH']}"
+import swarmanoid  # noqa: E402  it looks for robots when it is imported
+
+
 class LidarTest(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = tempfile.TemporaryDirectory(prefix="lidar_test_")
-        package = pathlib.Path(cls.folder.name) / "share/surveyor"
-        (package / "urdf").mkdir(parents=True)
-        (package / "package.xml").write_text(PACKAGE)
-        wheels = {f"wheel_{side}": WHEEL.format(side=side, y=y) for side, y in (("left", 0.06), ("right", -0.06))}
-        (package / "urdf/surveyor.urdf").write_text(URDF.format(**wheels))
-        os.environ["CMAKE_PREFIX_PATH"] = f"{cls.folder.name}:{os.environ['CMAKE_PREFIX_PATH']}"
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.folder.cleanup()
-
     def test_beams_are_elements_of_all_robots(self):
         ages = []
 

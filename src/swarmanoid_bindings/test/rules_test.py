@@ -3,6 +3,7 @@
 
 import concurrent.futures
 import gc
+import pickle
 import unittest
 
 import numpy
@@ -160,6 +161,37 @@ class RulesTest(unittest.TestCase):
         simulation = simulate({"mover": Asks("try_to")})
         self.assertEqual(simulation.tick(5), 5)
         self.assertTrue(any("there is no entity 'fb_9'" in event["text"] for event in simulation.events))
+
+    def test_gets_an_answer_to_what_it_asks(self):
+        answers = []
+
+        class Mover:
+            def reset(self, world):
+                answers.append(world.ask(Move("fb_2", (2.5, 2.0, 0))))
+
+            def before_tick(self, world):
+                if world.ticks == 1:
+                    answers.append(world.try_to(Move("fb_1", (2.5, 2.0, 0))))   # fb_2 is there
+
+            def after_tick(self, world):
+                if world.ticks == 2:
+                    answers.append(world.try_to(Delete("fb_1")))
+                    answers.append(world.try_to(Move("fb_1", (1, 1, 0))))
+                    seen.append([answer.done for answer in answers])
+
+        seen = []
+        simulation = simulate({"mover": Mover()})
+        simulation.tick(2)
+        self.assertEqual(seen, [[True, False, None, None]])
+        self.assertEqual(repr(answers[2]), "<Answer: pending>")
+        simulation.tick()
+        self.assertEqual([answer.done for answer in answers], [True, False, True, False])
+        self.assertEqual([answer.refusal for answer in answers],
+                         ["", "footbot 'fb_1' in engine 'ground': overlaps 'fb_2'", "", "there is no entity 'fb_1'"])
+        self.assertEqual(repr(answers[0]), "<Answer: done>")
+        self.assertEqual(repr(answers[3]), "<Answer: refused: there is no entity 'fb_1'>")
+        with self.assertRaisesRegex(TypeError, "a Answer cannot be copied or pickled: it is of one request"):
+            pickle.dumps(answers[0])
 
     def test_metrics_keep_their_names_and_are_numbers(self):
         class Moody:

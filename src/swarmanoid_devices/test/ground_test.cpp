@@ -167,7 +167,7 @@ TEST_F(GroundTest, ASpotThatDoesNotLookDownReadsNothing) {
   for (const double pitch : {0.0, -0.4, -M_PI / 2.0, M_PI}) {
     const Row own = world.add(robotWithSpot({0.0, 0.0, 0.004}, pitchedDown(pitch)), {7.0, 7.0, 0.0});
     SensorUnderTest<Ground> ground(world, own);
-    EXPECT_EQ(ground.sense().spots[0].value, 0.0F) << pitch;
+    EXPECT_EQ(ground.sense().sensors[0].value, 0.0F) << pitch;
   }
 }
 
@@ -209,13 +209,13 @@ TEST_F(GroundTest, ASpotReadsTheRimAsTheLineOfSightMeetsIt) {
   const Row own = world.add(robotWithSpot({0.02, 0.01, 0.02}, pitchedDown(0.6)), {2.0, 3.0, 0.0});
   SensorUnderTest<Ground> ground(world, own);
   world.space.floor.holes = {hole(2.0, 3.01, 0.0492)};
-  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "behind the rim";
+  EXPECT_NEAR(ground.sense().sensors[0].value, kBare, 1e-6) << "behind the rim";
   world.space.floor.holes = {hole(2.0, 3.01, 0.0493)};
-  EXPECT_EQ(ground.sense().spots[0].value, 0.0F);
+  EXPECT_EQ(ground.sense().sensors[0].value, 0.0F);
   world.space.floor.holes = {hole(2.1, 3.01, 0.0507)};
-  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "before it";
+  EXPECT_NEAR(ground.sense().sensors[0].value, kBare, 1e-6) << "before it";
   world.space.floor.holes.push_back(hole(2.1, 3.01, 0.0508));
-  EXPECT_EQ(ground.sense().spots[0].value, 0.0F) << "of the second hole";
+  EXPECT_EQ(ground.sense().sensors[0].value, 0.0F) << "of the second hole";
 }
 
 TEST_F(GroundTest, ATerrainHasNoHolesButItsOwn) {
@@ -232,14 +232,14 @@ TEST_F(GroundTest, ASlopeIsNearerThanTheFloor) {
   const Row own = world.add(robotWithSpot({0.02, 0.01, 0.03}, pitchedDown(M_PI / 4.0)), {5.0, 5.0, 0.0});
   world.space.floor.patches = {disc(5.0 + 1.0 / 30.0, 5.01, 0.005)};
   SensorUnderTest<Ground> ground(world, own);
-  EXPECT_NEAR(ground.sense().spots[0].value, kDisc, 1e-6);
+  EXPECT_NEAR(ground.sense().sensors[0].value, kDisc, 1e-6);
   world.pose(own).position.z() = -0.025;
-  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "5 mm under the slope: it is pressed into it";
+  EXPECT_NEAR(ground.sense().sensors[0].value, kBare, 1e-6) << "5 mm under the slope: it is pressed into it";
   world.pose(own).position.z() = -0.04;
-  EXPECT_EQ(ground.sense().spots[0].value, 0.0F) << "2 cm under the slope";
+  EXPECT_EQ(ground.sense().sensors[0].value, 0.0F) << "2 cm under the slope";
   world.space.terrain = nullptr;
   world.pose(own).position.z() = 0.0;
-  EXPECT_NEAR(ground.sense().spots[0].value, kBare, 1e-6) << "level: 4.2 cm away";
+  EXPECT_NEAR(ground.sense().sensors[0].value, kBare, 1e-6) << "level: 4.2 cm away";
 }
 
 TEST_F(GroundTest, OfAnyRobotReadsWhatTheFootbotsOwnReads) {
@@ -247,11 +247,11 @@ TEST_F(GroundTest, OfAnyRobotReadsWhatTheFootbotsOwnReads) {
   SensorUnderTest<FootbotGround> own(world, robot);
   SensorUnderTest<Ground> sensor(world, robot);  // keeps the list of readings
   const Ground& any = sensor.sense();
-  ASSERT_EQ(any.spots.size(), FootbotGround::kCount);
+  ASSERT_EQ(any.sensors.size(), FootbotGround::kCount);
   for (std::size_t i = 0; i < FootbotGround::kCount; ++i) {
-    EXPECT_EQ(any.spots[i].value, own.sense().value[i]) << "to the last bit, spot " << i;
-    EXPECT_NEAR(any.spots[i].x, FootbotGround::place(i).x(), 1e-6) << i;
-    EXPECT_NEAR(any.spots[i].y, FootbotGround::place(i).y(), 1e-6) << i;
+    EXPECT_EQ(any.sensors[i].value, own.sense().value[i]) << "to the last bit, spot " << i;
+    EXPECT_NEAR(any.sensors[i].x, FootbotGround::place(i).x(), 1e-6) << i;
+    EXPECT_NEAR(any.sensors[i].y, FootbotGround::place(i).y(), 1e-6) << i;
   }
 }
 
@@ -266,14 +266,14 @@ TEST_F(GroundTest, EachRobotHasItsOwnReadings) {
   world.sense(*sensor);
   const float expected[] = {kBare, kDisc, kStrip};
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    EXPECT_NEAR(readings[k]->spots[5].value, expected[k], 1e-6) << k;
+    EXPECT_NEAR(readings[k]->sensors[5].value, expected[k], 1e-6) << k;
   }
   sensor->remove(world.space, rows[0]);
   world.remove(rows[0]);
   world.space.floor.patches.pop_back();
   world.sense(*sensor);
-  EXPECT_NEAR(readings[1]->spots[5].value, kDisc, 1e-6);
-  EXPECT_NEAR(readings[2]->spots[5].value, kBare, 1e-6);
+  EXPECT_NEAR(readings[1]->sensors[5].value, kDisc, 1e-6);
+  EXPECT_NEAR(readings[2]->sensors[5].value, kBare, 1e-6);
 }
 
 /// What is not cut short where there is a hole anywhere, and comes to the same.

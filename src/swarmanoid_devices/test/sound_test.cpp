@@ -202,12 +202,12 @@ TEST(SoundTest, AnyRobotHearsWithWhatItHas) {
   world.add(loudspeaker("81"), horn);
   SensorUnderTest<Microphones> sensor(world, robot, {{"background", "12"}});
   const Microphones& heard = sensor.sense();
-  ASSERT_EQ(heard.microphones.size(), 3U);
+  ASSERT_EQ(heard.sensors.size(), 3U);
   for (std::size_t i = 0; i < 3; ++i) {
     const double distance = (origin + places[i] - horn).norm();
-    EXPECT_NEAR(heard.microphones[i].level, sumOf({levelAt(81.0, distance), 12.0}), 1e-5) << i;
-    EXPECT_NEAR(heard.microphones[i].x, places[i].x(), 1e-7);
-    EXPECT_NEAR(heard.microphones[i].y, places[i].y(), 1e-7);
+    EXPECT_NEAR(heard.sensors[i].level, sumOf({levelAt(81.0, distance), 12.0}), 1e-5) << i;
+    EXPECT_NEAR(heard.sensors[i].x, places[i].x(), 1e-7);
+    EXPECT_NEAR(heard.sensors[i].y, places[i].y(), 1e-7);
   }
   // from the middle of the three, (-0.02 / 3, -0.14 / 3) from the origin
   EXPECT_NEAR(heard.loudest.bearing, std::atan2(0.9 + 0.14 / 3.0, -0.8 + 0.02 / 3.0), 1e-6);
@@ -222,7 +222,7 @@ TEST(SoundTest, TwoMicrophonesCannotTellFrontFromBack) {
   EXPECT_EQ(heard.loudest.bearing, 0.0F);
   EXPECT_EQ(heard.loudest.confidence, 0.0F);
   EXPECT_EQ(heard.loudest.frequency, 440.0F);
-  EXPECT_GT(heard.microphones[0].level, heard.microphones[1].level + 0.5F);
+  EXPECT_GT(heard.sensors[0].level, heard.sensors[1].level + 0.5F);
 }
 
 TEST(SoundTest, RobotsWithoutThePartsAreRefused) {

@@ -108,7 +108,7 @@ class Requests:
                                 "zero_seed": self._random.random() < 0.2}
 
     def _step(self):
-        return "step", Step, {"steps": self._random.choice([0, 1, 3])}
+        return "step", Step, {"ticks": self._random.choice([0, 1, 3])}
 
     def _trigger(self):
         return self._random.choice(["pause", "resume", "toggle_pause"]), Trigger, {}

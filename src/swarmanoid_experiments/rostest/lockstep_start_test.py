@@ -78,7 +78,7 @@ class LockstepStartTest(RoslaunchTest):
     def ticks(self):
         """How many were made; it is paused afterwards."""
         self.assertTrue(self.call("/space/pause", Trigger).success)
-        return self.call("/space/step", Step, steps=1).tick
+        return self.call("/space/step", Step, ticks=1).tick
 
     def participant_runs(self, experiment, factor, paused):
         robot, controller = REMOTE[experiment]

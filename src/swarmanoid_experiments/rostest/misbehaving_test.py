@@ -59,11 +59,11 @@ class MisbehavingTest(RoslaunchTest):
     def wait_until_busy(self):
         """Asks for a step, which a run that is not paused refuses, until the answer is that it is busy."""
         deadline = time.monotonic() + LIMIT
-        answer = self.call("step", "steps: 1")
+        answer = self.call("step", "ticks: 1")
         while "busy in" not in answer:
             self.assertLess(time.monotonic(), deadline, answer)
             time.sleep(0.5)
-            answer = self.call("step", "steps: 1")
+            answer = self.call("step", "ticks: 1")
 
     def assert_bag(self, ticks):
         with rosbag.Bag(str(self.path / "run.bag")) as bag:
@@ -108,7 +108,7 @@ class MisbehavingTest(RoslaunchTest):
         process = self.begin("step", "loop")
         self.wait_until_busy()
         self.assertRegex(self.call("pause"), r"success: False message: \"busy in step of robot 'fb_4' .*, tick 3 since \d+ s\"")
-        for service, request in (("reset", "{}"), ("delete", "names: [fb_1]"), ("step", "steps: 1"),
+        for service, request in (("reset", "{}"), ("delete", "names: [fb_1]"), ("step", "ticks: 1"),
                                  ("set_command_source", "{names: [fb_1], source: none}")):
             self.assertIn("busy in step of robot 'fb_4'", self.call(service, request))
         process.send_signal(signal.SIGINT)  # roslaunch interrupts, then it terminates

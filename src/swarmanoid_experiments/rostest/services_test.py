@@ -80,7 +80,7 @@ class ServicesTest(unittest.TestCase):
     def test_step_refuses_nonsense(self):
         answer = self.space.step(0)
         self.assertFalse(answer.success)
-        self.assertEqual("steps: found 0, allowed: at least 1", answer.message)
+        self.assertEqual("ticks: found 0, allowed: at least 1", answer.message)
 
     def test_pause_resume_and_toggle_say_what_they_did(self):
         self.assertEqual("it was not running", self.space.pause().message)

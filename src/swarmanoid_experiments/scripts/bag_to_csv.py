@@ -52,7 +52,7 @@ def write_poses(recording, file):
     table.writerow(["run", "tick", "time_s", "name", "type", "x_m", "y_m", "z_m", "yaw_rad", "engine", "gripped"])
     names, types = recording.names, recording.types
     sort = functools.lru_cache(maxsize=None)(lambda columns: sorted(columns, key=lambda column: natural(names[column])))
-    for row, (run, tick, time) in enumerate(zip(recording.runs.tolist(), recording.ticks.tolist(), recording.stamps.tolist())):
+    for row, (run, tick, time) in enumerate(zip(recording.runs.tolist(), recording.ticks.tolist(), recording.times.tolist())):
         poses, engines, gripped = recording.poses[row].tolist(), recording.engines[row], recording.gripped[row]
         for i in sort(tuple(recording.orders[row].tolist())):
             x, y, z, *orientation = poses[i]

@@ -95,7 +95,8 @@ class TablesTest(BagToCsvTest):
         self.assertEqual([(row["run"], row["tick"], row["name"]) for row in poses],
                          [("0", str(tick), name) for tick in range(21) for name in ("fb", "wall")])
         self.assertEqual((poses[0]["time_s"], poses[0]["type"], poses[0]["x_m"], poses[0]["y_m"], poses[0]["engine"]),
-                         ("1.0", "footbot", "2.0", "3.0", "ground"))
+                         ("0.0", "footbot", "2.0", "3.0", "ground"))
+        self.assertEqual([row["time_s"] for row in poses if row["name"] == "fb"][:4], ["0.0", "0.1", "0.2", "0.3"])
         self.assertAlmostEqual(float(poses[0]["yaw_rad"]), 1.5707963, places=6)
         self.assertEqual([(row["run"], row["tick"], row["kind"], row["entity"]) for row in events],
                          [("0", "20", "finished", "")])
@@ -104,7 +105,7 @@ class TablesTest(BagToCsvTest):
         self.write(world_state(0, 0), *(self.event(kind) for kind in range(len(KINDS))), self.event(200))
         _, events = self.tables("1 run, 0 gaps in the ticks")
         self.assertEqual([row["kind"] for row in events], KINDS + ["200"])
-        self.assertEqual(events[0], {"run": "0", "tick": "0", "time_s": "1.0", "kind": "attached", "entity": "fb_1",
+        self.assertEqual(events[0], {"run": "0", "tick": "0", "time_s": "0.0", "kind": "attached", "entity": "fb_1",
                                      "other": "prey", "text": "why, \"so\""})
 
     def test_resets_are_counted_from_the_beginning_of_the_bag(self):
@@ -139,12 +140,13 @@ class TablesTest(BagToCsvTest):
         expected = ["run,tick,time_s,name,type,x_m,y_m,z_m,yaw_rad,engine,gripped\r\n"]
         with rosbag.Bag(str(self.bag)) as bag:
             for _, state, _ in bag.read_messages("/space/world_state"):
+                time = (state.header.stamp - world_state(state.run, 0).header.stamp).to_nsec() / 1e9
                 order = [i for name in ("fb_2", "fb_10", "late") for i, other in enumerate(state.names) if other == name]
                 for i in order:
                     p, q = state.poses[i].position, state.poses[i].orientation
                     yaw = math.atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z))
                     gripped = {"prey, red": '"prey, red"', '"': '""""'}.get(state.gripped[i], state.gripped[i])
-                    expected.append(f"{state.run - 4},{state.tick},{state.header.stamp.to_sec()!r},{state.names[i]},{state.types[i]},"
+                    expected.append(f"{state.run - 4},{state.tick},{time!r},{state.names[i]},{state.types[i]},"
                                     f"{p.x!r},{p.y!r},{p.z!r},{yaw!r},{state.engines[i]},{gripped}\r\n")
         self.assertEqual((self.out / "poses.csv").read_bytes().decode(), "".join(expected))
 

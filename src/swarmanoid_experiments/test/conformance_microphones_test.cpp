@@ -67,9 +67,9 @@ std::string verdictWith(const Miswiring& miswiring, const std::string& parameter
 template <class Change>
 Miswiring wireMicrophones(Change change) {
   return wire<Microphones>([change, kept = std::make_shared<std::vector<Microphone>>()](Microphones& sensor) {
-    kept->assign(sensor.microphones.begin(), sensor.microphones.end());
+    kept->assign(sensor.sensors.begin(), sensor.sensors.end());
     change(*kept, sensor.loudest);
-    sensor.microphones = Span<const Microphone>(kept->data(), kept->size());
+    sensor.sensors = Span<const Microphone>(kept->data(), kept->size());
   });
 }
 

@@ -143,9 +143,9 @@ TEST(ConformanceSensesTest, FindsSpotsThatReadAnotherFloor) {
   expectFailure(kFootbot, wire<FloorColor>([](FloorColor& floor) { std::swap(floor.color.red, floor.color.blue); }),
                 "floor_color (floor_color: not true: the floor is about blue; found red)");
   expectFailure(kFootbot, wire<Ground>([kept = std::make_shared<std::vector<GroundSpot>>()](Ground& ground) {
-                  kept->assign(ground.spots.begin(), ground.spots.end());
+                  kept->assign(ground.sensors.begin(), ground.sensors.end());
                   kept->back().value = 0.9F;
-                  ground.spots = Span<const GroundSpot>(kept->data(), kept->size());
+                  ground.sensors = Span<const GroundSpot>(kept->data(), kept->size());
                 }),
                 "ground (ground: spot ");
 }

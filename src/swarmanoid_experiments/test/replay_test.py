@@ -52,7 +52,7 @@ class ReplayTest(ProgramTest):
                          "fb_2: all 50 ticks are equal\n")
         output = self.replay("--robot", "fb_2", "--parameters", "speed=0.145", code=DIFFERS)
         self.assertRegex(output, r"\Afb_2: \d+ of 50 ticks are equal\n"
-                                 r"first difference: fb_2, tick 0, 1\.000 s\n"
+                                 r"first difference: fb_2, tick 0, 0\.000 s\n"
                                  r"  footbot_wheels \(f8 f8\)\n"
                                  r"    left: recorded 5\.1724137931034475, replayed 4\.999999999999999\n"
                                  r"    right: recorded 5\.1724137931034475, replayed 4\.999999999999999\n"
@@ -68,7 +68,7 @@ class ReplayTest(ProgramTest):
         self.assertEqual(self.replay(), "fb: all 4 ticks are equal\n")
         self.assertEqual(self.replay("--parameters", "fail_at=7", code=DIFFERS),
                          "fb: 3 of 4 ticks are equal\n"
-                         "first difference: fb, tick 3, 1.300 s\n"
+                         "first difference: fb, tick 3, 0.300 s\n"
                          "  the controller: recorded failed: told to, \ufffd, replayed stepped\n"
                          "    replayed footbot_wheels: 1 1\n")
 

@@ -185,5 +185,13 @@ TEST(RandomStreamTest, BelowReachesEachNumberEquallyOften) {
   }
 }
 
+/// As in Python.
+TEST(RandomStreamTest, AGaussianNumberIsStandardNormalUnlessMoreIsSaid) {
+  RandomStream one(7, 11);
+  RandomStream other(7, 11);
+  EXPECT_EQ(one.gaussian(), other.gaussian(0.0, 1.0));
+  EXPECT_EQ(one.gaussian(3.0), other.gaussian(3.0, 1.0));
+}
+
 }  // namespace
 }  // namespace swarmanoid

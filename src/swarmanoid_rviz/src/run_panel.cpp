@@ -96,7 +96,7 @@ void RunPanel::connectWidgets() {
   connect(widgets_.reset, &QToolButton::clicked, this, &RunPanel::reset);
   connect(widgets_.step, &QToolButton::clicked, this, [this] {
     swarmanoid_msgs::Step::Request request;
-    request.steps = static_cast<std::uint32_t>(widgets_.ticks->value());
+    request.ticks = static_cast<std::uint32_t>(widgets_.ticks->value());
     ask<swarmanoid_msgs::Step>("step", request);
   });
   connect(widgets_.pace, QOverload<int>::of(&QComboBox::activated), this, [this](int place) {

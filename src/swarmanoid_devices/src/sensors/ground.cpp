@@ -24,7 +24,7 @@ class GroundSensor : public GroundSpotsSensor<GroundSensor, Ground, Eigen::Dynam
 
   void prepareInstance(const Space& space, Instance& instance) override {
     Base::prepareInstance(space, instance);
-    instance.readings->spots = instance.makeRoom(instance.ring->size());
+    instance.readings->sensors = instance.makeRoom(instance.ring->size());
     for (std::size_t i = 0; i < instance.buffer.size(); ++i) {
       const Eigen::Vector3d place = instance.ring->from.col(static_cast<Eigen::Index>(i));
       instance.buffer[i] = {0.0F, static_cast<float>(place.x()), static_cast<float>(place.y())};

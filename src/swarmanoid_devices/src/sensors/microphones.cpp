@@ -25,7 +25,7 @@ class MicrophonesSensor final
 
   void prepareInstance(const Space& space, Instance& instance) override {
     Base::prepareInstance(space, instance);
-    instance.readings->microphones = instance.makeRoom(instance.ring->size());
+    instance.readings->sensors = instance.makeRoom(instance.ring->size());
     for (std::size_t i = 0; i < instance.ring->size(); ++i) {
       const Eigen::Vector3d place = instance.ring->from.col(static_cast<Eigen::Index>(i));
       instance.buffer[i].x = static_cast<float>(place.x());

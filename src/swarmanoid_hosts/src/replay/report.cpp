@@ -8,9 +8,10 @@
 namespace swarmanoid::replay {
 namespace {
 
+/// Since the start of the run.
 std::string secondsOf(Time time) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.3f", toSeconds(time));
+  std::snprintf(text, sizeof text, "%.3f", toSeconds(time - kEpoch));
   return text;
 }
 

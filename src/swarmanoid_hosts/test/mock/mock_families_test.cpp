@@ -166,12 +166,12 @@ TEST(MockRobotOfAnyType, HearsBeaconsThatSound) {
   world.ring = {3, 0.05};
   Bench bench(std::vector<std::string>{Microphones::kType}, world);
   const Microphones& heard = bench.reading<Microphones>();
-  ASSERT_EQ(3U, heard.microphones.size());
-  EXPECT_NEAR(70.957954, heard.microphones[0].level, 1e-5);
-  EXPECT_NEAR(70.952031, heard.microphones[1].level, 1e-5);
-  EXPECT_NEAR(70.646851, heard.microphones[2].level, 1e-5);
-  EXPECT_NEAR(-0.025, heard.microphones[1].x, 1e-6);
-  EXPECT_NEAR(0.0433013, heard.microphones[1].y, 1e-6);
+  ASSERT_EQ(3U, heard.sensors.size());
+  EXPECT_NEAR(70.957954, heard.sensors[0].level, 1e-5);
+  EXPECT_NEAR(70.952031, heard.sensors[1].level, 1e-5);
+  EXPECT_NEAR(70.646851, heard.sensors[2].level, 1e-5);
+  EXPECT_NEAR(-0.025, heard.sensors[1].x, 1e-6);
+  EXPECT_NEAR(0.0433013, heard.sensors[1].y, 1e-6);
   EXPECT_NEAR(0.927295, heard.loudest.bearing, 1e-6);
   EXPECT_NEAR(0.657574, heard.loudest.confidence, 1e-6);
   EXPECT_EQ(440.0F, heard.loudest.frequency);
@@ -196,17 +196,17 @@ TEST(MockRobotOfAnyType, ReadsTheFloorUnderIt) {
   Bench bench(std::vector<std::string>{Ground::kType}, world);
   bench.robot->place({{0.13, 0.27, 0.0}, 0.83});
   const Ground& ground = bench.reading<Ground>();
-  ASSERT_EQ(5U, ground.spots.size());
-  EXPECT_NEAR(0.05 * std::cos(0.4 * M_PI), ground.spots[1].x, 1e-7);
-  EXPECT_NEAR(0.05 * std::sin(0.4 * M_PI), ground.spots[1].y, 1e-7);
+  ASSERT_EQ(5U, ground.sensors.size());
+  EXPECT_NEAR(0.05 * std::cos(0.4 * M_PI), ground.sensors[1].x, 1e-7);
+  EXPECT_NEAR(0.05 * std::sin(0.4 * M_PI), ground.sensors[1].y, 1e-7);
   const float expected[] = {128.0F / 255.0F, 1.0F, 1.0F / 3.0F, 1.0F / 3.0F, 128.0F / 255.0F};
   for (std::size_t i = 0; i < 5; ++i) {
-    EXPECT_NEAR(expected[i], ground.spots[i].value, 1e-6) << i;
+    EXPECT_NEAR(expected[i], ground.sensors[i].value, 1e-6) << i;
   }
   bench.robot->place({{0.13, 0.27, 0.049}, 0.83});
-  EXPECT_EQ(1.0F, ground.spots[1].value);
+  EXPECT_EQ(1.0F, ground.sensors[1].value);
   bench.robot->place({{0.13, 0.27, 0.051}, 0.83});
-  EXPECT_EQ(0.0F, ground.spots[1].value) << "too high over it";
+  EXPECT_EQ(0.0F, ground.sensors[1].value) << "too high over it";
 }
 
 TEST(MockRobotOfAnyType, ReadsTheColourOfTheFloorUnderIt) {

@@ -121,7 +121,7 @@ TEST(ReplayTest, AnotherOneIsDistinguishedWhereItFirstDecidesOtherwise) {
   const RecordedRun run = with(record(10), "turn_at", 7);
   EXPECT_EQ(
       "fb_1: 7 of 10 ticks are equal\n"
-      "first difference: fb_1, tick 7, 1.700 s\n"
+      "first difference: fb_1, tick 7, 0.700 s\n"
       "  footbot_wheels (f8 f8)\n"
       "    right: recorded 1, replayed -1\n"
       "  readings\n"
@@ -134,7 +134,7 @@ TEST(ReplayTest, AnotherOneIsDistinguishedWhereItFirstDecidesOtherwise) {
 TEST(ReplayTest, OnlyTheRangeIsComparedButAllBeforeItIsStepped) {
   const RecordedRun run = with(record(10), "turn_at", 7);
   EXPECT_EQ("fb_1: all 4 ticks are equal\n", reportOf(run, {3, 6}));
-  EXPECT_EQ(0U, reportOf(run, {8, 9}).find("fb_1: 0 of 2 ticks are equal\nfirst difference: fb_1, tick 8, 1.800 s\n"));
+  EXPECT_EQ(0U, reportOf(run, {8, 9}).find("fb_1: 0 of 2 ticks are equal\nfirst difference: fb_1, tick 8, 0.800 s\n"));
 }
 
 TEST(ReplayTest, AFailureIsTheSameFailure) {
@@ -142,7 +142,7 @@ TEST(ReplayTest, AFailureIsTheSameFailure) {
   EXPECT_EQ("fb_1: all 5 ticks are equal\n", reportOf(run));
   EXPECT_EQ(0U, reportOf(with(run, "fail_at", 9))
                     .find("fb_1: 4 of 5 ticks are equal\n"
-                          "first difference: fb_1, tick 4, 1.400 s\n"
+                          "first difference: fb_1, tick 4, 0.400 s\n"
                           "  the controller: recorded failed: told to, replayed stepped\n"));
 }
 
@@ -195,9 +195,9 @@ TEST(ReplayTest, OtherFieldsThanHereAreRefused) {
 TEST(ReplayTest, TheTableHasALineADevice) {
   const RecordedRun run = record(3);
   const std::string text = table(run, {1, 1});
-  EXPECT_EQ(0U, text.find("fb_1\t1\t1.100\treading\tfootbot_camera\t[(255 128 0 -0.25 1.5 0 0)] false\n"
-                          "fb_1\t1\t1.100\tcommand\tfootbot_wheels\t"));
-  EXPECT_NE(std::string::npos, text.find(" 1\nfb_1\t1\t1.100\tdebug\tstate\tdrives\n"));
+  EXPECT_EQ(0U, text.find("fb_1\t1\t0.100\treading\tfootbot_camera\t[(255 128 0 -0.25 1.5 0 0)] false\n"
+                          "fb_1\t1\t0.100\tcommand\tfootbot_wheels\t"));
+  EXPECT_NE(std::string::npos, text.find(" 1\nfb_1\t1\t0.100\tdebug\tstate\tdrives\n"));
   EXPECT_EQ(3, std::count(text.begin(), text.end(), '\n'));
 }
 

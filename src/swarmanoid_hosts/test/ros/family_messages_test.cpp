@@ -109,7 +109,7 @@ TEST(FamilyMessages, KeepLightOfAnyRobot) {
 TEST(FamilyMessages, KeepTheGroundUnderAnyRobot) {
   const std::array<GroundSpot, 2> spots{GroundSpot{0.125F, 0.03F, -0.02F}, GroundSpot{1.0F, -0.03F, 0.01F}};
   Ground ground;
-  ground.spots = Span<const GroundSpot>(spots.data(), spots.size());
+  ground.sensors = Span<const GroundSpot>(spots.data(), spots.size());
   swarmanoid_msgs::GroundArray message;
   toMessage(ground, message);
   EXPECT_EQ(message.x, (std::vector<float>{0.03F, -0.03F}));
@@ -125,7 +125,7 @@ TEST(FamilyMessages, KeepTheGroundUnderAnyRobot) {
 TEST(FamilyMessages, KeepWhatMicrophonesOfAnyRobotHear) {
   const std::array<Microphone, 2> microphones{Microphone{61.5F, 0.03F, -0.02F}, Microphone{30.0F, -0.03F, 0.01F}};
   Microphones heard;
-  heard.microphones = Span<const Microphone>(microphones.data(), microphones.size());
+  heard.sensors = Span<const Microphone>(microphones.data(), microphones.size());
   heard.loudest = {-2.5F, 0.75F, 440.0F};
   swarmanoid_msgs::MicrophoneLevels message;
   toMessage(heard, message);

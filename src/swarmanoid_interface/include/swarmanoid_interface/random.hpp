@@ -42,7 +42,7 @@ class RandomStream {
     return bits() % count;
   }
   /// Returns a normal number with the given mean and standard deviation (Box-Muller).
-  double gaussian(double mean, double standard_deviation);
+  double gaussian(double mean = 0.0, double standard_deviation = 1.0);
 
  private:
   std::uint64_t seed_ = 0;

@@ -33,7 +33,13 @@ void takeAsked(World& world) {
   for (const AskedIntervention& asked : world.asked) {
     try {
       take(world, asked.what, asked.asked_by, false);
+      if (asked.answer != nullptr) {
+        asked.answer->setDone();
+      }
     } catch (const ConfigError& error) {
+      if (asked.answer != nullptr) {
+        asked.answer->setRefused(error.what());
+      }
       const std::string refusal = asked.asked_by + " asked in tick " + std::to_string(world.space.tick) +
                                   " for what is refused: " + error.what();
       if (!asked.may_be_refused) {

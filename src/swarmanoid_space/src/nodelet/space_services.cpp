@@ -132,10 +132,10 @@ bool SpaceServices::togglePause(std_srvs::Trigger::Request& request, std_srvs::T
 
 bool SpaceServices::step(swarmanoid_msgs::Step::Request& request, swarmanoid_msgs::Step::Response& response) {
   return answer(response, [&]() -> std::string {
-    if (request.steps == 0) {
-      throw std::runtime_error("steps: found 0, allowed: at least 1");
+    if (request.ticks == 0) {
+      throw std::runtime_error("ticks: found 0, allowed: at least 1");
     }
-    const SimulationThread::StepResult result = thread_.step(request.steps);
+    const SimulationThread::StepResult result = thread_.step(request.ticks);
     response.tick = result.tick;
     response.stamp = toRosTime(result.time);
     if (!result.is_complete) {

@@ -38,8 +38,8 @@ std::vector<Check> footbotGroundChecks(Bench& bench) {
 
 std::vector<Check> groundChecks(Bench& bench) {
   return floorCheck<Ground>(bench, [](Bench& tester, const Ground& ground) {
-    for (std::size_t i = 0; i < ground.spots.size(); ++i) {
-      expectFloor(tester, i, ground.spots[i].value);
+    for (std::size_t i = 0; i < ground.sensors.size(); ++i) {
+      expectFloor(tester, i, ground.sensors[i].value);
     }
   });
 }

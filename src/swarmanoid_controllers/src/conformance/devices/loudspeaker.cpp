@@ -39,8 +39,8 @@ std::vector<Check> loudspeakerChecks(Bench& bench) {
 /// The level in the middle of the microphones [dB].
 double loudnessOf(const Microphones& heard) {
   double power = 0.0;
-  for (const Microphone& microphone : heard.microphones) {
-    power += Sound::power(static_cast<double>(microphone.level)) / static_cast<double>(heard.microphones.size());
+  for (const Microphone& microphone : heard.sensors) {
+    power += Sound::power(static_cast<double>(microphone.level)) / static_cast<double>(heard.sensors.size());
   }
   return Sound::level(power);
 }

@@ -30,7 +30,7 @@ struct Ear {
 
 std::vector<Ear> earsOf(const Microphones& heard) {
   std::vector<Ear> ears;
-  for (const Microphone& microphone : heard.microphones) {
+  for (const Microphone& microphone : heard.sensors) {
     ears.push_back({{microphone.x, microphone.y}, microphone.level});
   }
   return ears;

@@ -22,7 +22,7 @@ class MockGround final : public MockDevice {
       spots_[i] = {reflectionUnder(state.world, state.pose, place), static_cast<float>(place.x()),
                    static_cast<float>(place.y())};
     }
-    readings_.spots = spots_;
+    readings_.sensors = spots_;
   }
 
  private:

@@ -99,7 +99,7 @@ class MockMicrophones final : public MockDevice {
     for (std::size_t i = 0; i < microphones_.size(); ++i) {
       microphones_[i].level = ears_.level(i);
     }
-    readings_.microphones = microphones_;
+    readings_.sensors = microphones_;
     readings_.loudest = ears_.loudest();
   }
 

@@ -28,7 +28,7 @@ struct Ground {
   static constexpr std::size_t kMostSpots = 64;
   static constexpr double kUsualRange = 0.05;  ///< along the line of sight, beyond which there is no ground [m]
 
-  Span<const GroundSpot> spots;
+  Span<const GroundSpot> sensors;
 
   /// The law by which all ground sensors of the suite respond. @param color of the floor where the spot looks
   static constexpr float reflection(Color color) { return static_cast<float>(color.brightness()); }
@@ -36,7 +36,7 @@ struct Ground {
 
 template <class Visitor>
 void fields(Visitor& visit, Ground& ground) {
-  visit(ground.spots, {"spots"});
+  visit(ground.sensors, {"sensors"});
 }
 REGISTER_DEVICE_OF_SUITE(Ground, kSensor, "Infrared spots that read the floor under the robot, as many as it has.")
 

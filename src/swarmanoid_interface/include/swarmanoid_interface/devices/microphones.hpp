@@ -66,13 +66,13 @@ struct Microphones {
   static constexpr const char* kType = "microphones";
   static constexpr std::size_t kMost = 64;
 
-  Span<const Microphone> microphones;
+  Span<const Microphone> sensors;
   LoudestSound loudest;
 };
 
 template <class Visitor>
 void fields(Visitor& visit, Microphones& sensor) {
-  visit(sensor.microphones, {"microphones"});
+  visit(sensor.sensors, {"sensors"});
   visit(sensor.loudest, {"loudest"});
 }
 REGISTER_DEVICE_OF_SUITE(Microphones, kSensor, "Microphones, as many as the robot has.")

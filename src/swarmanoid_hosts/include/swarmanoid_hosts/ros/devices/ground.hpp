@@ -10,13 +10,13 @@
 namespace swarmanoid {
 
 inline void toMessage(const Ground& readings, swarmanoid_msgs::GroundArray& message) {
-  message.x.resize(readings.spots.size());
-  message.y.resize(readings.spots.size());
-  message.values.resize(readings.spots.size());
-  for (std::size_t i = 0; i < readings.spots.size(); ++i) {
-    message.x[i] = readings.spots[i].x;
-    message.y[i] = readings.spots[i].y;
-    message.values[i] = readings.spots[i].value;
+  message.x.resize(readings.sensors.size());
+  message.y.resize(readings.sensors.size());
+  message.values.resize(readings.sensors.size());
+  for (std::size_t i = 0; i < readings.sensors.size(); ++i) {
+    message.x[i] = readings.sensors[i].x;
+    message.y[i] = readings.sensors[i].y;
+    message.values[i] = readings.sensors[i].value;
   }
 }
 
@@ -29,7 +29,7 @@ inline void fromMessage(const swarmanoid_msgs::GroundArray& message, Ground& rea
   for (std::size_t i = 0; i < count; ++i) {
     spots[i] = {message.values[i], message.x[i], message.y[i]};
   }
-  readings.spots = Span<const GroundSpot>(spots, count);
+  readings.sensors = Span<const GroundSpot>(spots, count);
 }
 
 REGISTER_DEVICE_TOPIC(Ground, swarmanoid_msgs::GroundArray, kReading, "ground", "base_link")

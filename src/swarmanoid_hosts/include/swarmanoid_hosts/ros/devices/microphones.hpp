@@ -22,14 +22,14 @@ inline void toMessage(const LoudestSound& loudest, swarmanoid_msgs::MicrophoneLe
 }
 
 inline void toMessage(const Microphones& readings, swarmanoid_msgs::MicrophoneLevels& message) {
-  const std::size_t count = readings.microphones.size();
+  const std::size_t count = readings.sensors.size();
   message.x.resize(count);
   message.y.resize(count);
   message.levels.resize(count);
   for (std::size_t i = 0; i < count; ++i) {
-    message.x[i] = readings.microphones[i].x;
-    message.y[i] = readings.microphones[i].y;
-    message.levels[i] = readings.microphones[i].level;
+    message.x[i] = readings.sensors[i].x;
+    message.y[i] = readings.sensors[i].y;
+    message.levels[i] = readings.sensors[i].level;
   }
   toMessage(readings.loudest, message);
 }
@@ -54,7 +54,7 @@ inline void fromMessage(const swarmanoid_msgs::MicrophoneLevels& message, Microp
   for (std::size_t i = 0; i < count; ++i) {
     microphones[i] = {message.levels[i], message.x[i], message.y[i]};
   }
-  readings.microphones = Span<const Microphone>(microphones, count);
+  readings.sensors = Span<const Microphone>(microphones, count);
   readings.loudest = {message.bearing, message.confidence, message.frequency};
 }
 
