@@ -107,7 +107,7 @@ class Forager {
   explicit Forager(const Configuration& parameters) {
     proximity.sensors = obstacles;
     light.sensors = lights;
-    ground.spots = spots;
+    ground.sensors = spots;
     robot.provideSensor(Proximity::kType, &proximity);
     robot.provideSensor(Light::kType, &light);
     robot.provideSensor(Ground::kType, &ground);

@@ -131,7 +131,7 @@ class BehaviourMachine final : public Controller {
     }
     constexpr float kBlack = 0.25F;
     constexpr float kWhite = 0.75F;
-    const auto& spots = ground_->spots;
+    const auto& spots = ground_->sensors;
     const auto black =
         std::count_if(spots.begin(), spots.end(), [](const GroundSpot& spot) { return spot.value < kBlack; });
     const auto white =
