@@ -94,7 +94,8 @@ std::vector<Check> heardFromOther(Bench& bench) {
 }
 
 const ChecksRegistration loudspeaker_checks({Loudspeaker::kType, loudspeakerChecks});
-const ChecksRegistration ears({Microphones::kType, noChecks, nullptr, nullptr, nullptr, heardFromOther<Microphones>});
+const ChecksRegistration on_microphones({Microphones::kType, noChecks, nullptr, nullptr, nullptr,
+                                         heardFromOther<Microphones>});
 const ChecksRegistration footbot_ears({FootbotMicrophones::kType, noChecks, nullptr, nullptr, nullptr,
                                        heardFromOther<FootbotMicrophones>});
 
