@@ -33,7 +33,7 @@ TEST(BoxGridTest, FindsEachNearBoxOnceAndNoOther) {
   constexpr double kSide = 17.3;
   std::mt19937 random(5);
   BoxGrid grid;
-  grid.configure({kSide, 0.7 * kSide});
+  grid.configure({-1.3, 2.1}, {kSide, 0.7 * kSide});
   std::map<int, AlignedBox2d> boxes;
   std::uniform_int_distribution<int> number(0, 90);
   std::uniform_real_distribution<double> place(-4.0, kSide + 4.0);
@@ -62,7 +62,7 @@ TEST(BoxGridTest, FindsEachNearBoxOnceAndNoOther) {
 
 TEST(BoxGridTest, StopsWhenToldTo) {
   BoxGrid grid;
-  grid.configure({5.0, 5.0});
+  grid.configure({0.0, 0.0}, {5.0, 5.0});
   for (int body = 0; body < 4; ++body) {
     grid.set(body, AlignedBox2d(Vector2d(1.0, 1.0), Vector2d(1.5, 4.0)));
   }
