@@ -187,9 +187,9 @@ class RulesTest(unittest.TestCase):
         simulation.tick()
         self.assertEqual([answer.done for answer in answers], [True, False, True, False])
         self.assertEqual([answer.refusal for answer in answers],
-                         ["", "footbot 'fb_1' in engine 'ground': overlaps 'fb_2'", "", "there is no entity 'fb_1'"])
+                         ["", "footbot 'fb_1' in engine 'ground': overlaps 'fb_2'", "", "there is no entity 'fb_1'; did you mean 'fb_2'?"])
         self.assertEqual(repr(answers[0]), "<Answer: done>")
-        self.assertEqual(repr(answers[3]), "<Answer: refused: there is no entity 'fb_1'>")
+        self.assertEqual(repr(answers[3]), "<Answer: refused: there is no entity 'fb_1'; did you mean 'fb_2'?>")
         with self.assertRaisesRegex(TypeError, "a Answer cannot be copied or pickled: it is of one request"):
             pickle.dumps(answers[0])
 

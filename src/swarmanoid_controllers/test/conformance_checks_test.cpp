@@ -178,9 +178,10 @@ TEST(ConformanceChecks, ALidarMeasuresTheWallOnTheRight) {
     return bench.failure();
   };
   EXPECT_EQ("", failureWithWallTo(-M_PI / 2.0));
-  EXPECT_EQ("lidar: way from beam 7 to the wall: inf m, expected 0.520 +- 0.280 m", failureWithWallTo(M_PI / 2.0));
+  EXPECT_EQ(0U, failureWithWallTo(M_PI / 2.0)
+                    .find("way from beam 7 to the wall: inf m, expected 0.520 m +- 0.280 m; way from beam 8 to "));
   lidar.beams = Span<const LidarBeam>(beams.data() + 18, 18);  // only those to the left
-  EXPECT_EQ("lidar: not true: some beam looks to the right", failureWithWallTo(M_PI / 2.0));
+  EXPECT_EQ("not true: some beam looks to the right", failureWithWallTo(M_PI / 2.0));
 }
 
 TEST(ConformanceChecks, UsualSurroundingsFollowFromTheDevicesThatAreListed) {
