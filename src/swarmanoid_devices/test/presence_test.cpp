@@ -36,7 +36,7 @@ TEST(AreaCoverageTest, IsOfTheArenaIfNothingElseIsSaid) {
 
 TEST(AreaCoverageTest, WhatIsWrongIsNamedWithItsLine) {
   EXPECT_EQ(refusalOfRule(coverage("<maximum>10, 10.5</maximum>")),
-            "run.xml:9: maximum: found '10, 10.5', allowed: from 0, 0 to the size of the arena, 10, 10");
+            "run.xml:9: maximum: found '10, 10.5', allowed: in the arena, from 0, 0 to 10, 10");
   EXPECT_EQ(refusalOfRule(coverage("<minimum>3, 3</minimum>\n<maximum>5, 3.5</maximum>\n<cell>0.75</cell>")),
             "run.xml:11: cell: found '0.75', allowed: at most the shorter side of the area, 0.5");
   EXPECT_EQ(refusalOfRule(coverage("<cell>0.001</cell>")),
