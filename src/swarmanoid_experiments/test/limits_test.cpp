@@ -93,6 +93,7 @@ class World {
     addTag("framework", "framework");
     addTag("arena", "arena");
     addTag("arena.distribute", "arena/distribute");
+    leaveOutOtherAreas();
     addTag("arena.nest", "arena/floor_patch");
     addTag("arena.pit", "arena/hole");
     addTag("arena.floor_image", "arena/floor_image");
@@ -125,6 +126,14 @@ class World {
   }
 
  private:
+  /// The group is distributed in a box; those of discs, rings and lines are refused there by name.
+  void leaveOutOtherAreas() {
+    for (const char* name : {"center", "radius", "inner_radius", "from", "to"}) {
+      const auto is_it = [&](const Number& number) { return number.path == std::string("arena.distribute.") + name; };
+      numbers_.erase(std::remove_if(numbers_.begin(), numbers_.end(), is_it), numbers_.end());
+    }
+  }
+
   void add(const std::string& path, const std::vector<Parameter>& parameters) {
     for (const Parameter& parameter : parameters) {
       if (isNumeric(parameter)) {
