@@ -60,7 +60,7 @@ class RobotsTest(ProgramTest):
         for command in (("validate",), ("run", "--quiet")):
             done = self.call(*command, file)
             self.assertEqual((done.returncode, done.stderr), (FINISHED, warning))
-        file = self.world(text=text.replace("footbot_wheels", "footbot_leds"), visualisations="")
+        file = self.world(text=text.replace("<controller>fc</controller>", ""), visualisations="")
         self.assertEqual(self.call("validate", file).stderr, "")
 
 
@@ -104,8 +104,8 @@ class CheckRobotTest(ProgramTest):
                           ('<cylinder radius="0.006" length="0.041"/>', '<cylinder radius="0" length="0.041"/>'),
                           ('velocity="6.28"', 'velocity="0"'))
         self.assertEqual((done.returncode, done.stdout), (BAD_INPUT, ""))
-        link = f"swarmanoid: {self.file}: link 'base_link': "
-        bad_size = link + "found collision geometry with a size of 0 or less, expected more"
+        link = f"swarmanoid: {self.file}: link 'body': "
+        bad_size = link + "found collision geometry with a size of 0 m, allowed: from 0.0001 to 10000"
         self.assertEqual(done.stderr.splitlines(), [
             link + "found a mesh as collision geometry, allowed are box, cylinder and sphere", bad_size, bad_size,
             f"swarmanoid: {self.file}: found no collision element, expected at least one: without it the robot has no extent",
@@ -119,7 +119,7 @@ class CheckRobotTest(ProgramTest):
     def test_what_is_no_robot_is_refused(self):
         self.text = "<robot"
         self.assertRegex(self.check().stderr, r"^swarmanoid: \S+e_puck\.urdf:1: .*\n$")
-        self.assert_refused("nosuch.urdf", "check-robot", "nosuch.urdf")
+        self.assert_refused("nosuch.urdf: cannot be read", "check-robot", "nosuch.urdf")
 
 
 if __name__ == "__main__":
