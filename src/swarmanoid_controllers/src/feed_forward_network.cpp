@@ -5,6 +5,7 @@
 #include "neural/network_inputs.hpp"
 #include "neural/network_outputs.hpp"
 #include "neural/network_parameters.hpp"
+#include "required_section.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
 namespace swarmanoid {
@@ -34,8 +35,8 @@ std::vector<std::size_t> hiddenLayers(const Configuration& parameters) {
 class FeedForwardController final : public Controller {
  public:
   void init(Robot& robot, const Configuration& parameters) override {
-    inputs_ = neural::NetworkInputs(robot, neural::section(parameters, "inputs"));
-    outputs_ = neural::NetworkOutputs(robot, neural::section(parameters, "outputs"));
+    inputs_ = neural::NetworkInputs(robot, requiredSection(parameters, "inputs", "the network"));
+    outputs_ = neural::NetworkOutputs(robot, requiredSection(parameters, "outputs", "the network"));
     std::vector<std::size_t> layers = hiddenLayers(parameters);
     layers.insert(layers.begin(), inputs_.size());
     layers.push_back(outputs_.size());

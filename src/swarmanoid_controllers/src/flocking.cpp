@@ -42,8 +42,8 @@ class Flocking final : public Controller {
       transmitter_->fallSilent();
     }
     const Eigen::Vector2d ahead = Eigen::Vector2d::UnitX();
-    const Eigen::Vector2d course =
-        (heading && aligns_ ? alignment(*received_, *heading) : ahead) + cohesion_ * proximity();
+    const Eigen::Vector2d course = (heading && aligns_ ? alignment(*received_, *heading) : ahead) +
+                                   cohesion_ * planarForceOfNeighbours(*received_, distance_);
     drive(course);
   }
 
@@ -54,17 +54,6 @@ class Flocking final : public Controller {
   std::optional<double> look() const {
     const std::optional<Sighting> lamp = nearestBlob(*camera_, compass_color_);
     return lamp ? std::optional<double>(-lamp->bearing()) : std::nullopt;
-  }
-
-  /// Away from neighbours that are nearer than the wanted distance, towards those that are farther away.
-  Eigen::Vector2d proximity() const {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const RangeAndBearingMessage& message : received_->messages) {
-      const double pull = lennardJones(static_cast<double>(message.range), distance_);
-      const auto bearing = static_cast<double>(message.bearing);
-      sum += pull * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
-    }
-    return sum;
   }
 
   /// Turns towards the course, and drives as far as it lies ahead.

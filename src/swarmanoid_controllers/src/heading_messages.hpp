@@ -1,4 +1,4 @@
-/// Headings that robots of a flock say over range and bearing, and what a robot makes of those that it hears.
+/// Headings that the robots of a flock broadcast over range and bearing, and the mean of those received.
 #pragma once
 
 #include <Eigen/Core>

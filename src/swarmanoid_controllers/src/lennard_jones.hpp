@@ -1,7 +1,12 @@
 /// The force between neighbours of a swarm, after that between molecules.
 #pragma once
 
+#include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "swarmanoid_interface/devices/range_and_bearing.hpp"
 
 namespace swarmanoid {
 
@@ -15,6 +20,24 @@ inline double lennardJones(double range, double distance) {
   constexpr double kNearest = 0.01;
   const double s = distance / std::max(range, kNearest * distance);
   return s * s * s * (1.0 - s * s) / kStrongest;
+}
+
+/// Where the force attracts most, in parts of the distance at which it is 0.
+constexpr double kStrongestRange = 1.291;
+
+/// The sum of the forces of all neighbours within `reach`, in the robot's x-y plane.
+/// @param distance at which a force is 0 [m] @param reach of the forces [m]
+inline Eigen::Vector2d planarForceOfNeighbours(const RangeAndBearingReceived& received, double distance,
+                                               double reach = std::numeric_limits<double>::infinity()) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const RangeAndBearingMessage& message : received.messages) {
+    const auto range = static_cast<double>(message.range);
+    const auto bearing = static_cast<double>(message.bearing);
+    if (range <= reach) {
+      sum += lennardJones(range, distance) * Eigen::Vector2d(std::cos(bearing), std::sin(bearing));
+    }
+  }
+  return sum;
 }
 
 }  // namespace swarmanoid

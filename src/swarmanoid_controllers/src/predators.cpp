@@ -28,30 +28,21 @@ class Predators final : public Controller {
     reset();
   }
 
-  void reset() override { *wheels_ = FootbotWheels{}; }
+  void reset() override {
+    *wheels_ = FootbotWheels{};
+    transmitter_->fallSilent();
+  }
 
   void step(Time, Duration) override {
     transmitter_->send({});  // an empty message: its neighbours measure where it comes from
-    drive(forceOfNeighbours() + forceOfPrey());
+    drive(planarForceOfNeighbours(*received_, distance_, kReach * distance_) + forceOfPrey());
   }
 
  private:
   /// In parts of the distance: between that to the first row of neighbours, 1, and that to the second, sqrt(3).
   static constexpr double kReach = 1.5;
-  static constexpr double kStrongest = 1.291;  // in parts of the distance: where the force attracts most
 
   static Eigen::Vector2d towards(double bearing) { return {std::cos(bearing), std::sin(bearing)}; }
-
-  Eigen::Vector2d forceOfNeighbours() const {
-    Eigen::Vector2d sum = Eigen::Vector2d::Zero();
-    for (const RangeAndBearingMessage& message : received_->messages) {
-      const auto range = static_cast<double>(message.range);
-      if (range <= kReach * distance_) {
-        sum += lennardJones(range, distance_) * towards(static_cast<double>(message.bearing));
-      }
-    }
-    return sum;
-  }
 
   /// Repels as a neighbour does; attracts less, but from as far as it is seen.
   Eigen::Vector2d forceOfPrey() const {
@@ -59,7 +50,7 @@ class Predators final : public Controller {
     if (!prey) {
       return Eigen::Vector2d::Zero();
     }
-    const double force = lennardJones(std::min(prey->distance(), kStrongest * distance_), distance_);
+    const double force = lennardJones(std::min(prey->distance(), kStrongestRange * distance_), distance_);
     return (force > 0.0 ? appetite_ * force : force) * towards(prey->bearing());
   }
 

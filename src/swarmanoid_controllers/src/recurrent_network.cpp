@@ -5,6 +5,7 @@
 #include "neural/network_inputs.hpp"
 #include "neural/network_outputs.hpp"
 #include "neural/network_parameters.hpp"
+#include "required_section.hpp"
 #include "swarmanoid_interface/controller.hpp"
 
 namespace swarmanoid {
@@ -14,8 +15,8 @@ class RecurrentController final : public Controller {
   void init(Robot& robot, const Configuration& parameters) override {
     constexpr double kMostHidden = 1000.0;
     const Range time_constants{0.001, 1e6};  // s
-    inputs_ = neural::NetworkInputs(robot, neural::section(parameters, "inputs"));
-    outputs_ = neural::NetworkOutputs(robot, neural::section(parameters, "outputs"));
+    inputs_ = neural::NetworkInputs(robot, requiredSection(parameters, "inputs", "the network"));
+    outputs_ = neural::NetworkOutputs(robot, requiredSection(parameters, "outputs", "the network"));
     const auto hidden = static_cast<std::size_t>(parameters.integer("hidden", 0, {0.0, kMostHidden}));
     const std::size_t neurons = hidden + outputs_.size();
     const std::string shape = std::to_string(inputs_.size()) + " inputs, " + std::to_string(neurons) + " neurons";

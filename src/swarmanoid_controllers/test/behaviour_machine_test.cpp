@@ -136,6 +136,23 @@ class Forager {
   std::uint64_t tick = 1;
 };
 
+TEST(BehaviourMachineTest, AResetEndsATurn) {
+  const Configuration parameters = machineOf({state("search", "exploration", {value("turning", "100")})}, {});
+  for (const bool is_reset : {false, true}) {
+    Forager forager(parameters);
+    forager.obstacles[0].value = 0.5F;
+    forager.step();
+    ASSERT_EQ(forager.drive.turn_rate, -1.5);
+    forager.obstacles[0].value = 0.0F;
+    if (is_reset) {
+      forager.controller->reset();
+      EXPECT_EQ(forager.drive.turn_rate, 0.0);
+    }
+    forager.step();
+    EXPECT_EQ(forager.drive.turn_rate, is_reset ? 0.0 : -1.5) << "the turn that is drawn is longer than one step";
+  }
+}
+
 TEST(BehaviourMachineTest, PhototaxisTurnsToTheLightAndAwayFromWhatIsNear) {
   Forager forager(machineOf({state("home", "phototaxis")}, {}));
   forager.step();

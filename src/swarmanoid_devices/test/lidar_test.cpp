@@ -228,7 +228,7 @@ TEST(LidarTest, ANewRobotScansAtOnceAndATickThatIsSensedAgainScansAgain) {
     return sensor.sense().beams[0].range;
   };
   EXPECT_NEAR(2.0, rangeAt(1100, 2.0), 1e-6) << "not due, but its first tick";
-  EXPECT_NEAR(1.7, rangeAt(1100, 2.3), 1e-6) << "somebody has moved the robot before the tick went on";
+  EXPECT_NEAR(1.7, rangeAt(1100, 2.3), 1e-6) << "the robot was moved before the tick went on";
   EXPECT_NEAR(1.7, rangeAt(1200, 2.4), 1e-6);
   EXPECT_NEAR(1.5, rangeAt(1300, 2.5), 1e-6);
   EXPECT_NEAR(1.4, rangeAt(1300, 2.6), 1e-6);

@@ -40,10 +40,15 @@ inline double overlapOf(const Space& space, Row a, Row b) {
 /// The deepest overlap of any two of these entities of which one at least may move [m].
 inline double deepestOverlap(const Space& space, const std::vector<Row>& rows) {
   double deepest = 0.0;
-  const auto isMovable = [&](Row row) { return space.entities.model[row]->is_movable; };
+  const Entities& entities = space.entities;
+  const auto mayOverlap = [&](Row a, Row b) {
+    return (entities.pose[a].position - entities.pose[b].position).norm() <
+           entities.model[a]->moving_reach + entities.model[b]->moving_reach;
+  };
+  const auto isMovable = [&](Row row) { return entities.model[row]->is_movable; };
   for (std::size_t i = 0; i < rows.size(); ++i) {
     for (std::size_t k = i + 1; k < rows.size(); ++k) {
-      if (isMovable(rows[i]) || isMovable(rows[k])) {
+      if ((isMovable(rows[i]) || isMovable(rows[k])) && mayOverlap(rows[i], rows[k])) {
         deepest = std::max(deepest, overlapOf(space, rows[i], rows[k]));
       }
     }

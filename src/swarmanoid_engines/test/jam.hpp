@@ -1,6 +1,8 @@
 /// Crowds that press: into a corner, through a gate, into a ring, against each other.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -83,16 +85,16 @@ class Jam {
     }
     return deepest;
   }
-  double deepestInEachOther() const {
-    double deepest = 0.0;
+  double deepestInEachOther() const { return deepestOverlap(world_.space, robots_); }
+  /// How far the axes of the two nearest robots are from each other [m].
+  double nearestPair() const {
+    double nearest = HUGE_VAL;
     for (std::size_t i = 0; i < robots_.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {
-        if ((position(robots_[i]) - position(robots_[k])).norm() < 0.225) {
-          deepest = std::max(deepest, overlapOf(world_.space, robots_[i], robots_[k]));
-        }
+        nearest = std::min(nearest, (position(robots_[i]) - position(robots_[k])).norm());
       }
     }
-    return deepest;
+    return nearest;
   }
 
  private:
@@ -115,6 +117,7 @@ class Jam {
 struct Depths {
   double in_wall = 0.0;
   double in_others = 0.0;
+  double nearest = HUGE_VAL;  ///< least distance of two robots' axes
 };
 
 template <class World>
@@ -126,9 +129,18 @@ Depths press(const JamCase& values, World& world, int ticks = 300) {
     if (i % 10 == 9) {
       depths.in_wall = std::max(depths.in_wall, jam.deepestInWall());
       depths.in_others = std::max(depths.in_others, jam.deepestInEachOther());
+      depths.nearest = std::min(depths.nearest, jam.nearestPair());
     }
   }
   return depths;
+}
+
+/// Expects that robots have come to touch, and that none is deeper than this in a wall or in another one [m].
+inline void expectDepths(const Depths& depths, double in_wall, double in_others) {
+  EXPECT_LT(depths.in_wall, in_wall);
+  EXPECT_LT(depths.in_others, in_others);
+  EXPECT_LT(depths.nearest, 0.2)
+      << "they do not press: two bodies that touch are 0.17 m apart, at the start over 0.23 m";
 }
 
 }  // namespace swarmanoid::jam

@@ -269,7 +269,8 @@ INSTANTIATE_TEST_SUITE_P(Controllers, ControllerResetTest,
                                          std::pair("scout", 2), std::pair("trail_following", 6),
                                          std::pair("aggregation", 2), std::pair("emergent_taxis", 3),
                                          std::pair("chain_formation", 5), std::pair("footbot_battery_foraging", 6),
-                                         std::pair("flocking", 1), std::pair("carrying", 5), std::pair("climbing", 8)),
+                                         std::pair("flocking", 1), std::pair("predators", 1), std::pair("carrying", 5),
+                                         std::pair("climbing", 8)),
                          [](const auto& controller) { return std::string(controller.param.first); });
 
 }  // namespace

@@ -95,7 +95,7 @@ bool AttachmentPoint::bring(const Request& part, const std::function<std::string
   }
   const std::string reason = load(part);
   if (reason.empty() || is_there()) {
-    return true;  // who came first while it was loaded is as good
+    return true;  // attached by another nodelet meanwhile
   }
   // a nodelet that failed by itself has reported its reason already, and the first reason counts
   refuse(part.kind, part.id, reason);

@@ -79,14 +79,15 @@ ConfigError::ConfigError(const SourceLocation& location, const std::string& mess
 std::string Range::toString() const {
   const bool has_minimum = std::isfinite(minimum);
   const bool has_maximum = std::isfinite(maximum);
+  std::string text = "any number";
   if (has_minimum && has_maximum) {
-    return "from " + shortNumber(minimum) + " to " + shortNumber(maximum) +
-           (least > 0.0 ? " (0, or at least " + shortNumber(least) + ")" : "");
+    text = "from " + shortNumber(minimum) + " to " + shortNumber(maximum);
+  } else if (has_minimum) {
+    text = "at least " + shortNumber(minimum);
+  } else if (has_maximum) {
+    text = "at most " + shortNumber(maximum);
   }
-  if (has_minimum) {
-    return "at least " + shortNumber(minimum);
-  }
-  return has_maximum ? "at most " + shortNumber(maximum) : "any number";
+  return smallest_magnitude > 0.0 ? text + " (0, or at least " + shortNumber(smallest_magnitude) + ")" : text;
 }
 
 std::string numberText(double value) {

@@ -23,6 +23,9 @@ std::string readFile(const std::string& file, std::size_t most) {
           {file, 0}, "found a file without an end in sight, allowed: at most " + std::to_string(most) + " characters");
     }
   }
+  if (in.bad()) {
+    throw ConfigError({file, 0}, "cannot be read to its end");
+  }
   return text;
 }
 

@@ -73,7 +73,7 @@ void Robot::log(LogLevel level, const std::string& text) {
 }
 
 void Robot::debug(std::string_view key, std::string_view value) {
-  if (key.size() > kLongestDebugText || value.size() > kLongestDebugText) {
+  if (!has_warned_of_debug_ && std::max(key.size(), value.size()) > kLongestDebugText) {
     warnOfDebug("a debug key or value of " + std::to_string(std::max(key.size(), value.size())) +
                 " bytes: those beyond " + std::to_string(kLongestDebugText) + " are left out");
   }
@@ -86,8 +86,10 @@ void Robot::debug(std::string_view key, std::string_view value) {
     }
   }
   if (debug_values_.size() >= kMostDebugKeys) {
-    warnOfDebug("debug key '" + std::string(key) + "' beyond the first " + std::to_string(kMostDebugKeys) +
-                ": it and further ones are left out");
+    if (!has_warned_of_debug_) {
+      warnOfDebug("debug key '" + std::string(key) + "' beyond the first " + std::to_string(kMostDebugKeys) +
+                  ": it and further ones are left out");
+    }
     return;
   }
   constexpr std::size_t kRoom = 64;
@@ -97,10 +99,10 @@ void Robot::debug(std::string_view key, std::string_view value) {
 }
 
 void Robot::warnOfDebug(const std::string& problem) {
-  if (!has_warned_of_debug_ && log_sink_) {
-    log_sink_(LogLevel::kWarning, name_, "warning: found " + problem);
+  if (log_sink_) {
+    log_sink_(LogLevel::kWarning, name_, "found " + problem);
+    has_warned_of_debug_ = true;
   }
-  has_warned_of_debug_ = true;
 }
 
 void Robot::provideSensor(const std::string& type, const void* readings) {

@@ -83,14 +83,14 @@ TEST(AttachmentPointTest, TakesNothingTwiceAndNothingThatIsNotNeeded) {
             messageOf([&] { point->request(PluginKind::kEngine, "sky"); }));
 }
 
-TEST(AttachmentPointTest, WhatSomebodyElseHasBroughtIsNotMadeAgain) {
+TEST(AttachmentPointTest, DoesNotLoadAPartThatIsAttached) {
   const auto point = openWithTwo("/space");
   const AttachmentPoint::Request ground = point->request(PluginKind::kEngine, "ground");
   const AttachmentPoint::Request controller = point->request(PluginKind::kController, "fc");
   point->attach(PluginKind::kEngine, "ground", std::make_shared<int>(7));
   const auto fail = [](const AttachmentPoint::Request&) { return std::string("it does not load"); };
   EXPECT_TRUE(point->bring(ground, fail));
-  // somebody is faster while the space's own is made
+  // another nodelet attaches it during the load
   const auto be_late = [&](const AttachmentPoint::Request& part) {
     point->attach(part.kind, part.id, std::make_shared<int>(8));
     return messageOf([&] { point->attach(part.kind, part.id, std::make_shared<int>(9)); });

@@ -28,8 +28,11 @@ class BehaviourMachine final : public Controller {
 
   void reset() override {
     machine_.reset();
-    turn_left_ = 0;
+    turn_steps_ = 0;
     base_.drive(0.0, 0.0);
+    if (transmitter_ != nullptr) {
+      transmitter_->fallSilent();
+    }
     robot_->debug("state", machine_.state().name);
   }
 
@@ -38,7 +41,7 @@ class BehaviourMachine final : public Controller {
       transmitter_->send({});  // an empty message: its neighbours measure where it comes from
     }
     if (machine_.advance({shade(), received_ == nullptr ? 0 : received_->messages.size()}, robot_->random())) {
-      turn_left_ = 0;
+      turn_steps_ = 0;
     }
     robot_->debug("state", machine_.state().name);
     act(machine_.state());
@@ -85,18 +88,18 @@ class BehaviourMachine final : public Controller {
     constexpr double kHalfField = 1.0;  // rad, of what is ahead
     constexpr double kTurnRate = 1.5;   // rad/s
     const ObstacleVector obstacle = base_.obstacles(kHalfField);
-    if (turn_left_ == 0 && obstacle.length() > threshold_) {
-      turn_left_ = 1 + static_cast<int>(robot_->random().below(static_cast<std::uint64_t>(turning)));
+    if (turn_steps_ == 0 && obstacle.length() > threshold_) {
+      turn_steps_ = 1 + static_cast<int>(robot_->random().below(static_cast<std::uint64_t>(turning)));
       turn_rate_ = obstacle.y > 0.0 ? -kTurnRate : kTurnRate;
     }
-    if (turn_left_ > 0) {
-      --turn_left_;
+    if (turn_steps_ > 0) {
+      --turn_steps_;
       return base_.drive(0.0, turn_rate_);
     }
     base_.drive(speed_, 0.0);
   }
 
-  /// Where it wants to go, less what is near, five times as strong; ahead if it wants nothing.
+  /// Steers along `wanted` (straight ahead if it is zero) minus five times the obstacle vector.
   void avoidOnTheWay(const Eigen::Vector2d& wanted) {
     constexpr double kAvoidance = 5.0;
     const ObstacleVector obstacle = base_.obstacles(M_PI);
@@ -150,7 +153,7 @@ class BehaviourMachine final : public Controller {
   Machine machine_;
   double speed_ = 0.0;      // m/s
   double threshold_ = 0.0;  // length of the obstacle vector from which on an exploration turns
-  int turn_left_ = 0;       // steps of a turn that are to come
+  int turn_steps_ = 0;      // steps of the turn that remain
   double turn_rate_ = 0.0;  // rad/s, of that turn
 };
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "required_section.hpp"
+
 namespace swarmanoid {
 namespace {
 
@@ -38,14 +40,11 @@ Value named(const Configuration& element, const std::string& key,
 
 /// @throws ConfigError if there is none, or nothing in it
 const Configuration& filledSection(const Configuration& parameters, const std::string& key) {
-  const Configuration* found = parameters.find(key);
-  if (found == nullptr) {
-    throw ConfigError(parameters.location(), "<parameters> has no '" + key + "', which the machine needs");
+  const Configuration& found = requiredSection(parameters, key, "the machine");
+  if (found.children().empty()) {
+    throw ConfigError(found.location(), key + ": found nothing in it, allowed: at least one");
   }
-  if (found->children().empty()) {
-    throw ConfigError(found->location(), key + ": found nothing in it, allowed: at least one");
-  }
-  return *found;
+  return found;
 }
 
 }  // namespace

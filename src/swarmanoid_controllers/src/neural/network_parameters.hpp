@@ -9,15 +9,6 @@
 
 namespace swarmanoid::neural {
 
-/// The element <inputs> or <outputs>. @throws ConfigError if there is none
-inline const Configuration& section(const Configuration& parameters, const std::string& key) {
-  const Configuration* found = parameters.find(key);
-  if (found == nullptr) {
-    throw ConfigError(parameters.location(), "<parameters> has no '" + key + "', which the network needs");
-  }
-  return *found;
-}
-
 /// Reads as many numbers as the network needs. @param shape what it needs them for, for messages
 /// @throws ConfigError that says how many
 inline std::vector<double> numbersOf(const Configuration& parameters, const std::string& key, std::size_t count,

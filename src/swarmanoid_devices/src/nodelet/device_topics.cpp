@@ -27,12 +27,9 @@ void DeviceTopics::addReadings(const Space& space, Row row, const DeviceTopic& d
                        }
                        if (const void* readings = seen.readings.find(device.device, reader)) {
                          const ros::Time last = header.stamp;
-                         header.stamp = stampOf(seen);
-                         if (device.age != nullptr) {
-                           header.stamp -= ros::Duration(device.age(readings));
-                           if (header.stamp == last) {
-                             return;  // published already
-                           }
+                         header.stamp = madeAt(device, readings, stampOf(seen));
+                         if (device.age != nullptr && header.stamp == last) {
+                           return;  // published already
                          }
                          device.publish(publisher, device, readings, header);
                        }

@@ -26,14 +26,14 @@ struct LidarInstance : SpanReadings<BasicSensorInstance<Lidar>, LidarBeam> {
   std::optional<Time> scanned;  // when the scan was taken; a new robot has none
 };
 
-constexpr std::size_t kSectorBeams = 64;
+constexpr std::size_t kSectorBeams = 8 * sizeof(RayMask);  // the most rays of a bundle
 
 /// Consecutive beams that are cast together, and the smallest sphere that holds them all.
 struct Sector {
   std::size_t begin = 0;
   std::size_t count = 0;
   Eigen::Vector2d centre = Eigen::Vector2d::Zero();  // of the sphere, in the plane of the beams [m]
-  double radius = 0.0;                               // likewise [m]
+  double radius = 0.0;                               // of the sphere [m]
 };
 
 Eigen::Vector2d unitVector(double angle) { return {std::cos(angle), std::sin(angle)}; }
@@ -95,8 +95,6 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
         instance.scanned = space.time;
       }
       instance.readings->age = toSeconds(space.time - *instance.scanned);
-      instance.readings->scan_time =
-          static_cast<float>(std::max(toSeconds(space.clocktick), rate_ == 0.0 ? 0.0 : 1.0 / rate_));
     }
   }
 
@@ -116,6 +114,8 @@ class LidarSensor final : public SensorOf<Lidar, LidarInstance> {
     }
     instance.readings->range_min = static_cast<float>(range_.minimum);
     instance.readings->range_max = static_cast<float>(range_.maximum);
+    instance.readings->scan_time =
+        static_cast<float>(std::max(toSeconds(space.clocktick), rate_ == 0.0 ? 0.0 : 1.0 / rate_));
   }
 
   /// The beams as far as they get, from where the robot is now; what is too close is not drawn.

@@ -13,13 +13,15 @@ using Eigen::Vector2d;
 constexpr double kSupportSpan = 0.7;  // of the wheels' separation
 constexpr double kBallSize = 0.3;     // of a wheel's radius
 
-/// Where a ball may be along a line that is parallel to body x and goes through the body.
+double ballRadius(const EntityModel::Wheels& wheels) { return kBallSize * wheels.radius; }
+
+/// Where a ball may be along a line that is parallel to body x; empty: `low` above `high` [m].
 struct Stretch {
   double low = 0.0;
   double high = 0.0;
 };
 
-/// @return where a ball of that radius at that y lies within a shape; nothing: `low` above `high`
+/// @return where a ball of that radius at that y lies within a shape, whose vertices go round counter-clockwise
 Stretch within(const planar::PlanarShape& shape, double y, double radius) {
   if (shape.isCircle()) {
     const double room = shape.radius - radius;
@@ -49,7 +51,7 @@ Stretch within(const planar::PlanarShape& shape, double y, double radius) {
 /// Places balls before and behind wheels.
 class Supports {
  public:
-  explicit Supports(const EntityModel& model) : wheels_(*model.wheels), radius_(kBallSize * wheels_.radius) {
+  explicit Supports(const EntityModel& model) : wheels_(*model.wheels), radius_(ballRadius(wheels_)) {
     planar::projectModel(model, planar::Plane{}, Eigen::Quaterniond::Identity(), outline_);
     for (std::size_t i = model.shapes.size(); i-- > 0;) {
       if (model.shapes[i].joint >= 0) {
@@ -93,7 +95,7 @@ class Supports {
 
 std::vector<Ball> ballsOf(const EntityModel& model) {
   const EntityModel::Wheels& wheels = *model.wheels;
-  const double radius = kBallSize * wheels.radius;
+  const double radius = ballRadius(wheels);
   const Supports supports(model);
   std::vector<Ball> balls;
   for (int side = 0; side < 2; ++side) {

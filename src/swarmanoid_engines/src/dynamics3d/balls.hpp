@@ -2,8 +2,8 @@
 /// behind it that keep the robot from tipping.
 ///
 /// A ball touches whatever ground in a point under the wheel's axle, so a robot turns as its wheels' separation says,
-/// which flat wheels do not. Seen from above, all balls lie within the shapes of the body: what is ahead of a robot is
-/// met by its body, never by a ball. The ones before and behind are as far from the axle as kSupportReach, or as the
+/// which flat wheels do not. The ones before and behind lie, seen from above, within the shapes of the body: what is
+/// ahead of a robot is met by its body, never by a ball. They are as far from the axle as kSupportReach, or as the
 /// middle of a shape of the body that stands on the ground further out (a caster), but no further than the body's
 /// shapes cover them. Where no shape covers any, they are under the axle, and the robot may tip.
 #pragma once

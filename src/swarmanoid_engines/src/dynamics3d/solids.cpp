@@ -25,7 +25,11 @@ CollisionShape clearOfGround(CollisionShape shape) {
   const double reach = shape.reachAlong(Eigen::Vector3d::UnitZ());
   const double low = shape.position.z() - reach;
   const double missing = kGroundClearance - low;
-  if (low >= kOnGround || missing >= reach) {
+  if (low >= kOnGround) {
+    return shape;
+  }
+  if (missing >= reach) {  // smaller than the clearance: lifted as a whole
+    shape.position.z() += missing;
     return shape;
   }
   const bool is_upright = std::abs((shape.orientation * Eigen::Vector3d::UnitZ()).z()) > 1.0 - 1e-9;

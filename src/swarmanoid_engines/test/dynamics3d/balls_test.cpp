@@ -4,6 +4,7 @@
 #include <random>
 
 #include "dynamics3d/balls.hpp"
+#include "dynamics3d/solids.hpp"
 #include "world.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -154,6 +155,19 @@ TEST(BallsTest, LyingWheelsAndCastersDoNotBrake) {
   world.step(100);
   EXPECT_NEAR((world.pose(robot).position - Vector3d(2.0, 3.0, 0.0)).norm(), 1.7, 8e-3);
   EXPECT_NEAR(headingOf(world.pose(robot)), -0.9, 0.5 * kDegree);
+}
+
+TEST(BallsTest, NothingElseStandsOnTheGround) {
+  const Eigen::Quaterniond lying(Eigen::AngleAxisd(M_PI / 2.0, Vector3d::UnitX()));
+  auto model = turtleBot();  // its caster is as small as the clearance
+  model->shapes.push_back({Kind::kCylinder, {0.033, 0.033, 0.009}, {0.0, 0.08, 0.033}, lying});
+  model->shapes.push_back(solid(Kind::kSphere, Vector3d::Constant(0.003), {0.02, 0.0, 0.003}));
+  for (const auto& robot : {std::shared_ptr<const EntityModel>(model), robotModel("footbot")}) {
+    const std::vector<CollisionShape> shapes = shapesOnGround(*robot);
+    for (std::size_t i = 0; i + 6 < shapes.size(); ++i) {  // the last six are the balls
+      EXPECT_GE(shapes[i].position.z() - shapes[i].reachAlong(Vector3d::UnitZ()), 5e-3 - 1e-12) << i;
+    }
+  }
 }
 
 TEST(BallsTest, TheyAreDrawn) {

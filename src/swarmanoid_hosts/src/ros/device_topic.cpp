@@ -56,6 +56,14 @@ const DeviceTopic* topicOfFields(const std::string& device) {
 
 }  // namespace
 
+ros::Time madeAt(const DeviceTopic& topic, const void* readings, const ros::Time& now) {
+  if (topic.age == nullptr) {
+    return now;
+  }
+  const double age = topic.age(readings);
+  return age > 0.0 ? now - ros::Duration(std::min(age, now.toSec())) : now;
+}
+
 void registerDeviceTopic(DeviceTopic topic) {
   const bool is_known = std::any_of(topics().begin(), topics().end(), [&](const DeviceTopic& known) {
     return known.device == topic.device && known.name == topic.name;

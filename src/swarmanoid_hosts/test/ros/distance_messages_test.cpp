@@ -171,6 +171,54 @@ TEST(DistanceMessages, ALidarSaysHowOldItsScanIs) {
   lidar.age = 0.3;
   EXPECT_EQ(0.3, mainTopicOf(Lidar::kType)->age(&lidar));
   EXPECT_EQ(nullptr, mainTopicOf(Distance::kType)->age) << "always of now";
+  const DeviceTopic& topic = *mainTopicOf(Lidar::kType);
+  const ros::Time now(2, 500000000);
+  EXPECT_EQ(ros::Time(2, 200000000), madeAt(topic, &lidar, now));
+  for (const double wrong : {-1.0, static_cast<double>(kNotMeasured)}) {
+    lidar.age = wrong;
+    EXPECT_EQ(now, madeAt(topic, &lidar, now)) << wrong;
+  }
+  lidar.age = 99.0;
+  EXPECT_EQ(ros::Time(0, 0), madeAt(topic, &lidar, now));
+  EXPECT_EQ(now, madeAt(*mainTopicOf(Distance::kType), &lidar, now));
+}
+
+/// Drivers count from 0 to 2 pi, or downwards, and say 0 where nothing comes back.
+TEST(DistanceMessages, BeamsOfDriversAreOrderedFromTheBackRoundToTheBack) {
+  sensor_msgs::LaserScan scan;
+  scan.range_min = 0.12F;
+  scan.range_max = 3.5F;
+  scan.angle_increment = static_cast<float>(0.4 * M_PI);
+  scan.ranges = {1.0F, 0.0F, 3.0F, 4.0F, 0.5F};  // at 0, 72, 144, 216, 288 degrees
+  Lidar lidar;
+  VariableParts parts;
+  detail::receive(scan, lidar, parts);
+  ASSERT_EQ(5U, lidar.beams.size());
+  const std::array<double, 5> angles{-0.8 * M_PI, -0.4 * M_PI, 0.0, 0.4 * M_PI, 0.8 * M_PI};
+  const std::array<float, 5> ranges{kNothing, 0.5F, 1.0F, -kNothing, 3.0F};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(angles[i], lidar.beams[i].angle, 1e-6) << i;
+    EXPECT_EQ(ranges[i], lidar.beams[i].range) << i;
+  }
+  // the same, from the left to the right
+  scan.angle_min = static_cast<float>(0.8 * M_PI);
+  scan.angle_increment = -scan.angle_increment;
+  scan.ranges = {3.0F, 0.0F, 1.0F, 0.5F, 4.0F};
+  Lidar downwards;
+  VariableParts own_parts;
+  detail::receive(scan, downwards, own_parts);
+  ASSERT_EQ(5U, downwards.beams.size());
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(angles[i], downwards.beams[i].angle, 1e-6) << i;
+    EXPECT_EQ(ranges[i], downwards.beams[i].range) << i;
+  }
+  // a whole turn of the simulator stays as it is
+  scan.angle_min = static_cast<float>(-M_PI);
+  scan.angle_increment = static_cast<float>(0.5 * M_PI);
+  scan.ranges = {1.0F, 2.0F, 3.0F, 0.5F};
+  detail::receive(scan, lidar, parts);
+  EXPECT_EQ(1.0F, lidar.beams[0].range);
+  EXPECT_EQ(static_cast<float>(-M_PI), lidar.beams[0].angle);
 }
 
 /// By name, too.

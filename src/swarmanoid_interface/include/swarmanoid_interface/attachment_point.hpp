@@ -59,10 +59,9 @@ class AttachmentPoint {
   /// Removes the part from those that are needed. @pre nothing is attached as that part
   void forget(PluginKind kind, const std::string& id);
 
-  /// Has a part made, unless it is attached already: a user's launch file may load the nodelet of an engine, with
-  /// parameters or remappings of its own, before the space does.
-  /// @param load  has the part made and attached; returns why that failed, or ""
-  /// @return false if the part is not there afterwards; it is refused then
+  /// Loads a part unless it is attached already, for example by the user's launch file.
+  /// @param load loads it; returns the reason of the failure, or ""
+  /// @return false if `load` failed and the part is not attached; the part is then refused
   bool bring(const Request& part, const std::function<std::string(const Request& part)>& load);
 
   /// Waits until all parts are attached or one is refused.

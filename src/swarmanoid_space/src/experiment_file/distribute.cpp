@@ -40,7 +40,7 @@ void readPlaces(const XmlElement& element, const Configuration& values, Distribu
 
 /// The entity that these are around: it is placed before them.
 std::string readAround(const XmlElement& element, const Configuration& values, const Reader& reader) {
-  const std::string around = values.text("around");
+  std::string around = values.text("around");
   if (around.empty()) {
     return around;
   }

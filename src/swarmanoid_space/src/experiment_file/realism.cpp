@@ -13,13 +13,6 @@ constexpr const char* kTag = "realism";
 constexpr const char* kImplementation = "implementation";
 constexpr const char* kError = "error";
 
-xmlNode* childOf(const xmlNode& parent, const std::string& name) {
-  const std::vector<xmlNode*> children = elementsOf(parent);
-  const auto found =
-      std::find_if(children.begin(), children.end(), [&](const xmlNode* child) { return nameOf(*child) == name; });
-  return found == children.end() ? nullptr : *found;
-}
-
 /// Devices have had parameters for noise before they had errors, which mean the same.
 bool saysErrors(const xmlNode& device) {
   const std::vector<xmlNode*> children = elementsOf(device);

@@ -47,7 +47,8 @@ void writeControllerParts(SchemaWriter& out) {
 
 bool areValuesAlike(const Parameter& one, const Parameter& other) {
   return one.type == other.type && one.range.minimum == other.range.minimum &&
-         one.range.maximum == other.range.maximum && one.choices == other.choices;
+         one.range.maximum == other.range.maximum && one.range.smallest_magnitude == other.range.smallest_magnitude &&
+         one.choices == other.choices;
 }
 
 /// The values that one implementation or another reads. Where these differ in what they allow, only the name is sure.

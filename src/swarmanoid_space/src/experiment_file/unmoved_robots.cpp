@@ -7,7 +7,7 @@
 namespace swarmanoid::experiment {
 namespace {
 
-/// Everybody whom an engine has from the start, or takes over.
+/// Ids of the entities that an engine moves from the start or takes over later.
 std::set<std::string> entitiesInEngines(const Experiment& experiment) {
   std::set<std::string> names;
   for (const MappingDescription& mapping : experiment.mappings) {

@@ -95,6 +95,14 @@ Eigen::Vector3d toAxis(const Eigen::Vector3d& direction, double tolerance) {
   return (straight - axis).norm() < tolerance ? axis : straight;
 }
 
+Eigen::Matrix3d inertiaOf(const urdf::Inertial& inertial) {
+  Eigen::Matrix3d inertia;
+  inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
+      inertial.ixy, inertial.iyy, inertial.iyz,         //
+      inertial.ixz, inertial.iyz, inertial.izz;
+  return inertia;
+}
+
 Mount chain(const Mount& frame, const Mount& inner) {
   Mount result;
   result.position = frame.position + frame.orientation * inner.position;

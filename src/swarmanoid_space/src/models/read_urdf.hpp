@@ -35,11 +35,14 @@ std::string readUrdfText(const std::string& file);
 /// @throws ConfigError naming the file if it cannot be read, is not XML, or if urdfdom complains about anything in it
 UrdfFile readUrdf(const std::string& file);
 
-/// Turns by quarters are exact if each of the three angles is within kSameDirection of one.
+/// Becomes an exact turn by quarters if each turned axis is within 2 * kSameDirection of an axis of the frame.
 Mount toMount(const urdf::Pose& pose);
 
 /// Of length 1, in a frame; what is within the tolerance of an axis of that is exactly the axis.
 Eigen::Vector3d toAxis(const Eigen::Vector3d& direction, double tolerance = kSameDirection);
+
+/// About the centre of mass, along the axes of the element's frame [kg m2].
+Eigen::Matrix3d inertiaOf(const urdf::Inertial& inertial);
 
 /// Where something is in the body frame, given where it is in a frame on the body.
 Mount chain(const Mount& frame, const Mount& inner);

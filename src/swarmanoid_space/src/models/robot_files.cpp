@@ -66,18 +66,6 @@ std::vector<fs::path> packagesOf(const fs::path& share) {
   return packages;
 }
 
-/// The first child element of that name; null if there is none, or no parent.
-const xmlNode* childOf(const xmlNode* parent, const char* name) {
-  if (parent != nullptr) {
-    for (const xmlNode* child : elementsOf(*parent)) {
-      if (nameOf(*child) == name) {
-        return child;
-      }
-    }
-  }
-  return nullptr;
-}
-
 class Search {
  public:
   void look(const fs::path& package) {
@@ -105,9 +93,10 @@ class Search {
  private:
   void readManifest(const fs::path& package, const std::string& file, const std::string& text) {
     const XmlDocument document = parseXml(text, file, XmlNamespaces::kAllowed);
-    const xmlNode* root = xmlDocGetRootElement(document.get());
+    const xmlNode& root = *xmlDocGetRootElement(document.get());
     const xmlNode* name = childOf(root, "name");
-    const xmlNode* element = childOf(childOf(root, "export"), "swarmanoid");
+    const xmlNode* exported = childOf(root, "export");
+    const xmlNode* element = exported == nullptr ? nullptr : childOf(*exported, "swarmanoid");
     if (name == nullptr || element == nullptr || !packages_.insert(textIn(name->children)).second) {
       return;
     }

@@ -29,10 +29,10 @@ class RobotReader {
   /// @param problems what is wrong is added to it, and the rest is read; null: it is thrown
   RobotReader(const std::string& type, const std::string& file, std::vector<std::string>* problems)
       : urdf_(readUrdf(file)), problems_(problems) {
-    attempt([&] { description_ = readRobotDescription(*urdf_.document, file); });
     for (const ConfigError& mistake : mistakesIn(urdf_)) {
       attempt([&] { throw ConfigError(mistake); });
     }
+    description_ = readRobotDescription(*urdf_.document, file);  // without it no joint is known to be a wheel
     model_->type = type;
     model_->title = description_.title;
     model_->holders = description_.holders;
@@ -51,7 +51,7 @@ class RobotReader {
     });
     readLink(*root, Mount{}, -1);
     attempt([&] {
-      if (model_->shapes.empty()) {
+      if (!has_collision_) {
         urdf_.fail("found no collision element, expected at least one: without it the robot has no extent");
       }
     });
@@ -94,11 +94,13 @@ class RobotReader {
       model_->addMass(inertial);
       (turned_by < 0 ? model_->body_part : model_->joints[static_cast<std::size_t>(turned_by)].part).add(inertial);
     }
+    const bool is_strip = link.name == description_.gripping_strip;
+    has_collision_ |= !is_strip && !link.collision_array.empty();
     for (const urdf::CollisionSharedPtr& collision : link.collision_array) {
       attempt([&] {
         CollisionShape shape = readShape(link.name, *collision, frame);
         shape.joint = turned_by;
-        if (link.name == description_.gripping_strip) {
+        if (is_strip) {
           readStrip(shape);
         } else {
           model_->shapes.push_back(shape);
@@ -106,7 +108,7 @@ class RobotReader {
       });
     }
     attempt([&] {
-      if (link.name == description_.gripping_strip && !model_->gripping_radius) {
+      if (is_strip && link.collision_array.empty()) {
         urdf_.fail("link '" + link.name + "': found no collision element, expected a cylinder");
       }
     });
@@ -128,12 +130,8 @@ class RobotReader {
 
   static Inertial readInertial(const urdf::Inertial& inertial, const Mount& frame) {
     const Mount place = chain(frame, toMount(inertial.origin));
-    Eigen::Matrix3d inertia;
-    inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
-        inertial.ixy, inertial.iyy, inertial.iyz,         //
-        inertial.ixz, inertial.iyz, inertial.izz;
     const Eigen::Matrix3d turn = place.orientation.toRotationMatrix();
-    return {inertial.mass, place.position, turn * inertia * turn.transpose()};
+    return {inertial.mass, place.position, turn * inertiaOf(inertial) * turn.transpose()};
   }
 
   CollisionShape readShape(const std::string& link, const urdf::Collision& collision, const Mount& frame) const {
@@ -220,6 +218,7 @@ class RobotReader {
   UrdfFile urdf_;
   std::vector<std::string>* problems_;
   RobotDescription description_;
+  bool has_collision_ = false;  ///< elements of it, whether they can be read or not
   std::shared_ptr<EntityModel> model_ = std::make_shared<EntityModel>();
 };
 

@@ -11,15 +11,6 @@
 namespace swarmanoid {
 namespace {
 
-const xmlNode* childOf(const xmlNode& parent, const char* name) {
-  for (const xmlNode* child : elementsOf(parent)) {
-    if (nameOf(*child) == name) {
-      return child;
-    }
-  }
-  return nullptr;
-}
-
 std::string massText(double mass) {
   constexpr int kDigits = 7;
   return shortNumber(mass, kDigits);
@@ -74,14 +65,11 @@ class UrdfChecks {
     if (!(inertial.mass >= 0.0 && inertial.mass <= limits::kMass.maximum)) {
       refuse(element, "link '" + name + "': found a mass of " + massText(inertial.mass) +
                           " kg, allowed: " + Range{0.0, limits::kMass.maximum}.toString());
+    } else {
+      mass_ += inertial.mass;
     }
-    mass_ += inertial.mass;
-    Eigen::Matrix3d inertia;
-    inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
-        inertial.ixy, inertial.iyy, inertial.iyz,         //
-        inertial.ixz, inertial.iyz, inertial.izz;
     // in ascending order
-    const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia).eigenvalues();
+    const Eigen::Vector3d moments = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertiaOf(inertial)).eigenvalues();
     constexpr double kRounding = 0.01;  // of what files with few digits say
     if (!(moments[0] >= -kRounding * moments[2] && moments[2] <= (1.0 + kRounding) * (moments[0] + moments[1]))) {
       const xmlNode* place = childOf(element, "inertia");

@@ -27,7 +27,7 @@ std::string nodeletName(const std::string& space, const AttachmentPoint::Request
 /// Loads the nodelet of one part. @return false if it does not load; the manager's log gives the reason
 bool loadPart(NodeletLoader& loader, const std::string& space, const AttachmentPoint::Request& part);
 
-/// Loads a nodelet for each part that nobody has brought yet, and waits for all.
+/// Loads a nodelet for each part that is not attached yet, and waits for all.
 /// @throws std::runtime_error naming the part that does not load, or is missing after the timeout
 void loadParts(NodeletLoader& loader, const std::string& space, AttachmentPoint& point,
                const std::vector<AttachmentPoint::Request>& parts, double timeout_s);

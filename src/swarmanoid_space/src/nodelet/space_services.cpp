@@ -219,9 +219,13 @@ bool SpaceServices::paintFloor(swarmanoid_msgs::PaintFloor::Request& request,
                      disc.radius = radius;
                      disc.color = parseColorOrThrow(color, "color", {});
                      disc.strength = strength == 0.0 ? 1.0 : strength;
-                     PaintFloor::requireFewCells(*cells);
+                     const PaintLayer& paint = simulation.space().floor.paint;
+                     // what is wrong with the disc itself, `apply` refuses
+                     if (paint.exists() && disc.position.allFinite() && PaintFloor::kRadius.contains(disc.radius)) {
+                       *cells += paint.cellsAround(disc);
+                       PaintFloor::requireFewCells(*cells);
+                     }
                      simulation.apply(PaintFloor{{disc}});
-                     *cells += simulation.space().floor.paint.cellsAround(disc);
                    });
 }
 

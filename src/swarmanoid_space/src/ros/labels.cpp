@@ -47,7 +47,7 @@ double textHeight(const Space& space) {
   const Vector3d up = upInPicture();
   constexpr double kPart = 0.032;
   constexpr double kAspect = 1.5;  // of the picture: a wide arena is not seen from as far away as a deep one
-  const double height = std::min(space.size.z(), space.size.head<2>().maxCoeff());
+  const double height = std::min(space.farCorner().z(), space.size.head<2>().maxCoeff());
   return kPart * std::max(space.size.x() / kAspect, up.y() * space.size.y() + up.z() * height);
 }
 

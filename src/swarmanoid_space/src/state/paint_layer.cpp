@@ -71,12 +71,14 @@ double PaintLayer::strengthOf(const Cell& cell, std::uint64_t tick) const {
   return strength;
 }
 
-Color PaintLayer::blend(Color floor, const Eigen::Vector2d& place, std::uint64_t tick) const {
-  const Eigen::Vector2d point = place - corner_;
-  if (!(point.x() >= 0.0 && point.y() >= 0.0 && point.x() <= size_.x() && point.y() <= size_.y())) {
+Color PaintLayer::blend(Color floor, const Eigen::Vector2d& point, std::uint64_t tick) const {
+  const Eigen::Vector2d from_corner = point - corner_;
+  if (!(from_corner.x() >= 0.0 && from_corner.y() >= 0.0 && from_corner.x() <= size_.x() &&
+        from_corner.y() <= size_.y())) {
     return floor;
   }
-  const Cell& cell = cells_[cellAt(point.y(), cell_size_, rows_) * columns_ + cellAt(point.x(), cell_size_, columns_)];
+  const Cell& cell =
+      cells_[cellAt(from_corner.y(), cell_size_, rows_) * columns_ + cellAt(from_corner.x(), cell_size_, columns_)];
   const double strength = strengthOf(cell, tick);
   return strength < kInvisible ? floor : between(floor, cell.color, strength);
 }

@@ -60,7 +60,7 @@ class Placing {
   const std::vector<Membership>& memberships_;
   const Distribution& distribution_;
   Eigen::AlignedBox3d bounds_;  // of the area [m]
-  Eigen::Vector3d extent_;      // likewise [m]
+  Eigen::Vector3d extent_;      // of bounds_ [m]
   double longer_side_;          // of the ground that they are on, m
   Eigen::Vector3d origin_;      // of the area's coordinates, in W [m]
   std::string name_;

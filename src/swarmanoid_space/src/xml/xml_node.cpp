@@ -33,4 +33,13 @@ std::vector<xmlNode*> elementsOf(const xmlNode& parent) {
   return elements;
 }
 
+xmlNode* childOf(const xmlNode& parent, const std::string& name) {
+  for (xmlNode* child : elementsOf(parent)) {
+    if (nameOf(*child) == name) {
+      return child;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace swarmanoid

@@ -28,4 +28,7 @@ std::optional<std::string> attributeOf(const xmlNode& element, const char* name)
 /// The child elements, in their order.
 std::vector<xmlNode*> elementsOf(const xmlNode& parent);
 
+/// The first child element of that name; null if there is none.
+xmlNode* childOf(const xmlNode& parent, const std::string& name);
+
 }  // namespace swarmanoid

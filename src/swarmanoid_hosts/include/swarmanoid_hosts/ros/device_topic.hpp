@@ -70,6 +70,9 @@ struct DeviceTopic {
                                Receiver receive) = nullptr;
 };
 
+/// Returns when readings were made, from 0 to `now`, whatever errors do to their age. @param now stamp of the tick
+ros::Time madeAt(const DeviceTopic& topic, const void* readings, const ros::Time& now);
+
 /// Returns the topics of a device in the order of registration. @return empty if there is no such device
 std::vector<const DeviceTopic*> topicsOf(const std::string& device);
 /// @return null if there is no such device

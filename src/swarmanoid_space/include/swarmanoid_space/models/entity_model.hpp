@@ -206,8 +206,8 @@ struct EntityModel {
 /// @throws ConfigError naming the file and what is wrong, also for what urdfdom only prints
 std::shared_ptr<const EntityModel> loadRobotModel(const std::string& type, const std::string& urdf_file);
 
-/// The same, for whoever writes such a file: reads on after a mistake.
-/// @param problems what is wrong is added to it, a message each @return null if anything is
+/// Same as loadRobotModel, but collects all mistakes instead of throwing the first.
+/// @param problems a message for each mistake is added to it @return null if there is any
 std::shared_ptr<const EntityModel> checkRobotFile(const std::string& type, const std::string& urdf_file,
                                                   std::vector<std::string>& problems);
 

@@ -3,10 +3,12 @@
 
 #include <sensor_msgs/LaserScan.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 
 #include "swarmanoid_hosts/ros/device_topic.hpp"
+#include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/devices/lidar.hpp"
 
 namespace swarmanoid {
@@ -28,7 +30,9 @@ inline void toMessage(const Lidar& lidar, sensor_msgs::LaserScan& message) {
   }
 }
 
-/// The beams are stored in `parts`. A scan that has come is new: its age is 0.
+/// The beams are stored in `parts`, by their angles from -pi on: drivers count from 0 to 2 pi, or downwards. Ranges out
+/// of the scan's limits are by REP-117 afterwards; drivers say 0 where nothing comes back. A scan that has come is new:
+/// its age is 0, and stays 0 until the next scan, since messages do not say it.
 inline void fromMessage(const sensor_msgs::LaserScan& message, Lidar& lidar, VariableParts& parts) {
   const std::size_t count = message.ranges.size();
   if (count > Lidar::kMostBeams) {
@@ -41,9 +45,19 @@ inline void fromMessage(const sensor_msgs::LaserScan& message, Lidar& lidar, Var
   lidar.age = 0.0;
   parts.clear();
   auto* beams = parts.room<LidarBeam>(count);
+  constexpr double kHalfTurn = M_PI + 1e-6;  // the float next to pi is larger than pi
+  const Range range{static_cast<double>(message.range_min), static_cast<double>(message.range_max)};
   for (std::size_t i = 0; i < count; ++i) {
-    beams[i] = {message.ranges[i], message.angle_min + static_cast<float>(i) * message.angle_increment};
+    const double angle =
+        static_cast<double>(message.angle_min) + static_cast<double>(i) * static_cast<double>(message.angle_increment);
+    const double within = std::abs(angle) <= kHalfTurn ? angle : wrapAngle(angle);
+    beams[i] = {Distance::reading(static_cast<double>(message.ranges[i]), range), static_cast<float>(within)};
   }
+  if (message.angle_increment < 0.0F) {
+    std::reverse(beams, beams + count);
+  }
+  const auto by_angle = [](const LidarBeam& a, const LidarBeam& b) { return a.angle < b.angle; };
+  std::rotate(beams, std::min_element(beams, beams + count, by_angle), beams + count);
   lidar.beams = Span<const LidarBeam>(beams, count);
 }
 
