@@ -242,7 +242,7 @@ class ProgramsTest(unittest.TestCase):
         for page, named in programs.items():
             for program in sorted(named & set(packages)):
                 package, priority = packages[program]
-                if package not in installed and priority not in ("required", "important", "standard"):
+                if package not in installed and priority not in ("required", "important"):
                     with self.subTest(page=page, program=program):
                         self.assertIn(f"`{package}`", read(page), "its package is not named")
 

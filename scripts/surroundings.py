@@ -25,9 +25,9 @@ def bare(home):
 
 def with_another_python(environment, folder):
     """The environment of someone whose own Python, without the modules of ROS, is first in PATH, as that of pyenv or conda is."""
+    os.makedirs(folder, exist_ok=True)
     for name in ("python", "python3"):
         program = os.path.join(folder, name)
-        os.makedirs(folder, exist_ok=True)
         with open(program, "w") as file:
             # it has a version, and nothing else
             file.write('#!/bin/sh\nif [ "$1" = --version ]; then echo Python 3.11.2; exit; fi\n'

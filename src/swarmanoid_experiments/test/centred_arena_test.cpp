@@ -68,8 +68,8 @@ TEST(CentredArenaTest, AShiftedWorldMovesTheSameInEachEngine) {
       for (const Row row : here.order) {
         const Eigen::Vector3d off = there.pose[row].position - shift - here.pose[row].position;
         farthest = std::max(farthest, off.norm());
-        const auto* one = static_cast<const FootbotGround*>(corner->space().readings.find(FootbotGround::kType, row));
-        const auto* other = static_cast<const FootbotGround*>(centre->space().readings.find(FootbotGround::kType, row));
+        const auto* one = corner->space().readings.find<FootbotGround>(row);
+        const auto* other = centre->space().readings.find<FootbotGround>(row);
         for (std::size_t i = 0; one != nullptr && i < FootbotGround::kCount; ++i) {
           EXPECT_EQ(one->value[i], other->value[i]) << engine << ", tick " << k << ", " << here.name[row];
           values.push_back(one->value[i]);
@@ -130,7 +130,8 @@ TEST(CentredArenaTest, PlacesFromOutsideAreInIt) {
 TEST(CentredArenaTest, EntitiesLeaveItAtItsBorders) {
   for (const double side : {-1.0, 1.0}) {
     World world;
-    world.size = "6,4,1\" center=\"0,0,0.5";
+    world.size = "6,4,1";
+    world.center = "0,0,0.5";
     world.drive = "<left>10</left><right>10</right>";  // 2.9 cm a tick
     world.entities = footbot("fb", side * 2.9, 0.5, side < 0.0 ? 180.0 : 0.0);
     world.members = member("fb");
@@ -148,7 +149,8 @@ TEST(CentredArenaTest, EntitiesLeaveItAtItsBorders) {
 
 TEST(CentredArenaTest, TheIndexFindsWhatIsThere) {
   World world;
-  world.size = "8,6,2\" center=\"-1,-0.5,1";
+  world.size = "8,6,2";
+  world.center = "-1,-0.5,1";
   world.entities =
       "<distribute quantity=\"200\"><minimum>-5,-3.5,0</minimum><maximum>3,2.5,2</maximum><light "
       "id=\"lamp\"/></distribute>";
@@ -171,7 +173,8 @@ TEST(CentredArenaTest, TheIndexFindsWhatIsThere) {
 TEST(CentredArenaTest, ACentreWithoutGroundOrBeyondAllCoordinatesIsRefused) {
   const auto refusal = [](const std::string& center) -> std::string {
     World world;
-    world.size = "6,4,1\" center=\"" + center;
+    world.size = "6,4,1";
+    world.center = center;
     try {
       world.make();
     } catch (const ConfigError& error) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 
 #include "installed_experiment.hpp"
 #include "test_world.hpp"
@@ -18,6 +20,17 @@ std::vector<Eigen::Vector3d> places(const Simulation& simulation, int count) {
     found.push_back(poseOf(simulation, "eb_" + std::to_string(i)).position);
   }
   return found;
+}
+
+/// Of each place the distance to the nearest other one [m].
+std::vector<double> nearestDistances(const std::vector<Eigen::Vector3d>& places) {
+  std::vector<double> nearest(places.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = 0; j < places.size(); ++j) {
+      nearest[i] = i == j ? nearest[i] : std::min(nearest[i], (places[i] - places[j]).norm());
+    }
+  }
+  return nearest;
 }
 
 TEST(EyebotFlockingTest, FourWithoutNoiseAreARegularTetrahedron) {
@@ -55,6 +68,10 @@ TEST(EyebotFlockingTest, TwelveFlyInOneDirectionStayTogetherAndDoNotTouch) {
                                                  [](const auto& one, const auto& two) { return one.z() < two.z(); });
     EXPECT_GT(high->z() - low->z(), kDistance) << "it has more than one layer";
     EXPECT_GT(low->z(), 2.0) << "the lowest height that they want";
+    // nearer than four are, since neighbours of neighbours attract too
+    const std::vector<double> nearest = nearestDistances(eyebots);
+    EXPECT_GT(*std::min_element(nearest.begin(), nearest.end()), 0.7 * kDistance);
+    EXPECT_NEAR(std::accumulate(nearest.begin(), nearest.end(), 0.0) / 12.0, 0.9 * kDistance, 0.05 * kDistance);
   }
 }
 

@@ -3,97 +3,61 @@
 #include <gtest/gtest.h>
 
 #include "installed_experiment.hpp"
-#include "swarmanoid_interface/controller.hpp"
-#include "swarmanoid_interface/devices/color_blob_camera.hpp"
-#include "swarmanoid_interface/devices/footbot_wheels.hpp"
-#include "swarmanoid_interface/devices/range_and_bearing.hpp"
+#include "one_footbot.hpp"
 #include "test_world.hpp"
 
 namespace swarmanoid::test {
 namespace {
 
-/// A robot of which the test says what it sees and hears.
-class OnePredator {
+class OnePredator : public OneFootbot {
  public:
-  OnePredator() {
-    robot_.provideSensor(FootbotCamera::kType, &camera_);
-    robot_.provideSensor(RangeAndBearingReceived::kType, &received_);
-    robot_.provideActuator(FootbotWheels::kType, &wheels_);
-    robot_.provideActuator(RangeAndBearing::kType, &transmitter);
-    loadPluginLibrary("predators", {}, {});
-    controller_ = makePlugin<Controller>(*Registry::instance().find(PluginKind::kController, "predators"));
-    Configuration parameters("parameters", "", {});
-    parameters.set("speed", "0.12");
-    parameters.set("distance", "0.4");
-    parameters.set("appetite", "0.1");
-    controller_->init(robot_, parameters);
-  }
+  OnePredator() : OneFootbot("predators", {{"speed", "0.12"}, {"distance", "0.4"}, {"appetite", "0.1"}}) {}
 
-  void hear(double range, double bearing) {
-    messages_.push_back({static_cast<float>(range), static_cast<float>(bearing), 0.0F, {}});
-    received_.messages = messages_;
+  void stepWithNeighbour(double range, double bearing) {
+    hear(range, bearing);
     step();
   }
-  void seePrey(double distance, double bearing) {
-    blobs_ = {{colors::kRed, static_cast<float>(bearing), static_cast<float>(distance)}};
-    camera_.blobs = blobs_;
+  void stepWithPrey(double distance, double bearing) {
+    see(colors::kRed, distance, bearing);
     step();
   }
-  void step() { controller_->step(kEpoch, std::chrono::milliseconds(100)); }
-
-  double speed() const { return 0.5 * (wheels_.left + wheels_.right) * kRadius; }
-  double turnRate() const { return (wheels_.right - wheels_.left) * kRadius / kSeparation; }
-
-  RangeAndBearing transmitter;
-
- private:
-  static constexpr double kRadius = 0.029;     // m, of the wheels
-  static constexpr double kSeparation = 0.14;  // m
-
-  FootbotWheels wheels_;
-  Robot robot_{"robot", "footbot", 1};
-  FootbotCamera camera_;
-  RangeAndBearingReceived received_;
-  std::vector<ColorBlob> blobs_;
-  std::vector<RangeAndBearingMessage> messages_;
-  std::shared_ptr<Controller> controller_;
 };
 
 TEST(PredatorsControllerTest, FollowsTheForceOfANeighbourAheadOrBackwards) {
   // s = 0.4 / 0.41: the force s^3 (1 - s^2) / 0.1859 is 0.2407, which is 0.4814 of that of full speed
   OnePredator ahead;
-  ahead.hear(0.41, 0.2);
-  EXPECT_NEAR(ahead.speed(), 0.12 * 0.4814 * std::cos(0.2), 1e-4);
-  EXPECT_NEAR(ahead.turnRate(), 1.5 * 0.4814 * 0.2, 1e-3);
-  EXPECT_TRUE(ahead.transmitter.sends) << "else nobody knows of it";
+  ahead.stepWithNeighbour(0.41, 0.2);
+  EXPECT_NEAR(ahead.wheels.speed(), 0.12 * 0.4814 * std::cos(0.2), 1e-4);
+  EXPECT_NEAR(ahead.wheels.turnRate(), 1.5 * 0.4814 * 0.2, 1e-3);
+  EXPECT_TRUE(ahead.transmitter.sends) << "neighbours must receive it";
   // s = 0.4 / 0.39: the force is -0.3014; away from what is to the left of ahead is backwards
   OnePredator behind;
-  behind.hear(0.39, 0.2);
-  EXPECT_NEAR(behind.speed(), -0.12 * 0.6029 * std::cos(0.2), 1e-4);
-  EXPECT_NEAR(behind.turnRate(), 1.5 * 0.6029 * 0.2, 1e-3);
+  behind.stepWithNeighbour(0.39, 0.2);
+  EXPECT_NEAR(behind.wheels.speed(), -0.12 * 0.6029 * std::cos(0.2), 1e-4);
+  EXPECT_NEAR(behind.wheels.turnRate(), 1.5 * 0.6029 * 0.2, 1e-3);
 }
 
 TEST(PredatorsControllerTest, ARangeThatNoiseHasMadeZeroIsVeryNear) {
   OnePredator robot;
-  robot.hear(0.0, 0.0);
-  EXPECT_NEAR(robot.speed(), -0.12, 1e-9);
+  robot.stepWithNeighbour(0.0, 0.0);
+  EXPECT_NEAR(robot.wheels.speed(), -0.12, 1e-9);
 }
 
 TEST(PredatorsControllerTest, ForcesReachAsFarAsTheFirstRowOfAHexagonalGrid) {
   OnePredator robot;
-  robot.hear(0.601, 0.0);
-  EXPECT_EQ(robot.speed(), 0.0);
-  robot.hear(0.599, 0.0);
-  EXPECT_NEAR(robot.speed(), 0.12, 1e-9);
+  robot.stepWithNeighbour(0.601, 0.0);
+  EXPECT_EQ(robot.wheels.speed(), 0.0);
+  robot.stepWithNeighbour(0.599, 0.0);
+  EXPECT_NEAR(robot.wheels.speed(), 0.12, 1e-9);
 }
 
 TEST(PredatorsControllerTest, ThePreyAttractsFromFarAwayByItsShareOfTheStrongestForce) {
   OnePredator far, near;
-  far.seePrey(4.0, -0.3);
-  EXPECT_NEAR(far.speed(), 0.12 * 0.2 * std::cos(0.3), 1e-5) << "0.1 of 1, and 0.5 is full speed";
-  EXPECT_NEAR(far.turnRate(), 1.5 * 0.2 * -0.3, 1e-4);
-  near.seePrey(0.39, 0.0);
-  EXPECT_NEAR(near.speed(), -0.12 * 0.6029, 1e-4) << "it repels as a neighbour does";
+  far.stepWithPrey(4.0, -0.3);
+  EXPECT_NEAR(far.wheels.speed(), 0.12 * 0.2 * std::cos(0.3), 1e-5) << "0.1 of 1, and 0.5 is full speed";
+  EXPECT_NEAR(far.wheels.turnRate(), 1.5 * 0.2 * -0.3, 1e-4);
+  near.stepWithPrey(0.39, 0.0);
+  EXPECT_NEAR(near.wheels.speed(), -0.12 * 0.6029, 1e-4) << "it repels as a neighbour does";
 }
 
 // All bounds of this test. In a grid at rest neighbours are at `distance`. The prey's pull presses the grid a little:

@@ -89,7 +89,7 @@ class CheckRobotTest(ProgramTest):
         self.assertEqual(lines[1], "wheels: radius 0.0205 m, 0.053 m apart, at most 6.28 rad/s (0.1287 m/s)")
         for line in ("engine: kinematics2d", "engine: dynamics2d", "engine: dynamics3d", "device: wheels",
                      "device: proximity", "device: ground",
-                     "not: holders: found no holders, allowed: robots that have it"):
+                     "not: holders: found no holders, allowed: robots with holders"):
             self.assertIn(line, lines)
         self.assertFalse([line for line in lines if "footbot" in line], "devices of other robots are not its own")
 
@@ -110,10 +110,14 @@ class CheckRobotTest(ProgramTest):
             link + "found a mesh as collision geometry, allowed are box, cylinder and sphere", bad_size, bad_size,
             f"swarmanoid: {self.file}: joint 'left_wheel_joint': found no limit of its velocity, expected one above 0 rad/s"])
 
-    def test_devices_that_nobody_has_are_mistakes(self):
+    def test_unknown_devices_are_mistakes(self):
         done = self.check(('<device type="wheels"/>', '<device type="weels"/>'))
         self.assertEqual(done.returncode, BAD_INPUT)
-        self.assertRegex(done.stderr, r"^swarmanoid: \S+e_puck\.urdf: .*'weels'.*did you mean 'wheels'\?\n$")
+        found = re.match(r"swarmanoid: \S+e_puck\.urdf: .*'weels', allowed: (.*); did you mean 'wheels'\?\n$", done.stderr)
+        self.assertIsNotNone(found, done.stderr)
+        allowed = found[1].split(", ")
+        self.assertIn("proximity", allowed)
+        self.assertEqual(len(allowed), len(set(allowed)), "each once")
 
     def test_what_is_no_robot_is_refused(self):
         self.text = "<robot"

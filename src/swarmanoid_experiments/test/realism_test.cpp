@@ -182,7 +182,8 @@ TEST(RealismTest, AllInstalledPresetsAreAsTheirDevicesNeedThem) {
   ASSERT_FALSE(presets.empty());
   for (const RealismPreset& preset : presets) {
     if (preset.kind == PluginKind::kEntity) {
-      continue;  // AFootbotsMotorsDrawByLoad
+      EXPECT_EQ(preset.device, "footbot") << "AFootbotsMotorsDrawByLoad tests no other";
+      continue;
     }
     const bool is_sensor = preset.kind == PluginKind::kSensor;
     const std::string section = is_sensor ? "sensors" : "actuators";

@@ -88,7 +88,8 @@ std::string World::xml() const {
          framework +
          "</framework><controllers><test_drive id=\"drive\" library=\"swarmanoid_devices\"><actuators><footbot_wheels/>"
          "<footbot_gripper/><footbot_leds/></actuators><sensors><footbot_proximity/></sensors><parameters>" +
-         drive + "</parameters></test_drive></controllers><arena size=\"" + size + "\" optimization=\"2D\" bounded=\"" +
+         drive + "</parameters></test_drive></controllers><arena size=\"" + size + "\"" +
+         (center.empty() ? "" : " center=\"" + center + "\"") + " optimization=\"2D\" bounded=\"" +
          (bounded ? "true" : "false") + "\">" + entities + "</arena><engines><kinematics2d id=\"ground\">" +
          engine_parameters + "</kinematics2d>" + engines + "</engines><arena_physics><engine id=\"ground\">" + members +
          "</engine>" + physics + "</arena_physics><rules>" + rules + "</rules><visualisations>" + visualisations +

@@ -22,6 +22,7 @@ struct World {
   std::string rules;                                     ///< elements of <rules>
   std::string visualisations;                            ///< elements of <visualisations>
   std::string size = "10,10,2";
+  std::string center;  ///< of the arena; empty: none
   bool bounded = false;
   int ticks = 100;
 

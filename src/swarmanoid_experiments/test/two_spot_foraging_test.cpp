@@ -42,7 +42,7 @@ TEST(TwoSpotForagingTest, TheArenaIsADodecagonOfThePapersArea) {
   EXPECT_NEAR(area, 4.91, 0.001);
 }
 
-TEST(TwoSpotForagingTest, NobodyComesThroughAWall) {
+TEST(TwoSpotForagingTest, NoRobotPassesAWall) {
   constexpr double kRadius = 0.085;  // m, of a footbot
   const auto simulation = installed("two_spot_foraging", 1);
   const std::vector<Face> walls = faces(*simulation);

@@ -45,7 +45,7 @@ std::string refusalFor(const Registry::Entry& device, const Configuration& param
 std::string missingFor(const Registry::Entry& device, const ModelPointer& robot) {
   for (const Mechanism& mechanism : device.description.mechanisms) {
     if (const std::string part = robot->missingPart(mechanism); !part.empty()) {
-      return "found no " + part + ", allowed: robots that have it";
+      return "found no " + part + ", allowed: robots with " + part;
     }
   }
   Configuration parameters(device.description.label, "", {});
@@ -74,13 +74,12 @@ std::vector<const Registry::Entry*> devicesFor(const EntityModel& robot) {
   return devices;
 }
 
-/// What the description lists and nobody has.
+/// Devices of the description that no library provides.
 void addUnknownDevices(const std::string& file, const EntityModel& robot, std::vector<std::string>& problems) {
   std::vector<std::string> known;
   for (const PluginKind kind : {PluginKind::kSensor, PluginKind::kActuator}) {
-    for (const Registry::Entry* entry : Registry::instance().all(kind)) {
-      known.push_back(entry->description.label);
-    }
+    const std::vector<std::string> labels = Registry::instance().labels(kind);
+    known.insert(known.end(), labels.begin(), labels.end());
   }
   for (const std::string& device : robot.devices) {
     if (!contains(known, device)) {
