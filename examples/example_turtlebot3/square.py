@@ -46,8 +46,10 @@ class Square:
 class OdometryError:
     """How far the first robot is from where its odometry has it, and from where it began."""
 
+    values = {"odometry_error": 0.0, "from_start": 0.0, "heading_error": 0.0}  # before the first tick
+
     def reset(self, world):
-        self.values = {"odometry_error": 0.0, "from_start": 0.0, "heading_error": 0.0}
+        self.values = OdometryError.values
         pose = world.robots.poses[0]
         self.start = (pose[0], pose[1], heading_of(pose))
 
@@ -63,7 +65,7 @@ class OdometryError:
                        "heading_error": abs(math.remainder(turned - odometry.heading[0], 2 * math.pi))}
 
     def metrics(self):
-        return getattr(self, "values", {"odometry_error": 0.0, "from_start": 0.0, "heading_error": 0.0})
+        return self.values
 
 
 def heading_of(pose):
