@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`swarmanoid batch` from outside: the same rows whoever makes them, and whoever is killed meanwhile."""
+"""`swarmanoid batch` from outside: the same rows with any workers, and also if processes are killed."""
 
 import contextlib
 import csv
@@ -76,7 +76,7 @@ class BatchTest(CommandsTest):
         self.assertEqual(set(overrides), {f"{SPEED}=0.2", f"framework.maxclock={TICKS}"})
         self.assertIn(repr(single["metrics"]["lamps.distance"]), row)
 
-    def test_whoever_is_killed_each_run_has_one_row_and_the_same(self):
+    def test_killed_processes_do_not_change_the_rows(self):
         chance = random.Random(int(time.time()))
         expected = self.uninterrupted()
         options = ("--jobs", "2", "--out", "killed.csv", "--quiet")
@@ -150,8 +150,11 @@ class BatchTest(CommandsTest):
     def test_an_interrupt_keeps_what_is_done(self):
         program = self.start("batch", *GRID, "--jobs", "2", "--out", "runs.csv", "--quiet", start_new_session=True)
         self.wait_for_lines("runs.csv", 10, program)
+        workers = workers_of(program)
+        self.assertEqual(len(workers), 4)
         os.killpg(program.pid, signal.SIGINT)  # as Ctrl-C in a terminal
         output, errors = program.communicate(timeout=60)
+        self.assertEqual(psutil.wait_procs(workers, timeout=20)[1], [], "workers outlive the program")
         self.assertEqual((program.returncode, errors), (INTERRUPTED, "swarmanoid: interrupted; --resume goes on\n"))
         summary = json.loads(output)
         self.assertEqual(summary["made"], len(self.rows("runs.csv")))
@@ -166,7 +169,7 @@ class BatchTest(CommandsTest):
         output, _ = program.communicate(timeout=60)
         self.assertEqual((program.returncode, json.loads(output)["runs"]), (INTERRUPTED, 9999999))
 
-    def test_a_full_output_and_a_full_file_are_told_by_name(self):
+    def test_a_full_output_and_a_full_file_are_reported_by_name(self):
         limited = {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (3000, 3000))}
         program = self.start("batch", EXPERIMENT, "--seeds", "1..200", "--ticks", 3, "--jobs", 1, "--out", "runs.csv", "--quiet",
                              "--no-report", **limited)
@@ -177,11 +180,12 @@ class BatchTest(CommandsTest):
         self.assertEqual(program.communicate(timeout=PATIENCE_S), ("", "swarmanoid: runs.html: cannot be written: File too large\n"))
         with open("/dev/full", "w") as full:
             done = subprocess.run(["swarmanoid", "report", "runs.csv"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True)
-        self.assertEqual((done.returncode, done.stderr), (STOPPED, "swarmanoid: standard output: cannot be written: No space left on device\n"))
+        self.assertEqual((done.returncode, done.stderr),
+                         (STOPPED, "swarmanoid: standard output: cannot be written: No space left on device\n"))
 
     def test_the_port_of_a_dashboard_may_be_taken(self):
         with socket.socket() as other:
-            with contextlib.suppress(OSError):  # somebody else has it
+            with contextlib.suppress(OSError):  # another program has it
                 other.bind(("127.0.0.1", 8787))
                 other.listen()
             program = self.start("batch", EXPERIMENT, "--seeds", "1", "--ticks", 5, "--jobs", "1", "--quiet")
@@ -209,7 +213,7 @@ class BatchTest(CommandsTest):
         self.assertEqual([row[4:6] for row in failed], [("3", "1"), ("3", "2")])
         self.assertIn("Runs that failed: 2", (self.folder / "fails.html").read_text())
 
-    def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(self):
+    def test_bad_input_is_reported_in_one_line_and_leaves_nothing_behind(self):
         for message, *arguments in (
                 ("the following arguments are required: --seeds; `swarmanoid batch --help` has all options", EXPERIMENT),
                 ("--seeds: found '9..1', allowed: seeds and ranges of seeds, such as 1..1000 or 1,2,10..20", EXPERIMENT,

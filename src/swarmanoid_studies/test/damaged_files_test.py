@@ -9,11 +9,13 @@ import pathlib
 import random
 import re
 import tempfile
+import time
 import unittest
 from unittest import mock
 
 from swarmanoid_studies import checkpoint, report, report_command
 from swarmanoid_studies.identity_fields import Identity
+from swarmanoid_studies.input_file import NUMBER
 from swarmanoid_studies.mistakes import BAD_INPUT, FINISHED, BadInput, call
 from swarmanoid_studies.results_file import Columns, line_of
 from swarmanoid_studies.study_file import read_study
@@ -138,6 +140,7 @@ class DamagedFilesTest(unittest.TestCase):
         whole = "allowed: a checkpoint as `swarmanoid evolve` has written it"
         for damaged, message in ((text.replace("2.5", "2.6"), f": is damaged: its content and its digest differ, {whole}"),
                                  ("[" * 100000, f": is damaged: its content and its digest differ, {whole}"),
+                                 (text.replace('"format": 2', '"format": 1'), ": format: found 1, allowed: 2, as now"),
                                  ("7", f": is damaged: its content and its digest differ, {whole}"),
                                  (text.replace('"seeds"', "seeds"), f":7: Expecting property name enclosed in double quotes, {whole}")):
             self.path.write_text(damaged)
@@ -152,6 +155,14 @@ class DamagedFilesTest(unittest.TestCase):
 
     def test_studies(self):
         self.assertGreater(self.refusals(STUDY.encode(), (b"\n", b'"'), lambda: read_study(str(self.path))), CASES // 2)
+
+    def test_numbers_are_recognised_in_linear_time(self):
+        for text in ("3", "-0.5", "+.5", "2.", "1e+22", "1.5E-7", "007"):
+            self.assertIsNotNone(NUMBER.fullmatch(text), text)
+        start_s = time.process_time()
+        for text in ("", ".", "1.2.3", "1.e", "e5", "1_000", "nan", "inf", "9" * 100_000 + "x"):
+            self.assertIsNone(NUMBER.fullmatch(text), text[:10])
+        self.assertLess(time.process_time() - start_s, 2.0)
 
     def test_what_is_no_regular_file_is_not_waited_for(self):
         os.mkfifo(self.path)

@@ -70,6 +70,14 @@ class ResultsFileTest(unittest.TestCase):
         self.assertEqual((rows[0]["m.done"], rows[0]["success"], rows[0]["a.b"]), ("true", "", "1, 2"))
         self.assertEqual((rows[1]["failure"], rows[1]["m.x"]), ('said "no", and died', "two lines"))
 
+    def test_a_long_text_is_read_again(self):
+        self.written(1)
+        results = self.open()
+        results.resume(self.runs)
+        results.append(request(2), outcome("x" * 200_000))
+        results.close()
+        self.assertEqual(list(self.open().resume(self.runs)), [1, 1, 0, 0, 0])
+
     def test_wherever_it_was_cut_off_whole_rows_are_kept(self):
         text = self.written(1, 2, 3)
         rows = text.splitlines(keepends=True)
@@ -131,7 +139,7 @@ class ResultsFileTest(unittest.TestCase):
                 action()
             self.assertRegex(str(caught.exception), f"^{self.path}: cannot be (written|read): it is no regular file$")
 
-    def test_metrics_without_a_column_are_told(self):
+    def test_metrics_without_a_column_are_reported(self):
         results = self.open()
         results.create(is_replaced=True)
         results.append(request(1), outcome(1.0)._replace(metrics={"m.x": 1.0, "m.new": 2.0}))

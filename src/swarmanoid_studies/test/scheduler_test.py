@@ -11,7 +11,7 @@ import unittest
 from unittest import mock
 
 from commands import FINISHED, PATIENCE_S, CommandsTest
-from distributed import Client
+from distributed import Client, KilledWorker
 from swarmanoid_studies import dispatch
 from swarmanoid_studies.mistakes import RunsStopped
 from swarmanoid_studies.runs import RunRequest
@@ -57,6 +57,22 @@ class SchedulerTest(CommandsTest):
                 self.assertRaises(RunsStopped) as caught:
             list(dispatch.outcomes(client, [(0, RunRequest("phototaxis", (), 1))], 1))
         self.assertRegex(str(caught.exception), "^the scheduler has had no workers for [2-4] s$")
+
+    def test_nor_for_a_run_that_is_made_alone(self):
+        with Client(self.address) as client, mock.patch.object(dispatch, "SILENCE_S", 60.0), mock.patch.object(dispatch, "WAIT_S", 2.0), \
+                self.assertRaises(RunsStopped) as caught:
+            sent = dispatch._Sent(client, dispatch._Processes(client))
+            list(dispatch._alone(sent, [(0, RunRequest("phototaxis", (), 1))]))
+        self.assertRegex(str(caught.exception), "^the scheduler has had no workers for [2-4] s$")
+
+    def test_a_run_that_ends_its_workers_has_a_row_with_its_time(self):
+        future = mock.Mock()
+        future.result.side_effect = KilledWorker("runs", None, 3)
+        sent = mock.Mock()
+        sent.take.side_effect = lambda: time.sleep(0.2) or (future, [])
+        (number, outcome), = dispatch._alone(sent, [(7, RunRequest("phototaxis", (), 1))])
+        self.assertEqual((number, outcome.failure), (7, "the process that made the run ended in it, each time that it was tried"))
+        self.assertGreaterEqual(outcome.wall_s, 0.2)
 
 
 if __name__ == "__main__":

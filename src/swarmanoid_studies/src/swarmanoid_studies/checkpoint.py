@@ -38,10 +38,15 @@ def write_checkpoint(path: str, made_of: Dict[str, object], generations: List[Ge
 def read_checkpoint(path: str, made_of: Dict[str, object]) -> List[Generation]:
     """@raise BadInput if it is damaged, or of something else"""
     content = _undamaged(path)
-    for name, own in {"format": FORMAT, **made_of}.items():
-        if content.get(name) != own:
-            raise BadInput(f"{path}: {name}: found {shown(json.dumps(content.get(name)))}, allowed: {shown(json.dumps(own))}, as now")
+    for name, own in made_of.items():
+        _require(path, content, name, own)
     return [Generation(**generation) for generation in content["generations"]]
+
+
+def _require(path: str, content: Dict[str, object], name: str, own: object) -> None:
+    """@raise BadInput"""
+    if content.get(name) != own:
+        raise BadInput(f"{path}: {name}: found {shown(json.dumps(content.get(name)))}, allowed: {shown(json.dumps(own))}, as now")
 
 
 def _digest(content: Dict[str, object]) -> str:
@@ -54,8 +59,10 @@ def _undamaged(path: str) -> Dict[str, object]:
     """@raise BadInput"""
     try:
         content = json.loads(read_file(path, MOST_BYTES).decode())
-        if isinstance(content, dict) and content.get("digest") == _digest(content):
-            return content
+        if isinstance(content, dict):
+            _require(path, content, "format", FORMAT)   # first: other formats have other digests, or none
+            if content.get("digest") == _digest(content):
+                return content
     except json.JSONDecodeError as error:
         raise BadInput(f"{path}:{error.lineno}: {error.msg}, allowed: a checkpoint as `swarmanoid evolve` has written it") from None
     except (ValueError, RecursionError):  # bytes that are no UTF-8, numbers of thousands of digits, lists in lists

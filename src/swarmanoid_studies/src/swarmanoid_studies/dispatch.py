@@ -1,4 +1,4 @@
-"""Sends runs to workers, and takes what comes back, whoever dies meanwhile.
+"""Sends runs to workers and takes their results; each run has a result, also if workers die.
 
 Short runs go in bundles, so that sending costs little beside them; a bundle takes some half a second. Runs that end their process
 have rows that say so, see makers.py. Dask gives what a dead worker had to others. A bundle that several workers died of is taken
@@ -91,15 +91,6 @@ def _result(future: Future) -> List[RunOutcome]:
         raise RunsStopped(f"the workers are lost: {type(error).__name__}: {error}") from error
 
 
-def _alone(client: Client, suspects: Sequence[Numbered]) -> Iterator[Tuple[int, RunOutcome]]:
-    for number, request in suspects:
-        try:
-            outcome, = _result(_submit(client, [(number, request)]))
-        except KilledWorker:
-            outcome = lost("the process that made the run ended in it, each time that it was tried")
-        yield number, outcome
-
-
 class _Sent:
     """Bundles that are on their way, and those that came back."""
 
@@ -126,6 +117,20 @@ class _Sent:
                 return future, self._bundles.pop(future)
             except queue.Empty:
                 self._processes.count()
+
+
+def _alone(sent: _Sent, suspects: Sequence[Numbered]) -> Iterator[Tuple[int, RunOutcome]]:
+    """@param sent nothing is on its way"""
+    for number, request in suspects:
+        start_s = time.perf_counter()
+        sent.send([(number, request)])
+        future, _ = sent.take()
+        try:
+            outcome, = _result(future)
+        except KilledWorker:
+            reason = "the process that made the run ended in it, each time that it was tried"
+            outcome = lost(reason)._replace(wall_s=time.perf_counter() - start_s)
+        yield number, outcome
 
 
 def outcomes(client: Client, requests: Iterable[Numbered], count: int) -> Iterator[Tuple[int, RunOutcome]]:
@@ -155,4 +160,4 @@ def outcomes(client: Client, requests: Iterable[Numbered], count: int) -> Iterat
         pace.note(results)
         send()  # before the rows are written: workers go on
         yield from ((number, outcome) for (number, _), outcome in zip(bundle, results))
-    yield from _alone(client, suspects)
+    yield from _alone(sent, suspects)

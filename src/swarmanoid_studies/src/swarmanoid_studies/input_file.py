@@ -10,7 +10,7 @@ from typing import BinaryIO
 from .mistakes import BadInput
 
 MOST_SHOWN = 80   # characters of what was found
-NUMBER = re.compile(r"[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE][-+]?[0-9]+)?")   # a finite one, in all files
+NUMBER = re.compile(r"[-+]?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][-+]?[0-9]+)?")   # a finite one, in all files
 
 
 def open_file(path: str) -> BinaryIO:

@@ -1,28 +1,33 @@
 """The body of a process that makes runs for a worker, see makers.py. Whatever goes wrong in it, it ends without a word: the worker
 sees that, and reports it in a row."""
 
+import fcntl
 import os
 import select
 import signal
 import sys
-import threading
 from multiprocessing.connection import Connection
 
 
-def _end_with(parent: int) -> None:
-    """Ends this process, and what it has started, when the worker ends, also in the middle of a run."""
-    try:
-        life = os.pidfd_open(parent)
-        if os.getppid() == parent:
-            select.select([life], [], [])
-    finally:
+def _end_with_worker(life: int) -> None:
+    """Ends this process, and what it has started, when the worker ends, also in the middle of a run. The kernel does it, since user
+    code may never give Python's lock back. @param life a pipe whose other end only the worker has"""
+    fcntl.fcntl(life, fcntl.F_SETOWN, -os.getpid())   # the group
+    fcntl.fcntl(life, fcntl.F_SETSIG, signal.SIGKILL)
+    fcntl.fcntl(life, fcntl.F_SETFL, fcntl.fcntl(life, fcntl.F_GETFL) | os.O_ASYNC)
+    if select.select([life], [], [], 0)[0]:           # the worker ended before
         os.killpg(0, signal.SIGKILL)
 
 
 def _serve(connection: Connection) -> None:
-    from .contents_fields import OtherContents
-    from .run_maker import make_run
-    connection.send("up")
+    """Sends why it cannot begin, or nothing, then an answer for each request."""
+    try:
+        from .contents_fields import OtherContents
+        from .run_maker import make_run
+    except Exception as error:  # such as a library that is missing
+        connection.send(f"{type(error).__name__}: {error}")
+        raise
+    connection.send("")
     while True:
         for request in connection.recv():
             try:
@@ -33,11 +38,11 @@ def _serve(connection: Connection) -> None:
 
 
 def main() -> None:
-    """Arguments: the number of the connection, and the worker's process."""
-    connection, parent = int(sys.argv[1]), int(sys.argv[2])
+    """Arguments: the numbers of the connection, and of a pipe that closes when the worker ends."""
+    connection, life = int(sys.argv[1]), int(sys.argv[2])
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    threading.Thread(target=_end_with, args=(parent,), daemon=True).start()
     try:
+        _end_with_worker(life)
         _serve(Connection(connection))
     except BaseException:  # pylint: disable=broad-except
         os._exit(1)

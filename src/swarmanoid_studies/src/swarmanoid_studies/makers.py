@@ -8,12 +8,14 @@ import signal
 import socket
 import subprocess
 import sys
+import time
+from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
 from typing import Iterator, List, Optional, Sequence
 
 from .contents_fields import OtherContents
 from .mistakes import RunsStopped
-from .runs import RunOutcome, RunRequest, lost
+from .runs import RunOutcome, RunRequest, lost, one_line
 
 MOST_TRIES = 3           # of a run: its process may have been ended by others
 MOST_FAILED_STARTS = 10  # one after another
@@ -31,20 +33,23 @@ class _Maker:
 
     def __init__(self) -> None:
         own, its = socket.socketpair()
-        with its:
+        worker_lives, self._worker_lives = Pipe(duplex=False)   # only this process has the end that is written to
+        with its, worker_lives:
+            numbers = [its.fileno(), worker_lives.fileno()]
             # -P: modules are not looked for in the current folder. A session of its own: signals that user code sends to its group
             # reach nothing else. Standard output is the program's
-            self._process = subprocess.Popen([sys.executable, "-P", "-c", MAIN, str(its.fileno()), str(os.getpid())], stdout=2,
-                                             stdin=subprocess.DEVNULL, pass_fds=[its.fileno()], start_new_session=True)
+            self._process = subprocess.Popen([sys.executable, "-P", "-c", MAIN, *map(str, numbers)], stdout=2,
+                                             stdin=subprocess.DEVNULL, pass_fds=numbers, start_new_session=True)
         self._connection = Connection(own.detach())
         self._life = os.pidfd_open(self._process.pid)
         self._is_up = False
-        self._has_ended = False
 
     def wait_until_up(self) -> None:
-        """@raise _Ended"""
+        """@raise _Ended, RunsStopped"""
         if not self._is_up:
-            self._receive()
+            problem = self._receive()
+            if problem:
+                raise RunsStopped(f"a process that makes runs cannot be started: {one_line(str(problem))}")
             self._is_up = True
 
     def outcomes(self, requests: Sequence[RunRequest]) -> Iterator[RunOutcome]:
@@ -70,25 +75,23 @@ class _Maker:
         raise self._ended()
 
     def _ended(self) -> _Ended:
-        try:
-            code = self._process.wait(timeout=1.0)   # it may be about to
-        except subprocess.TimeoutExpired:
-            code = None
+        has_ended = wait([self._life], timeout=1.0)   # it may be about to; its number stays its own until `end` has used it
         self.end()
-        if code is None:
+        if not has_ended:
             return _Ended("it closed its connection")
+        code = self._process.returncode
         return _Ended(f"by {_name(-code)}" if code < 0 else f"with exit code {code}")
 
     def end(self) -> None:
-        if self._has_ended:
+        if self._connection.closed:
             return
-        self._has_ended = True
         try:
             os.killpg(self._process.pid, signal.SIGKILL)   # and what it has started
         except ProcessLookupError:
             pass
         self._process.wait()
         self._connection.close()
+        self._worker_lives.close()
         os.close(self._life)
 
 
@@ -133,20 +136,20 @@ def _running() -> _Maker:
 def make_runs(requests: Sequence[RunRequest]) -> List[RunOutcome]:
     """Called in a worker, by one thread at a time. @raise OtherContents, RunsStopped"""
     made: List[RunOutcome] = []
-    tries = 0
+    tries, start_s = 0, time.perf_counter()
     while len(made) < len(requests):
-        maker = _running()
         try:
-            for outcome in maker.outcomes(requests[len(made):]):
+            for outcome in _running().outcomes(requests[len(made):]):
                 made.append(outcome)
-                tries = 0
+                tries, start_s = 0, time.perf_counter()
         except _Ended as ended:
             stop()
             tries += 1
             if tries == MOST_TRIES:
-                made.append(lost(f"the process that made the run ended in it, each of {MOST_TRIES} times, {ended}"))
-                tries = 0
-        except OtherContents:
-            stop()   # it may have more of the requests before it
+                reason = f"the process that made the run ended in it, each of {MOST_TRIES} times, {ended}"
+                made.append(lost(reason)._replace(wall_s=time.perf_counter() - start_s))
+                tries, start_s = 0, time.perf_counter()
+        except BaseException:
+            stop()   # it may have more of the requests before it, or have sent a part of an answer
             raise
     return made

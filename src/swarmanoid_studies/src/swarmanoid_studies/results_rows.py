@@ -10,6 +10,7 @@ from .results_columns import Columns, columns_of
 from .seeds import LARGEST_SEED
 
 MOST_LINE = 1 << 20   # bytes of a line
+csv.field_size_limit(MOST_LINE)   # a metric may be a long text
 DIGITS = re.compile(r"0|[1-9][0-9]{0,19}")
 HASH = re.compile(r"([0-9a-f]{16})?")
 

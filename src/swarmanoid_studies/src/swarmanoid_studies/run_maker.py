@@ -15,7 +15,7 @@ import swarmanoid
 
 from .contents import contents_of, require_same
 from .contents_fields import OtherContents
-from .runs import RunOutcome, RunRequest, lost, one_line
+from .runs import RunOutcome, RunRequest, failure_text, lost
 
 _kept: Optional[Tuple[Tuple[object, ...], swarmanoid.Simulation]] = None
 
@@ -66,4 +66,4 @@ def make_run(request: RunRequest) -> RunOutcome:
         first = failures[0]
         text = f"{len(failures)} controllers failed, first {first['robot']} in tick {first['tick']}: {first['reason']}"
     return RunOutcome(result["metrics"], result["success"], result["ticks"], time.perf_counter() - start,
-                      result["state_hash"], one_line(text), True)
+                      result["state_hash"], failure_text(text), True)
