@@ -14,7 +14,7 @@ import weakref
 _numbers = itertools.count(1)
 _loading = threading.RLock()   # what is found by `import` is the whole process's
 _libraries = {os.path.realpath(folder) for folder in (os.path.dirname(__file__), *map(sysconfig.get_path, ("stdlib", "purelib", "platlib")),
-                                                      *site.getsitepackages())}
+                                                      *site.getsitepackages(), site.getusersitepackages())}
 _known = weakref.WeakSet()     # scripts that are in use
 
 
@@ -23,7 +23,7 @@ class Script:
     that runs in one process share nothing by their files. No byte code is kept, for a file may change within a second."""
 
     def __init__(self, path):
-        self.module = types.ModuleType(f"swarmanoid_script_{next(_numbers)}")   # a name that nobody imports
+        self.module = types.ModuleType(f"swarmanoid_script_{next(_numbers)}")   # a name that no code imports
         self.module.__file__ = path
         self._beside = []
         with open(path, "rb") as file:
@@ -39,7 +39,7 @@ class Script:
 
     def _execute(self, code, folder):
         names = modules_in(folder)
-        others = take_modules(names)   # of somebody else
+        others = take_modules(names)   # of other code
         keeps_byte_code, sys.dont_write_bytecode = sys.dont_write_bytecode, True
         sys.path.insert(0, folder)
         importlib.invalidate_caches()

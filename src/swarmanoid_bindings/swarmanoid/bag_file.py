@@ -14,7 +14,7 @@ from .recording import RecordedEvent, Recording, RecordingError
 STATES, EVENTS = "/space/world_state", "/space/events"
 ABOUT = ("/space/experiment", "/space/math_library", "/space/record", "/space/result")
 EPOCH_NS = 1_000_000_000  # stamps of ROS begin there
-NUMBER = re.compile(r"[-+]?(inf|nan|([0-9]+\.?[0-9]*|\.[0-9]+)(e[-+]?[0-9]+)?)")
+NUMBER = re.compile(r"[-+]?(inf|nan|([0-9]+(\.[0-9]*)?|\.[0-9]+)(e[-+]?[0-9]+)?)")
 
 
 class BagError(RecordingError):
@@ -23,9 +23,9 @@ class BagError(RecordingError):
 
 def open_bag(file: Any) -> rosbag.Bag:
     """To be used in a with statement. Raises BagError for a file that is not there, is no bag or not complete."""
-    if not pathlib.Path(file).exists():
-        raise BagError(f"{file}: no such file")
     try:
+        if not pathlib.Path(file).exists():
+            raise BagError(f"{file}: no such file")
         return rosbag.Bag(str(file))
     except rosbag.ROSBagUnindexedException:
         raise BagError(f"{file}: is not complete, its index is missing: the recording or a copy was cut short; "
@@ -37,14 +37,19 @@ def open_bag(file: Any) -> rosbag.Bag:
 
 
 def messages(file: Any, topics: Sequence[str]) -> Iterator[Tuple[str, Any]]:
-    """Topic and message, in the order of their times. Raises BagError, also for data that turn out to be damaged."""
+    """Topic and message, in the order of their times. Raises BagError, also for data that turn out to be damaged,
+    and ImportError if a library that reads them is missing."""
     with open_bag(file) as bag:
         try:
             for topic, message, _ in bag.read_messages(topics=topics):
                 yield topic, message
         except OSError as problem:
             raise BagError(f"{file}: cannot be read: {problem.strerror}") from None
-        except Exception as problem:  # the reader passes on whatever decompression and deserialisation throw
+        except ImportError:   # a library that decompresses is missing
+            raise
+        except MemoryError as problem:
+            raise BagError(f"{file}: does not fit into memory") from problem
+        except Exception as problem:  # the reader passes on what decompression and deserialisation throw
             raise BagError(f"{file}: is damaged: {problem}") from None
 
 
@@ -182,8 +187,9 @@ def _recording(file: str, columns: _Columns, rows: _Rows, about: _About, events:
         finished=result.finished if result is not None else None,
         result={metric.name: _value(metric.value) for metric in result.metrics} if result is not None else {},
         runs=numpy.array(rows.runs, dtype=numpy.int64), ticks=numpy.array(rows.ticks, dtype=numpy.int64),
-        times=numpy.array([_since(starts[run], stamp) for run, stamp in zip(rows.runs, rows.stamps)], dtype=float), names=tuple(name for name, _ in columns.known),
-        types=tuple(kind for _, kind in columns.known), poses=rows.table(rows.poses, count, numpy.nan, float, (7,)),
+        times=numpy.array([_since(starts[run], stamp) for run, stamp in zip(rows.runs, rows.stamps)], dtype=float),
+        names=tuple(name for name, _ in columns.known), types=tuple(kind for _, kind in columns.known),
+        poses=rows.table(rows.poses, count, numpy.nan, float, (7,)),
         present=rows.table([True] * len(rows.runs), count, False, bool),
         stamps=numpy.array([stamp.to_sec() for stamp in rows.stamps]),
         engines=rows.table(rows.engines, count, "", object), gripped=rows.table(rows.gripped, count, "", object),

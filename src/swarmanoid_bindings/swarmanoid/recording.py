@@ -26,7 +26,7 @@ class Recording:
     """Rows are recorded ticks of all runs, one behind the other; columns are entities. Units: SI; frame W, z up."""
 
     file: str
-    complete: bool                 # False: whoever wrote it was killed, or the disk was full; what is here is right
+    complete: bool                 # False: the writer was killed, or the disk was full; what is here is right
     experiment: str
     experiment_text: str           # the experiment file, before overrides
     overrides: Tuple[str, ...]     # "path=value"
@@ -80,15 +80,19 @@ class RecordedReadings:
 
 
 def load(path: Any) -> Recording:
-    """A rosbag of the suite, or a file of trajectories. @raise RecordingError"""
+    """A rosbag of the suite, or a file of trajectories. @raise RecordingError, ImportError if a library that reads it is missing"""
     try:
         return _load(pathlib.Path(path))
-    except RecordingError:
+    except (RecordingError, ImportError):
         raise
     except MemoryError as problem:
-        raise RecordingError(f"{path}: does not fit into memory: {problem}") from None
+        raise RecordingError(f"{path}: does not fit into memory: {problem}") from problem
     except Exception as problem:  # libraries raise errors of many kinds where a file is damaged
-        raise RecordingError(f"{path}: is damaged: {type(problem).__name__}: {' '.join(str(problem).split())}") from None
+        if isinstance(problem, OSError) and problem.errno:   # of the system
+            text = f"cannot be read: {problem.strerror}"
+        else:
+            text = f"is damaged: {type(problem).__name__}: {problem}"
+        raise RecordingError(f"{path}: {' '.join(text.split())}") from problem
 
 
 def _load(path: pathlib.Path) -> Recording:

@@ -4,10 +4,12 @@
 import pathlib
 import subprocess
 import tempfile
+import time
 import unittest
 
 import rosbag
 import swarmanoid
+from swarmanoid.bag_file import NUMBER
 
 TEXTS = {"1.2.3": "1.2.3", ".": ".", "..": "..", "1.e": "1.e", "e5": "e5", "": "", "1_000": "1_000", "red": "red"}
 NUMBERS = {"3": 3.0, "-0.5": -0.5, "+.5": 0.5, "2.": 2.0, "1e+22": 1e22, "1.5e-7": 1.5e-7, "-inf": float("-inf")}
@@ -56,6 +58,11 @@ class BagFileTest(unittest.TestCase):
             return topic, message
 
         self.assertEqual(swarmanoid.load(self.rewrite(change)).result, expected)
+
+    def test_numbers_are_recognised_in_linear_time(self):
+        start_s = time.process_time()
+        self.assertIsNone(NUMBER.fullmatch("9" * 100_000 + "x"))
+        self.assertLess(time.process_time() - start_s, 2.0)
 
 
 if __name__ == "__main__":

@@ -1,16 +1,20 @@
 #!/usr/bin/python3
 """Damaged recordings, at random and by hand: each is read, or refused with its name as a RecordingError and nothing else."""
 
+import errno
 import os
 import pathlib
 import random
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
 import unittest
+from unittest import mock
 
 import h5py
+import rosbag
 import swarmanoid
 
 CASES = 300   # of each format
@@ -79,13 +83,30 @@ class DamagedRecordingsTest(unittest.TestCase):
         self.assert_refused("found no 'pose', allowed: a file as `swarmanoid run --trajectories` writes it",
                             lambda file: file.pop("pose"))
         self.assert_refused("is damaged: IndexError: tuple index out of range", lambda file: replace(file, "pose", [1.0, 2.0]))
-        self.assert_refused("is damaged: ValueError: Illegal slicing argument for scalar dataspace", lambda file: replace(file, "entities/name", 3))
+        self.assert_refused("is damaged: ValueError: Illegal slicing argument for scalar dataspace",
+                            lambda file: replace(file, "entities/name", 3))
 
     def test_a_pipe_is_not_waited_for(self):
         self.damaged.unlink(missing_ok=True)
         os.mkfifo(self.damaged)
         self.addCleanup(self.damaged.unlink)
         self.assertEqual(self.refusal(), "cannot be read: it is no regular file")
+
+    def test_what_is_not_damaged_is_not_said_to_be(self):
+        shutil.copy(self.folder / "run.h5", self.damaged)
+        with mock.patch.object(pathlib.Path, "exists", side_effect=PermissionError(errno.EACCES, "Permission denied")):
+            self.assertEqual(self.refusal(), "cannot be read: Permission denied")
+        with mock.patch.object(h5py.Dataset, "__getitem__", side_effect=OSError(errno.EIO, "Input/output error")):
+            self.assertEqual(self.refusal(), "cannot be read: Input/output error")
+        with mock.patch.object(h5py.Dataset, "__getitem__", side_effect=MemoryError("9 GB")):
+            self.assertEqual(self.refusal(), "does not fit into memory: 9 GB")
+        with mock.patch.dict(sys.modules, {"swarmanoid.trajectory_file": None}), self.assertRaises(ImportError):
+            swarmanoid.load(self.damaged)
+        shutil.copy(self.folder / "run.bag", self.damaged)
+        with mock.patch.object(rosbag.Bag, "read_messages", side_effect=MemoryError):
+            self.assertEqual(self.refusal(), "does not fit into memory")
+        with mock.patch.object(rosbag.Bag, "read_messages", side_effect=ImportError("no roslz4")), self.assertRaises(ImportError):
+            swarmanoid.load(self.damaged)
 
 
 if __name__ == "__main__":

@@ -2,10 +2,13 @@
 """Controllers and rules in Python that an experiment file names: what becomes of mistakes in them."""
 
 import json
+import os
+import site
 import textwrap
 import unittest
 
 import swarmanoid
+from swarmanoid import _scripts
 
 from script_world import SWARM, ScriptCase
 
@@ -97,7 +100,8 @@ class ScriptMistakesTest(ScriptCase):
                 assert pickle.loads(pickle.dumps(State())) == State()
                 raise Odd() if robots.tick else ValueError("two\\nlines \\ud800")
             """))
-        reasons = {failure["reason"].split(" (")[0] for failure in swarmanoid.Simulation(self.experiment("odd")).run()["failed_controllers"]}
+        failures = swarmanoid.Simulation(self.experiment("odd")).run()["failed_controllers"]
+        reasons = {failure["reason"].split(" (")[0] for failure in failures}
         self.assertEqual(reasons, {"ValueError: two lines \\ud800"})
 
     def test_mistakes_have_a_place(self):
@@ -126,8 +130,13 @@ class ScriptMistakesTest(ScriptCase):
         self.assertIn("experiment.xml:5: controller 'dc' of all its robots does not start: ValueError: found speed 3.5, allowed: 4 (",
                       self.call("run", self.experiment("refuses"), code=2).stderr)
 
+    def test_packages_that_a_user_has_installed_are_libraries(self):
+        self.assertTrue(_scripts.is_in_library(os.path.join(site.getusersitepackages(), "package.py")))
+        self.assertFalse(_scripts.is_in_library(str(self.folder / "swarm.py")))
+
     def test_files_that_cannot_be_read_say_where(self):
-        for code, text in (("a = 1\nb = (\n", "SyntaxError"), ("x = 1\ny = x / 0\n", "swarm.py:2)"), ("import nothing_of_that_name", "No module")):
+        for code, text in (("a = 1\nb = (\n", "SyntaxError"), ("x = 1\ny = x / 0\n", "swarm.py:2)"),
+                           ("import nothing_of_that_name", "No module")):
             with self.subTest(code):
                 self.write("swarm.py", textwrap.dedent(code))
                 found = self.refusal()
