@@ -9,7 +9,7 @@
 
 namespace swarmanoid::bindings {
 
-/// What somebody asked a running world for cannot be done. Becomes InterventionError.
+/// A request to a running world cannot be fulfilled. Becomes InterventionError.
 class InterventionError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -119,7 +119,7 @@ void bind(py::module_& module, Kind<SetEngineParameters> /*kind*/) {
 
 void bind(py::module_& module, Kind<SetCommandSource> /*kind*/) {
   valueClass<SetCommandSource>(module, "SetCommandSource",
-                               "Somebody else commands a robot from now on.\n\n"
+                               "Another source commands a robot from now on.\n\n"
                                "SetCommandSource(robot, source)\n\n"
                                "source: 'controller', which starts anew, or 'none': the robot stops.",
                                {"robot", "source"})

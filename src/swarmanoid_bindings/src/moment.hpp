@@ -1,5 +1,5 @@
 /// Until when something may be looked at that Python has got from a run: readings and commands stand in memory of the
-/// run, which a tick or a reset may give to somebody else.
+/// run, which a tick or a reset may give to another owner.
 #pragma once
 
 #include <cstdint>

@@ -22,7 +22,7 @@ class PythonController final : public GroupController, public HoldsObjects {
   // Each takes Python's lock.
   void init(const Configuration& parameters) override;
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
-  /// What Python throws here stops the robots. As in `init`, it is kept for whoever makes the ticks.
+  /// What Python throws here stops the robots. As in `init`, it is kept for the caller of the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
   int visitObjects(visitproc visit, void* argument) const override {

@@ -28,7 +28,7 @@ class PythonRobots final : public GroupController, public HoldsObjects {
   void init(const Configuration& parameters) override;
   /// Makes the robot's controller. Takes Python's lock, as step does. @throws std::runtime_error what Python throws
   void start(const Space& space, Banks& commands, Row row, Robot& robot) override;
-  /// What Python throws stops that robot, and is kept for whoever makes the ticks.
+  /// What Python throws stops that robot, and is kept for the caller of the ticks.
   void step(const Space& space, Banks& commands, Span<const GroupMember> members) override;
 
   int visitObjects(visitproc visit, void* argument) const override;
@@ -51,7 +51,7 @@ class PythonRobots final : public GroupController, public HoldsObjects {
   pybind11::dict parameters_;
   std::unordered_map<const Robot*, Instance> instances_;
   std::shared_ptr<RobotHost> host_;  // of those stepped last; null: they are to be found anew
-  std::vector<Instance> stepped_;    // likewise, in their order
+  std::vector<Instance> stepped_;    // those stepped last, in their order
 };
 
 }  // namespace swarmanoid::bindings

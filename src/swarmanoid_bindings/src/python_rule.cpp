@@ -57,7 +57,7 @@ PythonRule::PythonRule(py::object rule, std::shared_ptr<Moment> moment, std::sha
   }
 }
 
-/// What it throws is kept, and a std::runtime_error says so to whoever runs rules.
+/// What it throws is kept, and a std::runtime_error reports it to the caller of the rules.
 template <class Action>
 void PythonRule::call(const char* hook, Action action) {
   const PythonLock lock;

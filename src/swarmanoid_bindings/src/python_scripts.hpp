@@ -1,8 +1,8 @@
 /// Controllers and rules in Python that stand in a file which the experiment names (source="python").
 ///
 /// A part is what the file has under the name of its tag: of controllers a function or an object of all robots, or a
-/// class of one; of rules an object, or a class that makes one. A file is read once a run, whoever is in it; runs share
-/// neither the file's module nor those that it imports from its folder (_scripts.py).
+/// class of one; of rules an object, or a class that makes one. A file is read once a run, for all of its parts; runs
+/// share neither the file's module nor those that it imports from its folder (_scripts.py).
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -35,7 +35,7 @@ class PythonScripts final : public ScriptHost {
   pybind11::object find(const char* what, const std::string& file, const std::string& name,
                         const SourceLocation& location);
 
-  /// @throws ConfigError if an object that is given parameters is somebody else's already
+  /// @throws ConfigError if an object that is given parameters has another owner already
   void takeObject(const pybind11::object& object, const std::string& name, const SourceLocation& location);
 
   std::shared_ptr<Moment> moment_;
@@ -48,7 +48,7 @@ class PythonScripts final : public ScriptHost {
 /// @param thrown of the simulation, which gets what rules throw, and Ctrl-C
 std::shared_ptr<ScriptHost> makeScriptsOfPython(std::shared_ptr<Moment> moment, std::shared_ptr<Thrown> thrown);
 
-/// For a process in which nobody in Python makes the ticks.
+/// For a process in which no code in Python makes the ticks.
 std::shared_ptr<ScriptHost> makeScriptsOfProgram();
 
 /// A controller of all robots, or one for each if it is a class. @throws pybind11::type_error if it is neither

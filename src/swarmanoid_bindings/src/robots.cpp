@@ -78,7 +78,7 @@ Places Devices::placesOf(const std::string& type) {
     found->reserve(rows_->size());
     for (const Row row : *rows_) {
       if (const void* device = banks_->find(type, row)) {
-        // Space holds the banks const for whoever looks; FieldArrays says what may be written
+        // Space gives readers const banks; FieldArrays says what may be written
         found->push_back(static_cast<std::byte*>(const_cast<void*>(device)));
       }
     }
@@ -259,7 +259,7 @@ void bindRobots(py::module_& module) {
                              "(robots, 7): position [m] and orientation as a quaternion x, y, z, w, in W.")
       .def_property_readonly("twists", &Robots::twists, "(robots, 6): linear [m/s] and angular velocity [rad/s], in W.")
       .def("property", &Robots::property, py::arg("name"),
-           "(robots,): a property of each, such as 'intensity'; NaN for whoever does not have it.")
+           "(robots,): a property of each, such as 'intensity'; NaN for robots without it.")
       .def_property_readonly("readings", &Robots::readings, kInternal,
                              "Sensors by type: readings['footbot_proximity'].value is (robots that have it, 24).")
       .def_property_readonly("commands", &Robots::commands, kInternal,

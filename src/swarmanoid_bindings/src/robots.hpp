@@ -73,7 +73,7 @@ class Robots {
   pybind11::array_t<double> poses() const;
   /// Linear, then angular velocity: (robots, 6).
   pybind11::array_t<double> twists() const;
-  /// One number each, NaN for whoever has no such property: (robots,).
+  /// One number each, NaN for robots without it: (robots,).
   pybind11::array_t<double> property(const std::string& name) const;
   Devices& readings() { return readings_; }
   Devices& commands() { return commands_; }

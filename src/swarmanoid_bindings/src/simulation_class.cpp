@@ -195,7 +195,7 @@ void bindState(py::class_<Run>& simulation) {
           "What happened in the last tick: a dictionary each, kind, entity, other, text.")
       .def_property_readonly(
           "interventions", &interventionsOf,
-          "What was done before the last tick, in order: (who asked, what). Nobody, '': from outside.")
+          "What was done before the last tick, in order: (source, what). '' as the source: from outside.")
       .def_property_readonly(
           "state_hash", [](const Run& run) { return hashText(run.simulation().stateHash()); },
           "Of all state, as `swarmanoid run` prints it: equal runs have equal ones.")

@@ -11,9 +11,9 @@ namespace swarmanoid::bindings {
 
 struct Thrown {
   enum class Keeps {
-    kAll,            ///< whoever makes the ticks in Python gets it
-    kInterruptions,  ///< Ctrl-C, and what ends the run: all else is a failure of whoever has thrown it, as in C++
-    kNothing         ///< nobody in Python makes the ticks: Ctrl-C is not Python's either
+    kAll,            ///< the caller of the ticks in Python gets it
+    kInterruptions,  ///< Ctrl-C, and what ends the run: all else is a failure of the part that threw it, as in C++
+    kNothing         ///< no code in Python makes the ticks: Ctrl-C is not Python's either
   };
 
   Keeps keeps = Keeps::kAll;
@@ -24,12 +24,12 @@ struct Thrown {
   /// Keeps the first one. @return whether it is a failure of who has thrown it
   bool keep(pybind11::error_already_set&& thrown, const std::string& of_rule = "");
 
-  /// Whether Ctrl-C has been thrown, which is for whoever makes the ticks.
+  /// Whether Ctrl-C has been thrown, which is for the caller of the ticks.
   bool isInterruption(const pybind11::error_already_set& thrown) const {
     return keeps != Keeps::kNothing && thrown.matches(PyExc_KeyboardInterrupt);
   }
 
-  /// Nobody is called any more in this tick, which is the last one until somebody has seen what was thrown.
+  /// No more code in Python is called in this tick, which is the last one until the caller has seen what was thrown.
   bool isOver() const { return error.has_value() || (interrupted != nullptr && interrupted->isOver()); }
 
   /// Nothing is kept any more. @pre Python's lock is held @throws what was kept, if anything was

@@ -1,8 +1,9 @@
 /// Ticks without Python's lock, also while Python ends.
 ///
 /// A daemon thread that ticks when the main thread ends cannot have the lock again: Python ends such a thread by
-/// unwinding its stack, through code of a run, which aborts the process. So whoever ends Python waits for ticks under
-/// way, and other threads that come later wait for the end of the process, as those of newer versions of Python do.
+/// unwinding its stack, through code of a run, which aborts the process. So the thread that ends Python waits for ticks
+/// under way, and other threads that come later wait for the end of the process, as those of newer versions of Python
+/// do.
 #pragma once
 
 #include <pybind11/pybind11.h>
@@ -19,7 +20,7 @@ class WithoutLock {
   WithoutLock(const WithoutLock&) = delete;
   WithoutLock& operator=(const WithoutLock&) = delete;
 
-  /// Whether somebody waits for this thread, so that Python can end. Any thread.
+  /// Whether another thread waits for this one, so that Python can end. Any thread.
   static bool mustEnd();
 
  private:

@@ -124,7 +124,7 @@ def agree(reward, count):
 class Env:
     """A swarm as one agent, which sees and moves all of its robots: the shape of gymnasium.Env.
 
-    observation_space has the shape (robots, numbers), action_space likewise: a line for each robot that runs the controller,
+    observation_space and action_space have the shape (robots, numbers): a line for each robot that runs the controller,
     in the order of `names`. Lines of robots that are gone, or have stopped, are 0. The reward is the sum of all."""
 
     metadata = {"render_modes": []}

@@ -31,7 +31,7 @@ class ControllerTest(unittest.TestCase):
         before = simulation.robots.poses
         simulation.tick(7)
         after = simulation.robots.poses
-        # those that touch nobody: grippers stand out of the bodies, and push
+        # those that touch no other robot: grippers stand out of the bodies, and push
         apart = numpy.linalg.norm(before[:, None, :2] - before[None, :, :2], axis=2) + numpy.eye(len(before))
         alone = apart.min(axis=1) > 0.3
         self.assertGreater(alone.sum(), 80)
@@ -121,7 +121,7 @@ class ControllerTest(unittest.TestCase):
         with self.assertRaisesRegex(RuntimeError, "is making ticks"):
             simulation.tick()
 
-    def test_an_interrupt_ends_the_ticks_and_stops_nobody(self):
+    def test_an_interrupt_ends_the_ticks_and_stops_no_robot(self):
         main = threading.main_thread().ident
         simulation = simulate(lambda robots: robots.tick == 20 and signal.pthread_kill(main, signal.SIGINT))
         with self.assertRaises(KeyboardInterrupt):

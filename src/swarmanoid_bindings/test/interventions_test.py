@@ -105,7 +105,8 @@ class InterventionsTest(unittest.TestCase):
         simulation.apply(SetFault("fb_7", "footbot_proximity"))
         simulation.tick()
         self.assertTrue((simulation.robots.readings["footbot_proximity"].value[6] == 0).any())
-        self.refused(simulation, "fault is refused: .*found the device 'footbot_proximty'.*did you mean", SetFault("fb_7", "footbot_proximty"))
+        self.refused(simulation, "fault is refused: .*found the device 'footbot_proximty'.*did you mean",
+                     SetFault("fb_7", "footbot_proximty"))
         self.refused(simulation, "fault is refused: .*'biass'", SetFault("fb_7", "footbot_proximity", [ErrorModel("biass")]))
 
     def test_what_is_no_intervention_is_refused(self):

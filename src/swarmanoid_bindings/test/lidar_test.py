@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""A lidar on somebody's own robot, from its description to arrays: what an experiment asks for is what Python reads."""
+"""A lidar on a user's own robot, from its description to arrays: what an experiment asks for is what Python reads."""
 
 import os
 import pathlib

@@ -133,7 +133,8 @@ class RulesTest(unittest.TestCase):
         for hook, tick in (("before_tick", 4), ("after_tick", 5)):
             with self.subTest(hook):
                 simulation = simulate({"score": Faulty(hook, tick)})
-                with self.assertRaisesRegex(swarmanoid.RuleError, f"^rule 'score', {hook}: ZeroDivisionError: no robots left \\(.*:\\d+\\)$") as caught:
+                message = f"^rule 'score', {hook}: ZeroDivisionError: no robots left \\(.*:\\d+\\)$"
+                with self.assertRaisesRegex(swarmanoid.RuleError, message) as caught:
                     simulation.tick(10)
                 self.assertIsInstance(caught.exception.__cause__, ZeroDivisionError)
                 self.assertIsInstance(caught.exception, RuntimeError)

@@ -71,8 +71,8 @@ class ScriptsTest(ScriptCase):
                         self.assertEqual(float(row[name]), value)
 
     def test_what_is_beside_a_file_is_its_own(self):
-        drive = "import queue\n\ndef together(robots):\n    robots.commands['footbot_wheels'].left = queue.SPEED\n" + SWARM.split("calls = 0")[1].replace(
-            "together = All()", "")
+        drive = ("import queue\n\ndef together(robots):\n    robots.commands['footbot_wheels'].left = queue.SPEED\n"
+                 + SWARM.split("calls = 0")[1].replace("together = All()", ""))
         for folder, speed in (("a", 1), ("b", 4)):
             (self.folder / folder).mkdir()
             self.write(f"{folder}/swarm.py", "import beside\nimport numpy\ncalls = 0\n" + drive)
@@ -114,7 +114,8 @@ class ScriptsTest(ScriptCase):
         self.assertEqual((self.folder / "log.txt").read_text().split(), [str(tick) for tick in range(60)])
 
     def test_parameters_are_texts_and_dictionaries(self):
-        self.write("swarm.py", SWARM + "\n\nclass Shows(Count):\n    def init(self, parameters):\n        print(parameters)\n        self.seen, self.limit = 0, 1.0\n")
+        self.write("swarm.py", SWARM + "\n\nclass Shows(Count):\n    def init(self, parameters):\n        print(parameters)\n"
+                   "        self.seen, self.limit = 0, 1.0\n")
         experiment = self.experiment(rule="Shows", replaced=("<limit>0.9</limit>", '<limit unit="m">0.9</limit><deep><a>1</a></deep>'))
         said = self.call("run", experiment, "--quiet").stderr
         self.assertEqual(said, "{'limit': {'unit': 'm', '': '0.9'}, 'deep': {'a': '1'}}\n")

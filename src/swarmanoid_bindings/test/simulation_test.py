@@ -17,7 +17,9 @@ MOST_KIB = 2048  # that memory may grow by, in all
 
 WRITES_A_TABLE = """<ahss-config>
   <framework><clocktick>100</clocktick><maxclock>3</maxclock></framework>
-  <arena size="2,2,1" optimization="2D"><block id="wall"><position>1,1,0.1</position><orientation>0,0,0</orientation><size>1,1,0.2</size></block></arena>
+  <arena size="2,2,1" optimization="2D">
+    <block id="wall"><position>1,1,0.1</position><orientation>0,0,0</orientation><size>1,1,0.2</size></block>
+  </arena>
   <visualisations><text_render id="table"><file>poses.txt</file></text_render></visualisations>
 </ahss-config>"""
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""What a batch counts is what its file has, whenever somebody interrupts it."""
+"""What a batch counts is what its file has, whenever it is interrupted."""
 
 import os
 import pathlib

@@ -24,7 +24,8 @@ class EvolutionTest(unittest.TestCase):
     def step(self, own, outcome_of):
         """@param outcome_of of a request"""
         def outcomes(_client, requests, count):
-            return reversed([(number, outcome_of(request)) for number, request in itertools.islice(requests, count)])  # whoever is first
+            made = [(number, outcome_of(request)) for number, request in itertools.islice(requests, count)]
+            return reversed(made)  # the last one finishes first
         with mock.patch.object(evolution, "outcomes", outcomes):
             own.take(own.make(None, lambda outcome: None))
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""`swarmanoid evolve` from outside: the same genotypes, to the last bit, whoever makes the runs and whoever is killed."""
+"""`swarmanoid evolve` from outside: the same genotypes, to the last bit, with any workers, and also if processes are killed."""
 
 import csv
 import io
@@ -71,7 +71,7 @@ class EvolveTest(CommandsTest):
         """All that follows from the study alone."""
         return {name: (self.folder / folder / name).read_bytes() for name in ("checkpoint.json", "generations.csv", "best.xml")}
 
-    def test_genotypes_are_the_same_whoever_makes_the_runs(self):
+    def test_genotypes_are_the_same_with_any_workers(self):
         summary = self.evolve("two", "--jobs", 2)
         expected = self.made("two")
         for jobs in (1, 4):
@@ -95,7 +95,8 @@ class EvolveTest(CommandsTest):
         self.assertEqual((first["version"], first["fingerprint"], first["seeds"]), (version, fingerprint, "1 2 3"))
         self.assertIn("framework.maxclock=401", json.loads(first["overrides"]))
         comment = made["best.xml"].decode().partition("-->")[0]
-        for text in (version, fingerprint, "Seeds: 1 2 3.", "framework.maxclock=401", *(f"{path}={value!r}" for path, value in genes.items())):
+        values = (f"{path}={value!r}" for path, value in genes.items())
+        for text in (version, fingerprint, "Seeds: 1 2 3.", "framework.maxclock=401", *values):
             self.assertIn(text, comment)
 
     def assert_the_best_is_an_experiment(self, file, expected):
@@ -106,7 +107,7 @@ class EvolveTest(CommandsTest):
             metrics.append(json.loads(done.stdout)["metrics"]["lamps.distance"])
         self.assertAlmostEqual(sum(metrics) / 3, expected, delta=1e-12)
 
-    def test_whoever_is_killed_the_genotypes_are_the_same(self):
+    def test_killed_processes_do_not_change_the_genotypes(self):
         chance = random.Random(int(time.time()))
         expected = self.uninterrupted()
         options = ("study.xml", "--out", "killed", "--quiet", "--jobs", 2)
@@ -179,7 +180,7 @@ class EvolveTest(CommandsTest):
         self.assertEqual((program.returncode, errors), (INTERRUPTED, "swarmanoid: interrupted; --resume goes on\n"))
         self.assertTrue((self.folder / "run/best.xml").exists())
 
-    def test_bad_input_is_told_in_one_line_and_leaves_nothing_behind(self):
+    def test_bad_input_is_reported_in_one_line_and_leaves_nothing_behind(self):
         self.assert_refused("found the study 'studi.xml', allowed: neural_aggregation, neural_phototaxis, object_retrieval, "
                             "phototaxis", "evolve", "studi.xml")
         self.assert_refused("--generations: found 0, allowed: 1 to 1000000", "evolve", "study.xml", "--generations", "0")

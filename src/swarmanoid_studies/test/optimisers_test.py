@@ -50,7 +50,7 @@ class OptimisersTest(unittest.TestCase):
                     self.assertTrue(all(0.0 <= value <= 1.0 for value in genotype))
 
     def test_depend_on_their_seed_alone(self):
-        """Whoever else draws from the process's generators, as Dask does in threads."""
+        """Also if other code draws from the process's generators, as Dask does in threads."""
         def disturb():
             random.random()
             numpy.random.random(3)

@@ -65,10 +65,11 @@ class ReportTest(unittest.TestCase):
                 for report in ("a.png", "a.html"):
                     write_report(file, str(self.folder / report))
 
-    def test_mistakes_are_told_with_their_line(self):
+    def test_mistakes_are_reported_with_their_line(self):
         text = pathlib.Path(self.grid()).read_text()
         for old, new, message in (("m.x\n", "a.b\n", "1: found the column 'a.b' 2 times, allowed: once"),
-                                  (",3,,7,", ",three,,7,", "4: seed: found 'three', allowed: a whole number from 0 to 18446744073709551615"),
+                                  (",3,,7,", ",three,,7,", "4: seed: found 'three', allowed: a whole number from 0 to "
+                                   "18446744073709551615"),
                                   (",3,,7,", ",3,maybe,7,", "4: success: found 'maybe', allowed: true, false, or nothing"),
                                   (",3,,7,0.25", ",3,,7,", "4: wall_s: found '', allowed: a number from 0 on"),
                                   (",3,,7,0.25,00ff", ",3,,7,0.25,00fg", "4: state_hash: found '00fg00ff00ff00ff', allowed: 16 hexadecimal "

@@ -63,7 +63,7 @@ class StudyFileTest(unittest.TestCase):
         own.write_text("<ahss-config/>")
         self.assertEqual(self.read(STUDY.replace(">phototaxis<", ">own.xml<")).experiment, str(own))
 
-    def test_mistakes_are_told_with_their_line(self):
+    def test_mistakes_are_reported_with_their_line(self):
         for message, old, new, line in (
                 ("found the element 'genotipe', allowed: experiment, overrides, genotype, fitness, optimiser; did you mean "
                  "'genotype'?", "genotype>", "genotipe>", 6),

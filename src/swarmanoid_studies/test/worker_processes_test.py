@@ -82,7 +82,7 @@ class WorkerProcessesTest(unittest.TestCase):
             self.assertEqual(allow_files(None), 6)
         limited.assert_called_once_with(resource.RLIMIT_NOFILE, (100, 100))
 
-    def test_processes_that_end_as_they_begin_are_told(self):
+    def test_processes_that_end_as_they_begin_are_reported(self):
         begun = []
 
         class Stillborn:
@@ -108,7 +108,7 @@ class WorkerProcessesTest(unittest.TestCase):
         self.assertEqual(str(caught.exception), "processes that make runs cannot be started: 10 ended as they began")
         self.assertLessEqual(len(begun), 3 + 12)  # each that ended once more, though several may end at the same time
 
-    def test_one_that_the_system_refuses_is_told_and_others_end(self):
+    def test_one_that_the_system_refuses_is_reported_and_others_end(self):
         process, begun, ended = refused_from(3)
         given_up = threading.Event()
         with mock.patch.object(worker_processes, "_Process", process), self.assertRaises(RunsStopped) as caught, \
@@ -118,7 +118,7 @@ class WorkerProcessesTest(unittest.TestCase):
         self.assertEqual(str(caught.exception), "process 3 of 4 that makes runs cannot be started: Too many open files")
         self.assertEqual((len(begun), ended), (2, begun))
 
-    def test_one_that_cannot_be_started_again_is_told_instead_of_what_follows(self):
+    def test_one_that_cannot_be_started_again_is_reported_instead_of_what_follows(self):
         process, begun, ended = refused_from(3)
         given_up = threading.Event()
         with mock.patch.object(worker_processes, "_Process", process), self.assertRaises(RunsStopped) as caught, \

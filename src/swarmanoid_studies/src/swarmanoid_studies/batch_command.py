@@ -68,7 +68,7 @@ def shared_overrides(grid: Grid, ticks: Optional[int]) -> Dict[str, str]:
 
 def make_rows(results: ResultsFile, requests: Requests, done: bytearray, client, progress: Progress) -> Tuple[Counts, bool]:
     """@param done 1 for each run that has a row already
-    @return what was made, and whether somebody has interrupted it"""
+    @return what was made, and whether an interrupt ended it"""
     from .dispatch import outcomes
     counts = Counts()
     try:

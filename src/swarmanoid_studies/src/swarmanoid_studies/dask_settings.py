@@ -2,8 +2,7 @@
 
 import dask
 
-# nobody looks at pages about the cluster, nor at a profile of the workers; what happens to workers is told by rows and by the
-# program's last line
+# the cluster's pages and profiles of workers have no readers here; rows and the program's last line report what happens to workers
 dask.config.set({"distributed.worker.profile.enabled": False, "distributed.admin.tick.limit": "1h",
                  "distributed.scheduler.http.routes": [], "distributed.worker.http.routes": [],
                  "logging": {name: "critical" for name in ("distributed", "distributed.client", "asyncio", "tornado.application")}})

@@ -86,7 +86,7 @@ class Evolution:
         return [RunRequest(self._experiment, overrides, seed, self._expected) for seed in self._study.seeds]
 
     def _values(self, runs: Sequence[RunOutcome]) -> List[Optional[float]]:
-        """Means over the runs, in the order of the seeds, so to the same bits whoever was first."""
+        """Means over the runs, in the order of the seeds: the same bits, whichever run finished first."""
         return [finite(math.fsum(float(run.metrics[objective.metric]) for run in runs) / len(runs))
                 for objective in self._study.objectives]
 

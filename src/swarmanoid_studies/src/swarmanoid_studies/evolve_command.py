@@ -64,7 +64,7 @@ def made_of(study: Study, identity: Identity) -> Dict[str, object]:
 
 
 def _open_folder(folder: str, checkpoint: str, arguments: argparse.Namespace) -> None:
-    """Before the checkpoint is read, so that nobody adds to it meanwhile. @raise BadInput if something is in the way"""
+    """Before the checkpoint is read, so that no other program adds to it meanwhile. @raise BadInput if something is in the way"""
     if not arguments.resume and not arguments.force and os.path.lexists(checkpoint):
         raise BadInput(f"{checkpoint}: found a file, allowed: another --out, --resume to continue it, or --force to replace it")
     try:

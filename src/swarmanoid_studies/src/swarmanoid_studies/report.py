@@ -70,5 +70,6 @@ def _about(results: Results, tests: int) -> str:
     if results.texts:
         facts.append(("metrics that are texts", ", ".join(results.texts)))
     if tests:
-        facts.append(("tests", f"{tests} of Wilcoxon's in this report; \"p, Holm\" is corrected for their number (Holm, 1979)"))
+        facts.append(("tests", f"{tests} Wilcoxon tests in this report; the column \"p, Holm\" has p corrected for this number of tests "
+                      "(Holm, 1979)"))
     return _table(["", ""], facts, of_texts=True)

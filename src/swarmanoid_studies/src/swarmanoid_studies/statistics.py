@@ -2,8 +2,9 @@
 
 Intervals are of the mean, at 95 % (Student's t). Pairs are runs that differ in one value alone, seed included, so chance that the
 seed brings is in both. The effect size of pairs is Cohen's d_z, mean over standard deviation of the differences; p is of
-Wilcoxon's signed-rank test. A report makes many such tests, so each p stands also corrected for their number: Holm, S. (1979), A
-simple sequentially rejective multiple test procedure, Scandinavian Journal of Statistics 6, 65-70."""
+Wilcoxon's signed-rank test. A report makes many such tests, and some p are small by chance, so Holm's correction for the number of
+tests is applied too: Holm, S. (1979), A simple sequentially rejective multiple test procedure, Scandinavian Journal of Statistics 6,
+65-70."""
 
 import math
 import warnings

@@ -59,7 +59,7 @@ def connected(jobs: int, scheduler: Optional[str]) -> Iterator[Client]:
                       scheduler_kwargs={"dashboard_address": "127.0.0.1:0"}, silence_logs=None) as cluster:
         async def end_scheduler() -> None:
             await cluster.scheduler_comm.close_rpc()  # or the cluster, as it ends, would try for half a minute to reach it
-            await cluster.scheduler.close()           # whoever waits for a result is told that there will be none
+            await cluster.scheduler.close()           # callers that wait for a result get an error
 
         def give_up() -> None:
             cluster.loop.add_callback(end_scheduler)
