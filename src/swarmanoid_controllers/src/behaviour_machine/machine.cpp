@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "required_section.hpp"
+#include "../required_section.hpp"
 
 namespace swarmanoid {
 namespace {
