@@ -69,6 +69,22 @@ class LibraryTest(ProgramTest):
                              (FINISHED, "swarmanoid: a library does not let the process end: it is left there\n"))
             self.assertTrue(json.loads(summary)["finished"])
 
+    def test_a_library_that_crashes_as_it_is_unloaded_changes_no_exit_status(self):
+        world = self.folder / "world.xml"
+        crashes = {"segv_read": "SIGSEGV", "stack_overflow": "SIGSEGV", "bus": "SIGBUS", "fpe": "SIGFPE", "ill": "SIGILL", "abort": "SIGABRT",
+                   "free_twice": "SIGABRT", "throw_runtime_error": "SIGABRT"}
+        for phase, code in (("never", FINISHED), ("step", CONTROLLER_FAILED)):
+            world.write_text(misbehaving_world.world(phase, "throw_runtime_error"))
+            for deed, name in crashes.items():
+                with self.subTest(deed=deed, code=code):
+                    done = subprocess.run(["swarmanoid", "run", str(world), "--quiet", "--force", "--out", "out"], cwd=self.folder,
+                                          timeout=60, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
+                                          env=dict(os.environ, MISBEHAVING=f"unload {deed}"))
+                    self.assertEqual(done.returncode, code, done.stderr)
+                    self.assertIn(f"swarmanoid: warning: a library crashed ({name}) when all was done: the exit status is that of the work\n",
+                                  done.stderr)
+                    self.assertGreater(json.loads(done.stdout)["ticks"], 0)
+
     def test_the_full_name_is_that_of_before_a_library_changes_the_folder(self):
         world = self.folder / "world.xml"
         world.write_text(misbehaving_world.world("destroy", "change_folder"))

@@ -1,15 +1,58 @@
 #include "swarmanoid_interface/process/last_seconds.hpp"
 
+#include <signal.h>
 #include <unistd.h>
 
+#include <array>
+#include <atomic>
 #include <chrono>
+#include <cstdio>
 #include <string_view>
 #include <system_error>
 #include <thread>
 
 namespace swarmanoid {
 
+namespace {
+
+std::atomic<ExitCode> last_exit_code{ExitCode::kFinished};
+static_assert(std::atomic<ExitCode>::is_always_lock_free, "a signal handler reads it");
+
+void onCrash(int signal) {
+  const char* const name = signal == SIGSEGV  ? "SIGSEGV"
+                           : signal == SIGBUS ? "SIGBUS"
+                           : signal == SIGFPE ? "SIGFPE"
+                           : signal == SIGILL ? "SIGILL"
+                                              : "SIGABRT";
+  for (const std::string_view word :
+       {std::string_view("swarmanoid: warning: a library crashed ("), std::string_view(name),
+        std::string_view(") when all was done: the exit status is that of the work\n")}) {
+    [[maybe_unused]] const ssize_t ignored = write(STDERR_FILENO, word.data(), word.size());
+  }
+  _exit(toNumber(last_exit_code));
+}
+
+/// Results are complete: what libraries do from here on changes no exit status.
+void takeCrashes() {
+  static std::array<char, 64 * 1024> memory;  // the stack of a handler, for a thread's own may be full
+  stack_t stack{};
+  stack.ss_sp = memory.data();
+  stack.ss_size = memory.size();
+  sigaltstack(&stack, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    struct sigaction action {};
+    action.sa_handler = onCrash;
+    action.sa_flags = SA_ONSTACK;
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace
+
 void endWithinSeconds(ExitCode code) {
+  last_exit_code = code;
+  std::fflush(nullptr);
+  takeCrashes();
   try {
     // alarm() is not used: the thread that ends the process may have blocked signals
     std::thread([code] {

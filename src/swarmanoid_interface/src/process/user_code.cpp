@@ -39,12 +39,16 @@ class HandlerStack {
     }
   }
   ~HandlerStack() {
-    if (memory_ != nullptr) {
+    if (memory_ == nullptr) {
+      return;
+    }
+    stack_t current{};
+    if (sigaltstack(nullptr, &current) == 0 && current.ss_sp == memory_) {  // the thread may have got another one since
       stack_t none{};
       none.ss_flags = SS_DISABLE;
       sigaltstack(&none, nullptr);
-      munmap(memory_, kSize);
     }
+    munmap(memory_, kSize);
   }
   HandlerStack(const HandlerStack&) = delete;
   HandlerStack& operator=(const HandlerStack&) = delete;
