@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "mesh_checks.hpp"
 #include "swarmanoid_interface/plugin_library.hpp"
@@ -36,7 +37,7 @@ std::string fileOf(const std::string& resource) {
 /// The faces that are drawn, with all copies of nodes. @throws std::runtime_error what takes too long to cut and to
 /// draw
 void checkFaces(const aiScene& scene) {
-  constexpr std::size_t kMostFaces = 10'000'000;
+  std::vector<std::size_t> corners_of(scene.mNumMeshes);
   for (unsigned number = 0; number < scene.mNumMeshes; ++number) {
     const aiMesh& mesh = *scene.mMeshes[number];
     for (unsigned face = 0; face < mesh.mNumFaces; ++face) {
@@ -45,29 +46,28 @@ void checkFaces(const aiScene& scene) {
         throw std::runtime_error("found a face of " + std::to_string(corners) + " corners, allowed: from 1 to " +
                                  std::to_string(kMostCorners));
       }
+      corners_of[number] += corners;
     }
   }
-  std::size_t faces = 0;
+  std::size_t corners = 0;
   for (std::vector<const aiNode*> left{scene.mRootNode}; !left.empty();) {
     const aiNode& node = *left.back();
     left.pop_back();
     left.insert(left.end(), node.mChildren, node.mChildren + node.mNumChildren);
     for (unsigned number = 0; number < node.mNumMeshes; ++number) {
-      faces += scene.mMeshes[node.mMeshes[number]]->mNumFaces;
+      corners += corners_of[node.mMeshes[number]];
     }
   }
-  if (faces > kMostFaces) {
-    throw std::runtime_error("found " + std::to_string(faces) + " faces with all copies, allowed: at most " +
-                             std::to_string(kMostFaces));
+  if (corners > kMostDrawnCorners) {
+    throw std::runtime_error("found " + std::to_string(corners) + " corners with all copies, allowed: at most " +
+                             std::to_string(kMostDrawnCorners));
   }
 }
 
-/// What the library says, in words where it passes on an exception of the standard library.
-std::string reasonOf(const Assimp::Importer& importer) {
-  const std::string reason = importer.GetErrorString();
-  const bool is_about_memory =
-      reason.find("bad_alloc") != std::string::npos || reason.find("length") != std::string::npos;
-  return is_about_memory ? "found a count that needs more memory than there is (" + reason + ")" : reason;
+/// An error in plain words: the standard library names only what threw, such as "std::bad_alloc" or "vector::reserve".
+std::string reasonOf(const std::string& error) {
+  const bool is_bare_name = error.substr(0, error.find(' ')).find("::") != std::string::npos;
+  return is_bare_name ? "found counts that do not fit the file, or that need more memory than there is" : error;
 }
 
 std::optional<Tint> tintOf(const aiScene& scene, const aiMesh& mesh) {
@@ -112,6 +112,7 @@ const std::vector<MeshFiles::Triangle>& MeshFiles::read(const std::string& resou
   // rviz leaves the axes of Collada files as they are, too
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
   const aiScene* scene = nullptr;
+  std::vector<Triangle> triangles;
   try {
     checkMeshFile(file);
     scene = importer.ReadFile(file, 0);
@@ -120,15 +121,16 @@ const std::vector<MeshFiles::Triangle>& MeshFiles::read(const std::string& resou
       // all nodes in the frame of the file
       scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_PreTransformVertices);
     }
-  } catch (const std::runtime_error& error) {
-    refuse(error.what());
+    if (scene != nullptr) {
+      take(*scene, triangles);
+    }
+  } catch (const std::exception& error) {  // std::bad_alloc, too
+    refuse(reasonOf(error.what()));
   }
   if (scene == nullptr) {
-    refuse("cannot be read: " + reasonOf(importer));
+    refuse("cannot be read: " + reasonOf(importer.GetErrorString()));
   }
-  std::vector<Triangle>& triangles = known_[resource];
-  take(*scene, triangles);
-  return triangles;
+  return known_[resource] = std::move(triangles);
 }
 
 }  // namespace swarmanoid

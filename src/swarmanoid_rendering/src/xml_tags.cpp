@@ -26,6 +26,27 @@ void XmlTags::skipPast(std::string_view end, const char* what) {
   at_ = place + end.size();
 }
 
+/// Parsers read an instruction as a node with a name, and the quotes of the first one as those of an element.
+void XmlTags::skipInstruction() {
+  if (!open_.empty()) {
+    refuse("an instruction in <" + std::string(open_.back()) + ">, allowed: before the first element");
+  }
+  const std::size_t begin = at_ + 2;
+  at_ = begin;
+  skipPast("?>", "an instruction");
+  char quote = '\0';
+  for (const char character : text_.substr(begin, at_ - begin)) {
+    if (character == quote) {
+      quote = '\0';
+    } else if (quote == '\0' && (character == '"' || character == '\'')) {
+      quote = character;
+    }
+  }
+  if (quote != '\0') {
+    refuse("an instruction with a quote that is not closed, allowed: name=\"value\"");
+  }
+}
+
 bool XmlTags::findTag() {
   for (;;) {
     at_ = text_.find('<', at_);
@@ -35,9 +56,10 @@ bool XmlTags::findTag() {
     }
     const std::string_view rest = text_.substr(at_);
     if (startsWith(rest, "<!--")) {
+      at_ += 4;  // "<!-->" has no end yet
       skipPast("-->", "a comment");
     } else if (startsWith(rest, "<?")) {
-      skipPast("?>", "an instruction");
+      skipInstruction();
     } else if (startsWith(rest, "<!")) {
       refuse("'<!', allowed: elements and comments");
     } else {
@@ -66,7 +88,8 @@ bool XmlTags::next(XmlTag& tag) {
   } else {
     readAttributes(tag);
   }
-  tag.text = text_.substr(at_, std::min(text_.find('<', at_), text_.size()) - at_);
+  const bool has_content = tag.kind == XmlTag::Kind::kOpening && !is_empty_element_;
+  tag.text = text_.substr(at_, has_content ? std::min(text_.find('<', at_), text_.size()) - at_ : 0);
   tag.has_only_text = is_empty_element_ || startsWith(text_.substr(at_ + tag.text.size()), "</");
   return true;
 }
@@ -110,6 +133,10 @@ void XmlTags::readAttributes(XmlTag& tag) {
   if (open_.size() >= kMostNested) {
     refuse("elements nested more than " + std::to_string(kMostNested) + " deep, allowed: fewer");
   }
+  if (open_.empty() && has_root_) {
+    refuse("<" + std::string(tag.name) + "> after the end of the first element, allowed: nothing");
+  }
+  has_root_ = true;
   open_.push_back(tag.name);
   for (;;) {
     skipSpace();

@@ -16,7 +16,7 @@ struct XmlTag {
   Kind kind = Kind::kOpening;
   std::string_view name;
   std::map<std::string_view, std::string_view> attributes;  ///< as they are written, with references such as &amp;
-  std::string_view text;                                    ///< up to the next tag or comment
+  std::string_view text;                                    ///< of its element, up to the next tag or comment
   bool has_only_text = false;                               ///< the element is closed right after its text
   int line = 0;
 };
@@ -30,8 +30,8 @@ class XmlTags {
 
   /// Reads the next tag; an element without content gives two. Comments and instructions are passed over.
   /// @return whether there is one
-  /// @throws std::runtime_error "line N: found ..., allowed: ...": a document type, sections of characters, deep
-  /// nesting, tags that are not closed
+  /// @throws std::runtime_error "line N: found ..., allowed: ...": a document type, sections of characters,
+  /// instructions in elements, deep nesting, tags that are not closed, a second root
   bool next(XmlTag& tag);
 
   /// Names of the elements around what follows.
@@ -40,6 +40,7 @@ class XmlTags {
  private:
   bool findTag();
   void skipPast(std::string_view end, const char* what);
+  void skipInstruction();
   void readName(XmlTag& tag);
   void readAttributes(XmlTag& tag);
   void close(const XmlTag& tag);
@@ -51,6 +52,7 @@ class XmlTags {
   std::size_t counted_ = 0;  ///< up to where lines are counted
   int line_ = 1;
   bool is_empty_element_ = false;  ///< its closing tag comes next
+  bool has_root_ = false;          ///< the element around all others has begun
   std::vector<std::string_view> open_;
 };
 
