@@ -233,13 +233,23 @@ TEST_F(ColladaCheckTest, RefusesWhatReadsBeyondArrays) {
             "line 8: found more than 32 <input>, allowed: fewer");
 }
 
-/// Whatever is moved, doubled or left out of a file: it is read, or refused with a reason, and nothing crashes.
+/// Files with moved, doubled or missing pieces are read, or refused with a reason; none crashes.
 TEST_F(ColladaCheckTest, ReadsOrRefusesMutations) {
+  std::string sample = kCollada;
+  sample.insert(
+      sample.find("<library_visual_scenes>"),
+      "<library_images><image id=\"i\"><init_from>a.png</init_from></image></library_images><library_effects>"
+      "<effect id=\"e\"><profile_COMMON><newparam sid=\"x\"><surface><init_from>i</init_from></surface></newparam>"
+      "<newparam sid=\"y\"><sampler2D><source>x</source></sampler2D></newparam><technique><phong><diffuse><texture "
+      "texture=\"y\"/></diffuse></phong></technique></profile_COMMON></effect></library_effects><library_materials>"
+      "<material id=\"t\"><instance_effect url=\"#e\"/></material></library_materials><library_nodes><node id=\"m\">"
+      "<instance_node url=\"#k\"/></node><node id=\"k\"/></library_nodes>");
+  sample.insert(sample.find("<instance_geometry"), "<instance_node url=\"#m\"/>");
   std::minstd_rand random(1);
   const auto below = [&random](std::size_t limit) { return random() % limit; };
   int drawn = 0;
   for (int i = 0; i < 3000; ++i) {
-    std::string text = kCollada;
+    std::string text = sample;
     for (std::size_t changes = 1 + below(3); changes > 0; --changes) {
       const auto piece = [&] {  // from one mark to another one near by
         const std::size_t from = text.find_first_of("<>\"# ", below(text.size() - 100));
