@@ -21,9 +21,9 @@ void ColladaParameters::check(int line) {
   parameters_.clear();
 }
 
-// NOLINTNEXTLINE(misc-no-recursion): not deeper than kDeepest
+// NOLINTNEXTLINE(misc-no-recursion): not deeper than kMostReferences
 void ColladaParameters::follow(const std::string& name, int line, std::size_t depth) {
-  constexpr std::size_t kDeepest = 100;
+  constexpr std::size_t kMostReferences = 100;
   const auto found = parameters_.find(name);
   if (found == parameters_.end() || found->second.is_checked) {
     return;
@@ -32,9 +32,9 @@ void ColladaParameters::follow(const std::string& name, int line, std::size_t de
   if (parameter.is_entered) {
     refuseAt(line, "the parameter " + inQuotes(name) + " of an effect, which leads back to itself, allowed: an image");
   }
-  if (depth > kDeepest) {
-    refuseAt(line, "the parameter " + inQuotes(name) + " of an effect behind more than " + std::to_string(kDeepest) +
-                       " others, allowed: fewer");
+  if (depth > kMostReferences) {
+    refuseAt(line, "the parameter " + inQuotes(name) + " of an effect behind more than " +
+                       std::to_string(kMostReferences) + " others, allowed: fewer");
   }
   parameter.is_entered = true;
   for (const std::string& reference : parameter.references) {
