@@ -82,8 +82,8 @@ class ReplayTest(ProgramTest):
         self.record(self.world())
         self.assertEqual(self.replay("--print", "--from", 2, "--to", 3),
                          "#robot\ttick\ttime [s]\tkind\tname\tvalues\n"
-                         "fb\t2\t1.200\tcommand\tfootbot_wheels\t1 1\n"
-                         "fb\t3\t1.300\tcommand\tfootbot_wheels\t1 1\n")
+                         "fb\t2\t0.200\tcommand\tfootbot_wheels\t1 1\n"
+                         "fb\t3\t0.300\tcommand\tfootbot_wheels\t1 1\n")
 
     def test_bad_input_is_refused_with_what_there_is(self):
         self.record(self.world(), "--ticks", 5)
