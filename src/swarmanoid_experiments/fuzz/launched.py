@@ -1,6 +1,6 @@
 """The controllers of misbehaviour.py under roslaunch, which `swarmanoid launch` starts.
 
-roslaunch has the experiment file checked in a process of its own before it starts anything, and most deeds are done there
+roslaunch has the experiment file checked in a process of its own before it starts anything, and most actions are done there
 already. So there are two cases of them: one as it is, and one with a check that finds everything good, for the space."""
 
 import os
@@ -14,7 +14,7 @@ import time
 import rosbag
 
 import program
-from misbehaviour import BEYOND_REACH, FROM_ENVIRONMENT, PHASES, SIGNALS_OF_ITS_OWN, WATCHDOG, deeds
+from misbehaviour import BEYOND_REACH, FROM_ENVIRONMENT, PHASES, SIGNALS_OF_ITS_OWN, WATCHDOG, actions
 
 sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[1] / folder) for folder in ("test", "rostest")]
 from misbehaving_world import world  # noqa: E402  pylint: disable=wrong-import-position
@@ -65,22 +65,22 @@ def trouble_of_bag(bag, ticks):
 
 
 class LaunchedControllers:
-    """Each case is a phase, a deed and where it is done. They are in no order, so that a few of them are of all kinds."""
+    """Each case is a phase, an action and where it is done. They are in no order, so that a few of them are of all kinds."""
 
     def __init__(self):
-        self._cases = [(phase, deed, where) for deed in deeds() for phase in PHASES for where in ("space", "check")
+        self._cases = [(phase, action, where) for action in actions() for phase in PHASES for where in ("space", "check")
                        if (phase, where) != ("step", "check")]
         random.Random(0).shuffle(self._cases)
         self.count = len(self._cases)
 
     @staticmethod
-    def _environment(phase, deed, where, folder):
+    def _environment(phase, action, where, folder):
         """Of roslaunch. Makes what it speaks of."""
         environment = {"ROS_HOME": str(folder / "ros"), "ROS_LOG_DIR": str(folder / "ros/log"), "ROS_HOSTNAME": "localhost",
                        "PWD": str(folder), "TMPDIR": str(folder / "temporary")}
         (folder / "temporary").mkdir()
         if phase in FROM_ENVIRONMENT:
-            environment["MISBEHAVING"] = f"{phase} {deed}"
+            environment["MISBEHAVING"] = f"{phase} {action}"
         if where == "space":
             check = folder / "check/swarmanoid"
             check.parent.mkdir()
@@ -90,20 +90,20 @@ class LaunchedControllers:
         return environment
 
     def run(self, _, folder, number):
-        phase, deed, where = self._cases[number % self.count]
-        environment = self._environment(phase, deed, where, folder)
-        (folder / "case.xml").write_text(world("never" if phase in FROM_ENVIRONMENT else phase, deed, maxclock=TICKS))
+        phase, action, where = self._cases[number % self.count]
+        environment = self._environment(phase, action, where, folder)
+        (folder / "case.xml").write_text(world("never" if phase in FROM_ENVIRONMENT else phase, action, maxclock=TICKS))
         ending = program.run(["launch", "case.xml", "rviz:=false", "record:=run.bag", "real_time_factor:=0",
                               f"watchdog:={WATCHDOG}", "-p", free_port()], folder, environment, PATIENCE, LONGEST)
-        trouble = [trouble_of_leftovers(folder / "ros"), self._trouble(phase, deed, where, ending, folder)]
-        return f"{deed} in {phase}, {where}", ending, "; ".join(filter(None, trouble))
+        trouble = [trouble_of_leftovers(folder / "ros"), self._trouble(phase, action, where, ending, folder)]
+        return f"{action} in {phase}, {where}", ending, "; ".join(filter(None, trouble))
 
     @staticmethod
-    def _trouble(phase, deed, where, ending, folder):
+    def _trouble(phase, action, where, ending, folder):
         said = ending.output + ending.errors
-        if deed in BEYOND_REACH:
+        if action in BEYOND_REACH:
             return ending.trouble_of_process(said, NONE, LONGEST)
-        is_own = phase == "unload" or deed in SIGNALS_OF_ITS_OWN
+        is_own = phase == "unload" or action in SIGNALS_OF_ITS_OWN
         if is_own and ending.code == program.BAD_INPUT:
             return ending.trouble_of_process(said, REFUSED, LONGEST)
         if is_own and ending.code == program.STOPPED:  # the third signal ends a process at once, and four robots raise one each
@@ -113,11 +113,11 @@ class LaunchedControllers:
             return trouble
         if os.listdir(folder / "temporary"):
             return f"left behind: {os.listdir(folder / 'temporary')}"
-        is_named = ending.code in (program.BAD_INPUT, program.CONTROLLER_FAILED) and deed != "clear_environment"
+        is_named = ending.code in (program.BAD_INPUT, program.CONTROLLER_FAILED) and action != "clear_environment"
         if is_named and CULPRIT.get(phase, "fb_4") not in said:
             return "it is not said who it was"
         result = RESULT.search(said)
-        if not result and deed != "close_output":  # which takes it along
+        if not result and action != "close_output":  # which takes it along
             is_run = where == "space" and phase not in ("load", "factory", "init") and ending.code != program.INTERRUPTED
             return "no result" if is_run else ""
         return trouble_of_bag(folder / "run.bag", int(result[2]) if result else TICKS)

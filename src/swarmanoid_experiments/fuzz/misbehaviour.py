@@ -19,28 +19,28 @@ BEYOND_REACH = {"raise_kill", "segv_on_another_thread", "throw_on_another_thread
 SIGNALS_OF_ITS_OWN = {"raise_int": signal.SIGINT, "raise_term": signal.SIGTERM, "raise_pipe": signal.SIGPIPE}
 
 
-def deeds():
-    """As the table of deeds.cpp has them."""
-    text = (pathlib.Path(__file__).resolve().parents[1] / "test/misbehaving/deeds.cpp").read_text()
+def actions():
+    """As the table of actions.cpp has them."""
+    text = (pathlib.Path(__file__).resolve().parents[1] / "test/misbehaving/actions.cpp").read_text()
     return re.findall(r'^ *\{"(\w+)",', text, re.MULTILINE)
 
 
 class Controllers:
-    """Each case is a phase and a deed."""
+    """Each case is a phase and an action."""
 
     def __init__(self):
-        self._cases = [(phase, deed) for deed in deeds() for phase in PHASES]
+        self._cases = [(phase, action) for action in actions() for phase in PHASES]
         self.count = len(self._cases)
 
     def run(self, _, folder, number):
-        phase, deed = self._cases[number % self.count]
-        environment = {"MISBEHAVING": f"{phase} {deed}"} if phase in FROM_ENVIRONMENT else {}
-        (folder / "case.xml").write_text(world("never" if environment else phase, deed))
+        phase, action = self._cases[number % self.count]
+        environment = {"MISBEHAVING": f"{phase} {action}"} if phase in FROM_ENVIRONMENT else {}
+        (folder / "case.xml").write_text(world("never" if environment else phase, action))
         ending = program.run(["run", "case.xml", "--quiet", "--out", folder / "out", "--watchdog", WATCHDOG], folder, environment)
-        trouble = self._trouble(phase, deed, ending)
-        if not trouble and deed not in BEYOND_REACH:
+        trouble = self._trouble(phase, action, ending)
+        if not trouble and action not in BEYOND_REACH:
             trouble = self._lost(ending.output, folder / "out/table.txt")
-        return f"{deed} in {phase}", ending, trouble
+        return f"{action} in {phase}", ending, trouble
 
     @staticmethod
     def _lost(summary, table):
@@ -53,12 +53,12 @@ class Controllers:
         return "" if lines == (ticks + 1) * len(ROBOTS) else f"{ticks} ticks were run, and {lines} lines are in the table"
 
     @staticmethod
-    def _trouble(phase, deed, ending):
+    def _trouble(phase, action, ending):
         trouble = ending.trouble()
-        if not trouble or deed in BEYOND_REACH:
+        if not trouble or action in BEYOND_REACH:
             return "" if ending.seconds <= program.LONGEST else trouble
         if phase == "unload" and ending.output.strip() and ending.seconds <= program.LONGEST:
             return ""  # all is done and said; what a library does when the process ends is its own
-        if deed in SIGNALS_OF_ITS_OWN and ending.code == -SIGNALS_OF_ITS_OWN[deed]:
+        if action in SIGNALS_OF_ITS_OWN and ending.code == -SIGNALS_OF_ITS_OWN[action]:
             return ""
         return trouble

@@ -31,10 +31,10 @@ class MisbehavingTest(RoslaunchTest):
         self.addCleanup(process.kill)
         return process
 
-    def begin(self, phase, deed, *arguments, who=None, by=("swarmanoid", "launch"), **more):
+    def begin(self, phase, action, *arguments, who=None, by=("swarmanoid", "launch"), **more):
         """roslaunch of the world, which records a bag. @param who: a plugin that is no controller. @param by: who starts it"""
         more["maxclock"] = 10**6
-        return self.begin_with(world(phase, deed, **more) if who is None else world_with(who, phase, deed, **more),
+        return self.begin_with(world(phase, action, **more) if who is None else world_with(who, phase, action, **more),
                                *arguments, by=by)
 
     def begin_with(self, text, *arguments, by=("swarmanoid", "launch")):
@@ -71,21 +71,21 @@ class MisbehavingTest(RoslaunchTest):
         self.assertEqual(list(range(ticks + 1)), states)
 
     def test_a_crash_names_the_robot_and_keeps_the_bag(self):
-        for deed, what in (("segv_write", "crashed: SIGSEGV"), ("stack_overflow", "crashed: SIGSEGV"),
+        for action, what in (("segv_write", "crashed: SIGSEGV"), ("stack_overflow", "crashed: SIGSEGV"),
                            ("abort", "crashed: SIGABRT"), ("exit_0", "called exit")):
-            with self.subTest(deed=deed):
-                code, output = self.end_of(self.begin("step", deed))
+            with self.subTest(action=action):
+                code, output = self.end_of(self.begin("step", action))
                 self.assertEqual(3, code, output)
                 self.assertIn(f"swarmanoid: {what} in step of {NAME}, tick 3\n", output)
                 self.assert_bag(3)
 
     def test_a_crash_of_other_plugins_names_them_and_keeps_the_bag(self):
-        for who, phase, deed, what in ((ENGINE, "move", "assert", "crashed: SIGABRT"),
+        for who, phase, action, what in ((ENGINE, "move", "assert", "crashed: SIGABRT"),
                                        (ENGINE, "connect", "segv_read", "crashed: SIGSEGV"),
                                        (SENSOR, "sense", "exit_0", "called exit"),
                                        (VISUALISATION, "draw", "segv_write", "crashed: SIGSEGV")):
-            with self.subTest(who=who, phase=phase, deed=deed):
-                code, output = self.end_of(self.begin(phase, deed, who=who))
+            with self.subTest(who=who, phase=phase, action=action):
+                code, output = self.end_of(self.begin(phase, action, who=who))
                 self.assertEqual(4, code, output)
                 reason = f"{what} in {phase} of {who}, tick 3"
                 self.assertIn(f"swarmanoid: {reason}\n", output)
@@ -130,7 +130,7 @@ class MisbehavingTest(RoslaunchTest):
 
     def test_a_crash_has_its_result_though_a_file_cannot_be_completed(self):
         before, plugin = PLACES[VISUALISATION]
-        more = plugin.format("<phase>finish</phase><deed>throw_runtime_error</deed>")
+        more = plugin.format("<phase>finish</phase><action>throw_runtime_error</action>")
         code, output = self.end_of(self.begin_with(world("step", "segv_write", maxclock=10**6).replace(before, before + more)))
         self.assertEqual(3, code, output)
         self.assertRegex(output, r"ERROR.*told to")

@@ -39,20 +39,20 @@ CRASHES = {
 
 class MisbehavingTest(ProgramTest):
     @staticmethod
-    def text(phase, deed, who=None, **more):
+    def text(phase, action, who=None, **more):
         """@param who: nobody but the fourth robot's controller if it is not given"""
-        return world(phase, deed, **more) if who is None else world_with(who, phase, deed, **more)
+        return world(phase, action, **more) if who is None else world_with(who, phase, action, **more)
 
-    def misbehave(self, phase, deed, *arguments, environment="", **more):
+    def misbehave(self, phase, action, *arguments, environment="", **more):
         """Runs the experiment to its end. @return exit code, summary or None, error stream"""
-        (self.folder / "world.xml").write_text(self.text(phase, deed, **more))
+        (self.folder / "world.xml").write_text(self.text(phase, action, **more))
         done = subprocess.run(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
                               env=dict(os.environ, MISBEHAVING=environment), timeout=TIMEOUT, stdout=subprocess.PIPE,
                               stderr=subprocess.PIPE, encoding="utf-8", errors="replace", check=False)
         return done.returncode, json.loads(done.stdout) if done.stdout else None, done.stderr
 
-    def start(self, phase, deed, *arguments, preexec_fn=None, **more):
-        (self.folder / "world.xml").write_text(self.text(phase, deed, **more))
+    def start(self, phase, action, *arguments, preexec_fn=None, **more):
+        (self.folder / "world.xml").write_text(self.text(phase, action, **more))
         # Python starts children with SIGINT as it has it itself; the shell of a test may ignore it
         process = subprocess.Popen(["swarmanoid", "run", "world.xml", "--quiet", "--force", *arguments], cwd=self.folder,
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, encoding="utf-8",

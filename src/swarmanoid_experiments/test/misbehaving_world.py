@@ -6,7 +6,7 @@ WORLD = """<ahss-config>
   <controllers>
     <misbehaving id="mc" library="misbehaving_controllers">
       <actuators><footbot_wheels/></actuators>
-      <parameters><phase>{phase}</phase><deed>{deed}</deed><tick>{tick}</tick><only>{only}</only></parameters>
+      <parameters><phase>{phase}</phase><action>{action}</action><tick>{tick}</tick><only>{only}</only></parameters>
     </misbehaving>
   </controllers>
   <arena size="10,10,3" optimization="2D">
@@ -20,12 +20,12 @@ WORLD = """<ahss-config>
 NAME = "robot 'fb_4' (controller 'mc' of libmisbehaving_controllers.so)"
 
 
-def world(phase="never", deed="nothing", tick=3, maxclock=20, threads=1, only="fb_4"):
+def world(phase="never", action="nothing", tick=3, maxclock=20, threads=1, only="fb_4"):
     """The text of an experiment file."""
     robots = "\n".join(f'<footbot id="{name}"><position>1, {1 + i}, 0</position><orientation>0, 0, 0</orientation>'
                        '<controller>mc</controller></footbot>' for i, name in enumerate(ROBOTS))
     members = "".join(f'<entity id="{name}"/>' for name in ROBOTS)
-    return WORLD.format(phase=phase, deed=deed, tick=tick, maxclock=maxclock, threads=threads, robots=robots,
+    return WORLD.format(phase=phase, action=action, tick=tick, maxclock=maxclock, threads=threads, robots=robots,
                         members=members, only=only)
 
 
@@ -46,8 +46,8 @@ PLACES = {  # what stands before each, and what it is
 }
 
 
-def world_with(who, phase, deed, **more):
+def world_with(who, phase, action, **more):
     """Likewise, all controllers behave, but a plugin that is in front of all others of its kind does not."""
     before, plugin = PLACES[who]
-    parameters = f"<phase>{phase}</phase><deed>{deed}</deed>"
+    parameters = f"<phase>{phase}</phase><action>{action}</action>"
     return world(**more).replace(before, before + plugin.format(parameters))

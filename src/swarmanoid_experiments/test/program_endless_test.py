@@ -19,9 +19,9 @@ from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, INTERRUPTED
 class EndlessTest(MisbehavingTest):
     def test_the_second_signal_ends_it(self):
         for number in (signal.SIGINT, signal.SIGTERM):
-            for deed in ("loop", "loop_deaf", "sleep_for_ever", "wait_for_itself"):
-                with self.subTest(number=number, deed=deed):
-                    process = self.start("step", deed, "--bag", "run.bag")
+            for action in ("loop", "loop_deaf", "sleep_for_ever", "wait_for_itself"):
+                with self.subTest(number=number, action=action):
+                    process = self.start("step", action, "--bag", "run.bag")
                     self.read_until(process, f"late: step of {NAME}, tick 3 has taken 5 s so far")
                     process.send_signal(number)
                     with self.assertRaises(subprocess.TimeoutExpired):

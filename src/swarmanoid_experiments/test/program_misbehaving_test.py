@@ -15,9 +15,9 @@ from program_world import BAD_INPUT, CONTROLLER_FAILED, FINISHED, STOPPED
 
 class ExceptionTest(MisbehavingTest):
     def test_whatever_a_step_throws_stops_the_robot_alone(self):
-        for deed, reason in {**THROWN, "throw_that_throws": "threw the number 8" + OTHER}.items():
-            with self.subTest(deed=deed):
-                code, summary, errors = self.misbehave("step", deed)
+        for action, reason in {**THROWN, "throw_that_throws": "threw the number 8" + OTHER}.items():
+            with self.subTest(action=action):
+                code, summary, errors = self.misbehave("step", action)
                 self.assertEqual((code, summary["ticks"]), (CONTROLLER_FAILED, 20), errors)
                 self.assertEqual(summary["failed_controllers"], [{"robot": "fb_4", "tick": 3, "reason": reason}])
 
@@ -26,11 +26,11 @@ class ExceptionTest(MisbehavingTest):
         self.assertEqual((code, summary["failed_controllers"][0]["reason"]), (CONTROLLER_FAILED, 1000 * "x" + " ..."))
 
     def test_what_does_not_start_is_bad_input(self):
-        for deed, reason in THROWN.items():
-            with self.subTest(deed=deed):
+        for action, reason in THROWN.items():
+            with self.subTest(action=action):
                 message = f"swarmanoid: world.xml:4: controller 'mc' of 'fb_4' does not start: {reason}\n"
-                self.assertEqual(self.misbehave("init", deed), (BAD_INPUT, None, message))
-                self.assertEqual(self.misbehave("never", "", environment="factory " + deed),
+                self.assertEqual(self.misbehave("init", action), (BAD_INPUT, None, message))
+                self.assertEqual(self.misbehave("never", "", environment="factory " + action),
                                  (BAD_INPUT, None, message.replace("fb_4", "fb_1")))
 
     def test_a_mistake_in_its_parameters_names_the_robot(self):
@@ -40,9 +40,9 @@ class ExceptionTest(MisbehavingTest):
                                  "told to, as a configuration error\n$")
 
     def test_who_fails_at_the_end_has_failed(self):
-        for deed, reason in THROWN.items():
-            with self.subTest(deed=deed):
-                code, summary, errors = self.misbehave("destroy", deed)
+        for action, reason in THROWN.items():
+            with self.subTest(action=action):
+                code, summary, errors = self.misbehave("destroy", action)
                 self.assertEqual((code, errors), (CONTROLLER_FAILED, f"fb_4: controller failed: destroy: {reason}\n"))
                 self.assertTrue(summary["finished"])
                 self.assertEqual(summary["failed_controllers"],
@@ -52,9 +52,9 @@ class ExceptionTest(MisbehavingTest):
 
 class CrashTest(MisbehavingTest):
     def test_a_crash_in_a_step_is_told_of_and_the_ticks_before_are_kept(self):
-        for deed, what in CRASHES.items():
-            with self.subTest(deed=deed):
-                code, summary, errors = self.misbehave("step", deed, "--bag", "run.bag")
+        for action, what in CRASHES.items():
+            with self.subTest(action=action):
+                code, summary, errors = self.misbehave("step", action, "--bag", "run.bag")
                 self.assertEqual(code, CONTROLLER_FAILED, errors)
                 self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {what} in step of {NAME}, tick 3")
                 self.assertEqual((summary["ticks"], summary["finished"]), (3, False))
@@ -65,19 +65,19 @@ class CrashTest(MisbehavingTest):
                 (self.folder / "run.bag").unlink()
 
     def test_on_any_thread(self):
-        for deed in ("segv_write", "stack_overflow", "abort", "exit_0", "thread_exit"):
-            with self.subTest(deed=deed):
-                code, summary, errors = self.misbehave("step", deed, threads=3)
+        for action in ("segv_write", "stack_overflow", "abort", "exit_0", "thread_exit"):
+            with self.subTest(action=action):
+                code, summary, errors = self.misbehave("step", action, threads=3)
                 self.assertEqual((code, summary["ticks"]), (CONTROLLER_FAILED, 3))
-                self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {CRASHES[deed]} in step of {NAME}, tick 3")
+                self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {CRASHES[action]} in step of {NAME}, tick 3")
 
     def test_in_every_phase(self):
-        for deed, what in CRASHES.items():
+        for action, what in CRASHES.items():
             for phase, named in (("init", "init"), ("destroy", "destroy"), ("destructor", "destruction")):
-                if (deed, phase) == ("thread_exit", "destructor"):
+                if (action, phase) == ("thread_exit", "destructor"):
                     what = "crashed: SIGABRT"  # nothing leaves a destructor
-                with self.subTest(deed=deed, phase=phase):
-                    code, summary, errors = self.misbehave(phase, deed)
+                with self.subTest(action=action, phase=phase):
+                    code, summary, errors = self.misbehave(phase, action)
                     self.assertEqual(code, CONTROLLER_FAILED, errors)
                     self.assertEqual(errors.splitlines()[-1], f"swarmanoid: {what} in {named} of {NAME}")
                     self.assertEqual(summary is None, phase == "init")
@@ -87,7 +87,7 @@ class CrashTest(MisbehavingTest):
 
     def test_the_state_hash_is_that_of_the_last_tick_whatever_a_controller_writes_when_it_goes(self):
         before, plugin = PLACES[ENGINE]  # from which the controller knows where to write
-        text = world("destroy", "spoil_state").replace(before, before + plugin.format("<phase>never</phase><deed>nothing</deed>"))
+        text = world("destroy", "spoil_state").replace(before, before + plugin.format("<phase>never</phase><action>nothing</action>"))
         (self.folder / "world.xml").write_text(text)
         done = self.call("run", "world.xml", "--quiet", "--force", "--hashes", "hashes.txt")
         self.assertEqual(done.returncode, CONTROLLER_FAILED, done.stderr)
@@ -96,10 +96,10 @@ class CrashTest(MisbehavingTest):
         self.assertEqual(f"20 {json.loads(done.stdout)['state_hash']}", last)
 
     def test_while_a_library_is_loaded(self):
-        for deed, what in (("segv_write", "crashed: SIGSEGV"), ("exit_0", "called exit"),
+        for action, what in (("segv_write", "crashed: SIGSEGV"), ("exit_0", "called exit"),
                            ("throw_int", "crashed: SIGABRT")):
-            with self.subTest(deed=deed):
-                code, summary, errors = self.misbehave("never", "", environment="load " + deed)
+            with self.subTest(action=action):
+                code, summary, errors = self.misbehave("never", "", environment="load " + action)
                 self.assertEqual((code, summary), (CONTROLLER_FAILED, None))
                 self.assertEqual(errors.splitlines()[-1],
                                  f"swarmanoid: {what} in loading of library 'misbehaving_controllers'")
@@ -110,18 +110,18 @@ class CrashTest(MisbehavingTest):
         self.assertEqual(errors, "swarmanoid: crashed: SIGSEGV in the simulator (this thread is not in users' code)\n")
 
     def test_memory_that_is_spoilt_ends_in_time(self):
-        for deed in ("free_twice", "spoil_heap"):
-            with self.subTest(deed=deed):
-                code, _, errors = self.misbehave("step", deed)
+        for action in ("free_twice", "spoil_heap"):
+            with self.subTest(action=action):
+                code, _, errors = self.misbehave("step", action)
                 # whoever uses memory next is named: the controller, another plugin, or the simulator
                 self.assertIn(code, (CONTROLLER_FAILED, STOPPED, -signal.SIGABRT, -signal.SIGBUS, -signal.SIGSEGV))
                 self.assertIn("swarmanoid: crashed: SIG", errors)
 
 
 class SurroundingsTest(MisbehavingTest):
-    def outputs(self, phase, deed, environment=""):
+    def outputs(self, phase, action, environment=""):
         """Exit code, summary without times, table and hashes of a run."""
-        code, summary, errors = self.misbehave(phase, deed, "--hashes", "hashes.txt", "--profile", maxclock=1200,
+        code, summary, errors = self.misbehave(phase, action, "--hashes", "hashes.txt", "--profile", maxclock=1200,
                                                environment=environment)
         for name in ("wall_s", "real_time_factor", "robot_ticks_per_s"):
             summary.pop(name)
@@ -132,12 +132,12 @@ class SurroundingsTest(MisbehavingTest):
     def test_numbers_are_as_before_whatever_locale_a_controller_sets(self):
         good, _ = self.outputs("never", "nothing")
         self.assertEqual(good[0], FINISHED)
-        for deed in ("global_locale", "setlocale"):
+        for action in ("global_locale", "setlocale"):
             for phase in ("init", "step", "destroy", "load"):
-                with self.subTest(deed=deed, phase=phase):
-                    outputs, errors = self.outputs(phase, deed, f"{phase} {deed}")
+                with self.subTest(action=action, phase=phase):
+                    outputs, errors = self.outputs(phase, action, f"{phase} {action}")
                     self.assertEqual(outputs, good)
-                    if deed == "global_locale":
+                    if action == "global_locale":
                         self.assertEqual(errors.count("users' code has changed the locale; it is put back"), 1)
 
     def test_two_libraries_with_one_label(self):

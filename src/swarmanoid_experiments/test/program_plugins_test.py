@@ -28,19 +28,19 @@ class PluginTest(MisbehavingTest):
 
     def test_a_crash_in_every_call(self):
         for who, phase in self.CALLS:
-            for deed, what in (("segv_read", "crashed: SIGSEGV"), ("abort", "crashed: SIGABRT"),
+            for action, what in (("segv_read", "crashed: SIGSEGV"), ("abort", "crashed: SIGABRT"),
                                ("exit_0", "called exit")):
-                with self.subTest(who=who, phase=phase, deed=deed):
-                    outcome = self.misbehave(phase, deed, "--bag", "run.bag", who=who)
+                with self.subTest(who=who, phase=phase, action=action):
+                    outcome = self.misbehave(phase, action, "--bag", "run.bag", who=who)
                     self.assert_ended(outcome, f"{what} in {phase} of {who}, tick 3", 3)
                     self.assertFalse(outcome[1]["finished"])
                     self.assert_bag(3)
                     (self.folder / "run.bag").unlink()
 
     def test_every_crash_of_an_engine(self):
-        for deed, what in CRASHES.items():
-            with self.subTest(deed=deed):
-                self.assert_ended(self.misbehave("move", deed, who=ENGINE), f"{what} in move of {ENGINE}, tick 3", 3)
+        for action, what in CRASHES.items():
+            with self.subTest(action=action):
+                self.assert_ended(self.misbehave("move", action, who=ENGINE), f"{what} in move of {ENGINE}, tick 3", 3)
 
     def test_a_crash_while_somebody_is_handed_over(self):
         (self.folder / "done.xml").write_text('<interventions><handover tick="3" entity="fb_4" engine="bad"/></interventions>')
@@ -54,27 +54,27 @@ class PluginTest(MisbehavingTest):
                                                      "Assertion `area > b2_epsilon' failed.")
 
     def test_on_any_thread(self):
-        for deed in ("segv_write", "stack_overflow", "abort", "thread_exit"):
-            with self.subTest(deed=deed):
-                self.assert_ended(self.misbehave("move", deed, who=ENGINE, threads=3),
-                                  f"{CRASHES[deed]} in move of {ENGINE}, tick 3", 3)
+        for action in ("segv_write", "stack_overflow", "abort", "thread_exit"):
+            with self.subTest(action=action):
+                self.assert_ended(self.misbehave("move", action, who=ENGINE, threads=3),
+                                  f"{CRASHES[action]} in move of {ENGINE}, tick 3", 3)
 
     def test_visualisations_that_crash_do_not_keep_others_from_completing_their_files(self):
         # the table comes after them
         for phase, when, ticks, rows in (("draw", ", tick 3", 3, 2), ("flush", "", 0, 0), ("finish", "", 20, 20)):
-            for deed in ("segv_read", "abort", "wait_for_itself"):
-                with self.subTest(phase=phase, deed=deed):
-                    what = CRASHES.get(deed, "watchdog: more than 1 s")
-                    outcome = self.misbehave(phase, deed, "--watchdog", "1", who=VISUALISATION)
+            for action in ("segv_read", "abort", "wait_for_itself"):
+                with self.subTest(phase=phase, action=action):
+                    what = CRASHES.get(action, "watchdog: more than 1 s")
+                    outcome = self.misbehave(phase, action, "--watchdog", "1", who=VISUALISATION)
                     self.assert_ended(outcome, f"{what} in {phase} of {VISUALISATION}{when}", ticks, rows)
                     self.assertEqual(outcome[1]["finished"], phase == "finish")
 
     def test_while_it_is_configured(self):
         for who in (ENGINE, SENSOR, ACTUATOR, RULE, VISUALISATION):
-            for deed, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
-                with self.subTest(who=who, deed=deed):
+            for action, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
+                with self.subTest(who=who, action=action):
                     message = f"swarmanoid: {what} in configure of {who}\n"
-                    self.assertEqual(self.misbehave("configure", deed, who=who), (STOPPED, None, message))
+                    self.assertEqual(self.misbehave("configure", action, who=who), (STOPPED, None, message))
                     if who != VISUALISATION:  # those are not made to validate a file
                         done = self.call("validate", "world.xml")
                         self.assertEqual((done.returncode, done.stdout, done.stderr), (STOPPED, "", message))
@@ -108,23 +108,23 @@ class PluginTest(MisbehavingTest):
         self.assert_table(json.loads(output)["ticks"])
 
     def test_whatever_it_throws_stops_the_run_and_names_it(self):
-        for deed, reason in THROWN.items():
-            with self.subTest(deed=deed):
-                code, summary, errors = self.misbehave("configure", deed, who=VISUALISATION)
+        for action, reason in THROWN.items():
+            with self.subTest(action=action):
+                code, summary, errors = self.misbehave("configure", action, who=VISUALISATION)
                 self.assertEqual((code, summary), (BAD_INPUT, None))
                 self.assertIn(f":17: {VISUALISATION} cannot be configured: {reason}\n", errors)
                 named = f"{VISUALISATION} {reason}" if OTHER in reason else reason
-                code, summary, errors = self.misbehave("draw", deed, who=VISUALISATION)
+                code, summary, errors = self.misbehave("draw", action, who=VISUALISATION)
                 self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {named}\n"))
                 self.assertEqual(summary["ticks"], 3)
-                code, summary, errors = self.misbehave("finish", deed, who=VISUALISATION)
+                code, summary, errors = self.misbehave("finish", action, who=VISUALISATION)
                 self.assertEqual((code, errors), (STOPPED, f"swarmanoid: {named}\n"))
                 self.assert_table(20)
 
     def test_visualisations_see_a_tick_after_which_a_rule_throws_but_not_one_that_it_crashes(self):
-        for deed, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
-            with self.subTest(deed=deed):
-                self.assert_ended(self.misbehave("afterTick", deed, who=RULE),
+        for action, what in (("segv_read", "crashed: SIGSEGV"), ("exit_0", "called exit")):
+            with self.subTest(action=action):
+                self.assert_ended(self.misbehave("afterTick", action, who=RULE),
                                   f"{what} in afterTick of {RULE}, tick 3", 3, 2)
         code, summary, errors = self.misbehave("afterTick", "throw_runtime_error", who=RULE)
         self.assertEqual((code, errors), (STOPPED, f"swarmanoid: stopped in tick 3: {RULE}: told to\n"))
@@ -132,11 +132,11 @@ class PluginTest(MisbehavingTest):
         self.assert_table(3)
 
     def test_a_rule_that_fails_before_the_run_begins(self):
-        for deed, reason in (("segv_read", f"crashed: SIGSEGV in reset of {RULE}"),
+        for action, reason in (("segv_read", f"crashed: SIGSEGV in reset of {RULE}"),
                              ("throw_int", f"{RULE} threw the number 7{OTHER}"),
                              ("throw_runtime_error", f"{RULE}: told to")):
-            with self.subTest(deed=deed):
-                self.assertEqual(self.misbehave("reset", deed, who=RULE), (STOPPED, None, f"swarmanoid: {reason}\n"))
+            with self.subTest(action=action):
+                self.assertEqual(self.misbehave("reset", action, who=RULE), (STOPPED, None, f"swarmanoid: {reason}\n"))
 
     def test_what_devices_throw_names_them(self):
         for who, phase in self.CALLS:

@@ -58,9 +58,9 @@ class LibraryTest(ProgramTest):
         world = self.folder / "world.xml"
         world.write_text(misbehaving_world.world())
         command = ["swarmanoid", "run", str(world), "--quiet", "--force"]
-        processes = [subprocess.Popen([*command, "--out", deed], cwd=self.folder, encoding="utf-8", stdout=subprocess.PIPE,
-                                      stderr=subprocess.PIPE, env=dict(os.environ, MISBEHAVING=f"unload {deed}"))
-                     for deed in ("loop", "loop_deaf")]
+        processes = [subprocess.Popen([*command, "--out", action], cwd=self.folder, encoding="utf-8", stdout=subprocess.PIPE,
+                                      stderr=subprocess.PIPE, env=dict(os.environ, MISBEHAVING=f"unload {action}"))
+                     for action in ("loop", "loop_deaf")]
         for process in processes:
             self.addCleanup(process.kill)
         for process in processes:
@@ -75,11 +75,11 @@ class LibraryTest(ProgramTest):
                    "free_twice": "SIGABRT", "throw_runtime_error": "SIGABRT"}
         for phase, code in (("never", FINISHED), ("step", CONTROLLER_FAILED)):
             world.write_text(misbehaving_world.world(phase, "throw_runtime_error"))
-            for deed, name in crashes.items():
-                with self.subTest(deed=deed, code=code):
+            for action, name in crashes.items():
+                with self.subTest(action=action, code=code):
                     done = subprocess.run(["swarmanoid", "run", str(world), "--quiet", "--force", "--out", "out"], cwd=self.folder,
                                           timeout=60, encoding="utf-8", stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False,
-                                          env=dict(os.environ, MISBEHAVING=f"unload {deed}"))
+                                          env=dict(os.environ, MISBEHAVING=f"unload {action}"))
                     self.assertEqual(done.returncode, code, done.stderr)
                     self.assertIn(f"swarmanoid: warning: a library crashed ({name}) when all was done: the exit status is that of the work\n",
                                   done.stderr)

@@ -116,18 +116,18 @@ class UserCodeDeathTest : public testing::Test {
   UserCodeDeathTest() { testing::FLAGS_gtest_death_test_style = "threadsafe"; }
 };
 
-void die(const std::function<void()>& deed) {
+void die(const std::function<void()>& call) {
   const UserCodeWatch watch({});
   const UserCodeWatch::Closing closing(const_cast<UserCodeWatch&>(watch), [](const UserCodeEnd& end) {
     std::fprintf(stderr, "closed for %s, %d\n", end.robot.empty() ? end.part.c_str() : end.robot.c_str(),
                  toNumber(end.exit_code));
   });
-  deed();
+  call();
 }
 
 TEST_F(UserCodeDeathTest, InUsersCodeItIsNamedAndFilesAreClosed) {
   const std::string closed = " in " + std::string(kStepText) + "\nclosed for fb_3, 3\n";
-  const auto inStep = [](void (*deed)()) { die([deed] { failureOf(kStep, deed); }); };
+  const auto inStep = [](void (*call)()) { die([call] { failureOf(kStep, call); }); };
   EXPECT_EXIT(inStep([] { raise(SIGSEGV); }), testing::ExitedWithCode(3), "crashed: SIGSEGV" + closed);
   EXPECT_EXIT(inStep([] { std::abort(); }), testing::ExitedWithCode(3), "crashed: SIGABRT" + closed);
   EXPECT_EXIT(inStep([] { std::exit(0); }), testing::ExitedWithCode(3), "called exit" + closed);
@@ -135,7 +135,7 @@ TEST_F(UserCodeDeathTest, InUsersCodeItIsNamedAndFilesAreClosed) {
 }
 
 TEST_F(UserCodeDeathTest, APluginThatIsNoControllerHasAnExitCodeOfItsOwn) {
-  const auto inMove = [](void (*deed)()) { die([deed] { callPlugin("move", "engine 'ground'", 17, deed); }); };
+  const auto inMove = [](void (*call)()) { die([call] { callPlugin("move", "engine 'ground'", 17, call); }); };
   const std::string closed = " in move of engine 'ground', tick 17\nclosed for engine 'ground', 4\n";
   EXPECT_EXIT(inMove([] { raise(SIGSEGV); }), testing::ExitedWithCode(4), "crashed: SIGSEGV" + closed);
   EXPECT_EXIT(inMove([] { std::abort(); }), testing::ExitedWithCode(4), "crashed: SIGABRT" + closed);

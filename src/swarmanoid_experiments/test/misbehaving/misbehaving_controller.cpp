@@ -2,52 +2,52 @@
 // a way, that parameters name.
 //
 //     phase   init, step, reset, destroy, destructor, or several in one text: they are tried in turn; "never"
-//     deed    one of deeds.cpp
+//     action  one of actions.cpp
 //     tick    counted by itself, in which `step` misbehaves (3)
 //     only    a robot's name; the others behave (all misbehave)
 //
-// Before there are parameters the environment says what to do: MISBEHAVING="PHASE DEED", with the phases `load` (the
+// Before there are parameters the environment says what to do: MISBEHAVING="PHASE ACTION", with the phases `load` (the
 // library's static constructor), `factory` (the controller's constructor) and `unload` (the static destructor).
 #include <cstdlib>
 #include <sstream>
 #include <string>
 
-#include "deeds.hpp"
+#include "actions.hpp"
 #include "swarmanoid_interface/controller.hpp"
 #include "swarmanoid_interface/devices/footbot_wheels.hpp"
 
 namespace swarmanoid::test {
 namespace {
 
-void commitIfToldTo(const std::string& phase) {
+void actIfToldTo(const std::string& phase) {
   const char* told = std::getenv("MISBEHAVING");
   std::istringstream words(told == nullptr ? "" : told);
   std::string asked;
-  std::string deed;
-  if (words >> asked >> deed && asked == phase) {
-    commit(deed);
+  std::string action;
+  if (words >> asked >> action && asked == phase) {
+    perform(action);
   }
 }
 
 struct WhileLoaded {
-  WhileLoaded() { commitIfToldTo("load"); }
-  ~WhileLoaded() noexcept(false) { commitIfToldTo("unload"); }
+  WhileLoaded() { actIfToldTo("load"); }
+  ~WhileLoaded() noexcept(false) { actIfToldTo("unload"); }
 };
 
 const WhileLoaded kWhileLoaded;
 
 class Misbehaving final : public Controller {
  public:
-  Misbehaving() { commitIfToldTo("factory"); }
+  Misbehaving() { actIfToldTo("factory"); }
   ~Misbehaving() override { tryIn("destructor"); }
 
   void init(Robot& robot, const Configuration& parameters) override {
     wheels_ = robot.hasActuator(FootbotWheels::kType) ? &robot.actuator<FootbotWheels>() : nullptr;
     phase_ = parameters.text("phase", "never");
-    deed_ = parameters.text("deed", "nothing");
+    action_ = parameters.text("action", "nothing");
     tick_ = parameters.integer("tick", std::int64_t{3});
     const std::string only = parameters.text("only", "");
-    parameters.refuseUnread({"phase", "deed", "tick", "only"});
+    parameters.refuseUnread({"phase", "action", "tick", "only"});
     is_meant_ = only.empty() || only == robot.name();
     tryIn("init");
   }
@@ -73,14 +73,14 @@ class Misbehaving final : public Controller {
     std::istringstream phases(phase_);
     for (std::string word; is_meant_ && phases >> word;) {
       if (word == phase) {
-        commit(deed_);
+        perform(action_);
       }
     }
   }
 
   FootbotWheels* wheels_ = nullptr;
   std::string phase_;
-  std::string deed_;
+  std::string action_;
   bool is_meant_ = false;
   std::int64_t tick_ = 0;
   std::int64_t steps_ = 0;

@@ -1,6 +1,6 @@
 // The same for devices: implementations "misbehaving". phase: configure; in tick 3 sense and report of the sensor,
 // actuate and afterMove of the actuator.
-#include "deeds.hpp"
+#include "actions.hpp"
 #include "swarmanoid_interface/devices/footbot_gripper.hpp"
 #include "swarmanoid_interface/devices/leds.hpp"
 #include "swarmanoid_space/actuator.hpp"
@@ -10,7 +10,7 @@ namespace swarmanoid::test {
 namespace {
 
 PluginDescription describeDevice(const char* type) {
-  PluginDescription description = Misdeed::describe(type);
+  PluginDescription description = Misbehaviour::describe(type);
   description.implementation = "misbehaving";
   return description;
 }
@@ -19,24 +19,24 @@ class MisbehavingSensor final : public SensorOf<FootbotGripperState> {
  public:
   static PluginDescription describe() { return describeDevice(FootbotGripperState::kType); }
 
-  void configure(const Configuration& parameters) override { misdeed_.configure(parameters); }
-  void sense(const Space& space, std::size_t, std::size_t) override { misdeed_.tryIn("sense", space.tick); }
-  void report(Space& space) override { misdeed_.tryIn("report", space.tick); }
+  void configure(const Configuration& parameters) override { misbehaviour_.configure(parameters); }
+  void sense(const Space& space, std::size_t, std::size_t) override { misbehaviour_.tryIn("sense", space.tick); }
+  void report(Space& space) override { misbehaviour_.tryIn("report", space.tick); }
 
  private:
-  Misdeed misdeed_;
+  Misbehaviour misbehaviour_;
 };
 
 class MisbehavingActuator final : public ActuatorOf<FootbotLeds> {
  public:
   static PluginDescription describe() { return describeDevice(FootbotLeds::kType); }
 
-  void configure(const Configuration& parameters) override { misdeed_.configure(parameters); }
-  void actuate(Space& space, std::vector<Row>&) override { misdeed_.tryIn("actuate", space.tick); }
-  void afterMove(Space& space) override { misdeed_.tryIn("afterMove", space.tick); }
+  void configure(const Configuration& parameters) override { misbehaviour_.configure(parameters); }
+  void actuate(Space& space, std::vector<Row>&) override { misbehaviour_.tryIn("actuate", space.tick); }
+  void afterMove(Space& space) override { misbehaviour_.tryIn("afterMove", space.tick); }
 
  private:
-  Misdeed misdeed_;
+  Misbehaviour misbehaviour_;
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // The same for a rule. phase: configure, reset; beforeTick, afterTick (with a clock of 3 ticks).
-#include "deeds.hpp"
+#include "actions.hpp"
 #include "swarmanoid_space/rule.hpp"
 
 namespace swarmanoid::test {
@@ -7,15 +7,15 @@ namespace {
 
 class MisbehavingRule final : public Rule {
  public:
-  static PluginDescription describe() { return Misdeed::describe("misbehaving_rule"); }
+  static PluginDescription describe() { return Misbehaviour::describe("misbehaving_rule"); }
 
-  void configure(const Configuration& parameters) override { misdeed_.configure(parameters); }
-  void reset(const Space&, InterventionQueue&) override { misdeed_.tryIn("reset"); }
-  void beforeTick(const Space& space, InterventionQueue&) override { misdeed_.tryIn("beforeTick", space.tick); }
-  void afterTick(const Space& space, InterventionQueue&) override { misdeed_.tryIn("afterTick", space.tick); }
+  void configure(const Configuration& parameters) override { misbehaviour_.configure(parameters); }
+  void reset(const Space&, InterventionQueue&) override { misbehaviour_.tryIn("reset"); }
+  void beforeTick(const Space& space, InterventionQueue&) override { misbehaviour_.tryIn("beforeTick", space.tick); }
+  void afterTick(const Space& space, InterventionQueue&) override { misbehaviour_.tryIn("afterTick", space.tick); }
 
  private:
-  Misdeed misdeed_;
+  Misbehaviour misbehaviour_;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
-// The same for an observer. phase: configure, draw (after tick 3), flush, finish; deed: one of deeds.cpp.
+// The same for an observer. phase: configure, draw (after tick 3), flush, finish; action: one of actions.cpp.
 #include <string>
 
-#include "deeds.hpp"
+#include "actions.hpp"
 #include "swarmanoid_space/observer.hpp"
 
 namespace swarmanoid::test {
@@ -9,19 +9,19 @@ namespace {
 
 class MisbehavingVisualisation final : public Observer {
  public:
-  static PluginDescription describe() { return Misdeed::describe("misbehaving_visualisation"); }
+  static PluginDescription describe() { return Misbehaviour::describe("misbehaving_visualisation"); }
 
   void configure(const std::string& id, const Configuration& parameters, const RunContext&) override {
     id_ = id;
-    misdeed_.configure(parameters);
+    misbehaviour_.configure(parameters);
   }
 
-  void draw(const Space& space) override { misdeed_.tryIn("draw", space.tick); }
-  void flush() override { misdeed_.tryIn("flush"); }
-  void finish() override { misdeed_.tryIn("finish"); }
+  void draw(const Space& space) override { misbehaviour_.tryIn("draw", space.tick); }
+  void flush() override { misbehaviour_.tryIn("flush"); }
+  void finish() override { misbehaviour_.tryIn("finish"); }
 
  private:
-  Misdeed misdeed_;
+  Misbehaviour misbehaviour_;
 };
 
 }  // namespace

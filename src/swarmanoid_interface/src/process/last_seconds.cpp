@@ -11,6 +11,8 @@
 #include <system_error>
 #include <thread>
 
+#include "crash_signals.hpp"
+
 namespace swarmanoid {
 
 namespace {
@@ -19,11 +21,10 @@ std::atomic<ExitCode> last_exit_code{ExitCode::kFinished};
 static_assert(std::atomic<ExitCode>::is_always_lock_free, "a signal handler reads it");
 
 void onCrash(int signal) {
-  const char* const name = signal == SIGSEGV  ? "SIGSEGV"
-                           : signal == SIGBUS ? "SIGBUS"
-                           : signal == SIGFPE ? "SIGFPE"
-                           : signal == SIGILL ? "SIGILL"
-                                              : "SIGABRT";
+  const char* name = "";
+  for (const CrashSignal& crash : kCrashSignals) {
+    name = crash.number == signal ? crash.name : name;
+  }
   for (const std::string_view word :
        {std::string_view("swarmanoid: warning: a library crashed ("), std::string_view(name),
         std::string_view(") when all was done: the exit status is that of the work\n")}) {
@@ -34,16 +35,17 @@ void onCrash(int signal) {
 
 /// Results are complete: what libraries do from here on changes no exit status.
 void takeCrashes() {
-  static std::array<char, 64 * 1024> memory;  // the stack of a handler, for a thread's own may be full
+  // the handler's stack, for the thread's own may be full; the one of user_code.cpp ends before static objects do
+  static std::array<char, 64 * 1024> memory;
   stack_t stack{};
   stack.ss_sp = memory.data();
   stack.ss_size = memory.size();
   sigaltstack(&stack, nullptr);
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+  for (const CrashSignal& crash : kCrashSignals) {
     struct sigaction action {};
     action.sa_handler = onCrash;
     action.sa_flags = SA_ONSTACK;
-    sigaction(signal, &action, nullptr);
+    sigaction(crash.number, &action, nullptr);
   }
 }
 

@@ -89,7 +89,7 @@ void releaseUserCalls();
 
 /// Is called instead of ending a thread or the process in the middle of users' code: "called exit". It does not return.
 /// Null: there is no watch.
-using UserCodeEnder = void (*)(const char* deed);
+using UserCodeEnder = void (*)(const char* ending);
 void setUserCodeEnder(UserCodeEnder ender);
 
 }  // namespace swarmanoid

@@ -11,22 +11,13 @@
 #include <initializer_list>
 #include <mutex>
 
+#include "crash_signals.hpp"
 #include "user_calls.hpp"
 
 namespace swarmanoid::user_code_end {
 namespace {
 
-struct Crash {
-  int signal;
-  const char* deed;
-};
-constexpr std::array<Crash, 5> kCrashes{{{SIGSEGV, "crashed: SIGSEGV"},
-                                         {SIGBUS, "crashed: SIGBUS"},
-                                         {SIGFPE, "crashed: SIGFPE"},
-                                         {SIGILL, "crashed: SIGILL"},
-                                         {SIGABRT, "crashed: SIGABRT"}}};
-
-std::array<struct sigaction, kCrashes.size()> before;
+std::array<struct sigaction, kCrashSignals.size()> before;
 std::atomic<void (*)()> wake_watch{nullptr};
 std::atomic<pid_t> watched_process{0};
 std::atomic<bool> is_ordered{false};
@@ -51,7 +42,7 @@ void say(std::initializer_list<std::string_view> words) {
 }
 
 /// Writes the text of describe().
-void say(const char* deed, const UserCode& code) {
+void say(const char* ending, const UserCode& code) {
   std::array<char, 21> digits{};
   std::size_t first = digits.size();
   for (std::uint64_t rest = code.tick; first == digits.size() || rest > 0; rest /= 10) {
@@ -59,8 +50,8 @@ void say(const char* deed, const UserCode& code) {
   }
   const bool has_robot = !code.robot.empty();
   const bool has_tick = code.tick != UserCode::kNoTick;
-  say({"swarmanoid: ", deed, " in ", code.phase, " of ", has_robot ? "robot '" : "", code.robot, has_robot ? "' (" : "",
-       code.part, has_robot ? ")" : "", has_tick ? ", tick " : "",
+  say({"swarmanoid: ", ending, " in ", code.phase, " of ", has_robot ? "robot '" : "", code.robot,
+       has_robot ? "' (" : "", code.part, has_robot ? ")" : "", has_tick ? ", tick " : "",
        has_tick ? std::string_view(&digits[first], digits.size() - first) : "", "\n"});
 }
 
@@ -73,10 +64,10 @@ bool isWatchedProcess() { return getpid() == watched_process; }  // excludes chi
   }
 }
 
-[[noreturn]] void order(const char* deed, const UserCode& code) {
+[[noreturn]] void order(const char* ending, const UserCode& code) {
   if (!is_ordered.exchange(true)) {
-    say(deed, code);
-    the_order = {deed, code};
+    say(ending, code);
+    the_order = {ending, code};
     is_order_ready = true;
     endSoon(exitCodeOf(code));
     if (const auto wake = wake_watch.load()) {
@@ -96,37 +87,37 @@ void endByDefault(int signal) {
 }
 
 /// Runs on the watch's thread, which calls users' code only then.
-void endClosing(const char* deed) {
+void endClosing(const char* ending) {
   if (is_watch && is_ending) {
-    say({"swarmanoid: ", deed, " while files were completed\n"});
+    say({"swarmanoid: ", ending, " while files were completed\n"});
     _exit(toNumber(last_exit_code));
   }
 }
 
 void onCrash(int signal) {
-  const char* deed = "";
-  for (const Crash& crash : kCrashes) {
-    deed = crash.signal == signal ? crash.deed : deed;
+  const char* ending = "";
+  for (const CrashSignal& crash : kCrashSignals) {
+    ending = crash.number == signal ? crash.ending : ending;
   }
   const UserCode code = ownUserCode();
   if (!isWatchedProcess()) {
     endByDefault(signal);
     return;
   }
-  endClosing(deed);
+  endClosing(ending);
   if (code.phase == nullptr) {
-    say({"swarmanoid: ", deed, " in the simulator (this thread is not in users' code)\n"});
+    say({"swarmanoid: ", ending, " in the simulator (this thread is not in users' code)\n"});
     endByDefault(signal);
   } else {
-    order(deed, code);
+    order(ending, code);
   }
 }
 
-void onExit(const char* deed) {
+void onExit(const char* ending) {
   const UserCode code = ownUserCode();
   if (code.phase != nullptr && isWatchedProcess()) {
-    endClosing(deed);
-    order(deed, code);
+    endClosing(ending);
+    order(ending, code);
   }
 }
 
@@ -140,17 +131,17 @@ void install(void (*wake)()) {
   wake_watch = wake;
   watched_process = getpid();
   setUserCodeEnder(onExit);
-  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
+  for (std::size_t i = 0; i < kCrashSignals.size(); ++i) {
     struct sigaction action {};
     action.sa_handler = onCrash;
     action.sa_flags = SA_ONSTACK;
-    sigaction(kCrashes[i].signal, &action, &before[i]);
+    sigaction(kCrashSignals[i].number, &action, &before[i]);
   }
 }
 
 void uninstall() {
-  for (std::size_t i = 0; i < kCrashes.size(); ++i) {
-    sigaction(kCrashes[i].signal, &before[i], nullptr);
+  for (std::size_t i = 0; i < kCrashSignals.size(); ++i) {
+    sigaction(kCrashSignals[i].number, &before[i], nullptr);
   }
   setUserCodeEnder(nullptr);
   watched_process = 0;

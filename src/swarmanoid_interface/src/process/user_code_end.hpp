@@ -16,7 +16,7 @@ constexpr ExitCode exitCodeOf(const UserCode& code) {
 
 /// The task of the watch's thread. One thread writes it, once; the object that `code` points to stays valid.
 struct Order {
-  const char* deed = nullptr;  ///< "crashed: SIGSEGV", "called exit", ...
+  const char* ending = nullptr;  ///< "crashed: SIGSEGV", "called exit", ...
   UserCode code;
 };
 

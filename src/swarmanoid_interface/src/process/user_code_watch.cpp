@@ -126,7 +126,7 @@ class Watch {
   void report(const std::string& text) const;
   bool holdUnlessOver(std::size_t i) const;
   void serveAsked(double passed);
-  [[noreturn]] void endWith(const std::string& deed, const UserCode* code, ExitCode exit_code);
+  [[noreturn]] void endWith(const std::string& ending, const UserCode* code, ExitCode exit_code);
 
   UserCodeWatch::Options options_;
   CarefulReader reader_;
@@ -159,7 +159,7 @@ void Watch::run() {
     sem_clockwait(&wake, CLOCK_MONOTONIC, &until);
     if (const user_code_end::Order* order = user_code_end::order()) {
       holdUserCalls();
-      endWith(order->deed, &order->code, user_code_end::exitCodeOf(order->code));
+      endWith(order->ending, &order->code, user_code_end::exitCodeOf(order->code));
     }
     const auto now = Clock::now();
     // if the process was stopped meanwhile, no more than this counts
@@ -260,9 +260,9 @@ void Watch::serveAsked(double passed) {
   }
 }
 
-void Watch::endWith(const std::string& deed, const UserCode* code, ExitCode exit_code) {
+void Watch::endWith(const std::string& ending, const UserCode* code, ExitCode exit_code) {
   user_code_end::endSoon(exit_code);
-  const std::string reason = code == nullptr ? deed : deed + " in " + describe(*code);
+  const std::string reason = code == nullptr ? ending : ending + " in " + describe(*code);
   if (user_code_end::order() == nullptr && code != nullptr) {
     std::fprintf(stderr, "swarmanoid: %s\n", reason.c_str());
   }

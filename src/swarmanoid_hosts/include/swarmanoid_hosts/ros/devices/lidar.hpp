@@ -13,7 +13,7 @@
 
 namespace swarmanoid {
 
-/// All beams are of one moment, that of the stamp: time_increment is 0.
+/// All beams are of one moment: time_increment is 0.
 inline void toMessage(const Lidar& lidar, sensor_msgs::LaserScan& message) {
   const std::size_t count = lidar.beams.size();
   message.angle_min = count == 0 ? 0.0F : lidar.beams[0].angle;

@@ -1,4 +1,4 @@
-#include "deeds.hpp"
+#include "actions.hpp"
 
 #include <cxxabi.h>
 #include <pthread.h>
@@ -204,11 +204,11 @@ void takeAllMemory() {
   ::operator delete(::operator new(size));
 }
 
-using Deed = void (*)();
+using Action = void (*)();
 
-const std::map<std::string, Deed>& table() {
-  // never destroyed: the library's own static destructor commits deeds
-  static const auto& deeds = *new const std::map<std::string, Deed>{
+const std::map<std::string, Action>& table() {
+  // never destroyed: the library's own static destructor performs them
+  static const auto& actions = *new const std::map<std::string, Action>{
       {"nothing", [] {}},
       {"throw_runtime_error", [] { throw std::runtime_error("told to"); }},
       {"throw_derived", [] { throw Derived(); }},
@@ -273,12 +273,12 @@ const std::map<std::string, Deed>& table() {
       {"fork", forkAndGoOn},
       {"all_memory", takeAllMemory},
       {"clear_environment", [] { clearenv(); }}};
-  return deeds;
+  return actions;
 }
 
 }  // namespace
 
-std::vector<std::string> deeds() {
+std::vector<std::string> actions() {
   std::vector<std::string> names;
   for (const auto& entry : table()) {
     names.push_back(entry.first);
@@ -288,38 +288,38 @@ std::vector<std::string> deeds() {
 
 void expose(Space& space) { exposed = &space; }
 
-void commit(const std::string& deed) {
-  const auto found = table().find(deed);
+void perform(const std::string& action) {
+  const auto found = table().find(action);
   if (found == table().end()) {
-    throw std::runtime_error("no such deed as '" + deed + "'; there are: " + joinNames(deeds()));
+    throw std::runtime_error("no such action as '" + action + "'; there are: " + joinNames(actions()));
   }
   found->second();
 }
 
-PluginDescription Misdeed::describe(const std::string& label) {
+PluginDescription Misbehaviour::describe(const std::string& label) {
   PluginDescription description;
   description.label = label;
   description.summary = "Misbehaves.";
-  for (const char* name : {"phase", "deed"}) {
+  for (const char* name : {"phase", "action"}) {
     description.parameters.push_back(
         makeParameter(name, Parameter::Type::kText, "", std::nullopt, {}, "What it does, and when."));
   }
   return description;
 }
 
-void Misdeed::configure(const Configuration& parameters) {
+void Misbehaviour::configure(const Configuration& parameters) {
   phase_ = parameters.text("phase");
-  deed_ = parameters.text("deed");
+  action_ = parameters.text("action");
   tryIn("configure");
 }
 
-void Misdeed::tryIn(const std::string& phase) const {
+void Misbehaviour::tryIn(const std::string& phase) const {
   if (phase_ == phase) {
-    commit(deed_);
+    perform(action_);
   }
 }
 
-void Misdeed::tryIn(const std::string& phase, std::uint64_t tick) const {
+void Misbehaviour::tryIn(const std::string& phase, std::uint64_t tick) const {
   if (tick == kTick) {
     tryIn(phase);
   }

@@ -14,24 +14,24 @@ class Space;
 
 namespace swarmanoid::test {
 
-/// Does it. Some deeds return, some throw, some end the process, some never end.
-/// @throws std::runtime_error beginning with "no such deed" and naming all, if there is none of that name
-void commit(const std::string& deed);
+/// Does it. Some actions return, some throw, some end the process, some never end.
+/// @throws std::runtime_error beginning with "no such action" and naming all, if there is none of that name
+void perform(const std::string& action);
 
-/// What the deed "spoil_state" spoils, from now on.
+/// What the action "spoil_state" spoils, from now on.
 void expose(Space& space);
 
 /// All names, sorted.
-std::vector<std::string> deeds();
+std::vector<std::string> actions();
 
-/// What a plugin that is no controller has been told to do by its parameters: `phase`, a function of it, and `deed`.
-class Misdeed {
+/// What a plugin that is no controller has been told to do by its parameters: `phase`, a function of it, and `action`.
+class Misbehaviour {
  public:
   static constexpr std::uint64_t kTick = 3;
 
-  /// Of a plugin with this label that has nothing but a misdeed.
+  /// Of a plugin with this label that has nothing but a misbehaviour.
   static PluginDescription describe(const std::string& label);
-  /// Commits it at once if the phase is `configure`.
+  /// Does it at once if the phase is `configure`.
   void configure(const Configuration& parameters);
   void tryIn(const std::string& phase) const;
   /// Only in that tick.
@@ -39,7 +39,7 @@ class Misdeed {
 
  private:
   std::string phase_;
-  std::string deed_;
+  std::string action_;
 };
 
 }  // namespace swarmanoid::test
