@@ -77,12 +77,11 @@ class DrivenFootbotTest(unittest.TestCase):
         self.space.step(TICKS - 1)
         self.driving = self.latest("imu/data")  # in one more tick
         self.ticks = TICKS + 1 + self.drive(0.0, 0.0)
-        self.last = self.space.step(4).stamp
-        self.place, self.heading = self.pose()
+        self.place, self.heading = self.pose(self.space.step(4).stamp)
 
     def latest(self, topic):
-        """The reading of one more tick."""
-        stamp = self.space.step(1).stamp
+        """The reading of one more tick, which is of the state before it."""
+        stamp = self.space.step(1).stamp - rospy.Duration.from_sec(TICK)
         reading = self.readings[topic].wait_for(lambda message: message.header.stamp == stamp)
         self.assertIsNotNone(reading, f"{topic} of {stamp.to_sec()} s")
         return reading
@@ -105,12 +104,12 @@ class DrivenFootbotTest(unittest.TestCase):
             return math.hypot(wheels.linear.x - speed, wheels.angular.z - turn_rate) < 1e-6
         return self.latest_after(lambda: self.velocity.publish(twist(speed, turn_rate)), "odom", is_obeyed)[1]
 
-    def pose(self):
+    def pose(self, stamp):
         """By tf."""
         def of_robot(message):
-            return [t for t in message.transforms if t.child_frame_id == "fb/base_link" and t.header.stamp == self.last]
+            return [t for t in message.transforms if t.child_frame_id == "fb/base_link" and t.header.stamp == stamp]
         message = self.transforms.wait_for(of_robot)
-        self.assertIsNotNone(message, f"tf of {self.last.to_sec()} s")
+        self.assertIsNotNone(message, f"tf of {stamp.to_sec()} s")
         found, = of_robot(message)
         self.assertEqual("world", found.header.frame_id)
         place = found.transform.translation
@@ -127,6 +126,18 @@ class DrivenFootbotTest(unittest.TestCase):
         self.assertAlmostEqual(angle, self.heading, 6)
         self.assertAlmostEqual(START[0] + SPEED / TURN_RATE * math.sin(angle), self.place[0], 6)
         self.assertAlmostEqual(START[1] + SPEED / TURN_RATE * (1.0 - math.cos(angle)), self.place[1], 6)
+
+    def test_a_reading_has_the_stamp_of_the_state_that_was_sensed(self):
+        self.drive(SPEED, TURN_RATE)
+        for _ in range(3):
+            message = self.latest("odom")
+            place, heading = self.pose(message.header.stamp)
+            self.assertGreater(math.dist(place, self.place), 0.5 * SPEED * TICK, "it has moved on")
+            self.place = place
+            odom = message.pose.pose
+            self.assertAlmostEqual(place[0] - START[0], odom.position.x, 6)
+            self.assertAlmostEqual(place[1] - START[1], odom.position.y, 6)
+            self.assertAlmostEqual(heading, heading_of(odom.orientation), 6)
 
     def test_inertial_sensors_feel_the_turn(self):
         self.assertEqual("fb/base_link", self.driving.header.frame_id)

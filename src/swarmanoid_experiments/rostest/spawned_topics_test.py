@@ -53,8 +53,9 @@ class SpawnedTopicsTest(unittest.TestCase):
         self.assert_robots_with_topics(AT_START | {"fb_9"})
         readings = Collector("/fb_9/proximity", ProximityArray)
         readings.wait_for_publisher()
-        tick = self.space.step(2)
-        message = readings.wait_for(lambda m: m.header.stamp == tick.stamp)
+        state = self.space.step(1).stamp
+        self.space.step(1)
+        message = readings.wait_for(lambda m: m.header.stamp == state)
         self.assertEqual("fb_9/base_link", message.header.frame_id)
         self.assertTrue(self.space.delete(["fb_9"]).success)
         self.assert_robots_with_topics(AT_START)

@@ -175,7 +175,7 @@ TEST(EngineReportTest, SaysWhoIsWhere) {
                                                                      {"steps solved again for ropes", "0"},
                                                                      {"steps redone", "0"},
                                                                      {"steps left to the iterative solver", "0"},
-                                                                     {"steps with islands left to it", "0"}};
+                                                                     {"steps with large islands", "0"}};
   EXPECT_EQ(reports[2].health.counters, counters);
 }
 

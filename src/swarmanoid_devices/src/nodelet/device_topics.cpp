@@ -1,6 +1,7 @@
 #include "device_topics.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "swarmanoid_hosts/ros/device_messages.hpp"
 #include "swarmanoid_interface/device_type.hpp"
@@ -25,12 +26,14 @@ void DeviceTopics::addReadings(const Space& space, Row row, const DeviceTopic& d
                        if (publisher.getNumSubscribers() == 0) {
                          return;
                        }
-                       if (const void* readings = seen.readings.find(device.device, reader)) {
-                         const ros::Time last = header.stamp;
-                         header.stamp = madeAt(device, readings, stampOf(seen));
-                         if (device.age != nullptr && header.stamp == last) {
-                           return;  // published already
-                         }
+                       const std::optional<ros::Time> sensed = sensedAt(seen, reader);
+                       const void* readings = seen.readings.find(device.device, reader);
+                       if (!sensed || readings == nullptr) {
+                         return;
+                       }
+                       const ros::Time last = header.stamp;
+                       header.stamp = madeAt(device, readings, *sensed);
+                       if (header.stamp != last) {  // else published already
                          device.publish(publisher, device, readings, header);
                        }
                      }});

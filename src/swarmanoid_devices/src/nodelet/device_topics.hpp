@@ -1,6 +1,7 @@
 /// Provides the devices of one robot as topics in its namespace, with the names and types of a real robot's topics:
 /// proximity, camera/blobs, gripper/state, leds/state; wheels/command, cmd_vel, leds/command. Commands move the robot
 /// if its command source is `topics`; otherwise they are refused, and the log reports it once.
+/// Each reading is published once, with the stamp of the state that was sensed (sensedAt in world_state.hpp).
 #pragma once
 
 #include <ros/node_handle.h>

@@ -152,8 +152,15 @@ struct Body {
   std::unique_ptr<Holding> holding;  ///< null: nobody commands its holders, and they hold nothing
   Turret turret;
   Steadiness steadiness;
-  enum class Island { kNotFound, kSmall, kLarge };
-  Island island = Island::kNotFound;  ///< in the solutions of the step under way; see islands.hpp
+  /// What it is part of in the step under way; see islands.hpp.
+  enum class Island {
+    kNone,   ///< not found
+    kSmall,  ///< for the exact solver
+    kLarge,  ///< for ODE's iterative solver
+    kCrowd   ///< for the crowd solver
+  };
+  Island island = Island::kNone;
+  int island_first = 0;  ///< rank of the first body of the island
 
   /// Whether ODE moves it in the step under way.
   bool isInOde() const { return is_dynamic && !steadiness.is_left_out; }

@@ -1,93 +1,69 @@
-/// Finds which bodies touch, and makes ODE's contact joints of it.
+/// Makes contacts of where bodies touch, each for the solver of its island (islands.hpp): joints of ODE, or contacts of
+/// the crowd solver.
 ///
-/// Pairs are gone through in the order of entity numbers and solids, so a run does not depend on memory addresses.
-/// Surfaces are looked at before they meet (kMargin): they may come together by no more than their gap in a step.
-/// Friction is that of friction.hpp.
+/// Friction is that of friction.hpp, and in crowds that of crowd_solver.hpp.
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "dynamics3d/body.hpp"
-#include "dynamics3d/bounds.hpp"
+#include "dynamics3d/crowd_solver.hpp"
 #include "dynamics3d/friction.hpp"
-#include "dynamics3d/ground_surface.hpp"
+#include "dynamics3d/touches.hpp"
 
 namespace swarmanoid::dynamics3d {
 
 class Contacts {
  public:
-  /// Where two surfaces touch, or nearly do. @see points
-  struct Point {
-    Eigen::Vector3d position;
-    Eigen::Vector3d normal;
-  };
-
-  /// @param ground used where it is rough; elsewhere `settings` says what there is. @pre an OdeLock is held
-  void configure(dWorldID world, const Settings& settings, const GroundSurface& ground);
-  /// Other surfaces from now on; the ground stays where it is.
+  /// @pre an OdeLock is held
+  void configure(dWorldID world, const Settings& settings);
+  /// Other surfaces from now on.
   void reconfigure(const Settings& settings) { settings_ = settings; }
   /// Gives everything back to ODE. @pre an OdeLock is held
   void release();
+  /// After entities came, went or were moved from outside.
+  void forget() { memory_.clear(); }
 
-  void add(Body& body) {
-    near_.add(&body, boundsNow(body));
-    friction_.forget();
-  }
-  void remove(Body& body) {
-    near_.remove(&body);
-    friction_.forget();
-  }
-
-  /// Finds who is near whom in the step that comes. @param bodies how many there are @return those left out of ODE that
-  /// somebody is near: they have to be taken in, and looked at once more (boundsNow); valid until the next call
-  const std::vector<Body*>& findPairs(std::size_t bodies);
-  /// The box around a body, where it is now. Sees where its solids are.
-  static Eigen::AlignedBox3d boundsNow(Body& body);
-
-  /// Makes the joints of one step, after findPairs. @param bodies by entity number; @param step [s]
+  /// Before the contacts of a step are made. @param room for so many contacts there is to be @param bodies how many
+  /// there are
+  void startStep(std::size_t room, std::size_t bodies);
+  /// After it was solved.
+  void finishStep() { memory_.finishStep(); }
+  /// Makes the contacts of one solution, of bodies that are enabled. @param step [s]
   /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
   /// @param is_iterative whether the iterative solver makes the step, which finds loads and friction together
-  void make(const std::vector<Body*>& bodies, double step, int attempt, bool is_iterative);
+  void make(const std::vector<Touch>& touches, double step, int attempt, bool is_iterative);
   /// After the step was solved: whether friction is Coulomb's everywhere.
   bool isFrictionCoulombs() { return friction_.isCoulombs(); }
-  /// After the last solution of a step: keeps the limits of friction for the next step.
-  void rememberFriction() { friction_.remember(); }
-  /// Makes the joints once more, now with the friction that was found. @pre the bodies are back in the state of the
+  /// After the last solution of a step by the exact solver: keeps its forces for the next step.
+  void keepForces() { friction_.keep(); }
+  /// Makes the contacts once more, now with the friction that was found. @pre the bodies are back in the state of the
   /// last make
-  void makeAgain(const std::vector<Body*>& bodies);
-  /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
-  /// 0: not at all. Who is near, is as of the last step. @pre an OdeLock is held
-  double depthAmongBodies(const Body& body, const Solid& solid) const;
-  /// Those of the last step.
-  const std::vector<Point>& points() const { return points_; }
+  void makeAgain(const std::vector<Touch>& touches);
+  /// Finds the forces in crowds, and puts them on their bodies for ODE's next step. @param is_settling whether bodies
+  /// were just put down
+  void solveCrowds(bool is_settling) { crowds_.solve(is_settling); }
   /// Where joints belong that are to last for one step.
   dJointGroupID joints() const { return joints_; }
   /// Forgets them again.
   void clear() { dJointGroupEmpty(joints_); }
 
  private:
-  void collideGround(Body& body);
-  void collideRoughGround(Body& body, const Solid& solid);
-  void collideAll(const std::vector<Body*>& bodies);
-  void collidePair(Body& a, Body& b);
-  void collideSolids(Body& a, const Solid& solid_a, Body* b, const Solid& solid_b);
-  void makeJoint(const Body& a, const Solid& solid_a, const Body* b, const Solid& solid_b, dContactGeom geometry);
+  void makeAll(const std::vector<Touch>& touches);
+  void makeOne(const Touch& touch);
+  /// All but friction's axes. @return whether there is a contact
+  bool describe(const Touch& touch, dContact& contact) const;
   void breakTies(dSurfaceParameters& surface);
 
   Settings settings_;
   dWorldID world_ = nullptr;
   dJointGroupID joints_ = nullptr;
-  Solid level_ground_;
-  GroundSurface ground_;
-  Friction friction_;
+  std::size_t reserved_ = 0;
+  ContactMemory memory_;
+  Friction friction_{memory_};
+  CrowdSolver crowds_{memory_};
   double step_ = 0.0;
   int joints_made_ = 0;  // in this step
   int attempt_ = 0;
-  SortedBounds<Body*> near_;
-  std::vector<std::pair<int, int>> pairs_;  // ranks
-  std::vector<Body*> reached_;              // scratch of findPairs
-  std::vector<Point> points_;
 };
 
 }  // namespace swarmanoid::dynamics3d

@@ -109,8 +109,9 @@ void Dynamics3d::draw(EngineDrawing& drawing) const {
     }
   }
   drawAttachments(drawing);
-  for (const Contacts::Point& point : contacts_.points()) {
-    drawing.add(DrawingKind::kContact, point.position, point.position + kNormal * point.normal);
+  for (const Touch& touch : touches_.all()) {
+    const Vector3d point = toVector(touch.geometry.pos);
+    drawing.add(DrawingKind::kContact, point, point + kNormal * toVector(touch.geometry.normal));
   }
 }
 

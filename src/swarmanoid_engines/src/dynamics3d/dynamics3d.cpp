@@ -90,7 +90,8 @@ void Dynamics3d::add(Space& space, Row row, Role role) {
   findTurret(body, space);
   takePose(space, body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
-  contacts_.add(body);
+  touches_.add(body);
+  contacts_.forget();
   takeOverGrips(space, body);
   takeOverAttachments(space, body);
   settling_ = body.is_dynamic ? kSettlingSteps : settling_;
@@ -130,7 +131,8 @@ void Dynamics3d::remove(Space&, Row row) {
   const OdeLock lock(seed_);
   Body* body = by_row_[row].get();
   forgetHolds(*body);
-  contacts_.remove(*body);
+  touches_.remove(*body);
+  contacts_.forget();
   seen_.remove(body);
   rankFrom(order_.erase(std::find(order_.begin(), order_.end(), body)));
   by_row_[row].reset();
@@ -145,8 +147,9 @@ void Dynamics3d::place(Space& space, Row row) {
   takePose(space, body);
   seen_.remove(&body);
   seen_.add(&body, boundsOf(body.seen(), body.pose));
-  contacts_.remove(body);
-  contacts_.add(body);
+  touches_.remove(body);
+  touches_.add(body);
+  contacts_.forget();
   settling_ = body.is_dynamic ? kSettlingSteps : settling_;
 }
 
@@ -175,7 +178,8 @@ void Dynamics3d::makeWorld() {
   // when more bodies than ever touch, the memory for a step grows: by so much that it hardly happens again
   const dWorldStepReserveInfo memory = {sizeof(dWorldStepReserveInfo), 2.0F, 1U << 20U};
   dWorldSetStepMemoryReservationPolicy(world_, &memory);
-  contacts_.configure(world_, settings_, ground_);
+  touches_.configure(settings_, ground_);
+  contacts_.configure(world_, settings_);
 }
 
 void Dynamics3d::destroyWorld() {
@@ -183,6 +187,7 @@ void Dynamics3d::destroyWorld() {
   order_.clear();
   seen_.clear();
   by_row_.clear();
+  touches_.release();
   contacts_.release();
   if (world_ != nullptr) {
     dWorldDestroy(world_);

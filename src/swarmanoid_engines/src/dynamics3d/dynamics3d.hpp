@@ -15,7 +15,8 @@
 /// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
 /// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
-/// Its time grows with the cube of what touches, so large islands go to the iterative solver (islands.hpp).
+/// Its time grows with the cube of what touches, so large islands go to the crowd solver, or to the iterative one where
+/// grips or ropes hold bodies together (islands.hpp).
 ///
 /// Bodies that go on as they did, or stand, with nobody near, are moved without ODE (steady_motion.hpp).
 ///
@@ -108,10 +109,11 @@ class Dynamics3d final : public Engine {
   /// @param number from 0, of the step in the tick
   void stepOnce(int number, double step);
   void setDamping(bool is_damped);
-  /// @return false if the solver gave up; then all is as before the step
+  void solveByIslands(double step);
+  /// All bodies that are enabled, as the next ones do. @return false if the solver gave up; then all is as before the
+  /// step
   bool solveExactly(double step);
   bool solveContacts(double step);
-  /// All bodies that are enabled.
   void solveIteratively(double step);
   bool correctFriction(double step);
   void finishSolution();
@@ -156,6 +158,7 @@ class Dynamics3d final : public Engine {
   GroundSurface ground_;
   unsigned long seed_ = 0;  // of this world, in ODE
   dWorldID world_ = nullptr;
+  Touches touches_;
   Contacts contacts_;
   Islands islands_;
   RowMap<std::unique_ptr<Body>> by_row_;

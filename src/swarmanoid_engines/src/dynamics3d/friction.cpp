@@ -11,7 +11,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr double kSlips = 1e-3;       // m/s: what slips less is held
-constexpr double kYield = 1e-2;       // m/s per N: how easily the sides of driven robots slip up and down
 constexpr double kNoticeable = 0.02;  // m/s2, of the lighter body: what forces must change to matter
 
 /// The part of a vector along a surface.
@@ -45,13 +44,6 @@ Vector3d armTo(const Vector3d& point, dBodyID rigid) {
   return rigid == nullptr ? Vector3d::Zero() : Vector3d(point - toVector(dBodyGetPosition(rigid)));
 }
 
-/// Whether a robot on treels touches the other body with an upright side.
-bool isAtDrivenSide(const Body& a, const Body* b, const Vector3d& normal) {
-  constexpr double kUpright = 0.2;
-  const auto is_driven = [](const Body& body) { return body.is_dynamic && body.model->wheels.has_value(); };
-  return std::abs(normal.z()) < kUpright && (is_driven(a) || (b != nullptr && is_driven(*b)));
-}
-
 /// Of the lighter of two bodies that forces move [kg].
 double lighterMass(const Body& a, const Body* b) {
   if (b == nullptr || !b->is_dynamic) {
@@ -60,12 +52,26 @@ double lighterMass(const Body& a, const Body* b) {
   return a.is_dynamic ? std::min(a.model->mass, b->model->mass) : b->model->mass;
 }
 
+bool isUpright(const Vector3d& normal) {
+  constexpr double kUpright = 0.2;
+  return std::abs(normal.z()) < kUpright;
+}
+
+bool isDriven(const Body& body) { return body.is_dynamic && body.model->wheels.has_value(); }
+
 }  // namespace
+
+bool isAtDrivenSide(const Body& a, const Body* b, const Vector3d& normal) {
+  return isUpright(normal) && (isDriven(a) || (b != nullptr && isDriven(*b)));
+}
+
+bool isPushed(const Body& a, const Body* b, const Vector3d& normal) {
+  return isUpright(normal) && b != nullptr && a.is_dynamic && b->is_dynamic && isDriven(a) != isDriven(*b);
+}
 
 void Friction::startStep(double step, double gravity, bool uses_memory) {
   step_ = step;
   uses_memory_ = uses_memory;
-  first_remembered_ = 0;
   gravity_ = gravity;
   next_ = 0;
   is_again_ = false;
@@ -91,6 +97,7 @@ void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_
   Rubbing& rubbing = next();
   const bool has_belt = (contact.surface.mode & dContactMotion1) != 0;
   const Vector3d point = toVector(contact.geom.pos);
+  rubbing.key = ContactMemory::keyOf(a, b);
   rubbing.rigid_a = rigid_a;
   rubbing.rigid_b = rigid_b;
   rubbing.normal = toVector(contact.geom.normal);
@@ -150,40 +157,23 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
 }
 
 double Friction::recall(const Rubbing& rubbing) {
-  constexpr std::size_t kFurthest = 256;  // as many contacts may have vanished since
-  constexpr double kSame = 0.01;          // m
-  const auto is_pair = [&](const Remembered& other) {
-    return other.rigid_a == rubbing.rigid_a && other.rigid_b == rubbing.rigid_b;
-  };
-  const std::size_t end = std::min(remembered_.size(), first_remembered_ + kFurthest);
-  std::size_t i = first_remembered_;
-  while (i < end && !is_pair(remembered_[i])) {
-    ++i;
-  }
-  if (i == end) {
-    return -1.0;
-  }
-  first_remembered_ = i;  // the pair's other contacts may be any of these
-  double nearest = kSame;
-  double limit = -1.0;
-  for (; i < remembered_.size() && is_pair(remembered_[i]); ++i) {
-    const double distance = (remembered_[i].arm_a - rubbing.arm_a).norm();
-    if (distance < nearest) {
-      nearest = distance;
-      limit = remembered_[i].limit;
-    }
-  }
+  const ContactForce* before = memory_.recall(rubbing.key, rubbing.rigid_a, rubbing.arm_a);
+  const double limit = before == nullptr ? -1.0 : rubbing.coefficient * before->load;
   // a contact without a load then may have one now
   return limit > kNoticeable * rubbing.mass ? limit : -1.0;
 }
 
-void Friction::remember() {
-  remembered_.clear();
-  remembered_.reserve(rubbings_.size());
+void Friction::keep() {
+  memory_.startPart();
   for (std::size_t i = 0; i < next_; ++i) {
     const Rubbing& rubbing = rubbings_[i];
-    remembered_.push_back({rubbing.rigid_a, rubbing.rigid_b, rubbing.arm_a, rubbing.limit});
+    const Vector3d force = toVector(rubbing.feedback.f1);
+    memory_.keep(rubbing.key, rubbing.rigid_a, rubbing.arm_a, {force, loadOf(rubbing)});
   }
+}
+
+double Friction::loadOf(const Rubbing& rubbing) {
+  return std::max(rubbing.normal.dot(toVector(rubbing.feedback.f1)), 0.0);
 }
 
 double Friction::changeOfBelt(const Rubbing& rubbing) const {
@@ -196,10 +186,6 @@ double Friction::usualLoad(const Rubbing& rubbing) const {
   constexpr double kContacts = 4.0;  // that share a body's weight
   constexpr double kLeast = 1.0;     // m/s2, where there is no gravity
   return rubbing.mass * std::max(gravity_, kLeast) / kContacts;
-}
-
-bool Friction::isSolved(const Rubbing& rubbing) {
-  return dBodyIsEnabled(rubbing.rigid_a) != 0 || (rubbing.rigid_b != nullptr && dBodyIsEnabled(rubbing.rigid_b) != 0);
 }
 
 Vector3d Friction::slipOf(const Rubbing& rubbing) {
@@ -225,14 +211,9 @@ bool Friction::isCoulombs() {
 
 bool Friction::isCoulombs(Rubbing& rubbing) {
   constexpr double kAstray = 0.02;  // of the force
-  if (!isSolved(rubbing)) {
-    rubbing.limit = -1.0;
-    return true;
-  }
   const Vector3d force = toVector(rubbing.feedback.f1);
-  const double load = std::max(rubbing.normal.dot(force), 0.0);
   const Vector3d friction = alongSurface(force, rubbing.normal);
-  const double limit = rubbing.coefficient * load;
+  const double limit = rubbing.coefficient * loadOf(rubbing);
   rubbing.limit = limit;
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();

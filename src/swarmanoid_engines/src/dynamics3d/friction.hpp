@@ -23,16 +23,27 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
-#include <vector>
 
 #include "dynamics3d/body.hpp"
+#include "dynamics3d/contact_memory.hpp"
 
 namespace swarmanoid::dynamics3d {
+
+/// Whether a robot on treels touches the other body with an upright side. @param b null: the ground @param normal of
+/// the contact, in W
+bool isAtDrivenSide(const Body& a, const Body* b, const Eigen::Vector3d& normal);
+/// Whether it so touches a body without treels that can be moved.
+bool isPushed(const Body& a, const Body* b, const Eigen::Vector3d& normal);
+constexpr double kYield = 1e-2;  ///< how easily such sides slip up and down [m/s per N]
 
 /// Frame W. Between `startStep` and the last `isCoulombs` of a step, an OdeLock is held.
 class Friction {
  public:
+  /// @param memory outlives this
+  explicit Friction(ContactMemory& memory) : memory_(memory) {}
+
   /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2] @param uses_memory whether limits of
   /// the step before are used
   void startStep(double step, double gravity, bool uses_memory);
@@ -49,14 +60,13 @@ class Friction {
   /// taken from the solution.
   bool isCoulombs();
 
-  /// After the last solution of a step: keeps its limits for the next step.
-  void remember();
-  /// The next step begins with ODE's limits.
-  void forget() { remembered_.clear(); }
+  /// After the last solution of a step: keeps its forces for the next step.
+  void keep();
 
  private:
   /// One contact of the step.
   struct Rubbing {
+    std::uint64_t key = 0;
     dBodyID rigid_a = nullptr;
     dBodyID rigid_b = nullptr;                          // null: does not move
     Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  // out of b
@@ -75,14 +85,6 @@ class Friction {
     double limit = -1.0;                              // of friction [N]; below 0: that of ODE
   };
 
-  /// One contact of the step before.
-  struct Remembered {
-    dBodyID rigid_a = nullptr;
-    dBodyID rigid_b = nullptr;
-    Eigen::Vector3d arm_a = Eigen::Vector3d::Zero();
-    double limit = 0.0;
-  };
-
   Rubbing& next();
   /// The limit that the contact had in the step before; below 0: none. @pre called in the order of the contacts
   double recall(const Rubbing& rubbing);
@@ -97,16 +99,15 @@ class Friction {
   /// By all forces but contacts' [m/s2].
   Eigen::Vector3d pullOf(const Body* body, dBodyID rigid) const;
   static bool isCoulombs(Rubbing& rubbing);
-  /// Whether the last solution was one for its bodies.
-  static bool isSolved(const Rubbing& rubbing);
+  /// In the last solution [N].
+  static double loadOf(const Rubbing& rubbing);
 
+  ContactMemory& memory_;
   double step_ = 0.0;
   double gravity_ = 0.0;
   std::deque<Rubbing> rubbings_;  // ODE writes into them, so they must not move; there are never fewer
   std::size_t next_ = 0;
   bool is_again_ = false;
-  std::vector<Remembered> remembered_;  // in the order of the contacts
-  std::size_t first_remembered_ = 0;    // that the next contact may be
   bool uses_memory_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "dynamics3d/islands.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -25,84 +26,133 @@ void setEnabled(Body& body, bool is_enabled) {
   }
 }
 
+std::size_t placeOf(const Body& body) { return static_cast<std::size_t>(body.rank); }
+
 }  // namespace
 
-void Islands::find(const std::vector<Body*>& bodies) {
+void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& touches) {
   largest_ = 0;
-  island_.reserve(bodies.size());
+  are_all_small_ = true;
+  parents_.resize(bodies.size());
+  std::iota(parents_.begin(), parents_.end(), 0);
+  islands_.assign(bodies.size(), Island{});
   visitStepped(bodies, [](Body& body) {
-    body.island = Body::Island::kNotFound;
     dBodySetData(body.rigid, &body);
     for (const Link& link : body.links) {
       dBodySetData(link.rigid, &body);
     }
   });
-  visitStepped(bodies, [this](Body& body) {
-    if (body.island != Body::Island::kNotFound) {
-      return;
+  for (const Touch& touch : touches) {
+    if (touch.b != nullptr && isStepped(*touch.b)) {
+      join(*touch.a, *touch.b);
     }
-    const Size size = measure(body);
-    const bool is_large = isLarge(size);
-    largest_ = is_large ? std::max(largest_, size.bodies) : largest_;
-    for (Body* member : island_) {
-      member->island = is_large ? Body::Island::kLarge : Body::Island::kSmall;
+  }
+  visitStepped(bodies, [this](Body& body) { joinHeld(body); });
+  visitStepped(bodies, [this](Body& body) {
+    Island& island = islands_[rootOf(placeOf(body))];
+    ++island.bodies;
+    island.has_links = island.has_links || !body.links.empty();
+  });
+  for (const Touch& touch : touches) {
+    ++islands_[rootOf(placeOf(*touch.a))].joints;
+  }
+  visitStepped(bodies, [this](Body& body) {
+    const std::size_t root = rootOf(placeOf(body));
+    const Island& island = islands_[root];
+    body.island = solverOf(island);
+    body.island_first = static_cast<int>(root);
+    are_all_small_ = are_all_small_ && body.island == Body::Island::kSmall;
+    if (isLarge(island)) {
+      largest_ = std::max(largest_, island.bodies);
     }
   });
   largest_ever_ = std::max(largest_ever_, largest_);
 }
 
-bool Islands::isLarge(const Size& size) {
+bool Islands::isLarge(const Island& island) {
   constexpr int kMostJoints = 64;            // of bodies that are pressed together: some eight footbots
   constexpr int kMostJointsOfGripped = 256;  // forces on grips would be rough
-  return size.joints > (size.has_grips ? kMostJointsOfGripped : kMostJoints);
+  return island.joints > (island.has_grips ? kMostJointsOfGripped : kMostJoints);
 }
 
-Islands::Size Islands::measure(Body& first) {
-  Size size;
-  island_.clear();
-  island_.push_back(&first);
-  first.island = Body::Island::kSmall;
-  for (std::size_t i = 0; i < island_.size(); ++i) {
-    Body& body = *island_[i];
-    ++size.bodies;
-    visitJoints(body, body.rigid, size);
-    for (const Link& link : body.links) {
-      visitJoints(body, link.rigid, size);
+Body::Island Islands::solverOf(const Island& island) {
+  constexpr int kMostContacts = 12;  // those of two footbots: with more the crowd solver is faster
+  if (island.has_links || island.has_grips) {
+    return isLarge(island) ? Body::Island::kLarge : Body::Island::kSmall;
+  }
+  return island.joints > kMostContacts ? Body::Island::kCrowd : Body::Island::kSmall;
+}
+
+std::size_t Islands::rootOf(std::size_t rank) {
+  while (parents_[rank] != rank) {
+    parents_[rank] = parents_[parents_[rank]];  // the next search has half the way
+    rank = parents_[rank];
+  }
+  return rank;
+}
+
+void Islands::join(const Body& a, const Body& b) {
+  const std::size_t root_a = rootOf(placeOf(a));
+  const std::size_t root_b = rootOf(placeOf(b));
+  if (root_a == root_b) {
+    return;
+  }
+  const std::size_t root = std::min(root_a, root_b);
+  const std::size_t other = std::max(root_a, root_b);
+  parents_[other] = root;
+  islands_[root].joints += islands_[other].joints;
+  islands_[root].has_grips = islands_[root].has_grips || islands_[other].has_grips;
+}
+
+void Islands::joinHeld(Body& body) {
+  joinBy(body, body.rigid);
+  for (const Link& link : body.links) {
+    joinBy(body, link.rigid);
+  }
+  for (std::size_t i = 0; body.holding != nullptr && i < body.holding->ropes.size(); ++i) {
+    const Rope& rope = body.holding->ropes[i];
+    if (rope.held != nullptr && !rope.is_broken) {
+      if (isStepped(*rope.held)) {
+        join(body, *rope.held);
+      }
+      Island& island = islands_[rootOf(placeOf(body))];
+      ++island.joints;
+      island.has_grips = true;
     }
   }
-  return size;
 }
 
-void Islands::visitJoints(Body& body, dBodyID rigid, Size& size) {
+void Islands::joinBy(Body& body, dBodyID rigid) {
   const int count = dBodyGetNumJoints(rigid);
   for (int i = 0; i < count; ++i) {
     const dJointID joint = dBodyGetJoint(rigid, i);
     // each joint between two bodies is met twice
-    size.joints += dJointGetBody(joint, 0) == rigid ? 1 : 0;
+    islands_[rootOf(placeOf(body))].joints += dJointGetBody(joint, 0) == rigid ? 1 : 0;
     for (int side = 0; side < 2; ++side) {
       const dBodyID other_rigid = dJointGetBody(joint, side);
       if (other_rigid == nullptr || other_rigid == rigid) {
         continue;
       }
-      auto& other = *static_cast<Body*>(dBodyGetData(other_rigid));
-      size.has_grips = size.has_grips || (&other != &body && dJointGetType(joint) != dJointTypeContact);
-      if (other.island == Body::Island::kNotFound) {
-        other.island = Body::Island::kSmall;
-        island_.push_back(&other);
-      }
+      const auto& other = *static_cast<const Body*>(dBodyGetData(other_rigid));
+      join(body, other);
+      Island& island = islands_[rootOf(placeOf(body))];
+      island.has_grips = island.has_grips || &other != &body;
     }
   }
 }
 
-void Islands::enableOnly(const std::vector<Body*>& bodies, bool is_large) {
-  visitStepped(bodies, [is_large](Body& body) { setEnabled(body, (body.island == Body::Island::kLarge) == is_large); });
+void Islands::enableSmall(const std::vector<Body*>& bodies, bool is_small) {
+  visitStepped(bodies, [is_small](Body& body) { setEnabled(body, (body.island == Body::Island::kSmall) == is_small); });
 }
 
 void Islands::enableAll(const std::vector<Body*>& bodies) {
-  visitStepped(bodies, [](Body& body) {
-    setEnabled(body, true);
-    body.island = Body::Island::kNotFound;
-  });
+  visitStepped(bodies, [](Body& body) { setEnabled(body, true); });
+}
+
+void Islands::forget(const std::vector<Body*>& bodies) {
+  for (Body* body : bodies) {
+    body->island = Body::Island::kNone;
+  }
 }
 
 }  // namespace swarmanoid::dynamics3d

@@ -86,7 +86,7 @@ void Dynamics3d::leaveOutSteady(double tick) {
     if (!body->is_dynamic || !movesSteadily(*body)) {
       continue;
     }
-    body->steadiness.box = boxAroundWay(*body, Contacts::boundsNow(*body), tick);
+    body->steadiness.box = boxAroundWay(*body, Touches::boundsNow(*body), tick);
     if (!ground_.isRoughAt(body->steadiness.box)) {
       body->steadiness.is_left_out = true;
       dBodyDisable(body->rigid);
@@ -96,9 +96,9 @@ void Dynamics3d::leaveOutSteady(double tick) {
 }
 
 void Dynamics3d::takeInReached(int steps, double step) {
-  for (Body* body : contacts_.findPairs(order_.size())) {
+  for (Body* body : touches_.findPairs(order_.size())) {
     takeIn(*body, steps, step);
-    Contacts::boundsNow(*body);
+    Touches::boundsNow(*body);
   }
 }
 
@@ -135,23 +135,19 @@ void Dynamics3d::stepOnce(int number, double step) {
       windRope(*body, rope, step);
       dragRope(*body, rope, settings_.rope_drag);
     });
-    driveTurret(*body, contacts_, step);
+    driveTurret(*body, touches_, step);
   }
   takeInReached(number, step);
   setDamping(settling_ == 0);
   ++counts_.steps;
-  const bool is_iterative = settings_.solver == Settings::Solver::kIterative;
-  if (is_iterative || !solveExactly(step)) {
-    counts_.iterative += is_iterative ? 0 : 1;
+  touches_.find(order_);
+  contacts_.startStep(touches_.all().capacity(), order_.size());
+  if (settings_.solver == Settings::Solver::kIterative) {
     solveIteratively(step);
-  } else if (islands_.hasLarge()) {
-    ++counts_.large;
-    Islands::enableOnly(order_, true);
-    solveIteratively(step);
+  } else {
+    solveByIslands(step);
   }
-  if (!is_iterative) {
-    Islands::enableAll(order_);
-  }
+  contacts_.finishStep();
   setDamping(true);
   settling_ = std::max(settling_ - 1, 0);
   for (Body* body : order_) {
@@ -179,6 +175,24 @@ void Dynamics3d::setDamping(bool is_damped) {
   dWorldSetCFM(world_, is_damped ? kSoftness : kSoftness / kErrorReduction);
 }
 
+void Dynamics3d::solveByIslands(double step) {
+  islands_.find(order_, touches_.all());
+  counts_.large += islands_.hasLarge() ? 1 : 0;
+  if (!islands_.areAllSmall()) {
+    Islands::enableSmall(order_, true);
+  }
+  if (!solveExactly(step)) {
+    ++counts_.iterative;
+    Islands::enableAll(order_);
+    solveIteratively(step);
+  } else if (!islands_.areAllSmall()) {
+    Islands::enableSmall(order_, false);
+    solveIteratively(step);
+  }
+  Islands::enableAll(order_);
+  Islands::forget(order_);
+}
+
 bool Dynamics3d::solveExactly(double step) {
   constexpr int kMostAttempts = 3;
   for (Body* body : order_) {
@@ -187,26 +201,22 @@ bool Dynamics3d::solveExactly(double step) {
     }
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    contacts_.make(order_, step, attempt, false);
+    contacts_.make(touches_.all(), step, attempt, false);
     makeRopeJoints(step);
-    islands_.find(order_);
-    if (islands_.hasLarge()) {
-      Islands::enableOnly(order_, false);
-    }
     if (solveContacts(step) && correctFriction(step) && correctRopes(step)) {
-      contacts_.rememberFriction();
+      contacts_.keepForces();
       return true;
     }
     counts_.redone += attempt == 0 ? 1 : 0;
     // what is left then is a step in which some contacts hold nothing
     restoreStates();
-    Islands::enableAll(order_);
   }
   return false;
 }
 
 void Dynamics3d::solveIteratively(double step) {
-  contacts_.make(order_, step, 0, true);
+  contacts_.make(touches_.all(), step, 0, true);
+  contacts_.solveCrowds(settling_ > 0);
   makeRopeJoints(step);
   dWorldQuickStep(world_, step);
   finishSolution();
@@ -233,7 +243,7 @@ bool Dynamics3d::correctFriction(double step) {
   for (int i = 0; !contacts_.isFrictionCoulombs() && i < kMostCorrections; ++i) {
     ++counts_.corrected;
     restoreStates();
-    contacts_.makeAgain(order_);
+    contacts_.makeAgain(touches_.all());
     makeRopeJoints(step);
     if (!solveContacts(step)) {
       return false;
@@ -247,7 +257,7 @@ bool Dynamics3d::correctRopes(double step) {
   for (int i = 0; i < kMostCorrections && !areRopesKept(step); ++i) {
     ++counts_.corrected_ropes;
     restoreStates();
-    contacts_.makeAgain(order_);
+    contacts_.makeAgain(touches_.all());
     makeRopeJoints(step);
     if (!solveContacts(step)) {
       return false;
@@ -294,11 +304,11 @@ void Dynamics3d::makeRopeJoints(double step) {
 void Dynamics3d::reportTrouble(Space& space) {
   if (counts_.large > 0 && !has_reported_islands_) {
     has_reported_islands_ = true;
-    space.events.push_back(
-        {Event::Kind::kEngineTrouble, "", "",
-         "dynamics3d '" + id_ + "': " + std::to_string(islands_.largestEver()) +
-             " bodies touch, which is too many for the exact solver, the iterative one moves them; from "
-             "now on this is only counted"});
+    space.events.push_back({Event::Kind::kEngineTrouble, "", "",
+                            "dynamics3d '" + id_ + "': " + std::to_string(islands_.largestEver()) +
+                                " bodies touch, which is too many for an exact solution: forces spread among them over "
+                                "some steps; from now "
+                                "on this is only counted"});
   }
   if (counts_.iterative > 0 && !has_reported_trouble_) {
     has_reported_trouble_ = true;
@@ -318,7 +328,7 @@ EngineHealth Dynamics3d::health() const {
                      {"steps solved again for ropes", std::to_string(counts_.corrected_ropes)},
                      {"steps redone", std::to_string(counts_.redone)},
                      {"steps left to the iterative solver", std::to_string(counts_.iterative)},
-                     {"steps with islands left to it", std::to_string(counts_.large)}};
+                     {"steps with large islands", std::to_string(counts_.large)}};
   if (counts_.iterative > 0) {
     health.warning = "the exact solver gave up in " + std::to_string(counts_.iterative) + " steps";
   }

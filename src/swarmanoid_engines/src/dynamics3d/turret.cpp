@@ -5,7 +5,7 @@
 
 #include "common/unsupported_mechanisms.hpp"
 #include "dynamics3d/body.hpp"
-#include "dynamics3d/contacts.hpp"
+#include "dynamics3d/touches.hpp"
 #include "swarmanoid_interface/angle.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
@@ -42,15 +42,15 @@ void turnSolids(const Body& robot, double angle) {
 }
 
 /// How deep the turned solids are in others [m].
-double depthOf(const Body& robot, const Contacts& contacts) {
+double depthOf(const Body& robot, const Touches& touches) {
   double deepest = 0.0;
   visitTurned(robot, [&](const Solid& solid, const CollisionShape&) {
-    deepest = std::max(deepest, contacts.depthAmongBodies(robot, solid));
+    deepest = std::max(deepest, touches.depthAmongBodies(robot, solid));
   });
   return deepest;
 }
 
-void turnFreely(Body& robot, const Contacts& contacts, double step) {
+void turnFreely(Body& robot, const Touches& touches, double step) {
   JointState& state = robot.turret.state;
   const double angle = freeTurn(robot.turret.command, jointOf(robot), state.angle, step);
   state.speed = 0.0;
@@ -58,9 +58,9 @@ void turnFreely(Body& robot, const Contacts& contacts, double step) {
   if (angle == state.angle) {
     return;
   }
-  const double depth = depthOf(robot, contacts);
+  const double depth = depthOf(robot, touches);
   turnSolids(robot, angle);
-  const double new_depth = depthOf(robot, contacts);
+  const double new_depth = depthOf(robot, touches);
   if (new_depth > 0.0 && new_depth > depth) {
     turnSolids(robot, state.angle);
     return;
@@ -146,13 +146,13 @@ dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object) {
   return hinge;
 }
 
-void driveTurret(Body& robot, const Contacts& contacts, double step) {
+void driveTurret(Body& robot, const Touches& touches, double step) {
   if (!robot.turret.isCommanded()) {
     return;
   }
   const dJointID hinge = hingeOf(robot);
   if (hinge == nullptr) {
-    turnFreely(robot, contacts, step);
+    turnFreely(robot, touches, step);
     return;
   }
   const JointCommand& command = robot.turret.command;

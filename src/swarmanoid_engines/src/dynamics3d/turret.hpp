@@ -17,7 +17,7 @@
 namespace swarmanoid::dynamics3d {
 
 struct Body;
-class Contacts;
+class Touches;
 
 struct Turret {
   JointCommand command;  ///< of this tick
@@ -46,7 +46,7 @@ Eigen::Vector3d gripperTip(const Body& robot);
 dJointID makeTurretHinge(dWorldID world, Body& robot, const Body& object);
 
 /// Before a step [s]: sets the motor, or turns the gripper's solids.
-void driveTurret(Body& robot, const Contacts& contacts, double step);
+void driveTurret(Body& robot, const Touches& touches, double step);
 /// After it: what the hinge did.
 void readTurret(Body& robot);
 

@@ -114,17 +114,14 @@ const tf2_msgs::TFMessage& Transforms::moving(const Space& space) {
 }
 
 void Transforms::addOdometry(const Space& space, Row row) {
-  if (space.placed[row] >= space.tick) {
-    return;  // not sensed since it was put there
-  }
-  if (const auto* odometry = space.readings.find<Odometry>(row)) {
-    // a reading is of the state in which its tick began
-    const ros::Time stamp = toRosTime(space.time + space.time_before_reset - space.clocktick);
+  const std::optional<ros::Time> stamp = sensedAt(space, row);
+  const auto* odometry = space.readings.find<Odometry>(row);
+  if (stamp && odometry != nullptr) {
     // as base_link sees it: the inverse of where the robot believes to be
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(-odometry->heading, Eigen::Vector3d::UnitZ()));
     const Eigen::Vector3d position = -(turn * Eigen::Vector3d(odometry->x, odometry->y, 0.0));
     const std::string& name = space.entities.name[row];
-    moving_.transforms.push_back(transform(stamp, frameOf(name), frameOf(name, "odom"), position, turn));
+    moving_.transforms.push_back(transform(*stamp, frameOf(name), frameOf(name, "odom"), position, turn));
   }
 }
 

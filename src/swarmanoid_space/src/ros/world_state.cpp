@@ -55,6 +55,13 @@ bool changesLooks(const TakenIntervention& taken) {
 
 ros::Time stampOf(const Space& space) { return toRosTime(space.time + space.time_before_reset); }
 
+std::optional<ros::Time> sensedAt(const Space& space, Row row) {
+  if (space.placed[row] >= space.tick) {
+    return std::nullopt;
+  }
+  return toRosTime(space.time + space.time_before_reset - space.clocktick);
+}
+
 std_msgs::Header headerOf(const Space& space) {
   std_msgs::Header header;
   header.stamp = stampOf(space);

@@ -1,9 +1,8 @@
 /// The state of a space as messages. No roscpp here: the space nodelet publishes them, the bag recorder writes them.
 ///
 /// Frames  the fixed frame is `world`, that of an entity `<name>/base_link`; never a leading slash, and the same for
-/// one
-///         entity and for many.
-/// Stamps  simulated time, made to keep rising over resets; equal within a tick.
+///         one entity and for many.
+/// Stamps  simulated time, made to keep rising over resets; equal for all that is of one state.
 #pragma once
 
 #include <geometry_msgs/Pose.h>
@@ -15,6 +14,7 @@
 #include <swarmanoid_msgs/Intervention.h>
 #include <swarmanoid_msgs/WorldState.h>
 
+#include <optional>
 #include <string>
 
 #include "swarmanoid_hosts/ros/tf_frames.hpp"
@@ -22,7 +22,11 @@
 
 namespace swarmanoid {
 
+/// Stamp of the state: that of the last tick.
 ros::Time stampOf(const Space& space);
+/// Stamp of the state that the readings of an entity are of, which is one tick before: what is drawn by tf at this
+/// stamp is drawn where it was sensed. @return nothing if it has not sensed since it was put where it is
+std::optional<ros::Time> sensedAt(const Space& space, Row row);
 /// In kWorldFrame.
 std_msgs::Header headerOf(const Space& space);
 

@@ -1,7 +1,7 @@
 // Who is near whom.
 #include <algorithm>
 
-#include "dynamics3d/contacts.hpp"
+#include "dynamics3d/touches.hpp"
 
 namespace swarmanoid::dynamics3d {
 namespace {
@@ -28,24 +28,14 @@ bool passes(const Body& body, const Body& other) {
   return body.is_dynamic && other.rigid == nullptr && !mayMeet(other, body.steadiness.box);
 }
 
-/// Makes room for so many joints, that crowds which are pressed together ever more closely need no more memory.
-void reserveJoints(dWorldID world, dJointGroupID joints, std::size_t count) {
-  const dContact none = {};
-  for (std::size_t i = 0; i < count; ++i) {
-    dJointCreateContact(world, joints, &none);
-  }
-  dJointGroupEmpty(joints);
-}
-
 }  // namespace
 
-const std::vector<Body*>& Contacts::findPairs(std::size_t bodies) {
-  constexpr std::size_t kContactsOfABody = 24;  // in a crowd, and more
-  if (points_.capacity() < kContactsOfABody * bodies) {
-    points_.reserve(kContactsOfABody * bodies);
-    pairs_.reserve(points_.capacity());
+const std::vector<Body*>& Touches::findPairs(std::size_t bodies) {
+  // crowds that are pressed together ever more closely need no more memory
+  if (touches_.capacity() < kMostTouchesOfABody * bodies) {
+    touches_.reserve(kMostTouchesOfABody * bodies);
+    pairs_.reserve(touches_.capacity());
     reached_.reserve(2 * pairs_.capacity());
-    reserveJoints(world_, joints_, points_.capacity());
   }
   near_.update([](Body* body) {
     if (!body->steadiness.is_left_out) {
