@@ -11,6 +11,7 @@ import benchmarks
 import build_time
 import classic
 import cost
+import crowds
 import devices
 import engines
 import lockstep
@@ -46,6 +47,7 @@ FIGURES = {
     "mappings": lambda table, build: engines.mappings(table),
     "dynamics2d": engines.dynamics2d,
     "dynamics3d": engines.dynamics3d,
+    "crowds": lambda table, build: crowds.crowds(table),
     "mixed": lambda table, build: engines.mixed(table),
     "oracles": engines.oracles,
     "climbing": engines.climbing,

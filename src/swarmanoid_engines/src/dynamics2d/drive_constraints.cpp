@@ -59,7 +59,10 @@ double TreelConstraint::solve(SolverBodies& bodies) {
   return give(robot, sumOf(*treels, impulses) - before);
 }
 
-void SupportConstraint::start(SolverBodies& bodies) const { give(bodies[static_cast<std::size_t>(body)], impulse); }
+void SupportConstraint::start(SolverBodies& bodies) {
+  last = twistOf(bodies[static_cast<std::size_t>(body)]);
+  give(bodies[static_cast<std::size_t>(body)], impulse);
+}
 
 double SupportConstraint::solve(SolverBodies& bodies) {
   SolverBody& slider = bodies[static_cast<std::size_t>(body)];
@@ -69,7 +72,9 @@ double SupportConstraint::solve(SolverBodies& bodies) {
   const Eigen::Vector3d inertia = slider.inverseInertia().cwiseInverse();
   const PlanarTwist now = twistOf(slider);
   const PlanarTwist free = now - impulse.cwiseQuotient(inertia);
-  const PlanarTwist after = free.isZero(0.0) ? free : velocityAfterFriction(*support, inertia, free, most, now);
+  // what rests comes back to where it was, what slides goes on from where others pushed it
+  const PlanarTwist after = free.isZero(0.0) ? free : velocityAfterFriction(*support, inertia, free, most, {last, now});
+  last = after;
   const Eigen::Vector3d before = impulse;
   impulse = inertia.cwiseProduct(after - free);
   return give(slider, impulse - before);

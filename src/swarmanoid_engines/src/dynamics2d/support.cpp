@@ -12,8 +12,14 @@ namespace {
 /// Below this speed an element counts as at rest: friction grows with the speed there [m/s].
 constexpr double kRest = 1e-6;
 
+struct Point {
+  Eigen::Vector2d arm = Eigen::Vector2d::Zero();  // [m]
+  double share = 0.0;
+};
+using Points = std::vector<Point>;
+
 /// Of a disc: twelve points on each of three rings, or all of them on its rim.
-void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Support& support) {
+void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Points& points) {
   constexpr int kAround = 12;
   struct Ring {
     double radius;
@@ -26,7 +32,7 @@ void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Su
     for (int i = 0; i < kAround; ++i) {
       const double angle = 2.0 * M_PI * (i + phase) / kAround;
       const Eigen::Vector2d arm = ring.radius * radius * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-      support.points.push_back({centre + arm, ring.share / kAround});
+      points.push_back({centre + arm, ring.share / kAround});
     }
   };
   if (pressure == Pressure::kEdge) {
@@ -40,14 +46,14 @@ void addDisc(const Eigen::Vector2d& centre, double radius, Pressure pressure, Su
 }
 
 /// The points at which a polynomial of the second degree has its mean over a triangle.
-void addTriangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, Support& support) {
+void addTriangle(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c, Points& points) {
   const double share = planar::cross(b - a, c - a) / 3.0;
-  support.points.push_back({(4.0 * a + b + c) / 6.0, share});
-  support.points.push_back({(a + 4.0 * b + c) / 6.0, share});
-  support.points.push_back({(a + b + 4.0 * c) / 6.0, share});
+  points.push_back({(4.0 * a + b + c) / 6.0, share});
+  points.push_back({(a + 4.0 * b + c) / 6.0, share});
+  points.push_back({(a + b + 4.0 * c) / 6.0, share});
 }
 
-void addPolygon(const std::vector<Eigen::Vector2d>& corners, Pressure pressure, Support& support) {
+void addPolygon(const std::vector<Eigen::Vector2d>& corners, Pressure pressure, Points& points) {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   for (const Eigen::Vector2d& corner : corners) {
     middle += corner / static_cast<double>(corners.size());
@@ -56,15 +62,15 @@ void addPolygon(const std::vector<Eigen::Vector2d>& corners, Pressure pressure, 
     const Eigen::Vector2d& a = corners[i];
     const Eigen::Vector2d& b = corners[(i + 1) % corners.size()];
     if (pressure == Pressure::kEdge) {
-      support.points.push_back({a, 1.0});
+      points.push_back({a, 1.0});
     } else {
       const Eigen::Vector2d near_a = 0.5 * (middle + a);
       const Eigen::Vector2d near_b = 0.5 * (middle + b);
       const Eigen::Vector2d between = 0.5 * (a + b);
-      addTriangle(middle, near_a, near_b, support);
-      addTriangle(near_a, a, between, support);
-      addTriangle(near_a, between, near_b, support);
-      addTriangle(near_b, between, b, support);
+      addTriangle(middle, near_a, near_b, points);
+      addTriangle(near_a, a, between, points);
+      addTriangle(near_a, between, near_b, points);
+      addTriangle(near_b, between, b, points);
     }
   }
 }
@@ -82,72 +88,105 @@ std::vector<Eigen::Vector2d> pointsAround(const planar::PlanarShape& shape) {
   return points;
 }
 
-void centre(Support& support) {
+void centre(Points& points) {
   double total = 0.0;
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-  for (const Support::Point& point : support.points) {
+  for (const Point& point : points) {
     total += point.share;
     middle += point.share * point.arm;
   }
-  for (Support::Point& point : support.points) {
+  for (Point& point : points) {
     point.arm -= middle / total;
     point.share /= total;
   }
 }
+
+void pack(const Points& points, Support& support) {
+  support.points.assign((points.size() + 1) / 2, Support::Points{});
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    Support::Points& two = support.points[i / 2];
+    const auto side = static_cast<Eigen::Index>(i % 2);
+    two.arm_x[side] = points[i].arm.x();
+    two.arm_y[side] = points[i].arm.y();
+    two.share[side] = points[i].share;
+  }
+}
+
+/// How fast two points slip, and where to.
+struct Slip {
+  Eigen::Array2d x;
+  Eigen::Array2d y;
+  Eigen::Array2d square;  // of the speed, a little more than 0 at rest
+
+  Slip(const Support::Points& points, const PlanarTwist& twist)
+      : x(twist.x() - twist.z() * points.arm_y),
+        y(twist.y() + twist.z() * points.arm_x),
+        square(x * x + y * y + kRest * kRest) {}
+};
 
 /// The function whose minimum the velocity after friction is, with its derivatives.
 struct Dissipation {
   double value = 0.0;
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();
-  Eigen::Matrix3d resistance = Eigen::Matrix3d::Zero();  ///< that gives the gradient, times the velocity
 };
 
 double dissipationAt(const Support& support, const PlanarTwist& twist) {
-  double sum = 0.0;
-  for (const Support::Point& point : support.points) {
-    const double x = twist.x() - twist.z() * point.arm.y();
-    const double y = twist.y() + twist.z() * point.arm.x();
-    sum += point.share * std::sqrt(x * x + y * y + kRest * kRest);
+  Eigen::Array2d sum = Eigen::Array2d::Zero();
+  for (const Support::Points& points : support.points) {
+    sum += points.share * Slip(points, twist).square.sqrt();
   }
-  return sum;
+  return sum.sum();
+}
+
+Eigen::Matrix3d symmetric(const Eigen::Array2d& xx, const Eigen::Array2d& xy, const Eigen::Array2d& yy,
+                          const Eigen::Array2d& xz, const Eigen::Array2d& yz, const Eigen::Array2d& zz) {
+  return (Eigen::Matrix3d() << xx.sum(), xy.sum(), xz.sum(), xy.sum(), yy.sum(), yz.sum(), xz.sum(), yz.sum(), zz.sum())
+      .finished();
 }
 
 Dissipation differentiate(const Support& support, const PlanarTwist& twist) {
-  Dissipation sum;
-  Eigen::Matrix3d& hessian = sum.hessian;
-  Eigen::Matrix3d& resistance = sum.resistance;
-  for (const Support::Point& point : support.points) {
-    const double arm_x = point.arm.x();
-    const double arm_y = point.arm.y();
-    const double x = twist.x() - twist.z() * arm_y;
-    const double y = twist.y() + twist.z() * arm_x;
-    const double square = x * x + y * y + kRest * kRest;
-    const double speed = std::sqrt(square);
-    const double part = point.share / speed;
-    sum.value += part * square;
-    sum.gradient += part * Eigen::Vector3d(x, y, arm_x * y - arm_y * x);
-    const double xx = part * (1.0 - x * x / square);
-    const double xy = -part * x * y / square;
-    const double yy = part * (1.0 - y * y / square);
-    hessian(0, 0) += xx;
-    hessian(0, 1) += xy;
-    hessian(1, 1) += yy;
-    hessian(0, 2) += arm_x * xy - arm_y * xx;
-    hessian(1, 2) += arm_x * yy - arm_y * xy;
-    hessian(2, 2) += arm_y * arm_y * xx - 2.0 * arm_x * arm_y * xy + arm_x * arm_x * yy;
-    resistance(0, 0) += part;
-    resistance(0, 2) -= part * arm_y;
-    resistance(1, 2) += part * arm_x;
-    resistance(2, 2) += part * (arm_x * arm_x + arm_y * arm_y);
+  Eigen::Array2d value = Eigen::Array2d::Zero();
+  Eigen::Array2d along_x = value, along_y = value, along_turn = value;
+  Eigen::Array2d xx = value, xy = value, yy = value, xz = value, yz = value, zz = value;
+  for (const Support::Points& points : support.points) {
+    const Slip slip(points, twist);
+    const Eigen::Array2d inverse = 1.0 / slip.square;
+    const Eigen::Array2d friction = points.share * slip.square.sqrt();
+    const Eigen::Array2d part = friction * inverse;  // of a unit of speed
+    value += friction;
+    const Eigen::Array2d x = part * slip.x;
+    const Eigen::Array2d y = part * slip.y;
+    along_x += x;
+    along_y += y;
+    along_turn += points.arm_x * y - points.arm_y * x;
+    const Eigen::Array2d point_xx = part - x * slip.x * inverse;
+    const Eigen::Array2d point_xy = -(x * slip.y * inverse);
+    const Eigen::Array2d point_yy = part - y * slip.y * inverse;
+    const Eigen::Array2d point_xz = points.arm_x * point_xy - points.arm_y * point_xx;
+    const Eigen::Array2d point_yz = points.arm_x * point_yy - points.arm_y * point_xy;
+    xx += point_xx;
+    xy += point_xy;
+    yy += point_yy;
+    xz += point_xz;
+    yz += point_yz;
+    zz += points.arm_x * point_yz - points.arm_y * point_xz;
   }
-  resistance(1, 1) = resistance(0, 0);
-  for (Eigen::Matrix3d* matrix : {&hessian, &resistance}) {
-    (*matrix)(1, 0) = (*matrix)(0, 1);
-    (*matrix)(2, 0) = (*matrix)(0, 2);
-    (*matrix)(2, 1) = (*matrix)(1, 2);
+  return {value.sum(), {along_x.sum(), along_y.sum(), along_turn.sum()}, symmetric(xx, xy, yy, xz, yz, zz)};
+}
+
+/// The matrix that gives the gradient, times the velocity.
+Eigen::Matrix3d resistanceAt(const Support& support, const PlanarTwist& twist) {
+  Eigen::Array2d xx = Eigen::Array2d::Zero();
+  Eigen::Array2d xz = xx, yz = xx, zz = xx;
+  for (const Support::Points& points : support.points) {
+    const Eigen::Array2d part = points.share / Slip(points, twist).square.sqrt();
+    xx += part;
+    xz -= part * points.arm_y;
+    yz += part * points.arm_x;
+    zz += part * (points.arm_x * points.arm_x + points.arm_y * points.arm_y);
   }
-  return sum;
+  return symmetric(xx, Eigen::Array2d::Zero(), xx, xz, yz, zz);
 }
 
 /// Of a symmetric, positive definite matrix.
@@ -169,7 +208,7 @@ PlanarTwist solveSymmetric(const Eigen::Matrix3d& m, const Eigen::Vector3d& righ
 
 void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& support) {
   constexpr double kSameHeight = 1e-3;  // m
-  support.points.clear();
+  Points points;
   std::vector<const planar::PlanarShape*> lowest;
   for (const planar::PlanarShape& shape : model.shapes) {
     if (shape.band.low < model.band.low + kSameHeight) {
@@ -177,25 +216,26 @@ void makeSupport(const planar::PlanarModel& model, Pressure pressure, Support& s
     }
   }
   if (lowest.size() == 1 && lowest.front()->isCircle()) {
-    addDisc(lowest.front()->centre, lowest.front()->radius, pressure, support);
+    addDisc(lowest.front()->centre, lowest.front()->radius, pressure, points);
   } else {
-    std::vector<Eigen::Vector2d> points;
+    std::vector<Eigen::Vector2d> all;
     for (const planar::PlanarShape* shape : lowest) {
       const std::vector<Eigen::Vector2d> around = pointsAround(*shape);
-      points.insert(points.end(), around.begin(), around.end());
+      all.insert(all.end(), around.begin(), around.end());
     }
     std::vector<Eigen::Vector2d> outline;
-    planar::findConvexHull(points, outline);
-    addPolygon(outline, pressure, support);
+    planar::findConvexHull(all, outline);
+    addPolygon(outline, pressure, points);
   }
-  centre(support);
-  support.resistance_at_rest = differentiate(support, PlanarTwist::Zero()).resistance;
+  centre(points);
+  pack(points, support);
+  support.resistance_at_rest = resistanceAt(support, PlanarTwist::Zero());
 }
 
 PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,
-                                  double most, const PlanarTwist& guess) {
+                                  double most, const std::array<PlanarTwist, 2>& guesses) {
   constexpr int kMostIterations = 60;
-  constexpr double kExact = 1e-8;  // of the largest impulse
+  constexpr double kExact = 1e-6;  // of the largest impulse
   const auto valueAt = [&](const PlanarTwist& twist) {
     return 0.5 * (twist - free).dot(inertia.cwiseProduct(twist - free)) + most * dissipationAt(support, twist);
   };
@@ -204,7 +244,7 @@ PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d&
     damped.diagonal() += inertia;
     return solveSymmetric(damped, inertia.cwiseProduct(free));
   };
-  PlanarTwist twist = guess;
+  PlanarTwist twist = valueAt(guesses[0]) < valueAt(guesses[1]) ? guesses[0] : guesses[1];
   for (int i = 0; i < kMostIterations; ++i) {
     const Dissipation friction = differentiate(support, twist);
     const Eigen::Vector3d gradient = inertia.cwiseProduct(twist - free) + most * friction.gradient;
@@ -224,7 +264,7 @@ PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d&
     // Where an element comes to rest, Newton's step goes too far. Less of it is tried, and friction in proportion to
     // the velocity, which never goes too far: in the proportion that there is now, and in that of a body at rest.
     const std::array<PlanarTwist, 4> others{withResistance(support.resistance_at_rest), twist - 0.5 * change,
-                                            twist - 0.125 * change, withResistance(friction.resistance)};
+                                            twist - 0.125 * change, withResistance(resistanceAt(support, twist))};
     double least = value;
     const PlanarTwist before = twist;
     for (const PlanarTwist& other : others) {

@@ -13,6 +13,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <vector>
 
 #include "planar/planar_model.hpp"
@@ -26,11 +27,13 @@ enum class Pressure {
 };
 
 struct Support {
-  struct Point {
-    Eigen::Vector2d arm = Eigen::Vector2d::Zero();  ///< [m]
-    double share = 0.0;                             ///< of the weight; those of all points are 1 in sum
+  /// Two points beside each other, which processors add up at once.
+  struct Points {
+    Eigen::Array2d arm_x = Eigen::Array2d::Zero();  ///< [m]
+    Eigen::Array2d arm_y = Eigen::Array2d::Zero();  ///< [m]
+    Eigen::Array2d share = Eigen::Array2d::Zero();  ///< of the weight; those of all points are 1 in sum
   };
-  std::vector<Point> points;
+  std::vector<Points> points;
   /// From a velocity to friction, while the velocity is far below that at which a point counts as slipping; of a unit
   /// of weight.
   Eigen::Matrix3d resistance_at_rest = Eigen::Matrix3d::Zero();
@@ -47,8 +50,8 @@ using PlanarTwist = Eigen::Vector3d;
 /// dissipation, which is the minimum of a convex function.
 /// @param inertia mass twice, and moment of inertia [kg, kg, kg m2]
 /// @param free velocity without friction, in the body's frame @param most impulse of friction in the step [N s]
-/// @param guess of the result; a good one saves time
+/// @param guesses of the result; a good one saves time
 PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,
-                                  double most, const PlanarTwist& guess);
+                                  double most, const std::array<PlanarTwist, 2>& guesses);
 
 }  // namespace swarmanoid::dynamics2d

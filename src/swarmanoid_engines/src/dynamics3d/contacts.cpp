@@ -56,7 +56,7 @@ void Contacts::make(const std::vector<Touch>& touches, double step, int attempt,
   attempt_ = attempt;
   memory_.rewind();
   friction_.startStep(step, settings_.gravity, attempt == 0 && !is_iterative);
-  crowds_.startStep(world_, step);
+  crowds_.startStep(world_, step, bodies_);
   makeAll(touches);
 }
 
@@ -67,12 +67,13 @@ void Contacts::makeAgain(const std::vector<Touch>& touches) {
 
 void Contacts::startStep(std::size_t room, std::size_t bodies) {
   memory_.startStep();
+  bodies_ = bodies;
   if (room <= reserved_) {
     return;
   }
   reserved_ = room;
   memory_.reserve(room);
-  crowds_.reserve(room, bodies);
+  crowds_.reserve(room);
   const dContact none = {};
   for (std::size_t i = 0; i < room; ++i) {
     dJointCreateContact(world_, joints_, &none);

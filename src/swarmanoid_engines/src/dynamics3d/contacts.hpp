@@ -57,7 +57,8 @@ class Contacts {
   Settings settings_;
   dWorldID world_ = nullptr;
   dJointGroupID joints_ = nullptr;
-  std::size_t reserved_ = 0;
+  std::size_t reserved_ = 0;  // contacts
+  std::size_t bodies_ = 0;
   ContactMemory memory_;
   Friction friction_{memory_};
   CrowdSolver crowds_{memory_};

@@ -34,20 +34,19 @@ Matrix3d inertiaOf(dBodyID rigid, const dMass& mass) {
 
 }  // namespace
 
-void CrowdSolver::reserve(std::size_t contacts, std::size_t bodies) {
+void CrowdSolver::reserve(std::size_t contacts) {
   contacts_.reserve(contacts);
   order_.reserve(contacts);
-  movers_.reserve(bodies + 1);
-  by_rank_.resize(std::max(by_rank_.size(), bodies), 0);
-  islands_.resize(by_rank_.size());
 }
 
-void CrowdSolver::startStep(dWorldID world, double step) {
+void CrowdSolver::startStep(dWorldID world, double step, std::size_t bodies) {
   world_ = world;
   step_ = step;
   contacts_.clear();
+  movers_.reserve(bodies + 1);
   movers_.assign(1, Mover{});
-  by_rank_.assign(by_rank_.size(), 0);
+  by_rank_.assign(bodies, 0);
+  islands_.resize(bodies);
 }
 
 std::size_t CrowdSolver::moverOf(const Body* body) {

@@ -26,10 +26,10 @@ class CrowdSolver {
   /// @param memory outlives this
   explicit CrowdSolver(ContactMemory& memory) : memory_(memory) {}
 
-  /// So many there may be before memory is allocated.
-  void reserve(std::size_t contacts, std::size_t bodies);
-  /// Before the contacts of a step are added. @param step [s]
-  void startStep(dWorldID world, double step);
+  /// So many contacts there may be before memory is allocated.
+  void reserve(std::size_t contacts);
+  /// Before the contacts of a step are added. @param step [s] @param bodies how many there are
+  void startStep(dWorldID world, double step, std::size_t bodies);
   /// @param b null: the ground @param contact whose axes of friction are not laid; a belt's speed and direction, if
   /// there is one, as motion1 along fdir1 @pre both bodies have one rigid body at most, and the step moves them
   void add(const Body& a, const Body* b, const dContact& contact);

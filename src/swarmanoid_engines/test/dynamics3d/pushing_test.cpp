@@ -67,6 +67,45 @@ TEST(PushingTest, TwoFootbotsPushMoreThanOne) {
   EXPECT_GT(world.pose(block).position.x(), 2.6);
 }
 
+/// Robots side by side that push a block together.
+struct Team {
+  int robots;
+  double share;    // of what all their treels hold: the block's friction
+  double heading;  // rad
+};
+
+void PrintTo(const Team& team, std::ostream* out) {
+  *out << team.robots << " robots, " << team.share << " of their limit, heading " << team.heading;
+}
+
+class TeamTest : public testing::TestWithParam<Team> {};
+
+TEST_P(TeamTest, PushesUpToTheSumOfItsTraction) {
+  constexpr double kSpeed = 0.087;  // m/s
+  constexpr double kApart = 0.2;    // m
+  const auto [robots, share, heading] = GetParam();
+  World world({{"friction", "0.5"}});
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(heading, Vector3d::UnitZ()));
+  const auto at = [&](double ahead, double aside, double height) {
+    return Pose{Vector3d(4.0, 5.0, height) + turn * Vector3d(ahead, aside, 0.0), turn};
+  };
+  const double mass = share * robots * kTraction / (0.5 * kGravity);
+  const Row block = world.addBlock({0.2, kApart * robots, 0.2}, mass, at(kFront + 0.01 + 0.1, 0.0, 0.1));
+  for (int i = 0; i < robots; ++i) {
+    world.drive(world.addFootbot(at(0.0, kApart * (i - 0.5 * (robots - 1)), 0.0)), kSpeed);
+  }
+  world.step(20);
+  const Vector3d before = world.pose(block).position;
+  world.step(40);
+  const double speed = (turn.conjugate() * (world.pose(block).position - before)).x() / 4.0;
+  EXPECT_NEAR(speed, share < 1.0 ? kSpeed : 0.0, 3e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Teams, TeamTest,
+                         testing::Values(Team{3, 0.8, 0.4}, Team{3, 0.96, -1.3}, Team{3, 1.04, 2.2}, Team{5, 0.94, 2.9},
+                                         Team{5, 1.06, 0.7}, Team{8, 0.96, -2.1}, Team{8, 1.04, 0.2},
+                                         Team{12, 0.94, 1.1}, Team{12, 1.06, -0.6}, Team{12, 1.3, 0.0}));
+
 TEST(PushingTest, ThePushedBodiesNeverSinkIntoEachOther) {
   for (const char* subclock : {"10", "50"}) {
     const Push push(1.0, 30, subclock);

@@ -1,0 +1,94 @@
+"""Crowds that press into a corner: what a tick costs against one in which nobody touches, and how far bodies overlap."""
+
+import math
+import statistics
+import sys
+import time
+from typing import NamedTuple
+
+import numpy
+import swarmanoid
+
+RADIUS = 0.085        # of a footbot's body [m]
+SECONDS = 35.0        # in which the crowd forms
+MEASURED = 40         # ticks at the end
+FASTEST = 8.0         # of wheels [rad/s]
+ROBOTS = (20, 150, 1000)
+ALLOWED_FACTOR, ALLOWED_MS = 5.0, 0.1  # of the free tick, and a robot
+
+
+class Case(NamedTuple):
+    engine: str
+    steps: int
+    tick_ms: int
+    overlap: float    # that is promised, with rounding [m]
+
+
+CASES = (Case("kinematics2d", 1, 100, 1e-8), Case("dynamics2d", 1, 100, 6e-4), Case("dynamics2d", 10, 100, 6e-4),
+         Case("dynamics3d", 1, 10, 1.5e-3), Case("dynamics3d", 10, 100, 1.5e-3))
+
+
+def into_the_corner(robots):
+    """Wheels that turn a robot towards the corner at the origin, and press it there."""
+    poses = robots.poses
+    heading = 2 * numpy.arctan2(poses[:, 5], poses[:, 6])
+    astray = (numpy.arctan2(-poses[:, 1], -poses[:, 0]) - heading + math.pi) % (2 * math.pi) - math.pi
+    turn = 1.5 * numpy.clip(astray, -1, 1)
+    wheels = robots.commands["footbot_wheels"]
+    wheels.left, wheels.right = FASTEST * (1 - turn), FASTEST * (1 + turn)
+
+
+def simulation(case, robots, side):
+    """Robots on a square lattice in a room."""
+    per_line = math.ceil(math.sqrt(robots))
+    step = (side - 0.4) / per_line
+    placed = "".join(
+        f"<footbot id='fb_{i}'><position>{0.2 + step * (i % per_line + 0.5)},{0.2 + step * (i // per_line + 0.5)},0</position>"
+        f"<orientation>0,0,{37 * i % 360}</orientation><controller>c</controller></footbot>" for i in range(robots))
+    members = "".join(f"<entity id='fb_{i}'/>" for i in range(robots))
+    text = (f"<ahss-config><framework><clocktick>{case.tick_ms}</clocktick><maxclock>1000000</maxclock></framework><controllers>"
+            "<diffusion id='c' library='diffusion'><actuators><footbot_wheels/></actuators><sensors/></diffusion></controllers>"
+            f"<arena size='{side},{side},1' optimization='{'3D' if case.engine == 'dynamics3d' else '2D'}' bounded='true'>{placed}</arena>"
+            f"<engines><{case.engine} id='g'><subclock>{case.steps}</subclock></{case.engine}></engines>"
+            f"<arena_physics><engine id='g'>{members}</engine></arena_physics></ahss-config>")
+    return swarmanoid.Simulation(text=text, controllers={"c": into_the_corner})
+
+
+def tick_ms(run):
+    times = []
+    for _ in range(MEASURED):
+        begin = time.process_time()
+        run.tick(1)
+        times.append(1e3 * (time.process_time() - begin))
+    return statistics.mean(times)
+
+
+def overlap_of(run, side):
+    """@return the deepest of robots in each other and in walls [m]"""
+    places = run.robots.poses[:, :2]
+    deepest = max(RADIUS - places.min(), places.max() + RADIUS - side)
+    for i in range(1, len(places)):
+        deepest = max(deepest, 2 * RADIUS - numpy.hypot(*(places[:i] - places[i]).T).min())
+    return deepest
+
+
+def crowds(table):
+    for case in CASES:
+        for robots in ROBOTS:
+            print(f"{case.engine}, {case.steps} steps, {robots} robots", file=sys.stderr)
+            with simulation(case, robots, 2.0 * math.ceil(math.sqrt(robots)) + 0.4) as free:
+                free.tick(10)
+                free_ms = tick_ms(free)
+            side = max(4.0, 0.6 + 0.32 * math.sqrt(robots))
+            overlap = 0.0
+            with simulation(case, robots, side) as pressed:
+                ticks = round(1e3 * SECONDS / case.tick_ms)
+                for _ in range(10):
+                    pressed.tick(ticks // 10)
+                    overlap = max(overlap, overlap_of(pressed, side))
+                pressed_ms = tick_ms(pressed)
+            allowed = ALLOWED_FACTOR * free_ms + ALLOWED_MS * robots
+            table.add(f"{robots:,} footbots press into a corner for {SECONDS:.0f} s, {case.engine}, ticks of {case.tick_ms} ms, steps a tick {case.steps}",
+                      f"overlap at most {1e3 * case.overlap:g} mm; a tick within {ALLOWED_FACTOR:.0f} free ones and {ALLOWED_MS} ms a robot",
+                      f"{1e3 * max(overlap, 0.0):.2f} mm; {pressed_ms:.2f} ms of {allowed:.2f} (free {free_ms:.2f})",
+                      overlap <= case.overlap and pressed_ms <= allowed)
