@@ -45,6 +45,7 @@ FIGURES = {
     "classic": lambda table, build: classic.classic(table),
     "long_tests": long_tests.long_tests,
     "mappings": lambda table, build: engines.mappings(table),
+    "cooperation": lambda table, build: engines.cooperation(table),
     "dynamics2d": engines.dynamics2d,
     "dynamics3d": engines.dynamics3d,
     "crowds": lambda table, build: crowds.crowds(table),

@@ -59,6 +59,18 @@ def mappings(table):
         table.add(what, "at least 95", seen, good >= 95)
 
 
+def cooperation(table):
+    """What only several robots can do."""
+    for experiment, what in (("group_pull", "ten footbots pull a prey that is too heavy for one, dynamics2d"),
+                             ("gap", "a chain of five footbots over a gap that one falls into, dynamics3d")):
+        good = 0
+        for seed in SEEDS:
+            print(f"\r{experiment}: seed {seed}", end="", file=sys.stderr, flush=True)
+            good += bool(run(experiment, "--seed", seed)["success"])
+        print(file=sys.stderr)
+        table.add(f"{experiment}: {what}, seeds 1-100", "at least 95", str(good), good >= 95)
+
+
 def dynamics2d(table, build):
     """Ticks of diffusion in turn with Box2D alone, in one run; and how long a run takes to start."""
     binary = build / "devel/lib/swarmanoid_engines/swarmanoid_engines_dynamics2d_benchmark"

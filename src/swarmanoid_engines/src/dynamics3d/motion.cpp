@@ -307,8 +307,7 @@ void Dynamics3d::reportTrouble(Space& space) {
     space.events.push_back({Event::Kind::kEngineTrouble, "", "",
                             "dynamics3d '" + id_ + "': " + std::to_string(islands_.largestEver()) +
                                 " bodies touch, which is too many for an exact solution: forces spread among them over "
-                                "some steps; from now "
-                                "on this is only counted"});
+                                "some steps; from now on this is only counted"});
   }
   if (counts_.iterative > 0 && !has_reported_trouble_) {
     has_reported_trouble_ = true;

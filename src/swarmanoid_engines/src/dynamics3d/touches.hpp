@@ -34,7 +34,10 @@ class Touches {
   void release();
 
   void add(Body& body) { near_.add(&body, boundsNow(body)); }
-  void remove(Body& body) { near_.remove(&body); }
+  void remove(Body& body) {
+    near_.remove(&body);
+    touches_.clear();  // some may be its
+  }
 
   /// Finds who is near whom in the step that comes. @param bodies how many there are @return those left out of ODE that
   /// somebody is near: they have to be taken in, and looked at once more (boundsNow); valid until the next call
