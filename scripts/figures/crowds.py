@@ -1,7 +1,6 @@
-"""Crowds that press into a corner: what a tick costs against one in which nobody touches, and how far bodies overlap."""
+"""Crowds pressed into a corner: cost of a tick against that of robots apart, and overlap of bodies."""
 
 import math
-import statistics
 import sys
 import time
 from typing import NamedTuple
@@ -55,16 +54,14 @@ def simulation(case, robots, side):
 
 
 def tick_ms(run):
-    times = []
-    for _ in range(MEASURED):
-        begin = time.process_time()
-        run.tick(1)
-        times.append(1e3 * (time.process_time() - begin))
-    return statistics.mean(times)
+    """@return mean length of a tick, processor time [ms]"""
+    begin = time.process_time()
+    run.tick(MEASURED)
+    return 1e3 * (time.process_time() - begin) / MEASURED
 
 
 def overlap_of(run, side):
-    """@return the deepest of robots in each other and in walls [m]"""
+    """@return largest overlap of two robots, or of a robot and a wall [m]; a robot that leans counts as upright"""
     places = run.robots.poses[:, :2]
     deepest = max(RADIUS - places.min(), places.max() + RADIUS - side)
     for i in range(1, len(places)):

@@ -91,7 +91,7 @@ struct SupportConstraint {
   const Support* support = nullptr;
   double most = 0.0;                                  ///< impulse of friction
   Eigen::Vector3d impulse = Eigen::Vector3d::Zero();  ///< with that of torque [N m s], at heading 0
-  PlanarTwist last = PlanarTwist::Zero();             ///< of the body, after it was solved last
+  PlanarTwist last = PlanarTwist::Zero();             ///< velocity after the last solve of this step
 
   void start(SolverBodies& bodies);
   double solve(SolverBodies& bodies);

@@ -72,7 +72,7 @@ double SupportConstraint::solve(SolverBodies& bodies) {
   const Eigen::Vector3d inertia = slider.inverseInertia().cwiseInverse();
   const PlanarTwist now = twistOf(slider);
   const PlanarTwist free = now - impulse.cwiseQuotient(inertia);
-  // what rests comes back to where it was, what slides goes on from where others pushed it
+  // a resting body stays near its last solution, a sliding one near its current velocity
   const PlanarTwist after = free.isZero(0.0) ? free : velocityAfterFriction(*support, inertia, free, most, {last, now});
   last = after;
   const Eigen::Vector3d before = impulse;

@@ -27,7 +27,7 @@ enum class Pressure {
 };
 
 struct Support {
-  /// Two points beside each other, which processors add up at once.
+  /// Two points side by side, for vector instructions.
   struct Points {
     Eigen::Array2d arm_x = Eigen::Array2d::Zero();  ///< [m]
     Eigen::Array2d arm_y = Eigen::Array2d::Zero();  ///< [m]
@@ -50,7 +50,8 @@ using PlanarTwist = Eigen::Vector3d;
 /// dissipation, which is the minimum of a convex function.
 /// @param inertia mass twice, and moment of inertia [kg, kg, kg m2]
 /// @param free velocity without friction, in the body's frame @param most impulse of friction in the step [N s]
-/// @param guesses of the result; a good one saves time
+/// @param guesses of the result; the better one is the start of the iteration
+/// @return the velocity at which forces balance within a millionth of `most`
 PlanarTwist velocityAfterFriction(const Support& support, const Eigen::Vector3d& inertia, const PlanarTwist& free,
                                   double most, const std::array<PlanarTwist, 2>& guesses);
 

@@ -202,6 +202,10 @@ std::unique_ptr<Body> makeBody(dWorldID world, const Space& space, Row row, Role
     for (std::size_t k = 0; k < body->links.size(); ++k) {
       setMass(body->links[k].rigid, model.joints[k].part);
     }
+    dBodySetData(body->rigid, body.get());
+    for (const Link& link : body->links) {
+      dBodySetData(link.rigid, body.get());
+    }
     body->saved_.resize(1 + body->links.size());
   }
   addSolids(*body);

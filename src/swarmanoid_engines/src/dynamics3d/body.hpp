@@ -131,7 +131,7 @@ struct Body {
   std::shared_ptr<const EntityModel> model;
   int rank = 0;  ///< among all bodies, by entity number
 
-  dBodyID rigid = nullptr;  ///< null: fixed in the world
+  dBodyID rigid = nullptr;  ///< null: fixed in the world; ODE's user data of all its rigid bodies is this Body
   Inertial own;             ///< of `rigid`: the whole entity, or what no joint turns
   std::vector<Link> links;  ///< by the model's joints; empty: all of the entity is one rigid body
   bool is_dynamic = false;  ///< forces move it; otherwise it is fixed or a mirror
@@ -152,12 +152,12 @@ struct Body {
   std::unique_ptr<Holding> holding;  ///< null: nobody commands its holders, and they hold nothing
   Turret turret;
   Steadiness steadiness;
-  /// What it is part of in the step under way; see islands.hpp.
+  /// Solver of the body's island in the current step (islands.hpp).
   enum class Island {
-    kNone,   ///< not found
-    kSmall,  ///< for the exact solver
-    kLarge,  ///< for ODE's iterative solver
-    kCrowd   ///< for the crowd solver
+    kNone,   ///< no island: between steps, or with `iterative`
+    kSmall,  ///< exact solver
+    kLarge,  ///< ODE's iterative solver
+    kCrowd   ///< crowd solver
   };
   Island island = Island::kNone;
   int island_first = 0;  ///< rank of the first body of the island

@@ -1,18 +1,17 @@
-/// The forces of the last step's contacts, with which the solution of the next step begins.
+/// Contact forces of the last step, which warm-start the solvers of the next one.
 ///
-/// Each solver of a step recalls and keeps those of its own contacts, in the order in which touches are found; so a
-/// contact that goes from one solver to another keeps its force.
+/// Each solver recalls and stores the forces of its own contacts, in the order of the touches of the step. A contact
+/// that moves from one solver to another keeps its force.
 #pragma once
 
 #include <cstdint>
-#include <utility>
 #include <vector>
 
 #include "dynamics3d/body.hpp"
 
 namespace swarmanoid::dynamics3d {
 
-/// Of one contact, in W.
+/// Force in one contact, in W.
 struct ContactForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< on a [N]
   double load = 0.0;                                ///< its part along the normal [N]
@@ -20,27 +19,28 @@ struct ContactForce {
 
 class ContactMemory {
  public:
-  /// Which two bodies touch. Ground comes before pairs, both in the order of ranks.
+  /// Key of two touching bodies; ascends in the order of the touches: ground contacts by rank, then pairs by their
+  /// ranks. @param b null: the ground
   static std::uint64_t keyOf(const Body& a, const Body* b);
 
-  /// After entities came, went or were moved from outside.
+  /// Forgets all forces. The caller must do so when entities are added, removed or placed.
   void clear() { contacts_.clear(); }
-  /// So many contacts there may be before memory is allocated.
+  /// Allocates memory for this many contacts.
   void reserve(std::size_t contacts);
-  /// Before a step's first solution.
+  /// Begins a step.
   void startStep();
-  /// Before contacts are recalled in order once more.
+  /// Restarts the recall at the first contact, for another solution of the step.
   void rewind() { first_ = 0; }
-  /// Returns the force in the contact of two bodies that was nearest to this place in the last step.
-  /// @param key of both bodies, never less than in the call before @param arm_a from the centre of mass of a to the
-  /// contact [m] @return null if there was none within 1 cm; valid until finishStep
+  /// Returns the force of the last step's nearest contact of the same two bodies.
+  /// @param key keyOf the bodies; must not be less than in the previous call @param arm_a from the centre of mass of a
+  /// to the contact, in W [m] @return null without a contact within 1 cm; valid until finishStep
   const ContactForce* recall(std::uint64_t key, dBodyID rigid_a, const Eigen::Vector3d& arm_a);
 
-  /// Before a solver keeps its contacts.
+  /// Begins the contacts of one solver.
   void startPart();
-  /// @param key never less than in the call before
+  /// Stores the force of a contact. @param key must not be less than in the previous call for this solver
   void keep(std::uint64_t key, dBodyID rigid_a, const Eigen::Vector3d& arm_a, const ContactForce& force);
-  /// Forgets the last step, of which this is the next.
+  /// Ends a step: replaces the forces of the last step.
   void finishStep();
 
  private:
@@ -52,9 +52,9 @@ class ContactMemory {
   };
 
   std::vector<Kept> contacts_;  // of the last step, by key
-  std::size_t first_ = 0;       // that the next contact may be
-  std::vector<Kept> parts_;     // of the step under way: of each solver, by key
-  std::size_t second_ = 0;      // where the second one's begin
+  std::size_t first_ = 0;       // first candidate for the next recall
+  std::vector<Kept> parts_;     // of this step: up to two solvers, each by key
+  std::size_t second_ = 0;      // begin of the second solver's contacts
 };
 
 }  // namespace swarmanoid::dynamics3d

@@ -39,7 +39,7 @@ void Contacts::configure(dWorldID world, const Settings& settings) {
   settings_ = settings;
   world_ = world;
   joints_ = dJointGroupCreate(0);
-  reserved_ = 0;
+  most_bodies_ = 0;
 }
 
 void Contacts::release() {
@@ -49,6 +49,21 @@ void Contacts::release() {
     joints_ = nullptr;
   }
   forget();
+}
+
+void Contacts::startStep(std::size_t bodies) {
+  memory_.startStep();
+  bodies_ = bodies;
+  if (bodies <= most_bodies_) {
+    return;
+  }
+  most_bodies_ = bodies;
+  memory_.reserve(kMostTouchesOfABody * bodies);
+  const dContact none = {};
+  for (std::size_t i = 0; i < kMostTouchesOfABody * bodies; ++i) {
+    dJointCreateContact(world_, joints_, &none);
+  }
+  dJointGroupEmpty(joints_);
 }
 
 void Contacts::make(const std::vector<Touch>& touches, double step, int attempt, bool is_iterative) {
@@ -65,22 +80,6 @@ void Contacts::makeAgain(const std::vector<Touch>& touches) {
   makeAll(touches);
 }
 
-void Contacts::startStep(std::size_t room, std::size_t bodies) {
-  memory_.startStep();
-  bodies_ = bodies;
-  if (room <= reserved_) {
-    return;
-  }
-  reserved_ = room;
-  memory_.reserve(room);
-  crowds_.reserve(room);
-  const dContact none = {};
-  for (std::size_t i = 0; i < room; ++i) {
-    dJointCreateContact(world_, joints_, &none);
-  }
-  dJointGroupEmpty(joints_);
-}
-
 void Contacts::makeAll(const std::vector<Touch>& touches) {
   joints_made_ = 0;
   for (const Touch& touch : touches) {
@@ -95,12 +94,12 @@ void Contacts::makeOne(const Touch& touch) {
   if (!describe(touch, contact)) {
     return;
   }
-  const dBodyID rigid_a = dGeomGetBody(touch.solid_a->geom);
-  const dBodyID rigid_b = touch.b == nullptr ? nullptr : dGeomGetBody(touch.solid_b->geom);
   if (touch.a->island == Body::Island::kCrowd) {
     crowds_.add(*touch.a, touch.b, contact);
     return;
   }
+  const dBodyID rigid_a = dGeomGetBody(touch.solid_a->geom);
+  const dBodyID rigid_b = touch.b == nullptr ? nullptr : dGeomGetBody(touch.solid_b->geom);
   friction_.lay(*touch.a, rigid_a, touch.b, rigid_b, contact);
   breakTies(contact.surface);
   const dJointID joint = dJointCreateContact(world_, joints_, &contact);

@@ -1,7 +1,5 @@
-/// Makes contacts of where bodies touch, each for the solver of its island (islands.hpp): joints of ODE, or contacts of
-/// the crowd solver.
-///
-/// Friction is that of friction.hpp, and in crowds that of crowd_solver.hpp.
+/// Makes contacts from touches, each for the solver of its island (islands.hpp): ODE joints, or contacts of the crowd
+/// solver. Friction of joints: friction.hpp.
 #pragma once
 
 #include <vector>
@@ -16,49 +14,47 @@ class Contacts {
  public:
   /// @pre an OdeLock is held
   void configure(dWorldID world, const Settings& settings);
-  /// Other surfaces from now on.
+  /// Replaces the surface parameters.
   void reconfigure(const Settings& settings) { settings_ = settings; }
-  /// Gives everything back to ODE. @pre an OdeLock is held
+  /// Destroys all ODE objects. @pre an OdeLock is held
   void release();
-  /// After entities came, went or were moved from outside.
+  /// Drops the forces of the last step. The caller must do so when entities are added, removed or placed.
   void forget() { memory_.clear(); }
 
-  /// Before the contacts of a step are made. @param room for so many contacts there is to be @param bodies how many
-  /// there are
-  void startStep(std::size_t room, std::size_t bodies);
-  /// After it was solved.
+  /// Begins a step. @param bodies number of bodies in the world
+  void startStep(std::size_t bodies);
+  /// Ends a step.
   void finishStep() { memory_.finishStep(); }
-  /// Makes the contacts of one solution, of bodies that are enabled. @param step [s]
-  /// @param attempt counts up while the solver fails: ties between contacts are then broken in another way
-  /// @param is_iterative whether the iterative solver makes the step, which finds loads and friction together
+  /// Makes the contacts of enabled bodies for one solution. @param step time step [s]
+  /// @param attempt number of failed solutions of this step; each one breaks ties between contacts in another way
+  /// @param is_iterative whether ODE's iterative solver follows, which couples loads and friction by itself
   void make(const std::vector<Touch>& touches, double step, int attempt, bool is_iterative);
-  /// After the step was solved: whether friction is Coulomb's everywhere.
-  bool isFrictionCoulombs() { return friction_.isCoulombs(); }
-  /// After the last solution of a step by the exact solver: keeps its forces for the next step.
-  void keepForces() { friction_.keep(); }
-  /// Makes the contacts once more, now with the friction that was found. @pre the bodies are back in the state of the
-  /// last make
+  /// Makes the contacts again with the corrected friction. @pre the bodies are back in the state of the last make
   void makeAgain(const std::vector<Touch>& touches);
-  /// Finds the forces in crowds, and puts them on their bodies for ODE's next step. @param is_settling whether bodies
-  /// were just put down
+  /// Returns whether the solution obeys Coulomb's law at all contacts; corrects the friction for makeAgain if not.
+  bool isFrictionCoulombs() { return friction_.isCoulombs(); }
+  /// Stores the forces of the exact solver for the next step.
+  void keepForces() { friction_.keep(); }
+  /// Solves crowds and adds their contact forces to the bodies. @param is_settling true in the first steps after bodies
+  /// were placed
   void solveCrowds(bool is_settling) { crowds_.solve(is_settling); }
-  /// Where joints belong that are to last for one step.
+  /// Joint group of all joints that last for one solution.
   dJointGroupID joints() const { return joints_; }
-  /// Forgets them again.
+  /// Destroys the joints of that group.
   void clear() { dJointGroupEmpty(joints_); }
 
  private:
   void makeAll(const std::vector<Touch>& touches);
   void makeOne(const Touch& touch);
-  /// All but friction's axes. @return whether there is a contact
+  /// Fills everything but the friction axes. @return false if the touch makes no contact
   bool describe(const Touch& touch, dContact& contact) const;
   void breakTies(dSurfaceParameters& surface);
 
   Settings settings_;
   dWorldID world_ = nullptr;
   dJointGroupID joints_ = nullptr;
-  std::size_t reserved_ = 0;  // contacts
-  std::size_t bodies_ = 0;
+  std::size_t bodies_ = 0;       // in the world
+  std::size_t most_bodies_ = 0;  // that memory is allocated for
   ContactMemory memory_;
   Friction friction_{memory_};
   CrowdSolver crowds_{memory_};

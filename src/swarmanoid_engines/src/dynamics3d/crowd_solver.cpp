@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "dynamics3d/friction.hpp"
+#include "dynamics3d/touches.hpp"
 #include "swarmanoid_interface/expects.hpp"
 
 namespace swarmanoid::dynamics3d {
@@ -14,39 +15,33 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// A sweep goes there and back. Small crowds can have many, and are as exact as if they were solved exactly; in large
-// ones forces spread over some steps.
+// Each sweep visits every contact twice, forwards and backwards. Small crowds converge within a step; in large crowds
+// forces spread over some steps.
 constexpr std::size_t kFewestSweeps = 20;
 constexpr std::size_t kMostSweeps = 100;
-constexpr std::size_t kCorrections = 10000;  // of all contacts in all sweeps, unless those are the fewest
+constexpr std::size_t kContactsTimesSweeps = 10000;  // sets the sweeps between these two limits
 constexpr std::size_t kSettlingSweeps = 300;
-constexpr double kAstray = 1e-6;  // m/s: with less the solution is good enough
+constexpr double kConverged = 1e-6;  // m/s
 
 Matrix3d crossMatrix(const Vector3d& v) {
   return (Matrix3d() << 0.0, -v.z(), v.y(), v.z(), 0.0, -v.x(), -v.y(), v.x(), 0.0).finished();
 }
 
-Matrix3d inertiaOf(dBodyID rigid, const dMass& mass) {
-  const Matrix3d turn = toQuaternion(dBodyGetQuaternion(rigid)).toRotationMatrix();
-  const Matrix3d own = Eigen::Map<const Eigen::Matrix<double, 3, 4, Eigen::RowMajor>>(mass.I).leftCols<3>();
-  return turn * own * turn.transpose();
-}
-
 }  // namespace
-
-void CrowdSolver::reserve(std::size_t contacts) {
-  contacts_.reserve(contacts);
-  order_.reserve(contacts);
-}
 
 void CrowdSolver::startStep(dWorldID world, double step, std::size_t bodies) {
   world_ = world;
   step_ = step;
+  bodies_ = bodies;
   contacts_.clear();
-  movers_.reserve(bodies + 1);
+}
+
+void CrowdSolver::startMovers() {
+  contacts_.reserve(kMostTouchesOfABody * bodies_);
+  order_.reserve(kMostTouchesOfABody * bodies_);
+  movers_.reserve(bodies_ + 1);
   movers_.assign(1, Mover{});
-  by_rank_.assign(bodies, 0);
-  islands_.resize(bodies);
+  by_rank_.assign(bodies_, 0);
 }
 
 std::size_t CrowdSolver::moverOf(const Body* body) {
@@ -63,12 +58,11 @@ std::size_t CrowdSolver::moverOf(const Body* body) {
   mover.linear = toVector(dBodyGetLinearVel(body->rigid));
   mover.angular = toVector(dBodyGetAngularVel(body->rigid));
   if (body->is_dynamic) {
-    dMass mass;
-    dBodyGetMass(body->rigid, &mass);
     dVector3 gravity;
     dWorldGetGravity(world_, gravity);
-    mover.inverse_mass = 1.0 / mass.mass;
-    mover.inverse_inertia = inertiaOf(body->rigid, mass).inverse();
+    const Matrix3d turn = toQuaternion(dBodyGetQuaternion(body->rigid)).toRotationMatrix();
+    mover.inverse_mass = 1.0 / body->own.mass;
+    mover.inverse_inertia = (turn * body->own.inertia * turn.transpose()).inverse();
     mover.linear += step_ * (toVector(gravity) + mover.inverse_mass * toVector(dBodyGetForce(body->rigid)));
     mover.angular += step_ * mover.inverse_inertia * toVector(dBodyGetTorque(body->rigid));
   }
@@ -79,6 +73,9 @@ std::size_t CrowdSolver::moverOf(const Body* body) {
 
 void CrowdSolver::add(const Body& a, const Body* b, const dContact& contact) {
   SWARMANOID_EXPECTS(a.links.empty() && (b == nullptr || b->links.empty()));
+  if (contacts_.empty()) {
+    startMovers();
+  }
   const Vector3d point = toVector(contact.geom.pos);
   Contact& added = contacts_.emplace_back();
   added.key = ContactMemory::keyOf(a, b);
@@ -171,8 +168,8 @@ double CrowdSolver::correct(Contact& contact) {
   const double limit = contact.coefficient * contact.impulse.x();
   Vector2d along = before.tail<2>() + contact.inverse_along * missing.tail<2>();
   if (along.squaredNorm() > limit * limit) {
-    // Where it slips, friction opposes the slip; an impulse that would stop it does not, where the bodies yield more in
-    // one direction than in another.
+    // Friction of a slipping contact opposes the slip. The full effective mass would turn it away from the slip, since
+    // it differs between directions.
     along = before.tail<2>() + contact.inverse_slip * missing.tail<2>();
     const double size = along.norm();
     along *= size > limit ? limit / size : 1.0;
@@ -195,7 +192,7 @@ double CrowdSolver::sweep(const Range& range) {
 }
 
 void CrowdSolver::sortByIslands() {
-  std::fill(islands_.begin(), islands_.end(), Range{});
+  islands_.assign(bodies_, Range{});
   for (const Contact& contact : contacts_) {
     ++islands_[contact.island].last;
   }
@@ -212,6 +209,9 @@ void CrowdSolver::sortByIslands() {
 }
 
 void CrowdSolver::solve(bool is_settling) {
+  if (contacts_.empty()) {
+    return;
+  }
   for (const Contact& contact : contacts_) {
     push(contact, contact.impulse);
   }
@@ -219,8 +219,8 @@ void CrowdSolver::solve(bool is_settling) {
   for (const Range& range : islands_) {
     const std::size_t contacts = std::max<std::size_t>(range.last - range.first, 1);
     const std::size_t most =
-        is_settling ? kSettlingSweeps : std::clamp(kCorrections / contacts, kFewestSweeps, kMostSweeps);
-    for (std::size_t i = 0; i < most && sweep(range) > kAstray; ++i) {
+        is_settling ? kSettlingSweeps : std::clamp(kContactsTimesSweeps / contacts, kFewestSweeps, kMostSweeps);
+    for (std::size_t i = 0; i < most && sweep(range) > kConverged; ++i) {
     }
   }
   for (const Mover& mover : movers_) {

@@ -15,8 +15,8 @@
 /// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
 /// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
-/// Its time grows with the cube of what touches, so large islands go to the crowd solver, or to the iterative one where
-/// grips or ropes hold bodies together (islands.hpp).
+/// Its time grows with the cube of an island's joints, so islands with more than a few contacts go to the crowd solver,
+/// and very large ones with grips, ropes or links to the iterative solver (islands.hpp).
 ///
 /// Bodies that go on as they did, or stand, with nobody near, are moved without ODE (steady_motion.hpp).
 ///
@@ -101,7 +101,7 @@ class Dynamics3d final : public Engine {
   // motion.cpp
   /// Leaves those out of ODE that move steadily in the tick that begins.
   void leaveOutSteady(double tick);
-  /// Takes those in again that somebody is near. @param steps of this tick that are done
+  /// Takes bodies with a neighbour in again. @param steps number of finished steps of this tick
   void takeInReached(int steps, double step);
   void takeIn(Body& body, int steps, double step);
   /// What hangs on a rope does not move steadily: ropes are no lasting joints in ODE.
@@ -109,9 +109,12 @@ class Dynamics3d final : public Engine {
   /// @param number from 0, of the step in the tick
   void stepOnce(int number, double step);
   void setDamping(bool is_damped);
+  void finishTick(Space& space);
+  void reportTrouble(Space& space);
+
+  // solving.cpp: each solver moves the bodies that are enabled
   void solveByIslands(double step);
-  /// All bodies that are enabled, as the next ones do. @return false if the solver gave up; then all is as before the
-  /// step
+  /// @return false if the solver gave up; small islands are then back in the state before the step
   bool solveExactly(double step);
   bool solveContacts(double step);
   void solveIteratively(double step);
@@ -121,8 +124,6 @@ class Dynamics3d final : public Engine {
   bool areRopesKept(double step);
   void restoreStates();
   void makeRopeJoints(double step);
-  void finishTick(Space& space);
-  void reportTrouble(Space& space);
 
   // attaching.cpp
   struct Surface {

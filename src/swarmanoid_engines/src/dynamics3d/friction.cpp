@@ -59,11 +59,12 @@ bool isUpright(const Vector3d& normal) {
 
 bool isDriven(const Body& body) { return body.is_dynamic && body.model->wheels.has_value(); }
 
-}  // namespace
-
+/// Whether a robot with treels touches the other body with an upright side.
 bool isAtDrivenSide(const Body& a, const Body* b, const Vector3d& normal) {
   return isUpright(normal) && (isDriven(a) || (b != nullptr && isDriven(*b)));
 }
+
+}  // namespace
 
 bool isPushed(const Body& a, const Body* b, const Vector3d& normal) {
   return isUpright(normal) && b != nullptr && a.is_dynamic && b->is_dynamic && isDriven(a) != isDriven(*b);

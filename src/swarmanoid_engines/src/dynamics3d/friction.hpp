@@ -31,12 +31,10 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// Whether a robot on treels touches the other body with an upright side. @param b null: the ground @param normal of
-/// the contact, in W
-bool isAtDrivenSide(const Body& a, const Body* b, const Eigen::Vector3d& normal);
-/// Whether it so touches a body without treels that can be moved.
+/// Whether a robot with treels touches a movable body without treels at an upright surface. @param b null: the ground
+/// @param normal contact normal, in W
 bool isPushed(const Body& a, const Body* b, const Eigen::Vector3d& normal);
-constexpr double kYield = 1e-2;  ///< how easily such sides slip up and down [m/s per N]
+constexpr double kYield = 1e-2;  ///< vertical slip speed per friction force at upright sides of robots [m/s per N]
 
 /// Frame W. Between `startStep` and the last `isCoulombs` of a step, an OdeLock is held.
 class Friction {

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <numeric>
 
+#include "dynamics3d/rope.hpp"
+
 namespace swarmanoid::dynamics3d {
 namespace {
 
-/// Whether ODE moves the body in the step under way, be it only as a mirror.
+/// Whether the body takes part in the step; mirrors do.
 bool isStepped(const Body& body) { return body.rigid != nullptr && !body.steadiness.is_left_out; }
 
 template <class Visit>
@@ -36,12 +38,6 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
   parents_.resize(bodies.size());
   std::iota(parents_.begin(), parents_.end(), 0);
   islands_.assign(bodies.size(), Island{});
-  visitStepped(bodies, [](Body& body) {
-    dBodySetData(body.rigid, &body);
-    for (const Link& link : body.links) {
-      dBodySetData(link.rigid, &body);
-    }
-  });
   for (const Touch& touch : touches) {
     if (touch.b != nullptr && isStepped(*touch.b)) {
       join(*touch.a, *touch.b);
@@ -70,13 +66,13 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
 }
 
 bool Islands::isLarge(const Island& island) {
-  constexpr int kMostJoints = 64;            // of bodies that are pressed together: some eight footbots
-  constexpr int kMostJointsOfGripped = 256;  // forces on grips would be rough
+  constexpr int kMostJoints = 64;            // some eight pressed footbots
+  constexpr int kMostJointsOfGripped = 256;  // larger, since the iterative solver makes grip forces rough
   return island.joints > (island.has_grips ? kMostJointsOfGripped : kMostJoints);
 }
 
 Body::Island Islands::solverOf(const Island& island) {
-  constexpr int kMostContacts = 12;  // those of two footbots: with more the crowd solver is faster
+  constexpr int kMostContacts = 12;  // two footbots; the crowd solver is faster for more
   if (island.has_links || island.has_grips) {
     return isLarge(island) ? Body::Island::kLarge : Body::Island::kSmall;
   }
@@ -85,7 +81,7 @@ Body::Island Islands::solverOf(const Island& island) {
 
 std::size_t Islands::rootOf(std::size_t rank) {
   while (parents_[rank] != rank) {
-    parents_[rank] = parents_[parents_[rank]];  // the next search has half the way
+    parents_[rank] = parents_[parents_[rank]];  // path halving
     rank = parents_[rank];
   }
   return rank;
@@ -109,17 +105,18 @@ void Islands::joinHeld(Body& body) {
   for (const Link& link : body.links) {
     joinBy(body, link.rigid);
   }
-  for (std::size_t i = 0; body.holding != nullptr && i < body.holding->ropes.size(); ++i) {
-    const Rope& rope = body.holding->ropes[i];
-    if (rope.held != nullptr && !rope.is_broken) {
-      if (isStepped(*rope.held)) {
-        join(body, *rope.held);
-      }
-      Island& island = islands_[rootOf(placeOf(body))];
-      ++island.joints;
-      island.has_grips = true;
+  visitRopes(body, [&](std::size_t index) {
+    const Rope& rope = body.holding->ropes[index];
+    if (rope.is_broken) {
+      return;
     }
-  }
+    if (isStepped(*rope.held)) {
+      join(body, *rope.held);
+    }
+    Island& island = islands_[rootOf(placeOf(body))];
+    ++island.joints;
+    island.has_grips = true;
+  });
 }
 
 void Islands::joinBy(Body& body, dBodyID rigid) {

@@ -4,8 +4,6 @@
 #include "dynamics3d/arms.hpp"
 #include "dynamics3d/dynamics3d.hpp"
 #include "dynamics3d/flight.hpp"
-#include "dynamics3d/hanging.hpp"
-#include "dynamics3d/islands.hpp"
 #include "dynamics3d/rope.hpp"
 #include "dynamics3d/steady_motion.hpp"
 #include "dynamics3d/treels.hpp"
@@ -54,24 +52,6 @@ bool hangsByMagnet(const Body& robot) {
     }
   }
   return false;
-}
-
-/// Whether the solution under way moves a body that can hang: the other solver has those of large islands.
-bool isSolved(const Body& robot) {
-  return robot.holding != nullptr && robot.rigid != nullptr && dBodyIsEnabled(robot.rigid) != 0;
-}
-
-/// Calls visit(rope) for the ropes that hold something.
-template <class Visit>
-void visitRopes(Body& robot, Visit visit) {
-  if (robot.holding == nullptr) {
-    return;
-  }
-  for (std::size_t i = 0; i < robot.holding->ropes.size(); ++i) {
-    if (robot.holding->ropes[i].held != nullptr) {
-      visit(i);
-    }
-  }
 }
 
 }  // namespace
@@ -141,7 +121,7 @@ void Dynamics3d::stepOnce(int number, double step) {
   setDamping(settling_ == 0);
   ++counts_.steps;
   touches_.find(order_);
-  contacts_.startStep(touches_.all().capacity(), order_.size());
+  contacts_.startStep(order_.size());
   if (settings_.solver == Settings::Solver::kIterative) {
     solveIteratively(step);
   } else {
@@ -173,132 +153,6 @@ void Dynamics3d::setDamping(bool is_damped) {
   // missing as a force: so at first contacts are as stiff as ever, but not damped.
   dWorldSetERP(world_, is_damped ? kErrorReduction : 1.0);
   dWorldSetCFM(world_, is_damped ? kSoftness : kSoftness / kErrorReduction);
-}
-
-void Dynamics3d::solveByIslands(double step) {
-  islands_.find(order_, touches_.all());
-  counts_.large += islands_.hasLarge() ? 1 : 0;
-  if (!islands_.areAllSmall()) {
-    Islands::enableSmall(order_, true);
-  }
-  if (!solveExactly(step)) {
-    ++counts_.iterative;
-    Islands::enableAll(order_);
-    solveIteratively(step);
-  } else if (!islands_.areAllSmall()) {
-    Islands::enableSmall(order_, false);
-    solveIteratively(step);
-  }
-  Islands::enableAll(order_);
-  Islands::forget(order_);
-}
-
-bool Dynamics3d::solveExactly(double step) {
-  constexpr int kMostAttempts = 3;
-  for (Body* body : order_) {
-    if (!body->steadiness.is_left_out) {
-      body->saveState();
-    }
-  }
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    contacts_.make(touches_.all(), step, attempt, false);
-    makeRopeJoints(step);
-    if (solveContacts(step) && correctFriction(step) && correctRopes(step)) {
-      contacts_.keepForces();
-      return true;
-    }
-    counts_.redone += attempt == 0 ? 1 : 0;
-    // what is left then is a step in which some contacts hold nothing
-    restoreStates();
-  }
-  return false;
-}
-
-void Dynamics3d::solveIteratively(double step) {
-  contacts_.make(touches_.all(), step, 0, true);
-  contacts_.solveCrowds(settling_ > 0);
-  makeRopeJoints(step);
-  dWorldQuickStep(world_, step);
-  finishSolution();
-}
-
-bool Dynamics3d::solveContacts(double step) {
-  const long failures = solverFailures();
-  dWorldStep(world_, step);
-  finishSolution();
-  return solverFailures() == failures;
-}
-
-void Dynamics3d::finishSolution() {
-  contacts_.clear();
-  for (Body* body : order_) {
-    if (isSolved(*body)) {
-      finishHanging(*body);
-    }
-  }
-}
-
-bool Dynamics3d::correctFriction(double step) {
-  constexpr int kMostCorrections = 2;
-  for (int i = 0; !contacts_.isFrictionCoulombs() && i < kMostCorrections; ++i) {
-    ++counts_.corrected;
-    restoreStates();
-    contacts_.makeAgain(touches_.all());
-    makeRopeJoints(step);
-    if (!solveContacts(step)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool Dynamics3d::correctRopes(double step) {
-  constexpr int kMostCorrections = 4;
-  for (int i = 0; i < kMostCorrections && !areRopesKept(step); ++i) {
-    ++counts_.corrected_ropes;
-    restoreStates();
-    contacts_.makeAgain(touches_.all());
-    makeRopeJoints(step);
-    if (!solveContacts(step)) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool Dynamics3d::areRopesKept(double step) {
-  bool are_kept = true;
-  for (Body* body : order_) {
-    if (!isSolved(*body)) {
-      continue;
-    }
-    are_kept = areHingesKept(*body) && are_kept;
-    visitRopes(*body, [&](std::size_t rope) {
-      are_kept = (body->holding->ropes[rope].is_broken || isRopeKept(*body, rope, step)) && are_kept;
-    });
-  }
-  return are_kept;
-}
-
-void Dynamics3d::restoreStates() {
-  for (Body* body : order_) {
-    if (!body->steadiness.is_left_out) {
-      body->restoreState();
-    }
-  }
-}
-
-void Dynamics3d::makeRopeJoints(double step) {
-  for (Body* body : order_) {
-    if (body->holding != nullptr) {
-      prepareHanging(*body, dWorldGetERP(world_));
-    }
-    visitRopes(*body, [&](std::size_t rope) {
-      if (!body->holding->ropes[rope].is_broken) {
-        makeRopeJoint(world_, contacts_.joints(), *body, rope, step);
-      }
-    });
-  }
 }
 
 void Dynamics3d::reportTrouble(Space& space) {

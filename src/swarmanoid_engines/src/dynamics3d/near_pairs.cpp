@@ -1,4 +1,4 @@
-// Who is near whom.
+// Broad phase: pairs of neighbours.
 #include <algorithm>
 
 #include "dynamics3d/touches.hpp"
@@ -23,7 +23,7 @@ bool mayMeet(const Body& fixed, const Eigen::AlignedBox3d& box) {
   });
 }
 
-/// Whether the other is fixed, and out of the body's way.
+/// Whether the other body is fixed and out of the body's way.
 bool passes(const Body& body, const Body& other) {
   return body.is_dynamic && other.rigid == nullptr && !mayMeet(other, body.steadiness.box);
 }
@@ -31,7 +31,6 @@ bool passes(const Body& body, const Body& other) {
 }  // namespace
 
 const std::vector<Body*>& Touches::findPairs(std::size_t bodies) {
-  // crowds that are pressed together ever more closely need no more memory
   if (touches_.capacity() < kMostTouchesOfABody * bodies) {
     touches_.reserve(kMostTouchesOfABody * bodies);
     pairs_.reserve(touches_.capacity());

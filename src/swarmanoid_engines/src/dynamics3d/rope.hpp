@@ -34,4 +34,17 @@ bool isRopeKept(Body& robot, std::size_t rope, double step);
 /// @param share of the step in the lasting tension
 void feelRope(Rope& rope, double step, double share, double strength);
 
+/// Calls visit(index) for each rope of a robot that holds something.
+template <class Visit>
+void visitRopes(Body& robot, Visit visit) {
+  if (robot.holding == nullptr) {
+    return;
+  }
+  for (std::size_t i = 0; i < robot.holding->ropes.size(); ++i) {
+    if (robot.holding->ropes[i].held != nullptr) {
+      visit(i);
+    }
+  }
+}
+
 }  // namespace swarmanoid::dynamics3d

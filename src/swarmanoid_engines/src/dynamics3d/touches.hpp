@@ -1,7 +1,7 @@
-/// Finds where bodies touch in a step.
+/// Narrow phase: the touches of a step.
 ///
-/// Pairs are gone through in the order of entity numbers and solids, so a run does not depend on memory addresses.
-/// Surfaces are looked at before they meet (kMargin): they may come together by no more than their gap in a step.
+/// The order of touches depends on entity numbers and solids only, never on memory addresses. Solids closer than
+/// kMargin touch before they meet: their contact limits the approach speed to the gap per step.
 #pragma once
 
 #include <utility>
@@ -13,45 +13,46 @@
 
 namespace swarmanoid::dynamics3d {
 
-/// One point where two solids touch, or nearly do. Which of two comes first: a body that drives, then one that ODE
-/// moves.
+/// A contact point of two solids. The first solid is that of a driven body, otherwise that of a dynamic body.
 struct Touch {
-  Body* a = nullptr;  ///< ODE moves it
+  Body* a = nullptr;  ///< dynamic
   const Solid* solid_a = nullptr;
   Body* b = nullptr;  ///< null: the ground
   const Solid* solid_b = nullptr;
-  dContactGeom geometry = {};  ///< in W; depth is more by kMargin, and the normal leads out of b
+  dContactGeom geometry = {};  ///< in W; the depth includes kMargin, the normal points out of b
 };
 
-/// In a crowd, and more.
+/// Memory is allocated for so many touches a body; crowds have fewer.
 constexpr std::size_t kMostTouchesOfABody = 24;
 
 class Touches {
  public:
-  /// @param ground used where it is rough; elsewhere `settings` says what there is. @pre an OdeLock is held
+  /// @param ground rough ground; elsewhere the ground is that of `settings` @pre an OdeLock is held
   void configure(const Settings& settings, const GroundSurface& ground);
-  /// Gives everything back to ODE. @pre an OdeLock is held
+  /// Destroys all ODE objects. @pre an OdeLock is held
   void release();
 
   void add(Body& body) { near_.add(&body, boundsNow(body)); }
+  /// Also drops all touches of the last step.
   void remove(Body& body) {
     near_.remove(&body);
-    touches_.clear();  // some may be its
+    touches_.clear();
   }
 
-  /// Finds who is near whom in the step that comes. @param bodies how many there are @return those left out of ODE that
-  /// somebody is near: they have to be taken in, and looked at once more (boundsNow); valid until the next call
+  /// Broad phase of the next step. @param bodies number of bodies in the world @return bodies left out of ODE
+  /// (steady_motion.hpp) with a neighbour; the caller must take them in and update their bounds (boundsNow); valid
+  /// until the next call
   const std::vector<Body*>& findPairs(std::size_t bodies);
-  /// The box around a body, where it is now. Sees where its solids are.
+  /// Returns the current bounding box of a body in W, and updates those of its solids.
   static Eigen::AlignedBox3d boundsNow(Body& body);
 
-  /// Finds where those that are near touch, after findPairs. @param bodies by entity number
+  /// Finds the touches of all pairs and of the ground. @param bodies by rank @pre findPairs was called in this step
   void find(const std::vector<Body*>& bodies);
-  /// Those of the last step.
+  /// Returns the touches of the last step.
   const std::vector<Touch>& all() const { return touches_; }
 
-  /// How deep a body's solid is in those of others that it does not hold and that do not hold it, where it is now [m];
-  /// 0: not at all. Who is near, is as of the last step. @pre an OdeLock is held
+  /// Returns the current depth of a solid in other bodies [m]; 0: no overlap. Bodies joined by grips are skipped.
+  /// Neighbours are those of the last step. @pre an OdeLock is held
   double depthAmongBodies(const Body& body, const Solid& solid) const;
 
  private:

@@ -64,7 +64,7 @@ TEST(AllocationTest, ASteadyTickAllocatesNothing) {
   for (int i = 150; i < 300; ++i) {
     const long before = heap_allocations;
     tick(i);
-    if (world.space.events.empty()) {  // what happens is told in words
+    if (world.space.events.empty()) {  // events have texts
       allocations += heap_allocations - before;
       ++steady;
     }

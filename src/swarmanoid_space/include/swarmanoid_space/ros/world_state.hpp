@@ -22,10 +22,10 @@
 
 namespace swarmanoid {
 
-/// Stamp of the state: that of the last tick.
+/// Stamp of the current state: the end of the last tick.
 ros::Time stampOf(const Space& space);
-/// Stamp of the state that the readings of an entity are of, which is one tick before: what is drawn by tf at this
-/// stamp is drawn where it was sensed. @return nothing if it has not sensed since it was put where it is
+/// Stamp of the state that an entity's readings are of, one tick before stampOf. tf at this stamp is the pose at which
+/// the entity sensed. @return nothing if the entity has not sensed since it was placed
 std::optional<ros::Time> sensedAt(const Space& space, Row row);
 /// In kWorldFrame.
 std_msgs::Header headerOf(const Space& space);
