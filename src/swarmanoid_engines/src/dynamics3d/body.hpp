@@ -154,10 +154,11 @@ struct Body {
   Steadiness steadiness;
   /// Solver of the body's island in the current step (islands.hpp).
   enum class Island {
-    kNone,   ///< no island: between steps, or with `iterative`
-    kSmall,  ///< exact solver
-    kLarge,  ///< ODE's iterative solver
-    kCrowd   ///< crowd solver
+    kNone,     ///< no island: between steps, or with `iterative`
+    kSmall,    ///< ODE's exact solver
+    kSolved,   ///< likewise, while the solutions of other islands are corrected
+    kLarge,    ///< ODE's iterative solver
+    kContacts  ///< contact solver
   };
   Island island = Island::kNone;
   int island_first = 0;  ///< rank of the first body of the island

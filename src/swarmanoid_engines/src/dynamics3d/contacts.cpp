@@ -70,8 +70,8 @@ void Contacts::make(const std::vector<Touch>& touches, double step, int attempt,
   step_ = step;
   attempt_ = attempt;
   memory_.rewind();
-  friction_.startStep(step, settings_.gravity, attempt == 0 && !is_iterative);
-  crowds_.startStep(world_, step, bodies_);
+  friction_.startStep(step, settings_.gravity, touches.size(), attempt == 0 && !is_iterative);
+  solver_.startStep(world_, step, bodies_);
   makeAll(touches);
 }
 
@@ -81,30 +81,29 @@ void Contacts::makeAgain(const std::vector<Touch>& touches) {
 }
 
 void Contacts::makeAll(const std::vector<Touch>& touches) {
-  joints_made_ = 0;
-  for (const Touch& touch : touches) {
-    if (isEnabled(touch.a) || isEnabled(touch.b)) {
-      makeOne(touch);
+  for (std::size_t i = 0; i < touches.size(); ++i) {
+    if (isEnabled(touches[i].a) || isEnabled(touches[i].b)) {
+      makeOne(touches[i], i);
     }
   }
 }
 
-void Contacts::makeOne(const Touch& touch) {
+void Contacts::makeOne(const Touch& touch, std::size_t number) {
   dContact contact = {};
   if (!describe(touch, contact)) {
     return;
   }
-  if (touch.a->island == Body::Island::kCrowd) {
-    crowds_.add(*touch.a, touch.b, contact);
+  if (touch.a->island == Body::Island::kContacts) {
+    solver_.add(*touch.a, touch.b, contact);
     return;
   }
   const dBodyID rigid_a = dGeomGetBody(touch.solid_a->geom);
   const dBodyID rigid_b = touch.b == nullptr ? nullptr : dGeomGetBody(touch.solid_b->geom);
-  friction_.lay(*touch.a, rigid_a, touch.b, rigid_b, contact);
-  breakTies(contact.surface);
+  friction_.lay(number, *touch.a, rigid_a, touch.b, rigid_b, contact);
+  breakTies(number, contact.surface);
   const dJointID joint = dJointCreateContact(world_, joints_, &contact);
   dJointAttach(joint, rigid_a, rigid_b);
-  friction_.watch(joint);
+  friction_.watch(number, joint);
 }
 
 bool Contacts::describe(const Touch& touch, dContact& contact) const {
@@ -143,17 +142,17 @@ bool Contacts::describe(const Touch& touch, dContact& contact) const {
   return true;
 }
 
-void Contacts::breakTies(dSurfaceParameters& surface) {
+void Contacts::breakTies(std::size_t number, dSurfaceParameters& surface) const {
   // The exact solver gives up where contacts tie, as those of a symmetric robot at rest do. These speeds are all
   // different, and far too small to be seen.
   constexpr double kMost = 1e-9;          // m/s
   constexpr double kMostFriction = 1e-6;  // of the coefficient
   constexpr double kGoldenRatio = 0.618033988749895;
   constexpr int kOtherNumbers = 997;
-  const double number = std::fmod((++joints_made_ + kOtherNumbers * attempt_) * kGoldenRatio, 1.0);
-  surface.motionN -= (1 + attempt_) * kMost * number;
+  const double shift = std::fmod((static_cast<int>(number) + 1 + kOtherNumbers * attempt_) * kGoldenRatio, 1.0);
+  surface.motionN -= (1 + attempt_) * kMost * shift;
   if (attempt_ > 0) {
-    surface.mu *= 1.0 - kMostFriction * number;
+    surface.mu *= 1.0 - kMostFriction * shift;
   }
 }
 

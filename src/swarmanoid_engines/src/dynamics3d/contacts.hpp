@@ -1,10 +1,10 @@
-/// Makes contacts from touches, each for the solver of its island (islands.hpp): ODE joints, or contacts of the crowd
+/// Makes contacts from touches, each for the solver of its island (islands.hpp): ODE joints, or rows of the contact
 /// solver. Friction of joints: friction.hpp.
 #pragma once
 
 #include <vector>
 
-#include "dynamics3d/crowd_solver.hpp"
+#include "dynamics3d/contact_solver.hpp"
 #include "dynamics3d/friction.hpp"
 #include "dynamics3d/touches.hpp"
 
@@ -29,15 +29,16 @@ class Contacts {
   /// @param attempt number of failed solutions of this step; each one breaks ties between contacts in another way
   /// @param is_iterative whether ODE's iterative solver follows, which couples loads and friction by itself
   void make(const std::vector<Touch>& touches, double step, int attempt, bool is_iterative);
-  /// Makes the contacts again with the corrected friction. @pre the bodies are back in the state of the last make
+  /// Makes the contacts of enabled bodies again with the corrected friction. @pre these bodies are back in the state of
+  /// the last make
   void makeAgain(const std::vector<Touch>& touches);
-  /// Returns whether the solution obeys Coulomb's law at all contacts; corrects the friction for makeAgain if not.
-  bool isFrictionCoulombs() { return friction_.isCoulombs(); }
+  /// Marks the islands whose solution violates Coulomb's law as astray, and corrects their friction for makeAgain.
+  void markAstray(Islands& islands) { friction_.markAstray(islands); }
   /// Stores the forces of the exact solver for the next step.
   void keepForces() { friction_.keep(); }
-  /// Solves crowds and adds their contact forces to the bodies. @param is_settling true in the first steps after bodies
-  /// were placed
-  void solveCrowds(bool is_settling) { crowds_.solve(is_settling); }
+  /// Solves the islands of the contact solver and adds their forces to the bodies. @param is_settling true in the first
+  /// steps after bodies were placed
+  void solveContactIslands(bool is_settling) { solver_.solve(is_settling); }
   /// Joint group of all joints that last for one solution.
   dJointGroupID joints() const { return joints_; }
   /// Destroys the joints of that group.
@@ -45,10 +46,11 @@ class Contacts {
 
  private:
   void makeAll(const std::vector<Touch>& touches);
-  void makeOne(const Touch& touch);
+  /// @param number of the touch in the step
+  void makeOne(const Touch& touch, std::size_t number);
   /// Fills everything but the friction axes. @return false if the touch makes no contact
   bool describe(const Touch& touch, dContact& contact) const;
-  void breakTies(dSurfaceParameters& surface);
+  void breakTies(std::size_t number, dSurfaceParameters& surface) const;
 
   Settings settings_;
   dWorldID world_ = nullptr;
@@ -57,9 +59,8 @@ class Contacts {
   std::size_t most_bodies_ = 0;  // that memory is allocated for
   ContactMemory memory_;
   Friction friction_{memory_};
-  CrowdSolver crowds_{memory_};
+  ContactSolver solver_{memory_};
   double step_ = 0.0;
-  int joints_made_ = 0;  // in this step
   int attempt_ = 0;
 };
 

@@ -15,8 +15,8 @@
 /// few times, and then by the iterative solver; so no step is left with contacts that hold nothing. The first tick of a
 /// run in which the iterative solver had to help has an event (kEngineTrouble); afterwards it is only counted.
 ///
-/// Its time grows with the cube of an island's joints, so islands with more than a few contacts go to the crowd solver,
-/// and very large ones with grips, ropes or links to the iterative solver (islands.hpp).
+/// Islands that only contacts connect have a solver of their own, large ones with grips, ropes or links go to the
+/// iterative solver (islands.hpp).
 ///
 /// Bodies that go on as they did, or stand, with nobody near, are moved without ODE (steady_motion.hpp).
 ///
@@ -49,7 +49,7 @@ class Dynamics3d final : public Engine {
     std::uint64_t corrected = 0;        ///< solutions made once more, since friction did not oppose the slip
     std::uint64_t corrected_ropes = 0;  ///< solutions made once more to close ropes and hinges
     std::uint64_t iterative = 0;        ///< of the steps redone, those that the iterative solver made in the end
-    std::uint64_t large = 0;            ///< with islands that are too large for the exact solver
+    std::uint64_t large = 0;            ///< with islands that are too large for an exact solution
   };
 
   static PluginDescription describe();
@@ -114,14 +114,21 @@ class Dynamics3d final : public Engine {
 
   // solving.cpp: each solver moves the bodies that are enabled
   void solveByIslands(double step);
+  /// Solves small islands exactly, then the others.
+  void solveSmall(double step);
   /// @return false if the solver gave up; small islands are then back in the state before the step
   bool solveExactly(double step);
   bool solveContacts(double step);
-  void solveIteratively(double step);
+  /// Solves enabled islands by the contact solver and ODE's iterative solver.
+  void solveOthers(double step);
   bool correctFriction(double step);
   void finishSolution();
   bool correctRopes(double step);
-  bool areRopesKept(double step);
+  /// Solves small islands again that `markAstray` marks, at most so many times. @param count counts these solutions
+  /// @return false if the solver gave up
+  template <class MarkAstray>
+  bool correct(double step, int most, std::uint64_t& count, MarkAstray markAstray);
+  void markAstrayRopes(double step);
   void restoreStates();
   void makeRopeJoints(double step);
 

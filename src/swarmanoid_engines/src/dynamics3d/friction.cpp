@@ -59,45 +59,37 @@ bool isUpright(const Vector3d& normal) {
 
 bool isDriven(const Body& body) { return body.is_dynamic && body.model->wheels.has_value(); }
 
-/// Whether a robot with treels touches the other body with an upright side.
-bool isAtDrivenSide(const Body& a, const Body* b, const Vector3d& normal) {
-  return isUpright(normal) && (isDriven(a) || (b != nullptr && isDriven(*b)));
-}
-
 }  // namespace
 
 bool isPushed(const Body& a, const Body* b, const Vector3d& normal) {
   return isUpright(normal) && b != nullptr && a.is_dynamic && b->is_dynamic && isDriven(a) != isDriven(*b);
 }
 
-void Friction::startStep(double step, double gravity, bool uses_memory) {
+void Friction::startStep(double step, double gravity, std::size_t contacts, bool uses_memory) {
+  constexpr std::size_t kFirst = 1024;
   step_ = step;
   uses_memory_ = uses_memory;
   gravity_ = gravity;
-  next_ = 0;
   is_again_ = false;
-}
-
-void Friction::startAgain() {
-  next_ = 0;
-  is_again_ = true;
-}
-
-void Friction::watch(dJointID joint) { dJointSetFeedback(joint, &rubbings_[next_ - 1].feedback); }
-
-Friction::Rubbing& Friction::next() {
-  constexpr std::size_t kFirst = 1024;
-  if (next_ == rubbings_.size()) {
-    rubbings_.resize(std::max(kFirst, 2 * rubbings_.size()));  // by so many that it hardly happens again
+  contacts_ = contacts;
+  if (contacts > rubbings_.size()) {
+    rubbings_.resize(std::max({kFirst, contacts, 2 * rubbings_.size()}));  // by so many that it hardly happens again
   }
-  return rubbings_[next_++];
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    rubbings_[i].a = nullptr;
+  }
 }
 
-void Friction::lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact) {
+void Friction::watch(std::size_t number, dJointID joint) { dJointSetFeedback(joint, &rubbings_[number].feedback); }
+
+void Friction::lay(std::size_t number, const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b,
+                   dContact& contact) {
   SWARMANOID_EXPECTS(toVector(contact.geom.normal) != Vector3d::Zero() && contact.surface.mu >= 0.0);
-  Rubbing& rubbing = next();
+  SWARMANOID_EXPECTS(number < contacts_);
+  Rubbing& rubbing = rubbings_[number];
   const bool has_belt = (contact.surface.mode & dContactMotion1) != 0;
   const Vector3d point = toVector(contact.geom.pos);
+  rubbing.a = &a;
   rubbing.key = ContactMemory::keyOf(a, b);
   rubbing.rigid_a = rigid_a;
   rubbing.rigid_b = rigid_b;
@@ -130,7 +122,7 @@ void Friction::guess(const Body& a, const Body* b, const dContact& contact, Rubb
   const Vector3d slip = slipOf(rubbing);
   const double speed = slip.norm();
   const double holds = has_belt ? kSlips + changeOfBelt(rubbing) : kSlips;
-  if (!has_belt && isAtDrivenSide(a, b, rubbing.normal)) {
+  if (!has_belt && isPushed(a, b, rubbing.normal)) {
     rubbing.keeps_axis = true;
     rubbing.holding = kSlips;
     rubbing.axis = Vector3d::UnitZ().cross(rubbing.normal).normalized();
@@ -166,8 +158,11 @@ double Friction::recall(const Rubbing& rubbing) {
 
 void Friction::keep() {
   memory_.startPart();
-  for (std::size_t i = 0; i < next_; ++i) {
+  for (std::size_t i = 0; i < contacts_; ++i) {
     const Rubbing& rubbing = rubbings_[i];
+    if (rubbing.a == nullptr) {
+      continue;
+    }
     const Vector3d force = toVector(rubbing.feedback.f1);
     memory_.keep(rubbing.key, rubbing.rigid_a, rubbing.arm_a, {force, loadOf(rubbing)});
   }
@@ -202,12 +197,13 @@ Vector3d Friction::pullOf(const Body* body, dBodyID rigid) const {
   return (toVector(dBodyGetForce(rigid)) + body->pull) / body->model->mass - gravity_ * Vector3d::UnitZ();
 }
 
-bool Friction::isCoulombs() {
-  bool are_all = true;
-  for (std::size_t i = 0; i < next_; ++i) {
-    are_all = isCoulombs(rubbings_[i]) && are_all;
+void Friction::markAstray(Islands& islands) {
+  for (std::size_t i = 0; i < contacts_; ++i) {
+    Rubbing& rubbing = rubbings_[i];
+    if (rubbing.a != nullptr && rubbing.a->island == Body::Island::kSmall && !isCoulombs(rubbing)) {
+      islands.markAstray(*rubbing.a);
+    }
   }
-  return are_all;
 }
 
 bool Friction::isCoulombs(Rubbing& rubbing) {

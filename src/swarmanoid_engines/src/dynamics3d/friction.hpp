@@ -7,7 +7,7 @@
 ///
 /// ODE's exact solver limits friction by the loads that contacts would have if nothing rubbed. Loads that come from
 /// friction, as that of a wall against which treels drive a robot, are unknown to it. So contacts get fixed limits, and
-/// a step is solved again from the same state, with the limits that the loads of the solution give, until loads and
+/// an island is solved again from the same state, with the limits that the loads of the solution give, until loads and
 /// friction agree. The same passes find the direction of friction where rest turns into sliding in the step (Newton's
 /// method on the cone); not for treels: in a crowd some always begin to slip, and their direction is found in the steps
 /// that follow.
@@ -16,8 +16,8 @@
 /// New contacts, and those without a load before, have ODE's limits in it. After entities came, went or were moved from
 /// outside nothing is remembered.
 ///
-/// Sides of driven robots rub along the ground only, and yield up and down: rigid bodies leave undetermined how much of
-/// a load a pusher carries by friction, and here treels and ground carry all of it.
+/// What a driven robot pushes rubs along the ground only at its sides, and yields up and down: rigid bodies leave
+/// undetermined how much of a load a pusher carries by friction, and here treels and ground carry all of it.
 ///
 /// Everything is relative to the surfaces, nothing to the axes of W.
 #pragma once
@@ -28,6 +28,7 @@
 
 #include "dynamics3d/body.hpp"
 #include "dynamics3d/contact_memory.hpp"
+#include "dynamics3d/islands.hpp"
 
 namespace swarmanoid::dynamics3d {
 
@@ -42,21 +43,22 @@ class Friction {
   /// @param memory outlives this
   explicit Friction(ContactMemory& memory) : memory_(memory) {}
 
-  /// Before the contacts of a step are made. @param step [s] @param gravity [m/s2] @param uses_memory whether limits of
-  /// the step before are used
-  void startStep(double step, double gravity, bool uses_memory);
-  /// Before they are made again, in the same order, from the same state, because `isCoulombs` was false.
-  void startAgain();
+  /// Begins a step. @param step time step [s] @param gravity [m/s2] @param contacts upper bound of their numbers
+  /// @param uses_memory whether limits of the last step are used
+  void startStep(double step, double gravity, std::size_t contacts, bool uses_memory);
+  /// Begins another solution of some islands from the same state. The caller must lay their contacts again.
+  void startAgain() { is_again_ = true; }
 
-  /// Lays the axes of a contact. @pre its normal, position and coefficient are set; a belt's speed and direction, if
-  /// there is one, as motion1 along fdir1 @param b null: the ground
-  void lay(const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact);
-  /// After `lay`: the joint that was made of the contact.
-  void watch(dJointID joint);
+  /// Lays the axes of a contact. @param number of the contact in the step, from 0 @pre its normal, position and
+  /// coefficient are set; a belt's speed and direction, if there is one, as motion1 along fdir1 @param b null: the
+  /// ground
+  void lay(std::size_t number, const Body& a, dBodyID rigid_a, const Body* b, dBodyID rigid_b, dContact& contact);
+  /// Sets the joint of a contact. @pre `lay` was called for it
+  void watch(std::size_t number, dJointID joint);
 
-  /// After the step was solved: whether friction is Coulomb's everywhere. If not, axes and limits of the next pass are
-  /// taken from the solution.
-  bool isCoulombs();
+  /// Marks the islands whose solution violates Coulomb's law as astray. Their contacts get other axes and limits from
+  /// the solution. Islands that are solved already are skipped. @pre the step was solved
+  void markAstray(Islands& islands);
 
   /// After the last solution of a step: keeps its forces for the next step.
   void keep();
@@ -64,6 +66,7 @@ class Friction {
  private:
   /// One contact of the step.
   struct Rubbing {
+    const Body* a = nullptr;  // null: no contact has this number
     std::uint64_t key = 0;
     dBodyID rigid_a = nullptr;
     dBodyID rigid_b = nullptr;                          // null: does not move
@@ -83,8 +86,7 @@ class Friction {
     double limit = -1.0;                              // of friction [N]; below 0: that of ODE
   };
 
-  Rubbing& next();
-  /// The limit that the contact had in the step before; below 0: none. @pre called in the order of the contacts
+  /// The limit that the contact had in the step before; below 0: none. @pre numbers of its calls ascend
   double recall(const Rubbing& rubbing);
   /// Lays the axis by what is known before the step.
   void guess(const Body& a, const Body* b, const dContact& contact, Rubbing& rubbing) const;
@@ -103,8 +105,8 @@ class Friction {
   ContactMemory& memory_;
   double step_ = 0.0;
   double gravity_ = 0.0;
-  std::deque<Rubbing> rubbings_;  // ODE writes into them, so they must not move; there are never fewer
-  std::size_t next_ = 0;
+  std::deque<Rubbing> rubbings_;  // by number; ODE writes into them, so they must not move; there are never fewer
+  std::size_t contacts_ = 0;      // numbers of this step are less
   bool is_again_ = false;
   bool uses_memory_ = false;
 };

@@ -34,10 +34,12 @@ std::size_t placeOf(const Body& body) { return static_cast<std::size_t>(body.ran
 
 void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& touches) {
   largest_ = 0;
-  are_all_small_ = true;
+  has_small_ = false;
+  has_others_ = false;
   parents_.resize(bodies.size());
   std::iota(parents_.begin(), parents_.end(), 0);
   islands_.assign(bodies.size(), Island{});
+  is_astray_.assign(bodies.size(), 0);
   for (const Touch& touch : touches) {
     if (touch.b != nullptr && isStepped(*touch.b)) {
       join(*touch.a, *touch.b);
@@ -57,7 +59,7 @@ void Islands::find(const std::vector<Body*>& bodies, const std::vector<Touch>& t
     const Island& island = islands_[root];
     body.island = solverOf(island);
     body.island_first = static_cast<int>(root);
-    are_all_small_ = are_all_small_ && body.island == Body::Island::kSmall;
+    (body.island == Body::Island::kSmall ? has_small_ : has_others_) = true;
     if (isLarge(island)) {
       largest_ = std::max(largest_, island.bodies);
     }
@@ -72,11 +74,10 @@ bool Islands::isLarge(const Island& island) {
 }
 
 Body::Island Islands::solverOf(const Island& island) {
-  constexpr int kMostContacts = 12;  // two footbots; the crowd solver is faster for more
-  if (island.has_links || island.has_grips) {
-    return isLarge(island) ? Body::Island::kLarge : Body::Island::kSmall;
+  if (!island.has_links && !island.has_grips) {
+    return Body::Island::kContacts;
   }
-  return island.joints > kMostContacts ? Body::Island::kCrowd : Body::Island::kSmall;
+  return isLarge(island) ? Body::Island::kLarge : Body::Island::kSmall;
 }
 
 std::size_t Islands::rootOf(std::size_t rank) {
@@ -127,7 +128,11 @@ void Islands::joinBy(Body& body, dBodyID rigid) {
     islands_[rootOf(placeOf(body))].joints += dJointGetBody(joint, 0) == rigid ? 1 : 0;
     for (int side = 0; side < 2; ++side) {
       const dBodyID other_rigid = dJointGetBody(joint, side);
-      if (other_rigid == nullptr || other_rigid == rigid) {
+      if (other_rigid == rigid) {
+        continue;
+      }
+      if (other_rigid == nullptr) {  // it holds something fixed
+        islands_[rootOf(placeOf(body))].has_grips = true;
         continue;
       }
       const auto& other = *static_cast<const Body*>(dBodyGetData(other_rigid));
@@ -136,6 +141,32 @@ void Islands::joinBy(Body& body, dBodyID rigid) {
       island.has_grips = island.has_grips || &other != &body;
     }
   }
+}
+
+bool Islands::leaveAstray(const std::vector<Body*>& bodies) {
+  bool is_any_astray = false;
+  visitStepped(bodies, [&](Body& body) {
+    if (body.island != Body::Island::kSmall) {
+      return;
+    }
+    if (is_astray_[static_cast<std::size_t>(body.island_first)] != 0) {
+      is_any_astray = true;
+      return;
+    }
+    body.island = Body::Island::kSolved;
+    setEnabled(body, false);
+  });
+  std::fill(is_astray_.begin(), is_astray_.end(), 0);
+  return is_any_astray;
+}
+
+void Islands::reopenSolved(const std::vector<Body*>& bodies) {
+  visitStepped(bodies, [](Body& body) {
+    if (body.island == Body::Island::kSolved) {
+      body.island = Body::Island::kSmall;
+      setEnabled(body, true);
+    }
+  });
 }
 
 void Islands::enableSmall(const std::vector<Body*>& bodies, bool is_small) {

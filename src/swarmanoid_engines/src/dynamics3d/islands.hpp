@@ -1,8 +1,8 @@
 /// Islands: bodies connected by contacts and other joints, which a solver must solve together.
 ///
-/// The time of ODE's exact solver grows with the cube of an island's joints: 40 footbots pressed into a corner would
-/// take seconds a tick. Islands with more than a few contacts go to the crowd solver. Islands with grips, ropes or
-/// links, which only ODE knows, go to the exact solver up to a larger size, and beyond it to ODE's iterative solver.
+/// Islands that only contacts connect go to the contact solver (contact_solver.hpp). Islands with grips, ropes or
+/// links, which only ODE knows, go to ODE's exact solver. Its time grows with the cube of an island's joints, so large
+/// ones go to ODE's iterative solver.
 #pragma once
 
 #include <vector>
@@ -16,13 +16,23 @@ class Islands {
   /// Finds the islands of a step and sets Body::island. @param bodies by rank; ODE bodies are disabled only if the body
   /// is left out (steady_motion.hpp)
   void find(const std::vector<Body*>& bodies, const std::vector<Touch>& touches);
-  /// Returns whether all islands are for the exact solver.
-  bool areAllSmall() const { return are_all_small_; }
+  /// Returns whether an island is for ODE's exact solver.
+  bool hasSmall() const { return has_small_; }
+  /// Returns whether an island is for another solver.
+  bool hasOthers() const { return has_others_; }
   /// Returns whether an island is so large that its forces need several steps to spread.
   bool hasLarge() const { return largest_ > 0; }
   /// Returns the number of bodies of the largest such island since construction or clear; 0: there was none.
   int largestEver() const { return largest_ever_; }
   void clear() { *this = Islands(); }
+
+  /// Marks the small island of a body: its solution must be corrected.
+  void markAstray(const Body& body) { is_astray_[static_cast<std::size_t>(body.island_first)] = 1; }
+  /// Disables the small islands that are not marked and calls them solved; removes the marks. @return whether an island
+  /// was marked
+  bool leaveAstray(const std::vector<Body*>& bodies);
+  /// Enables all islands that leaveAstray called solved, and calls them small again.
+  static void reopenSolved(const std::vector<Body*>& bodies);
 
   /// Enables the bodies of small islands for ODE's next step and disables the others, or the reverse.
   static void enableSmall(const std::vector<Body*>& bodies, bool is_small);
@@ -36,7 +46,7 @@ class Islands {
     int bodies = 0;
     int joints = 0;
     bool has_links = false;
-    bool has_grips = false;
+    bool has_grips = false;  // or ropes
   };
 
   std::size_t rootOf(std::size_t rank);
@@ -49,9 +59,11 @@ class Islands {
 
   std::vector<std::size_t> parents_;  // union-find forest, by rank; roots are the first bodies of their islands
   std::vector<Island> islands_;       // by rank; valid for roots
+  std::vector<char> is_astray_;       // likewise
   int largest_ = 0;                   // bodies of the largest large island
   int largest_ever_ = 0;
-  bool are_all_small_ = true;
+  bool has_small_ = false;
+  bool has_others_ = false;
 };
 
 }  // namespace swarmanoid::dynamics3d

@@ -123,7 +123,7 @@ void Dynamics3d::stepOnce(int number, double step) {
   touches_.find(order_);
   contacts_.startStep(order_.size());
   if (settings_.solver == Settings::Solver::kIterative) {
-    solveIteratively(step);
+    solveOthers(step);
   } else {
     solveByIslands(step);
   }

@@ -7,8 +7,8 @@
 namespace swarmanoid::dynamics3d {
 namespace {
 
-/// Whether the last solution moved a body that can hang. Large islands are solved separately.
-bool isSolved(const Body& robot) {
+/// Returns whether the body can hang and the current solution moves it. Solvers have separate solutions.
+bool isEnabledHolder(const Body& robot) {
   return robot.holding != nullptr && robot.rigid != nullptr && dBodyIsEnabled(robot.rigid) != 0;
 }
 
@@ -17,19 +17,28 @@ bool isSolved(const Body& robot) {
 void Dynamics3d::solveByIslands(double step) {
   islands_.find(order_, touches_.all());
   counts_.large += islands_.hasLarge() ? 1 : 0;
-  if (!islands_.areAllSmall()) {
+  if (islands_.hasSmall()) {
+    solveSmall(step);
+  } else {
+    solveOthers(step);
+  }
+  Islands::forget(order_);
+}
+
+void Dynamics3d::solveSmall(double step) {
+  if (islands_.hasOthers()) {
     Islands::enableSmall(order_, true);
   }
-  if (!solveExactly(step)) {
-    ++counts_.iterative;
+  const bool is_solved = solveExactly(step);
+  counts_.iterative += is_solved ? 0 : 1;
+  if (!is_solved) {
     Islands::enableAll(order_);
-    solveIteratively(step);
-  } else if (!islands_.areAllSmall()) {
+    solveOthers(step);
+  } else if (islands_.hasOthers()) {
     Islands::enableSmall(order_, false);
-    solveIteratively(step);
+    solveOthers(step);
   }
   Islands::enableAll(order_);
-  Islands::forget(order_);
 }
 
 bool Dynamics3d::solveExactly(double step) {
@@ -53,9 +62,9 @@ bool Dynamics3d::solveExactly(double step) {
   return false;
 }
 
-void Dynamics3d::solveIteratively(double step) {
+void Dynamics3d::solveOthers(double step) {
   contacts_.make(touches_.all(), step, 0, true);
-  contacts_.solveCrowds(settling_ > 0);
+  contacts_.solveContactIslands(settling_ > 0);
   makeRopeJoints(step);
   dWorldQuickStep(world_, step);
   finishSolution();
@@ -71,7 +80,7 @@ bool Dynamics3d::solveContacts(double step) {
 void Dynamics3d::finishSolution() {
   contacts_.clear();
   for (Body* body : order_) {
-    if (isSolved(*body)) {
+    if (isEnabledHolder(*body)) {
       finishHanging(*body);
     }
   }
@@ -79,44 +88,45 @@ void Dynamics3d::finishSolution() {
 
 bool Dynamics3d::correctFriction(double step) {
   constexpr int kMostCorrections = 2;
-  for (int i = 0; !contacts_.isFrictionCoulombs() && i < kMostCorrections; ++i) {
-    ++counts_.corrected;
-    restoreStates();
-    contacts_.makeAgain(touches_.all());
-    makeRopeJoints(step);
-    if (!solveContacts(step)) {
-      return false;
-    }
-  }
-  return true;
+  return correct(step, kMostCorrections, counts_.corrected, [this] { contacts_.markAstray(islands_); });
 }
 
 bool Dynamics3d::correctRopes(double step) {
   constexpr int kMostCorrections = 4;
-  for (int i = 0; i < kMostCorrections && !areRopesKept(step); ++i) {
-    ++counts_.corrected_ropes;
+  return correct(step, kMostCorrections, counts_.corrected_ropes, [this, step] { markAstrayRopes(step); });
+}
+
+template <class MarkAstray>
+bool Dynamics3d::correct(double step, int most, std::uint64_t& count, MarkAstray markAstray) {
+  bool is_solved = true;
+  for (int i = 0; i < most && is_solved; ++i) {
+    markAstray();
+    if (!islands_.leaveAstray(order_)) {
+      break;
+    }
+    ++count;
     restoreStates();
     contacts_.makeAgain(touches_.all());
     makeRopeJoints(step);
-    if (!solveContacts(step)) {
-      return false;
-    }
+    is_solved = solveContacts(step);
   }
-  return true;
+  islands_.reopenSolved(order_);
+  return is_solved;
 }
 
-bool Dynamics3d::areRopesKept(double step) {
-  bool are_kept = true;
+void Dynamics3d::markAstrayRopes(double step) {
   for (Body* body : order_) {
-    if (!isSolved(*body)) {
+    if (!isEnabledHolder(*body)) {
       continue;
     }
-    are_kept = areHingesKept(*body) && are_kept;
+    bool are_kept = areHingesKept(*body);
     visitRopes(*body, [&](std::size_t rope) {
       are_kept = (body->holding->ropes[rope].is_broken || isRopeKept(*body, rope, step)) && are_kept;
     });
+    if (!are_kept) {
+      islands_.markAstray(*body);
+    }
   }
-  return are_kept;
 }
 
 void Dynamics3d::restoreStates() {
@@ -129,9 +139,10 @@ void Dynamics3d::restoreStates() {
 
 void Dynamics3d::makeRopeJoints(double step) {
   for (Body* body : order_) {
-    if (body->holding != nullptr) {
-      prepareHanging(*body, dWorldGetERP(world_));
+    if (!isEnabledHolder(*body)) {
+      continue;
     }
+    prepareHanging(*body, dWorldGetERP(world_));
     visitRopes(*body, [&](std::size_t rope) {
       if (!body->holding->ropes[rope].is_broken) {
         makeRopeJoint(world_, contacts_.joints(), *body, rope, step);

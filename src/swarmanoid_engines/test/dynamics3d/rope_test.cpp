@@ -83,6 +83,32 @@ TEST(RopeTest, TensionOfAHangingHandbotIsItsWeight) {
   EXPECT_NEAR(world.pose(robot).position.z(), before, 2e-3);
 }
 
+/// 16 footbots that drive to the middle of a square lattice. @param distance of neighbours, in the lattice [m]
+void addFootbots(HandbotWorld& world, double distance) {
+  for (int i = 0; i < 16; ++i) {
+    const Vector3d place(distance * (i % 4 - 1.5), distance * (i / 4 - 1.5), 0.0);
+    world.drive(world.addFootbot(flatPose(8.0 + place.x(), 8.0 + place.y(), std::atan2(-place.y(), -place.x()))), 0.15);
+  }
+}
+
+TEST(RopeTest, CarriesBesideACrowdAsBesideRobotsApart) {
+  // a crowd has a solution of its own in each step, in which the handbot has no part
+  HandbotWorld apart;
+  HandbotWorld pressed;
+  addFootbots(apart, 2.0);
+  addFootbots(pressed, 0.18);
+  const Row robot = hang(apart, 0.5);
+  ASSERT_EQ(hang(pressed, 0.5), robot);
+  const double weight = robotModel("handbot")->mass * kGravity;
+  EXPECT_NEAR(pressed.held(robot, kRope).force, weight, 0.02 * weight);
+  EXPECT_NEAR(pressed.held(robot, kRope).force, apart.held(robot, kRope).force, 1e-3);
+  EXPECT_LT((pressed.pose(robot).position - apart.pose(robot).position).norm(), 1e-6);
+  for (std::size_t i = 0; i < apart.space.joints[robot].size(); ++i) {
+    EXPECT_NEAR(pressed.space.joints[robot][i].angle, apart.space.joints[robot][i].angle, 1e-6);
+  }
+  EXPECT_GT(pressed.engine.solverCounts().large, 100U);
+}
+
 TEST(RopeTest, WindsAsFastAsItIsTold) {
   HandbotWorld world;
   const Row robot = hang(world, 0.3);
