@@ -47,6 +47,11 @@ struct SolverBody {
   void advance(double step) {
     pose = planar::PlacedPose::at(pose.position + step * velocity, pose.heading + step * spin, pose);
   }
+  /// Returns the change of velocity at a point along a direction for a unit of impulse there along it.
+  double yieldAlong(const Eigen::Vector2d& arm, const Eigen::Vector2d& direction) const {
+    const double turn = planar::cross(arm, direction);
+    return inverse_mass + inverse_inertia * turn * turn;
+  }
   /// The change of velocity at a point for each unit of impulse there.
   Eigen::Matrix2d yieldAt(const Eigen::Vector2d& arm) const {
     const Eigen::Vector2d across(-arm.y(), arm.x());
@@ -80,6 +85,7 @@ struct TreelConstraint {
   PlanarTwist command = PlanarTwist::Zero();                                 ///< at which nothing slips, at heading 0
   double most = 0.0;                                                         ///< impulse of a treel
   TreelImpulses impulses{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};  ///< at heading 0
+  bool is_exact = true;  ///< whether `solve` is exact, or nearer to it by a step that takes a fraction of the time
 
   void start(SolverBodies& bodies) const;
   double solve(SolverBodies& bodies);
@@ -162,6 +168,8 @@ struct ContactConstraint {
   void bounce(SolverBodies& bodies, double restitution, double slowest);
   /// Pushes bodies out of each other. @return how deep they were, beyond what is allowed [m]
   double correct(SolverBodies& bodies);
+  /// Returns how deep a point is, beyond what is allowed [m].
+  double depthOf(int point, const Facing& facing) const;
 
  private:
   std::array<double, 2> normalImpulses(const SolverBody& body_a, const SolverBody& body_b) const;

@@ -14,11 +14,6 @@ constexpr double kMostCorrection = 5e-3;
 
 Eigen::Vector2d leftOf(const Eigen::Vector2d& v) { return {-v.y(), v.x()}; }
 
-double yieldAlong(const SolverBody& body, const Eigen::Vector2d& arm, const Eigen::Vector2d& direction) {
-  const double turn = planar::cross(arm, direction);
-  return body.inverse_mass + body.inverse_inertia * turn * turn;
-}
-
 }  // namespace
 
 void SolverBody::shift(const Eigen::Vector2d& impulse, const Eigen::Vector2d& arm, double turn_impulse) {
@@ -43,9 +38,9 @@ void ContactConstraint::prepare(const SolverBodies& bodies, double step) {
     normal = facing.normal;
     point.arm_a = facing.arm_a;
     point.arm_b = facing.arm_b;
-    point.normal_mass = 1.0 / (yieldAlong(body_a, point.arm_a, normal) + yieldAlong(body_b, point.arm_b, normal));
+    point.normal_mass = 1.0 / (body_a.yieldAlong(point.arm_a, normal) + body_b.yieldAlong(point.arm_b, normal));
     const Eigen::Vector2d across = leftOf(normal);
-    point.tangent_mass = 1.0 / (yieldAlong(body_a, point.arm_a, across) + yieldAlong(body_b, point.arm_b, across));
+    point.tangent_mass = 1.0 / (body_a.yieldAlong(point.arm_a, across) + body_b.yieldAlong(point.arm_b, across));
     point.approach = std::max(facing.gap, 0.0) / step;
     point.speed_before = normal.dot(body_b.velocityAt(point.arm_b) - body_a.velocityAt(point.arm_a));
     point.allowed_depth = has_limit ? std::max(0.0, -facing.gap - kFastestOut * step) : 0.0;
@@ -163,6 +158,10 @@ void ContactConstraint::bounce(SolverBodies& bodies, double restitution, double 
   }
 }
 
+double ContactConstraint::depthOf(int point, const Facing& facing) const {
+  return -facing.gap - points[static_cast<std::size_t>(point)].allowed_depth - kSlop;
+}
+
 double ContactConstraint::correct(SolverBodies& bodies) {
   SolverBody& body_a = bodies[static_cast<std::size_t>(a)];
   SolverBody& body_b = bodies[static_cast<std::size_t>(b)];
@@ -174,14 +173,14 @@ double ContactConstraint::correct(SolverBodies& bodies) {
       continue;
     }
     const Facing facing = facingAt(patch, i, body_a.pose, body_b.pose);
-    const double depth = -facing.gap - point.allowed_depth - kSlop;
+    const double depth = depthOf(i, facing);
     if (depth <= 0.0) {
       point.clear_until = shifted - depth;
       continue;
     }
     deepest = std::max(deepest, depth);
     const double yield =
-        yieldAlong(body_a, facing.arm_a, facing.normal) + yieldAlong(body_b, facing.arm_b, facing.normal);
+        body_a.yieldAlong(facing.arm_a, facing.normal) + body_b.yieldAlong(facing.arm_b, facing.normal);
     const Eigen::Vector2d impulse = std::min(depth, kMostCorrection) / yield * facing.normal;
     body_a.shift(-impulse, facing.arm_a);
     body_b.shift(impulse, facing.arm_b);

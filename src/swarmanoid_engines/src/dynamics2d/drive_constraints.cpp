@@ -55,7 +55,10 @@ double TreelConstraint::solve(SolverBodies& bodies) {
   SolverBody& robot = bodies[static_cast<std::size_t>(body)];
   const Eigen::Vector3d before = sumOf(*treels, impulses);
   const PlanarTwist excess = twistOf(robot) - before.cwiseProduct(robot.inverseInertia()) - command;
-  impulses = treelImpulses(*treels, 1.0 / robot.inverse_mass, 1.0 / robot.inverse_inertia, excess, most, impulses, 1);
+  const double mass = 1.0 / robot.inverse_mass;
+  const double inertia = 1.0 / robot.inverse_inertia;
+  impulses = is_exact ? treelImpulses(*treels, mass, inertia, excess, most, impulses, 1)
+                      : improvedTreelImpulses(*treels, mass, inertia, excess, most, impulses);
   return give(robot, sumOf(*treels, impulses) - before);
 }
 

@@ -190,6 +190,9 @@ void Island::solve(int most_sweeps) {
   for (SolverBody& body : bodies) {
     body.last_change = 0;
   }
+  for (TreelConstraint& treel : treels) {
+    treel.is_exact = count <= kSmall;
+  }
   bool has_changed = true;
   for (int i = 0; i < sweeps && has_changed; ++i) {
     has_changed = solveAll(treels, bodies, i, settled);
@@ -204,7 +207,12 @@ void Island::correct() {
   constexpr int kMostCorrections = 40;
   constexpr double kExact = 2e-5;   // m
   constexpr double kEnough = 1e-4;  // m
-  const double allowed = countConstraints() <= kSmall ? kExact : kEnough;
+  const bool is_small = countConstraints() <= kSmall;
+  if (!is_small && grips.empty()) {
+    crowd_correction_.correct(bodies, contacts_, kEnough);
+    return;
+  }
+  const double allowed = is_small ? kExact : kEnough;
   for (int i = 0; i < kMostCorrections; ++i) {
     double wrong = 0.0;
     for (const GripConstraint& grip : grips) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "dynamics2d/constraints.hpp"
+#include "dynamics2d/crowd_correction.hpp"
 
 namespace swarmanoid::dynamics2d {
 
@@ -74,6 +75,7 @@ class Island {
   std::vector<Outline> outlines_;            // by body
   std::vector<ContactConstraint> contacts_;  // by pair
   std::vector<ContactConstraint> last_;      // those of the step before
+  CrowdCorrection crowd_correction_;
 };
 
 }  // namespace swarmanoid::dynamics2d

@@ -1,6 +1,7 @@
 #include "dynamics2d/treels.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "dynamics2d/friction.hpp"
 #include "planar/plane.hpp"
@@ -37,6 +38,20 @@ TreelImpulses slippingTreels(const Treels& treels, double mass, double inertia, 
   return impulses;
 }
 
+/// Impulses with which nothing slips.
+TreelImpulses holdingTreels(const Treels& treels, double mass, double inertia, const PlanarTwist& excess) {
+  const Eigen::Vector2d half = -0.5 * mass * excess.head<2>();
+  const double torque = -inertia * excess.z();
+  // both carry half of it, and push in opposite directions to turn
+  const Eigen::Vector2d opposite =
+      (torque - planar::cross(treels.left + treels.right, half)) / treels.track * treels.ahead;
+  return {half + opposite, half - opposite};
+}
+
+bool isHeld(const TreelImpulses& impulses, double most) {
+  return std::max(impulses[0].squaredNorm(), impulses[1].squaredNorm()) <= most * most;
+}
+
 }  // namespace
 
 Eigen::Vector3d sumOf(const Treels& treels, const TreelImpulses& impulses) {
@@ -46,14 +61,34 @@ Eigen::Vector3d sumOf(const Treels& treels, const TreelImpulses& impulses) {
 
 TreelImpulses treelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
                             const TreelImpulses& guess, int most_sweeps) {
-  const Eigen::Vector2d half = -0.5 * mass * excess.head<2>();
-  const double torque = -inertia * excess.z();
-  // both carry half of it, and push in opposite directions to turn
-  const Eigen::Vector2d opposite =
-      (torque - planar::cross(treels.left + treels.right, half)) / treels.track * treels.ahead;
-  const TreelImpulses holding{half + opposite, half - opposite};
-  const bool is_held = std::max(holding[0].squaredNorm(), holding[1].squaredNorm()) <= most * most;
-  return is_held ? holding : slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
+  const TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
+  return isHeld(holding, most) ? holding : slippingTreels(treels, mass, inertia, excess, most, guess, most_sweeps);
+}
+
+TreelImpulses improvedTreelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess,
+                                    double most, const TreelImpulses& impulses) {
+  const TreelImpulses holding = holdingTreels(treels, mass, inertia, excess);
+  if (isHeld(holding, most)) {
+    return holding;
+  }
+  TreelImpulses improved = impulses;
+  const Eigen::Vector3d sum = sumOf(treels, impulses);
+  Eigen::Vector2d velocity = excess.head<2>() + sum.head<2>() / mass;
+  double turn_rate = excess.z() + sum.z() / inertia;
+  for (std::size_t i = 0; i < improved.size(); ++i) {
+    const Eigen::Vector2d& place = i == 0 ? treels.left : treels.right;
+    const Eigen::Vector2d across(-place.y(), place.x());
+    // one step of the projection whose fixed point is Coulomb's law: the slip's impulse, as far as the ground holds
+    const double stiffness = 1.0 / (1.0 / mass + place.squaredNorm() / inertia);
+    Eigen::Vector2d now = improved[i] - stiffness * (velocity + turn_rate * across);
+    const double square = now.squaredNorm();
+    now *= square > most * most ? most / std::sqrt(square) : 1.0;
+    const Eigen::Vector2d added = now - improved[i];
+    improved[i] = now;
+    velocity += added / mass;
+    turn_rate += across.dot(added) / inertia;
+  }
+  return improved;
 }
 
 }  // namespace swarmanoid::dynamics2d

@@ -27,6 +27,10 @@ using TreelImpulses = std::array<Eigen::Vector2d, 2>;
 TreelImpulses treelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess, double most,
                             const TreelImpulses& guess, int most_sweeps);
 
+/// The same, nearer to the solution than `impulses`, in a fraction of the time: for who solves again and again.
+TreelImpulses improvedTreelImpulses(const Treels& treels, double mass, double inertia, const PlanarTwist& excess,
+                                    double most, const TreelImpulses& impulses);
+
 /// Their sum, and that of their torques about the centre of mass.
 Eigen::Vector3d sumOf(const Treels& treels, const TreelImpulses& impulses);
 

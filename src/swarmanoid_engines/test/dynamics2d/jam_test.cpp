@@ -23,8 +23,9 @@ TEST_P(JamTest, NoRobotLeavesAndNoneIsDeepInAnother) {
 
 INSTANTIATE_TEST_SUITE_P(Crowds, JamTest,
                          testing::Values(JamCase{"corner", 20, 1, corner}, JamCase{"corner", 150, 1, corner},
-                                         JamCase{"corner", 70, 10, corner}, JamCase{"gate", 60, 4, gate},
-                                         JamCase{"ring", 90, 1, ring}, JamCase{"crowd", 120, 1, eachOther}));
+                                         JamCase{"corner", 500, 10, corner}, JamCase{"corner", 70, 10, corner},
+                                         JamCase{"gate", 60, 4, gate}, JamCase{"ring", 90, 1, ring},
+                                         JamCase{"crowd", 120, 1, eachOther}));
 
 }  // namespace
 }  // namespace swarmanoid::dynamics2d
