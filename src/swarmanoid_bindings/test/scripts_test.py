@@ -11,6 +11,20 @@ import swarmanoid
 
 from script_world import EXPERIMENT, SWARM, ScriptCase
 
+PLACES = """    def step(self, robots):
+        values = numpy.random.default_rng(1).uniform(0.05, 3, (150, 7))
+        functions = [lambda p, name=name: getattr(numpy, name)(p[:, 5]) for name in ("sin", "cos", "tan", "arctan", "exp", "log", "sinh", "exp2")]
+        functions.append(lambda p: numpy.arctan2(p[:, 5], p[:, 6]))
+        kept = []
+        for k in range(400):
+            kept = kept[-50:] + [numpy.empty(1 + 37 * k % 400)]
+            first = k % 8
+            placed = numpy.empty(values.size + 8)[first:first + values.size].reshape(values.shape)
+            placed[:] = values
+            for function in functions:
+                assert (function(placed) == function(values)).all()
+"""
+
 
 class ScriptsTest(ScriptCase):
     def test_a_file_runs_as_its_parts_do_in_python_and_in_the_program(self):
@@ -36,6 +50,14 @@ class ScriptsTest(ScriptCase):
         simulation.tick(3)
         right = simulation.robots.commands["footbot_wheels"].right
         self.assertTrue((right == 4.25).all(), right)
+
+    def test_numpy_gives_the_same_bits_wherever_arrays_lie_in_memory(self):
+        """On processors with AVX-512 it takes other versions of these functions for some places, if nobody tells it not to."""
+        self.write("swarm.py", SWARM.replace("    def step(self, robots):\n", PLACES, 1))
+        environment = {name: value for name, value in os.environ.items() if name != "NPY_DISABLE_CPU_FEATURES"}
+        done = subprocess.run(["swarmanoid", "run", str(self.experiment("All")), "--quiet", "--ticks", "3"], env=environment,
+                              cwd=self.folder, capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_runs_share_no_module(self):
         experiment = self.experiment()

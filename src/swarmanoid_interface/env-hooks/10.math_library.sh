@@ -5,3 +5,8 @@ case "${GLIBC_TUNABLES:-}" in
   *-FMA,-FMA4*) ;;
   *) export GLIBC_TUNABLES="${GLIBC_TUNABLES:+$GLIBC_TUNABLES:}glibc.cpu.hwcaps=-FMA,-FMA4" ;;
 esac
+# NumPy's own versions of these functions depend on the processor, and on where arrays lie in memory.
+case " ${NPY_DISABLE_CPU_FEATURES:-} " in
+  *" FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL "*) ;;
+  *) export NPY_DISABLE_CPU_FEATURES="${NPY_DISABLE_CPU_FEATURES:+$NPY_DISABLE_CPU_FEATURES }FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL" ;;
+esac

@@ -32,6 +32,14 @@ TEST(TunablesTest, AreLeftAloneOnceTheyAskForIt) {
   }
 }
 
+TEST(NumpyFeaturesTest, AreAddedToThoseThatAreDisabledAlready) {
+  const std::string all = "FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_CNL AVX512_ICL";
+  EXPECT_EQ(disabledNumpyFeatures(""), all);
+  EXPECT_EQ(disabledNumpyFeatures(all), all);
+  EXPECT_EQ(disabledNumpyFeatures("AVX512_CNL AVX2"),
+            "AVX512_CNL AVX2 FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_ICL");
+}
+
 #if defined(__GLIBC__) && defined(__x86_64__)
 
 /// An argument whose sine differs in the last bit, the same way in the glibc of Debian 12 and 13.

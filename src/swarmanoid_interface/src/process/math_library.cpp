@@ -23,6 +23,12 @@ namespace {
 
 constexpr const char* kVariable = "GLIBC_TUNABLES";
 constexpr std::string_view kName = "glibc.cpu.hwcaps=";
+constexpr const char* kNumpyVariable = "NPY_DISABLE_CPU_FEATURES";
+
+std::string valueOf(const char* variable) {
+  const char* const found = std::getenv(variable);
+  return found == nullptr ? "" : found;
+}
 
 /// Follows the selection in the C library (sysdeps/x86_64/fpu/multiarch): the features of the processor that no setting
 /// hides.
@@ -34,8 +40,8 @@ bool isFused() {
 #endif
 }
 
-bool lists(const std::string& features, const std::string& feature) {
-  return ("," + features + ",").find("," + feature + ",") != std::string::npos;
+bool lists(const std::string& features, const std::string& feature, char separator) {
+  return (separator + features + separator).find(separator + feature + separator) != std::string::npos;
 }
 
 }  // namespace
@@ -64,19 +70,30 @@ std::string tunablesOfFixedMathLibrary(const std::string& tunables) {
   const auto end = std::min(tunables.find(':', start), tunables.size());
   std::string features = tunables.substr(start, end - start);
   for (const std::string feature : {"-FMA", "-FMA4"}) {
-    if (!lists(features, feature)) {
+    if (!lists(features, feature, ',')) {
       features += (features.empty() ? "" : ",") + feature;
     }
   }
   return tunables.substr(0, start) + features + tunables.substr(end);
 }
 
+std::string disabledNumpyFeatures(const std::string& features) {
+  std::string all = features;
+  for (const std::string feature :
+       {"FMA3", "AVX512F", "AVX512CD", "AVX512_SKX", "AVX512_CLX", "AVX512_CNL", "AVX512_ICL"}) {
+    if (!lists(all, feature, ' ')) {
+      all += (all.empty() ? "" : " ") + feature;
+    }
+  }
+  return all;
+}
+
 void fixMathLibrary(char** arguments) {
+  setenv(kNumpyVariable, disabledNumpyFeatures(valueOf(kNumpyVariable)).c_str(), 1);
   if (isMathLibraryFixed()) {
     return;
   }
-  const char* const found = std::getenv(kVariable);
-  const std::string before = found == nullptr ? "" : found;
+  const std::string before = valueOf(kVariable);
   const std::string after = tunablesOfFixedMathLibrary(before);
   std::error_code error;
   // the real path is used: started as /proc/self/exe the process would be listed under the name exe

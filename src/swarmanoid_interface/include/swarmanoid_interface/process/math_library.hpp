@@ -6,6 +6,10 @@
 /// the **fixed** library: it gives the same bits on any x86-64, in the suite, in Box2D and ODE, in controllers and in
 /// Python. The environment variable GLIBC_TUNABLES selects the version once, when a process starts.
 ///
+/// NumPy has versions of its own for processors with AVX-512 or FMA. They differ from the library in the last bits, and
+/// NumPy takes them or not by where arrays lie in memory, so even two runs on one computer differ. The environment
+/// variable NPY_DISABLE_CPU_FEATURES hides these features of the processor from NumPy when it is imported.
+///
 /// @par Threads fixMathLibrary() is called before other threads exist; the other functions may be called from any
 /// thread.
 #pragma once
@@ -25,9 +29,13 @@ std::string mathLibrary();
 /// @return that value with the setting that selects the fixed library; all other settings stay
 std::string tunablesOfFixedMathLibrary(const std::string& tunables);
 
-/// Restarts this process in an environment that selects the fixed library, which its children inherit. Nothing is
-/// lost if it is the first call in main(). It returns if there is nothing to change, or if the library cannot be
-/// changed: mathLibrary() then reports which one is in use.
+/// @param features a value of NPY_DISABLE_CPU_FEATURES, may be empty
+/// @return that value with the features for which NumPy has versions of its own
+std::string disabledNumpyFeatures(const std::string& features);
+
+/// Hides those features from NumPy in this process and its children. Restarts this process in an environment that
+/// selects the fixed library, which its children inherit. Nothing is lost if it is the first call in main(). It returns
+/// if there is nothing to change, or if the library cannot be changed: mathLibrary() then reports which one is in use.
 /// @param arguments argv of main()
 void fixMathLibrary(char** arguments);
 
